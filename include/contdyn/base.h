@@ -1,0 +1,137 @@
+/* contdyn: what every object shares: status codes, enumerations, the two callback tables, version.
+ *
+ * Conventions, the same in every header:
+ *   - A function that can fail returns cd_status: CD_OK (0) or an error. cd_error_message() then tells what was wrong
+ *     and gives the offending value. A failed call changes nothing.
+ *   - Outputs come last and are named out_*. Unless a comment says otherwise, an output pointer may not be null.
+ *   - Nothing here prints, aborts or throws. cd_*_destroy(NULL) does nothing.
+ *   - Distinct objects may be used from different threads at once; one object from one thread at a time.
+ *   - Quantities are in SI units, or in any other consistent set: the library never converts.
+ */
+#ifndef CONTDYN_BASE_H
+#define CONTDYN_BASE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define CD_API __attribute__((visibility("default")))
+#else
+#define CD_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- status ------------------------------------------------------------------------------------------------- */
+
+typedef int32_t cd_status;
+enum {
+    CD_OK = 0,
+    CD_ERROR_NULL = 1,        /* a pointer that may not be null is null */
+    CD_ERROR_HANDLE = 2,      /* the handle is of another kind, or already released */
+    CD_ERROR_VALUE = 3,       /* a number outside its valid range, or NaN or infinity where it has no meaning */
+    CD_ERROR_ENUM = 4,        /* not one of the enumeration's values */
+    CD_ERROR_RANGE = 5,       /* an index, a range or a buffer length that does not fit the object */
+    CD_ERROR_SIZE = 6,        /* a size that cannot be represented in memory */
+    CD_ERROR_MEMORY = 7,      /* the allocator returned null */
+    CD_ERROR_DISABLED = 8,    /* the field is not switched on: see cd_*_enable_field */
+    CD_ERROR_UNSUPPORTED = 9, /* a combination this object or this build cannot do */
+    CD_ERROR_DIVERGED = 10,   /* the state left the finite range during a step */
+    CD_ERROR_FORMAT = 11,     /* the bytes to load are damaged, or of another version or kind */
+    CD_ERROR_MISMATCH = 12    /* the two objects, or the object and the bytes, differ in shape or precision */
+};
+
+/* Name of a status, such as "CD_ERROR_VALUE"; "CD_ERROR_UNKNOWN" for a number that is none. A static string. */
+CD_API const char* cd_status_name(cd_status status);
+
+/* Why the last failed call on this thread failed: the function, the argument, its value, what would be valid.
+ * Empty before the first failure; successful calls leave it as it is. The string belongs to the library and stays
+ * valid until the next failure on the same thread. */
+CD_API const char* cd_error_message(void);
+
+/* ---- enumerations shared by the objects -------------------------------------------------------------------------- */
+
+/* What an object stores and computes in; chosen when it is made. */
+typedef int32_t cd_precision;
+enum { CD_FLOAT32 = 0, CD_FLOAT64 = 1 };
+
+/* How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. */
+typedef int32_t cd_method;
+enum {
+    CD_METHOD_IMPLICIT = 0,         /* Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is
+                                       backward Euler; for lambda >= 1/2 bounded at every dt */
+    CD_METHOD_FORWARD_EULER = 1,    /* Kass 1997, eq. 13; without damping it grows at every dt */
+    CD_METHOD_SYMPLECTIC_EULER = 2, /* the new velocity moves the position; bounded up to cd_*_stable_dt */
+    CD_METHOD_STIFF_SECOND = 3      /* two implicit stages with gamma = 1 - 1/sqrt(2) (SDIRK2): second order, and
+                                       L-stable: motion too fast for dt dies out */
+};
+
+/* How the total mass is dealt out to the nodes. */
+typedef int32_t cd_mass_rule;
+enum {
+    CD_MASS_EQUAL = 0,    /* every node the same: the notes' rule, first order in space */
+    CD_MASS_HALF_ENDS = 1 /* nodes on a border half as heavy as those inside: second order in space */
+};
+
+/* What holds a node. The values are also those of the field CD_PIN. */
+typedef int32_t cd_node;
+enum {
+    CD_NODE_FREE = 0,
+    CD_NODE_PINNED = 1, /* infinite mass, at rest */
+    CD_NODE_DRIVEN = 2, /* infinite mass, moves with the velocity written to it */
+    CD_NODE_MATCHED = 3 /* border nodes only: free, with the impedance sqrt(stiffness mass) that sends no echo back */
+};
+
+/* Per-node and per-spring data; which object has which is in its own header. */
+typedef int32_t cd_field;
+enum {
+    CD_POSITION = 0,
+    CD_VELOCITY = 1,
+    CD_FORCE = 2,
+    CD_MASS = 3,
+    CD_STIFFNESS = 4,
+    CD_BEND = 5,
+    CD_PIN = 6,
+    CD_TARGET = 7
+};
+
+/* ---- callbacks ------------------------------------------------------------------------------------------------- */
+
+/* Memory from the caller. allocate returns `size` bytes aligned to `alignment` (a power of two, at most 64), or null;
+ * release gets back what allocate gave, with the same size and alignment. Both are called only from inside a call on
+ * the object, on the caller's thread, never from a step, a read or a write. Copied at create. */
+typedef struct cd_allocator {
+    void* user;
+    void* (*allocate)(void* user, size_t size, size_t alignment);
+    void (*release)(void* user, void* pointer, size_t size, size_t alignment);
+} cd_allocator;
+
+/* Parallel work from the caller. run calls task(context, i) once for every i in [0, count), in any order, on any
+ * threads, and returns when all are done. Results do not depend on it, bit for bit. Copied when it is set. */
+typedef struct cd_parallel {
+    void* user;
+    void (*run)(void* user, size_t count, void (*task)(void* context, size_t index), void* context);
+} cd_parallel;
+
+/* ---- version ------------------------------------------------------------------------------------------------- */
+
+#define CD_VERSION_MAJOR 0
+#define CD_VERSION_MINOR 1
+#define CD_VERSION_PATCH 0
+
+/* Version of the library that runs: major * 1000000 + minor * 1000 + patch. The macros tell that of the header. */
+CD_API uint32_t cd_version(void);
+
+/* The same as text, "0.1.0". A static string. */
+CD_API const char* cd_version_string(void);
+
+/* Compiler, target and what was left out of this build, in one line. A static string. */
+CD_API const char* cd_build_info(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

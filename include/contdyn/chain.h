@@ -1,0 +1,243 @@
+/* contdyn: a chain of nodes joined by springs: massive spring, rope, hair, spline.
+ *
+ * A chain has `springs` springs and nodes = springs + 1 nodes; spring i joins node i to node i + 1. A ring has one
+ * spring more, number `springs`, from the last node to the first. A node has 1 to 4 components that never mix. One
+ * handle holds one or many strands: they share mass, stiffness, pins and ends, and so one factorization; position,
+ * velocity, force and target are each strand's own.
+ *
+ * Energy    E = 1/2 sum k_i |x_{i+1} - x_i|^2 + 1/2 sum b_i |x_{i+1} - 2 x_i + x_{i-1}|^2      (Kass 1997, eq. 2 and 5)
+ * Motion    M x'' + C x' + K x = M g + f,  K = the Hessian of E,  C = drag M + stiffness_damping K
+ *
+ * Rest length is zero: a free chain draws together, and one stretched evenly is held by its ends. A new chain lies
+ * with every node at the origin, at rest, all nodes free, mass 1, stiffness 1, no bend, no gravity, no damping,
+ * CD_METHOD_IMPLICIT with lambda 1/2.
+ *
+ * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for something that is no living chain;
+ * the comments name the other errors. */
+#ifndef CONTDYN_CHAIN_H
+#define CONTDYN_CHAIN_H
+
+#include "base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct cd_chain cd_chain;
+
+/* The two ends of a chain. */
+typedef int32_t cd_end;
+enum { CD_END_FIRST = 0, CD_END_LAST = 1 };
+
+/* ---- life ------------------------------------------------------------------------------------------------------ */
+
+/* Makes a chain. strands >= 1; springs >= 0 (0: a single node); components 1 to 4. allocator may be null (malloc).
+ * The caller owns *out_chain and releases it with cd_chain_destroy; on failure *out_chain is left alone.
+ * Errors: CD_ERROR_VALUE, CD_ERROR_ENUM, CD_ERROR_SIZE, CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED for a precision that
+ * this build leaves out. */
+CD_API cd_status cd_chain_create(size_t strands, size_t springs, size_t components, cd_precision precision,
+                                 const cd_allocator* allocator, cd_chain** out_chain);
+
+/* Releases a chain and all its memory. Null does nothing; a handle that is no living chain is left alone. */
+CD_API void cd_chain_destroy(cd_chain* chain);
+
+/* What cd_chain_create was given. Each output may be null. */
+CD_API cd_status cd_chain_get_shape(const cd_chain* chain, size_t* out_strands, size_t* out_springs,
+                                    size_t* out_components, cd_precision* out_precision);
+
+/* ---- method ------------------------------------------------------------------------------------------------------ */
+
+/* How steps are made. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY when the method needs a factorization and none is held. */
+CD_API cd_status cd_chain_set_method(cd_chain* chain, cd_method method);
+CD_API cd_status cd_chain_get_method(const cd_chain* chain, cd_method* out_method);
+
+/* lambda of CD_METHOD_IMPLICIT, in [0, 1]; default 1/2. Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_chain_set_lambda(cd_chain* chain, double lambda);
+CD_API cd_status cd_chain_get_lambda(const cd_chain* chain, double* out_lambda);
+
+/* Spreads the strands of a step over the caller's threads. Null turns it off. Errors: CD_ERROR_NULL for a table
+ * without run. */
+CD_API cd_status cd_chain_set_parallel(cd_chain* chain, const cd_parallel* parallel);
+
+/* ---- parameters -------------------------------------------------------------------------------------------------- */
+/* Totals of one strand. A change takes effect at the next step and costs it one refactorization. Where the field of
+ * the same name is switched on, setting the total writes the whole field anew. A getter tells the total last set.
+ * Errors of all setters: CD_ERROR_VALUE for a number that is NaN, infinite or out of range. */
+
+/* Mass [kg], > 0. Per node, CD_MASS_EQUAL: mass / nodes; CD_MASS_HALF_ENDS: mass / springs, half of it at the two
+ * ends (in a ring, and with no spring, the rules agree). Kass 1997, eq. 6. */
+CD_API cd_status cd_chain_set_mass(cd_chain* chain, double mass);
+CD_API cd_status cd_chain_get_mass(const cd_chain* chain, double* out_mass);
+CD_API cd_status cd_chain_set_mass_rule(cd_chain* chain, cd_mass_rule rule);
+CD_API cd_status cd_chain_get_mass_rule(const cd_chain* chain, cd_mass_rule* out_rule);
+
+/* Stretch stiffness k [N/m], >= 0. Per spring: k times the number of springs. Kass 1997, eq. 7. Waves run along the
+ * chain in sqrt(mass / k) seconds. */
+CD_API cd_status cd_chain_set_stiffness(cd_chain* chain, double stiffness);
+CD_API cd_status cd_chain_get_stiffness(const cd_chain* chain, double* out_stiffness);
+
+/* Bend stiffness b [N/m], >= 0. Per node with two neighbours: b times the cube of the number of springs (Kass 1997,
+ * eq. 5; eq. 8 prints the square). Errors: CD_ERROR_MEMORY when bend is switched on. */
+CD_API cd_status cd_chain_set_bend(cd_chain* chain, double bend);
+CD_API cd_status cd_chain_get_bend(const cd_chain* chain, double* out_bend);
+
+/* Drag [1/s], >= 0: every node loses velocity at this rate. */
+CD_API cd_status cd_chain_set_drag(cd_chain* chain, double drag);
+CD_API cd_status cd_chain_get_drag(const cd_chain* chain, double* out_drag);
+
+/* Stiffness damping [s], >= 0: stretch and bend damp at this time constant; a mode of angular frequency w loses
+ * amplitude at the rate (drag + stiffness_damping w^2) / 2. */
+CD_API cd_status cd_chain_set_stiffness_damping(cd_chain* chain, double seconds);
+CD_API cd_status cd_chain_get_stiffness_damping(const cd_chain* chain, double* out_seconds);
+
+/* Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of components. */
+CD_API cd_status cd_chain_set_gravity(cd_chain* chain, const double* gravity, size_t count);
+CD_API cd_status cd_chain_get_gravity(const cd_chain* chain, double* out_gravity, size_t count);
+
+/* What holds an end: the same as writing the field CD_PIN at the first or last node of the chain. Pinning stops the
+ * node in every strand; driving leaves its velocity, which is then written through CD_VELOCITY.
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED on a ring. */
+CD_API cd_status cd_chain_set_end(cd_chain* chain, cd_end end, cd_node kind);
+CD_API cd_status cd_chain_get_end(const cd_chain* chain, cd_end end, cd_node* out_kind);
+
+/* Joins the last node to the first (1) or opens the ring (0). A ring has as many springs as nodes, and with bend a
+ * bend term at every node; totals are dealt out anew, and a per-spring stiffness field gets the uniform value.
+ * Needs 3 nodes. Errors: CD_ERROR_VALUE for anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a
+ * matched end; CD_ERROR_MEMORY. */
+CD_API cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring);
+CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
+
+/* ---- fields -------------------------------------------------------------------------------------------------------
+ *  field         per              unit    values
+ *  CD_POSITION   strand, node     m       finite
+ *  CD_VELOCITY   strand, node     m/s     finite; of a pinned node only 0
+ *  CD_FORCE      strand, node     N       finite; acts until it is overwritten
+ *  CD_TARGET     strand, node     m       finite; where cd_chain_attach pulls to
+ *  CD_MASS       node             kg      > 0
+ *  CD_STIFFNESS  spring           N/m     >= 0; 0: cut; INFINITY: welded, see cd_chain_weld
+ *  CD_BEND       node             N/m     >= 0; that of the two ends of an open chain is kept and not used
+ *  CD_PIN        node             -       a cd_node
+ * Nodes joined by welded springs make a group, which may hold one pinned or driven node: more is CD_ERROR_UNSUPPORTED.
+ * Position, velocity and pin are always there. The others cost memory and time only once they are switched on. */
+
+/* Switches a field on, filled with the present uniform values (force 0, target the present position). On already:
+ * nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY. */
+CD_API cd_status cd_chain_enable_field(cd_chain* chain, cd_field field);
+
+/* Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened.
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position, velocity and pin. */
+CD_API cd_status cd_chain_disable_field(cd_chain* chain, cd_field field);
+
+/* Writes or reads values[strand][node][component], dense, of strands [first_strand, first_strand + strands) and nodes
+ * (or springs) [first, first + n). Fields without components have one value per node; fields that the strands share
+ * have the single strand 0. `count` is the number of values in the buffer: strands * n * components. Numbers are
+ * rounded once, to the precision of the side that is narrower. Never allocates.
+ * Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first bad index. */
+CD_API cd_status cd_chain_write_f32(cd_chain* chain, cd_field field, size_t first_strand, size_t strands,
+                                    size_t first, size_t n, const float* values, size_t count);
+CD_API cd_status cd_chain_write_f64(cd_chain* chain, cd_field field, size_t first_strand, size_t strands,
+                                    size_t first, size_t n, const double* values, size_t count);
+CD_API cd_status cd_chain_read_f32(const cd_chain* chain, cd_field field, size_t first_strand, size_t strands,
+                                   size_t first, size_t n, float* out_values, size_t count);
+CD_API cd_status cd_chain_read_f64(const cd_chain* chain, cd_field field, size_t first_strand, size_t strands,
+                                   size_t first, size_t n, double* out_values, size_t count);
+
+/* Where a field lies in the chain's own memory, in the chain's precision, to read without a copy: the value of
+ * (strand, node, component) is at byte *out_data + strand * strand_stride + node * node_stride + component *
+ * component_stride. Position, velocity, force and target only. The pointer is good until the field is switched off or
+ * the chain released; the numbers change with every write and step. Do not write through it.
+ * Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_UNSUPPORTED. */
+CD_API cd_status cd_chain_view(const cd_chain* chain, cd_field field, const void** out_data, size_t* out_strand_stride,
+                               size_t* out_node_stride, size_t* out_component_stride);
+
+/* ---- acting on it ------------------------------------------------------------------------------------------------- */
+
+/* Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in a welded group
+ * by impulse / the group's mass; a pinned or driven node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE. */
+CD_API cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const double* impulse, size_t count);
+
+/* Ties a node of every strand to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a
+ * mouse drag does. target, one number per component, is given to every strand; null: each node's present position.
+ * Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
+ * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY. */
+CD_API cd_status cd_chain_attach(cd_chain* chain, size_t node, double stiffness, double damping, const double* target,
+                                 size_t count);
+CD_API cd_status cd_chain_detach(cd_chain* chain, size_t node);
+CD_API cd_status cd_chain_get_attachment(const cd_chain* chain, size_t node, double* out_stiffness,
+                                         double* out_damping);
+
+/* Cuts a spring (stiffness 0), or welds it (infinite stiffness): from then on its two nodes share one velocity, the
+ * mean of theirs by mass, so that momentum is kept, and their offset stays as it is. Welding to a pinned or driven node
+ * gives that node's velocity. A cut or welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch
+ * CD_STIFFNESS on. Bend is not cut with the spring: write CD_BEND.
+ * Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two pinned or driven nodes. */
+CD_API cd_status cd_chain_cut(cd_chain* chain, size_t spring);
+CD_API cd_status cd_chain_weld(cd_chain* chain, size_t spring);
+
+/* ---- time ------------------------------------------------------------------------------------------------------- */
+
+/* Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
+ * count * strands * nodes * components.
+ * Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives
+ * the first bad one, the chain can be read, and steps again after cd_chain_reset, a load, or once finite positions and
+ * velocities have been written. */
+CD_API cd_status cd_chain_step(cd_chain* chain, double dt, size_t count);
+
+/* The longest dt at which CD_METHOD_SYMPLECTIC_EULER stays bounded, whatever method is set: the largest dt with
+ * 4 M - 2 dt C - dt^2 K positive definite. Exact for stretch; with bend a lower bound, exact in the limit of many
+ * nodes. INFINITY if nothing can swing. */
+CD_API cd_status cd_chain_stable_dt(const cd_chain* chain, double* out_dt);
+
+/* Simulated time [s] and steps made since create, reset or load. */
+CD_API cd_status cd_chain_get_time(const cd_chain* chain, double* out_time);
+CD_API cd_status cd_chain_get_steps(const cd_chain* chain, uint64_t* out_steps);
+
+/* How many factorizations the chain has made: one at the first implicit step and one at the first after each change of
+ * dt, lambda, method or a parameter. Not part of the saved state. */
+CD_API cd_status cd_chain_get_factorizations(const cd_chain* chain, uint64_t* out_count);
+
+/* ---- measuring --------------------------------------------------------------------------------------------------- */
+
+/* Energies of all strands together [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend
+ * and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps their sum. */
+CD_API cd_status cd_chain_get_energy(const cd_chain* chain, double* out_kinetic, double* out_elastic,
+                                     double* out_gravity);
+
+/* Momentum of the free nodes of all strands together [kg m/s], one number per component.
+ * Errors: CD_ERROR_RANGE if count is not the number of components. */
+CD_API cd_status cd_chain_get_momentum(const cd_chain* chain, double* out_momentum, size_t count);
+
+/* Positions of one strand at places along it, linear between nodes: at[j] in [0, springs] (ring: to springs + 1),
+ * out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE. */
+CD_API cd_status cd_chain_sample(const cd_chain* chain, size_t strand, const double* at, size_t n,
+                                 double* out_positions, size_t out_count);
+
+/* Bytes the chain holds from its allocator. */
+CD_API cd_status cd_chain_get_memory(const cd_chain* chain, size_t* out_bytes);
+
+/* A 64-bit hash of everything cd_chain_save would write. Equal on every machine, compiler and vector width. */
+CD_API cd_status cd_chain_hash(const cd_chain* chain, uint64_t* out_hash);
+
+/* ---- keeping ----------------------------------------------------------------------------------------------------- */
+
+/* The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
+ * on every machine, versioned, with a checksum. save needs size >= cd_chain_save_size and tells what it wrote.
+ * load needs a chain of the same shape and precision; it switches fields on and off as they were. Bytes that are
+ * damaged, cut short, of another version or kind are refused and change nothing.
+ * Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
+CD_API cd_status cd_chain_save_size(const cd_chain* chain, size_t* out_size);
+CD_API cd_status cd_chain_save(const cd_chain* chain, void* buffer, size_t size, size_t* out_written);
+CD_API cd_status cd_chain_load(cd_chain* chain, const void* bytes, size_t size);
+
+/* Makes `chain` what `source` is, as save and load would, without the bytes: the two must agree in shape and precision.
+ * Allocates only if they differ in the fields switched on. Errors: CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
+CD_API cd_status cd_chain_copy_state(cd_chain* chain, const cd_chain* source);
+
+/* Positions, velocities, time and steps back to 0. Parameters, fields and pins stay; targets too. */
+CD_API cd_status cd_chain_reset(cd_chain* chain);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

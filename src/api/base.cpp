@@ -1,0 +1,67 @@
+#include "contdyn/base.h"
+
+#include "base/status.hh"
+
+#define CD_TEXT_(a) #a
+#define CD_TEXT(a) CD_TEXT_(a)
+#if defined(__clang__)
+#define CD_COMPILER "Clang " CD_TEXT(__clang_major__) "." CD_TEXT(__clang_minor__)
+#elif defined(__GNUC__)
+#define CD_COMPILER "GCC " CD_TEXT(__GNUC__) "." CD_TEXT(__GNUC_MINOR__)
+#else
+#define CD_COMPILER "another compiler"
+#endif
+#if defined(__x86_64__)
+#define CD_TARGET "x86-64"
+#elif defined(__aarch64__)
+#define CD_TARGET "AArch64"
+#elif defined(__wasm__)
+#define CD_TARGET "WebAssembly"
+#else
+#define CD_TARGET "another target"
+#endif
+
+const char* cd_status_name(cd_status status) {
+    switch (status) {
+#define CD_NAME(code) \
+    case code: return #code;
+        CD_NAME(CD_OK)
+        CD_NAME(CD_ERROR_NULL)
+        CD_NAME(CD_ERROR_HANDLE)
+        CD_NAME(CD_ERROR_VALUE)
+        CD_NAME(CD_ERROR_ENUM)
+        CD_NAME(CD_ERROR_RANGE)
+        CD_NAME(CD_ERROR_SIZE)
+        CD_NAME(CD_ERROR_MEMORY)
+        CD_NAME(CD_ERROR_DISABLED)
+        CD_NAME(CD_ERROR_UNSUPPORTED)
+        CD_NAME(CD_ERROR_DIVERGED)
+        CD_NAME(CD_ERROR_FORMAT)
+        CD_NAME(CD_ERROR_MISMATCH)
+#undef CD_NAME
+    default: return "CD_ERROR_UNKNOWN";
+    }
+}
+
+const char* cd_error_message(void) { return cd::last_message(); }
+
+uint32_t cd_version(void) { return CD_VERSION_MAJOR * 1000000u + CD_VERSION_MINOR * 1000u + CD_VERSION_PATCH; }
+
+const char* cd_version_string(void) {
+    return CD_TEXT(CD_VERSION_MAJOR) "." CD_TEXT(CD_VERSION_MINOR) "." CD_TEXT(CD_VERSION_PATCH);
+}
+
+const char* cd_build_info(void) {
+    return CD_COMPILER ", " CD_TARGET ", objects:"
+#if CD_WITH_CHAIN
+                       " chain"
+#endif
+                       ", precisions:"
+#if CD_WITH_FLOAT32
+                       " float32"
+#endif
+#if CD_WITH_FLOAT64
+                       " float64"
+#endif
+        ;
+}

@@ -1,0 +1,32 @@
+#include "base/memory.hh"
+
+#include <stdlib.h>
+#include <string.h>
+
+namespace cd {
+
+static void* plain_allocate(void*, size_t size, size_t alignment) {
+    void* pointer = nullptr;
+    return posix_memalign(&pointer, alignment, size) == 0 ? pointer : nullptr;
+}
+
+static void plain_release(void*, void* pointer, size_t, size_t) { free(pointer); }
+
+cd_allocator default_allocator() { return {nullptr, plain_allocate, plain_release}; }
+
+void* allocate(Memory& memory, size_t size) {
+    if (size == 0) return nullptr;
+    void* pointer = memory.allocator.allocate(memory.allocator.user, size, kAlignment);
+    if (!pointer) return nullptr;
+    memset(pointer, 0, size);
+    memory.bytes += size;
+    return pointer;
+}
+
+void release(Memory& memory, void* pointer, size_t size) {
+    if (!pointer) return;
+    memory.bytes -= size;
+    memory.allocator.release(memory.allocator.user, pointer, size, kAlignment);
+}
+
+} // namespace cd

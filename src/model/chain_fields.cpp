@@ -1,0 +1,102 @@
+// The chain's fields one number at a time, and the velocities that welds and pins impose.
+#include "model/chain.hh"
+
+#include <math.h>
+
+namespace cd {
+
+bool valid_number(const Chain& c, cd_field field, size_t node, double value) {
+    switch (field) {
+    case CD_MASS: return valid_mass(value);
+    case CD_STIFFNESS: return valid_parameter(value) || (isinf(value) && value > 0);
+    case CD_BEND: return valid_parameter(value);
+    case CD_PIN: {
+        const bool end = !c.ring && (node == 0 || node + 1 == c.nodes);
+        return value == CD_NODE_FREE || value == CD_NODE_PINNED || value == CD_NODE_DRIVEN ||
+               (value == CD_NODE_MATCHED && end);
+    }
+    case CD_VELOCITY:
+        if (c.pin[node] == CD_NODE_PINNED && value != 0) return false;
+        [[fallthrough]];
+    default: return fabs(value) <= (c.precision == CD_FLOAT64 ? 1.7976931348623157e308 : 3.4028234663852886e38);
+    }
+}
+
+static size_t place(const Chain& c, size_t strand, size_t node, size_t component) {
+    return node * c.pitch + strand * c.components + component;
+}
+
+double get_number(const Chain& c, const Array<char>& array, size_t strand, size_t node, size_t component) {
+    const size_t at = place(c, strand, node, component);
+    return c.precision == CD_FLOAT64 ? numbers<double>(array)[at] : double(numbers<float>(array)[at]);
+}
+
+void set_number(const Chain& c, const Array<char>& array, size_t strand, size_t node, size_t component, double value) {
+    const size_t at = place(c, strand, node, component);
+    if (c.precision == CD_FLOAT64) numbers<double>(array)[at] = value;
+    else numbers<float>(array)[at] = float(value);
+}
+
+Group group_of(const Chain& c, size_t node) {
+    Group group{node, 1};
+    const auto left = [&](size_t i) { return i > 0 ? i - 1 : c.nodes - 1; };
+    while (group.count < c.nodes && (group.first > 0 || c.ring) && welded(c, left(group.first))) {
+        group.first = left(group.first);
+        ++group.count;
+    }
+    for (size_t last = node; group.count < c.nodes && (last + 1 < c.nodes || c.ring) && welded(c, last); ++group.count)
+        last = last + 1 < c.nodes ? last + 1 : 0;
+    return group;
+}
+
+size_t held_in(const Chain& c, Group group) {
+    size_t count = 0;
+    for (size_t k = 0; k < group.count; ++k) count += held(c, (group.first + k) % c.nodes);
+    return count;
+}
+
+// v = v_0 + sum m_i (v_i - v_0) / sum m_i: exact where the velocities already agree.
+template <class T> static void merge_group(Chain& c, Group group, size_t first_line, size_t lines) {
+    T* const v = numbers<T>(c.velocity);
+    const auto node = [&](size_t k) { return (group.first + k) % c.nodes; };
+    size_t lead = group.first;
+    double total = 0;
+    bool is_held = false;
+    for (size_t k = 0; k < group.count; ++k) {
+        total += mass_of(c, node(k));
+        if (held(c, node(k))) lead = node(k), is_held = true;
+    }
+    for (size_t line = first_line; line < first_line + lines; ++line) {
+        const double base = double(v[lead * c.pitch + line]);
+        double shift = 0;
+        for (size_t k = 0; k < group.count && !is_held; ++k)
+            shift += mass_of(c, node(k)) * (double(v[node(k) * c.pitch + line]) - base);
+        const T merged = T(base + shift / total);
+        for (size_t k = 0; k < group.count; ++k) v[node(k) * c.pitch + line] = merged;
+    }
+}
+
+static void merge(Chain& c, Group group, size_t first_line, size_t lines) {
+    if (c.precision == CD_FLOAT64) merge_group<double>(c, group, first_line, lines);
+    else merge_group<float>(c, group, first_line, lines);
+}
+
+void merge_velocities(Chain& c, size_t first_line, size_t lines) {
+    if (!c.spring_stiffness) return;
+    bool any_start = false;
+    for (size_t i = 0; i < c.nodes; ++i) {
+        const bool start = i > 0 ? !welded(c, i - 1) : !c.ring || !welded(c, c.nodes - 1);
+        any_start |= start;
+        if (start && i < c.springs + size_t(c.ring) && welded(c, i)) merge(c, group_of(c, i), first_line, lines);
+    }
+    if (!any_start) merge(c, group_of(c, 0), first_line, lines); // a ring welded all round
+}
+
+void stop_pinned(Chain& c) {
+    for (size_t node = 0; node < c.nodes; ++node)
+        if (c.pin[node] == CD_NODE_PINNED)
+            for (size_t strand = 0; strand < c.strands; ++strand)
+                for (size_t k = 0; k < c.components; ++k) set_number(c, c.velocity, strand, node, k, 0);
+}
+
+} // namespace cd

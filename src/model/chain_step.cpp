@@ -1,0 +1,291 @@
+// Steps of a chain. Every implicit method is one or two stages of one form; with h the stage's share of dt,
+//
+//      (M (1 + h drag) + h Z + h (h + damping) K) delta = h [f + M g - (drag M + Z) v - K (x + h v + damping v)]
+//      v += velocity_gain delta,    x += position_gain (v_old + delta)
+//
+//   lambda   h = lambda dt: delta = lambda dv, gains 1 / lambda and dt                    (model.md, section 2)
+//   stiff    h = gamma dt, gamma = 1 - 1/sqrt(2): a backward Euler step of h carried on to sqrt(2) times its length,
+//            then another. SDIRK2 written so: with the state after the first stage Y_1, the second starts from
+//            Y + (1 - gamma) / gamma (Y_1 - Y), and (1 - gamma) / gamma = sqrt(2).
+//
+// Z holds matched ends and attachments. The springs' part of the right side goes to the solvers as wishes: spring i
+// wants delta_{i+1} - delta_i to be -(x_{i+1} - x_i) / (h + damping) - (v_{i+1} - v_i), with stiffness
+// h (h + damping) k_i. lambda = 0 is forward Euler.
+#include "model/chain.hh"
+
+#include <math.h>
+
+#include "base/parallel.hh"
+#include "kernel/advance.hh"
+#include "kernel/explicit_sweep.hh"
+#include "kernel/rod_sweep.hh"
+#include "kernel/spring_sweep.hh"
+#include "solve/ring_closure.hh"
+#include "solve/rod_line.hh"
+#include "solve/spring_line.hh"
+
+namespace cd {
+
+namespace {
+
+constexpr double kSqrt2 = 1.4142135623730951;
+
+bool is_explicit(const Chain& c) {
+    return c.method == CD_METHOD_FORWARD_EULER || c.method == CD_METHOD_SYMPLECTIC_EULER ||
+           (c.method == CD_METHOD_IMPLICIT && c.lambda == 0);
+}
+bool is_rod(const Chain& c) { return has_bend(c) || c.ring; }
+
+double stage_share(const Chain& c, double dt) {
+    return is_explicit(c) ? dt : c.method == CD_METHOD_STIFF_SECOND ? (1 - kSqrt2 / 2) * dt : c.lambda * dt;
+}
+
+// The system of one stage, for the solvers to factor.
+struct StageSystem {
+    const Chain& c;
+    double h;
+
+    // Beside its inertia: what drags a node back, and what ties it to its target.
+    double dragging(size_t i) const {
+        return c.drag * mass_of(c, i) + impedance(c, i) + (c.attach_damping ? c.attach_damping[i] : 0);
+    }
+    double tying(size_t i) const { return c.attach_stiffness ? c.attach_stiffness[i] : 0; }
+
+    double ground(size_t i) const {
+        return held(c, i) ? double(INFINITY) : mass_of(c, i) + h * dragging(i) + h * h * tying(i);
+    }
+    double spring(size_t i) const { return h * (h + c.damping) * stiffness_of(c, i); }
+    double bend(size_t i) const { return h * (h + c.damping) * bend_of(c, i); }
+};
+
+// The chain's coefficients as rows of one number per node.
+template <class R> struct Rows {
+    R* data;
+    size_t nodes;
+    R* row(size_t r) const { return data + r * nodes; }
+};
+
+// The last four rows, filled by set_gains; absent where the chain has nothing of the kind.
+template <class R> NodeGains<R> gains_in(const Chain& c, Rows<R> rows, size_t first) {
+    const bool drags = c.drag > 0 || c.target || c.pin[0] == CD_NODE_MATCHED || c.pin[c.nodes - 1] == CD_NODE_MATCHED;
+    return {rows.row(first), c.force ? rows.row(first + 1) : nullptr, drags ? rows.row(first + 2) : nullptr,
+            c.target ? rows.row(first + 3) : nullptr};
+}
+
+// Gains of node i when `grounded` is what resists it.
+template <class R> void set_gains(const StageSystem& s, Rows<R> rows, size_t first, size_t i, double grounded) {
+    rows.row(first)[i] = R(mass_of(s.c, i) / grounded);
+    rows.row(first + 1)[i] = R(s.h / grounded);
+    rows.row(first + 2)[i] = R((s.h * s.dragging(i) + s.h * s.h * s.tying(i)) / grounded);
+    rows.row(first + 3)[i] = R(s.h * s.tying(i) / grounded);
+}
+
+// 1 / (h + damping) for every spring, 0 for welds.
+template <class R> void set_closing_rates(const StageSystem& s, R* rates) {
+    for (size_t i = 0; i < s.c.springs; ++i) rates[i] = welded(s.c, i) ? R(0) : R(1 / (s.h + s.c.damping));
+}
+
+// ---- the three kinds of step ----------------------------------------------------------------------------------------
+
+template <class T> Lines<T> lines_of(Chain& c) {
+    return {c.nodes, c.pitch, c.components, numbers<T>(c.position), numbers<T>(c.velocity), numbers<T>(c.force),
+            c.target ? numbers<T>(c.target) : nullptr};
+}
+
+template <class D> Stage<D> make_stage(const Chain& c, double h, double velocity_gain, double position_gain) {
+    Stage<D> stage{D(1 / (h + c.damping)), D(velocity_gain), D(position_gain), {}};
+    for (size_t k = 0; k < c.components; ++k) stage.gravity[k] = D(h * c.gravity[k]);
+    return stage;
+}
+
+template <class D> int make_stages(const Chain& c, double dt, Stage<D>* stages) {
+    const double h = stage_share(c, dt);
+    if (c.method != CD_METHOD_STIFF_SECOND) {
+        stages[0] = make_stage<D>(c, h, 1 / c.lambda, dt);
+        return 1;
+    }
+    stages[0] = make_stage<D>(c, h, kSqrt2, kSqrt2 * h);
+    stages[1] = make_stage<D>(c, h, 1, h);
+    return 2;
+}
+
+template <class T> struct SpringStep {
+    Lines<T> lines;
+    SpringCoefficients<T> coefficients;
+    Stage<T> stages[2];
+    int stage_count;
+    T* scratch;
+
+    SpringStep(Chain& c, double dt, bool refactor) : lines(lines_of<T>(c)), scratch(numbers<T>(c.scratch)) {
+        const Rows<T> rows{numbers<T>(c.coefficients), c.nodes};
+        const StageSystem system{c, stage_share(c, dt)};
+        if (refactor) {
+            factor_spring_line(c.nodes, system, rows.row(0), rows.row(1),
+                               [&](size_t i, double grounded) { set_gains(system, rows, 3, i, grounded); });
+            set_closing_rates(system, rows.row(2));
+        }
+        coefficients = {rows.row(0), rows.row(1), c.has_welds ? rows.row(2) : nullptr, gains_in(c, rows, 3)};
+        stage_count = make_stages(c, dt, stages);
+    }
+    bool operator()(size_t first, size_t count) const {
+        bool finite = true;
+        for (int s = 0; s < stage_count; ++s)
+            finite &= spring_sweep(lines, coefficients, stages[s], scratch, first, count);
+        return finite;
+    }
+};
+
+template <class T> struct RodStep {
+    Lines<T> lines;
+    RodCoefficients coefficients;
+    const RingClosure& closure;
+    Stage<double> stages[2];
+    int stage_count;
+    double *value, *slope;
+
+    RodStep(Chain& c, double dt, bool refactor)
+        : lines(lines_of<T>(c)), closure(c.closure), value(numbers<double>(c.scratch)) {
+        slope = value + c.nodes * c.pitch;
+        const Rows<double> rows{numbers<double>(c.coefficients), c.nodes};
+        const StageSystem system{c, stage_share(c, dt)};
+        const RodRows rod{rows.row(0), rows.row(1), rows.row(2), rows.row(3), rows.row(4), rows.row(5)};
+        unsigned char* const holds = reinterpret_cast<unsigned char*>(rows.row(8));
+        if (refactor) {
+            factor_rod_line(c.nodes, system, rod);
+            for (size_t i = 0; i < c.nodes; ++i) {
+                set_gains(system, rows, 9, i, system.ground(i));
+                rows.row(7)[i] = bend_of(c, i) > 0 ? 1 : 0;
+                holds[i] = held(c, i);
+            }
+            set_closing_rates(system, rows.row(6));
+        }
+        coefficients = {rod.stretch,     rod.stretch_lift, rod.ground, rod.ground_lift, rod.lean, rod.bend,
+                        c.has_welds ? rows.row(6) : nullptr, rows.row(7), gains_in(c, rows, 9), holds};
+        stage_count = make_stages(c, dt, stages);
+        if (refactor) close(c, system, rod);
+    }
+    void close(Chain& c, const StageSystem& system, const RodRows& rod) {
+        c.closure = {};
+        if (!c.ring) return;
+        const size_t n = c.nodes;
+        const double stiffness[3] = {system.spring(c.springs), system.bend(n - 1), system.bend(0)};
+        double* const response[3] = {c.ring_response.data, c.ring_response.data + n, c.ring_response.data + 2 * n};
+        factor_ring(n, system, rod, has_bend(c) ? 3 : 1, stiffness, response, c.ring_response.data + 3 * n,
+                    c.closure);
+        c.closure.closing_rate = welded(c, c.springs) ? 0 : stages[0].closing_rate;
+    }
+    bool operator()(size_t first, size_t count) const {
+        bool finite = true;
+        for (int s = 0; s < stage_count; ++s) {
+            rod_sweep(lines, coefficients, stages[s], value, slope, first, count);
+            finite &= advance(lines, stages[s], closure, value, first, count);
+        }
+        return finite;
+    }
+};
+
+template <class T> struct ExplicitStep {
+    Chain& chain;
+    Lines<T> lines;
+    ExplicitCoefficients<T> coefficients;
+    T dt, gravity[4];
+    Carrier carrier;
+
+    ExplicitStep(Chain& c, double dt_, bool refactor) : chain(c), lines(lines_of<T>(c)), dt(T(dt_)) {
+        const Rows<T> rows{numbers<T>(c.coefficients), c.nodes};
+        const StageSystem system{c, dt_};
+        if (refactor) {
+            for (size_t i = 0; i < springs_in_all(c); ++i) rows.row(0)[i] = welded(c, i) ? T(0) : T(stiffness_of(c, i));
+            for (size_t i = 0; i < c.nodes; ++i) {
+                rows.row(1)[i] = T(bend_of(c, i));
+                const double inertia = held(c, i) ? double(INFINITY) : mass_of(c, i);
+                rows.row(2)[i] = T(dt_ / inertia);
+                rows.row(3)[i] = T(mass_of(c, i) / inertia);
+                rows.row(4)[i] = T(dt_ / inertia);
+                rows.row(5)[i] = T(dt_ * system.dragging(i) / inertia);
+                rows.row(6)[i] = T(dt_ * system.tying(i) / inertia);
+            }
+        }
+        coefficients = {rows.row(0), has_bend(c) ? rows.row(1) : nullptr, rows.row(2), gains_in(c, rows, 3),
+                        T(c.damping), c.ring != 0};
+        for (size_t k = 0; k < 4; ++k) gravity[k] = T(dt_ * c.gravity[k]);
+        const bool new_velocity = c.method == CD_METHOD_SYMPLECTIC_EULER;
+        carrier = !new_velocity ? Carrier::kOldVelocity : c.has_welds ? Carrier::kNothing : Carrier::kNewVelocity;
+    }
+    // Welds take up any force without a tension of their own: the nodes they join share what they get.
+    bool operator()(size_t first, size_t count) const {
+        const bool finite = explicit_sweep(lines, coefficients, dt, gravity, carrier, first, count);
+        if (chain.has_welds) merge_velocities(chain, first, count);
+        if (carrier == Carrier::kNothing) drift(lines, dt, first, count);
+        return finite;
+    }
+};
+
+// ---- many steps of many lines -----------------------------------------------------------------------------------------
+
+// Lines never mix, so a bundle of them makes all its steps while it is in the cache.
+template <class T, class Step> uint64_t run(Chain& c, const Step& step, size_t count) {
+    constexpr size_t kBundle = 64 / sizeof(T);
+    uint64_t first_bad = UINT64_MAX;
+    auto bundle = [&](size_t b) {
+        const size_t first = b * kBundle, lines = c.lines - first < kBundle ? c.lines - first : kBundle;
+        uint64_t bad = UINT64_MAX;
+        for (size_t s = 0; s < count; ++s)
+            if (!step(first, lines) && bad == UINT64_MAX) bad = s;
+        uint64_t seen = __atomic_load_n(&first_bad, __ATOMIC_RELAXED);
+        while (bad < seen &&
+               !__atomic_compare_exchange_n(&first_bad, &seen, bad, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+    };
+    parallel_for(c.parallel, (c.lines + kBundle - 1) / kBundle, bundle);
+    return first_bad;
+}
+
+template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
+    const bool refactor = c.prepared_dt != dt;
+    c.prepared_dt = dt;
+    if (refactor) {
+        c.has_welds = false;
+        for (size_t i = 0; i < c.spring_stiffness.count; ++i) c.has_welds |= welded(c, i);
+    }
+    if (is_explicit(c)) return run<T>(c, ExplicitStep<T>(c, dt, refactor), count);
+    c.factorizations += refactor;
+    if (is_rod(c)) return run<T>(c, RodStep<T>(c, dt, refactor), count);
+    return run<T>(c, SpringStep<T>(c, dt, refactor), count);
+}
+
+template <class T> bool finite_numbers(const Chain& c, const Array<char>& array) {
+    const T* const data = numbers<T>(array);
+    for (size_t i = 0; i < c.nodes; ++i)
+        for (size_t line = 0; line < c.lines; ++line)
+            if (!isfinite(data[i * c.pitch + line])) return false;
+    return true;
+}
+
+} // namespace
+
+uint64_t step_chain(Chain& c, double dt, size_t count) {
+    uint64_t bad = UINT64_MAX;
+#if CD_WITH_FLOAT64
+    if (c.precision == CD_FLOAT64) bad = step_lines<double>(c, dt, count);
+#endif
+#if CD_WITH_FLOAT32
+    if (c.precision == CD_FLOAT32) bad = step_lines<float>(c, dt, count);
+#endif
+    const uint64_t first = c.steps;
+    c.steps += count;
+    if (c.clock_dt != dt) {
+        c.clock_start = time_of(c);
+        c.clock_dt = dt;
+        c.clock_steps = 0;
+    }
+    c.clock_steps += count;
+    c.diverged = bad != UINT64_MAX;
+    return c.diverged ? first + bad + 1 : 0;
+}
+
+bool all_finite(const Chain& c) {
+    if (c.precision == CD_FLOAT64) return finite_numbers<double>(c, c.position) && finite_numbers<double>(c, c.velocity);
+    return finite_numbers<float>(c, c.position) && finite_numbers<float>(c, c.velocity);
+}
+
+} // namespace cd

@@ -1,0 +1,91 @@
+// Closes a ring: the response of the open line to the forces of the constraints that close it.
+//
+// The ring is the open line A and up to three constraints U (the closing spring and, with bend, the bend terms at the
+// last node and the first), each with a stiffness s:  (A + U s U') delta = b + U s wish. With delta_0 the open line's
+// answer and W = A^-1 U,
+//      delta = delta_0 + W f,   f = C^-1 (wish - U' delta_0),   C = 1/s + U' W.
+// Each U is a sum of tensions of the open line's springs (the closing pull is a pull of -1 in every one of them), and
+// U' delta the sum of the same tensions times the differences, which rod_line.hh gives without cancellation. So C keeps
+// its digits when the springs are stiff: it is the sum of their compliances.
+#pragma once
+
+#include "kernel/advance.hh"
+#include "solve/rod_line.hh"
+
+namespace cd {
+
+// Solves the open line under tension(i) in spring i, i in [0, nodes - 1). w: the answer. slope: scratch. Both `nodes` long.
+// differences(i, d): told w[i + 1] - w[i].
+template <class System, class Tension, class Differences>
+void pull_line(size_t nodes, const System& system, const RodRows& rows, Tension tension, double* w, double* slope,
+               Differences differences) {
+    // A spring softer than its nodes' grounding passes its tension on as loads on both nodes.
+    const auto soft = [&](size_t i) { return system.spring(i) < system.ground(i) + system.ground(i + 1); };
+    const auto own = [&](size_t i) {
+        double load = 0;
+        if (i + 1 < nodes && soft(i)) load -= tension(i);
+        if (i > 0 && soft(i - 1)) load += tension(i - 1);
+        return load / system.ground(i);
+    };
+    double u = own(0), d = 0;
+    w[0] = u;
+    slope[0] = 0;
+    for (size_t i = 1; i < nodes; ++i) {
+        const double stretch = (soft(i - 1) ? 0 : tension(i - 1) / system.spring(i - 1)) - d;
+        u += d + rows.stretch_lift[i] * stretch;
+        d += rows.stretch[i] * stretch;
+        const double pull = own(i) - u;
+        u += rows.ground_lift[i] * pull;
+        d += rows.ground[i] * pull;
+        w[i] = u;
+        slope[i] = d;
+    }
+    for (size_t i = nodes - 1; i > 0; --i) {
+        differences(i - 1, d);
+        u -= d;
+        if (system.ground(i - 1) - system.ground(i - 1) != 0) u = 0;
+        if (i > 1) d = slope[i - 1] + rows.lean[i - 1] * (u - w[i - 1]) + rows.bend[i - 1] * (d - slope[i - 1]);
+        w[i - 1] = u;
+    }
+}
+
+// response: constraints arrays of `nodes`, filled here. scratch: nodes. stiffness: of the constraints, 0 leaves one out.
+template <class System>
+void factor_ring(size_t nodes, const System& system, const RodRows& rows, int constraints, const double* stiffness,
+                 double* const* response, double* scratch, RingClosure& out) {
+    const auto tension = [&](int r, size_t i) -> double { // U_r as tensions of the open line's springs
+        if (r == 0) return -1;
+        if (r == 1) return i + 2 == nodes ? -2 : -1;
+        return i == 0 ? 2 : 1;
+    };
+    double c[3][3] = {};
+    for (int s = 0; s < constraints; ++s) {
+        pull_line(nodes, system, rows, [&](size_t i) { return tension(s, i); }, response[s], scratch,
+                  [&](size_t i, double d) {
+                      for (int r = 0; r < constraints; ++r) c[r][s] += tension(r, i) * d;
+                  });
+        out.response[s] = response[s];
+    }
+    out.constraints = constraints;
+    for (auto& row : out.inverse)
+        for (double& entry : row) entry = 0;
+
+    // C^-1 by bordering: constraint r joins those before it. One that adds no compliance of its own (a cut one has none
+    // to add, and in a rigid line they coincide to rounding) is already kept by the others, and left out.
+    for (int r = 0; r < constraints; ++r) {
+        if (!(stiffness[r] > 0)) continue;
+        double column[3] = {}, pivot = c[r][r] + 1 / stiffness[r];
+        const double least = 1e-14 * pivot;
+        for (int a = 0; a < r; ++a)
+            for (int b = 0; b < r; ++b) column[a] += out.inverse[a][b] * c[b][r];
+        for (int a = 0; a < r; ++a) pivot -= c[a][r] * column[a];
+        if (!(pivot > least)) continue;
+        for (int a = 0; a < r; ++a) {
+            for (int b = 0; b < r; ++b) out.inverse[a][b] += column[a] * column[b] / pivot;
+            out.inverse[a][r] = out.inverse[r][a] = -column[a] / pivot;
+        }
+        out.inverse[r][r] = 1 / pivot;
+    }
+}
+
+} // namespace cd

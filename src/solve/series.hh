@@ -1,0 +1,19 @@
+// Springs in series and in parallel, for stiffnesses from 0 to infinity: the only arithmetic of the line solvers'
+// factorizations. Nothing is subtracted, so nothing is lost, however far apart the numbers are.
+#pragma once
+
+namespace cd {
+
+// a / (a + b): how much of a point between two springs belongs to a. 0 where both are 0 or both infinite.
+inline double share(double a, double b) {
+    if (a == b) return a - a == 0 && a > 0 ? 0.5 : 0.0;
+    return a < b ? (a / b) / (1 + a / b) : 1 / (1 + b / a);
+}
+
+// a b / (a + b): the stiffness of two springs one behind the other.
+inline double series(double a, double b) {
+    if (a == b) return a / 2;
+    return a < b ? a / (1 + a / b) : b / (1 + b / a);
+}
+
+} // namespace cd
