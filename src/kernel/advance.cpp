@@ -8,19 +8,19 @@ template <class T> struct Mover {
     const Lines<T>& lines;
     const Stage<double>& stage;
     const RingClosure& ring;
-    const double* delta;
+    const double* whole;
     bool finite = true;
 
-    // By how much the open line's delta misses the wish of each closing constraint.
+    // By how much the open line's w misses the wish of each closing constraint.
     template <int N> void misses(size_t first, Lanes<double, N>* out) const {
         using L = Lanes<double, N>;
         const auto row = [&](const auto* data, size_t i) { return L::load(data + i * lines.pitch + first); };
         const auto turn = [](L a, L b, L c) { return (b - a) - (c - b); };
         const size_t z = lines.nodes - 1, nodes[4] = {z - 1, z, 0, 1};
-        L x[4], w[4]; // w: velocity and delta together
+        L x[4], w[4];
         for (int k = 0; k < 4; ++k) {
             x[k] = row(lines.position, nodes[k]);
-            w[k] = row(lines.velocity, nodes[k]) + row(delta, nodes[k]);
+            w[k] = row(whole, nodes[k]);
         }
         out[0] = ring.closing_rate * (x[1] - x[2]) + (w[1] - w[2]);
         for (int k = 1; k < ring.constraints; ++k)
@@ -35,11 +35,11 @@ template <class T> struct Mover {
             for (int s = 0; s < ring.constraints; ++s) force[r] = force[r] + ring.inverse[r][s] * miss[s];
         for (size_t i = 0; i < lines.nodes; ++i) {
             const size_t at = i * lines.pitch + first;
-            L change = L::load(delta + at);
-            for (int r = 0; r < ring.constraints; ++r) change = change + ring.response[r][i] * force[r];
+            L w = L::load(whole + at);
+            for (int r = 0; r < ring.constraints; ++r) w = w + ring.response[r][i] * force[r];
             const L x = L::load(lines.position + at), v = L::load(lines.velocity + at);
-            settled(v + stage.velocity_gain * change, double(Rest<T>::least)).store(lines.velocity + at);
-            settled(x + stage.position_gain * (v + change), double(Rest<T>::least)).store(lines.position + at);
+            settled(w + stage.overshoot * (w - v), double(Rest<T>::least)).store(lines.velocity + at);
+            settled(x + stage.move * w, double(Rest<T>::least)).store(lines.position + at);
             probe = probe + 0.0 * (L::load(lines.velocity + at) + L::load(lines.position + at));
         }
         finite &= !probe.any_nan();
@@ -49,9 +49,9 @@ template <class T> struct Mover {
 } // namespace
 
 template <class T>
-bool advance(const Lines<T>& lines, const Stage<double>& stage, const RingClosure& ring, const double* delta,
+bool advance(const Lines<T>& lines, const Stage<double>& stage, const RingClosure& ring, const double* w,
              size_t first, size_t count) {
-    Mover<T> bundles{lines, stage, ring, delta};
+    Mover<T> bundles{lines, stage, ring, w};
     for_each_bundle<double>(first, count, bundles);
     return bundles.finite;
 }

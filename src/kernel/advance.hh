@@ -1,4 +1,4 @@
-// Moves a bundle of lines by the delta that rod_sweep left behind, and closes rings.
+// Moves a bundle of lines by the velocities that rod_sweep left behind, and closes rings.
 #pragma once
 
 #include "kernel/lines.hh"
@@ -6,8 +6,8 @@
 namespace cd {
 
 // A ring is an open line and the constraints that close it (solve/ring_closure.hh): the spring from the last node to
-// the first and, with bend, the bend terms at the last node and the first. The open line's delta misses the wish of
-// constraint r by some velocity; delta += sum over r of response[r] force[r], force = inverse miss.
+// the first and, with bend, the bend terms at the last node and the first. The open line's w misses the wish of
+// constraint r by some velocity; w += sum over r of response[r] force[r], force = inverse miss.
 struct RingClosure {
     int constraints = 0; // 0: an open line; 1; 3 with bend
     const double* response[3] = {};
@@ -15,9 +15,9 @@ struct RingClosure {
     double closing_rate = 0;    // of the closing spring: the stage's, or 0 for a weld
 };
 
-// delta: scratch, like the positions. False if a number left the finite range.
+// w: scratch, like the positions. False if a number left the finite range.
 template <class T>
-bool advance(const Lines<T>& lines, const Stage<double>& stage, const RingClosure& ring, const double* delta,
+bool advance(const Lines<T>& lines, const Stage<double>& stage, const RingClosure& ring, const double* w,
              size_t first, size_t count);
 
 } // namespace cd

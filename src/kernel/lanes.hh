@@ -74,6 +74,13 @@ template <class T, int N> struct Lanes<T, N, false> {
     }
 };
 
+// The point between `here` and `there` at a fraction of the way. With the sign bit set, the fraction is measured from
+// there: so both a fraction near 0 and one near 1 keep their digits, a weight of 0 leaves no trace of what it weighs, and
+// equal ends give themselves, exactly.
+template <class L, class T> inline L between(L here, L there, T fraction) {
+    return __builtin_signbit(fraction) ? there - fraction * (here - there) : here + fraction * (there - here);
+}
+
 // Calls f.template operator()<N>(first) for bundles of lanes that together cover [first, first + count): as wide as a
 // cache line while they last, then narrower; three stay together, for the three components of a single strand.
 template <class T, class F> void for_each_bundle(size_t first, size_t count, F& f) {

@@ -24,13 +24,16 @@ template <class T> struct Lines {
     const T *force, *target;
 };
 
-// One implicit stage: delta solves (M (1 + h drag) + h (h + damping) K) delta = h [f + M g - C v - K (x + h v)], then
-//     v += velocity_gain delta,   x += position_gain (v + delta) with the old v.
+// One implicit stage. It solves for w, the velocity that moves the positions,
+//     (M (1 + h drag) + h (h + damping) K) w = M v + h [f + M g - K x],     then    v = w + overshoot (w - v_old),
+//     x += move w.
+// The whole velocity is solved for, not its change: of a stiff spring's velocity only a small part moves anything, and
+// as the sum of v and a change it would be lost in their rounding.
 template <class T> struct Stage {
-    T closing_rate;  // 1 / (h + damping) [1/s]: how fast a spring wants to close
-    T velocity_gain;
-    T position_gain; // [s]
-    T gravity[4];    // h g [m/s]
+    T closing_rate; // 1 / (h + damping) [1/s]: how fast a spring wants to close
+    T overshoot;
+    T move;       // [s]
+    T gravity[4]; // h g [m/s]
 };
 
 // What acts on a node from outside, as gains; null where nothing of the kind does. Held nodes have gain 0.

@@ -17,19 +17,16 @@ template <class T> struct Sweep {
         return Lanes<double, N>::load(lines.velocity + i * lines.pitch + first);
     }
 
-    // The difference delta_{i+1} - delta_i at which spring i would be closed after the stage.
+    // The difference w_{i+1} - w_i at which spring i would be closed after the stage.
     template <int N> Lanes<double, N> spring_wish(size_t i, size_t first) const {
-        const double rate = c.closing_rate ? c.closing_rate[i] : stage.closing_rate;
-        return rate * (position<N>(i, first) - position<N>(i + 1, first)) +
-               (velocity<N>(i, first) - velocity<N>(i + 1, first));
+        const double rate = c.closing ? c.closing[i] * stage.closing_rate : stage.closing_rate;
+        return rate * (position<N>(i, first) - position<N>(i + 1, first));
     }
-    // The second difference of delta at which the line would be straight at node i after the stage.
+    // The second difference of w at which the line would be straight at node i after the stage.
     template <int N> Lanes<double, N> bend_wish(size_t i, size_t first) const {
-        const auto turn = [](Lanes<double, N> a, Lanes<double, N> b, Lanes<double, N> d) { return (b - a) - (d - b); };
-        return c.has_bend[i] *
-               (stage.closing_rate *
-                    turn(position<N>(i - 1, first), position<N>(i, first), position<N>(i + 1, first)) +
-                turn(velocity<N>(i - 1, first), velocity<N>(i, first), velocity<N>(i + 1, first)));
+        const auto here = position<N>(i, first);
+        const auto turn = (here - position<N>(i - 1, first)) - (position<N>(i + 1, first) - here);
+        return (c.has_bend[i] * stage.closing_rate) * turn;
     }
 
     template <int N> void forward(size_t first) const {
@@ -38,7 +35,8 @@ template <class T> struct Sweep {
         L u{}, d{};
         for (size_t i = 0; i < lines.nodes; ++i) {
             const size_t at = i * lines.pitch + first;
-            const L own = outside<N>(lines, c.gains, i, at, gravity, position<N>(i, first), velocity<N>(i, first));
+            const L x = position<N>(i, first), v = velocity<N>(i, first);
+            const L own = v + outside<N>(lines, c.gains, i, at, gravity, x, v);
             if (i == 0) {
                 u = own;
             } else {
@@ -61,23 +59,23 @@ template <class T> struct Sweep {
 
     template <int N> void backward(size_t first) const {
         using L = Lanes<double, N>;
-        L delta{}, d{};
+        L w{}, d{};
         for (size_t i = lines.nodes; i-- > 0;) {
             const size_t at = i * lines.pitch + first;
             const L u_here = L::load(value + at), d_here = L::load(slope + at);
             if (i + 1 == lines.nodes) {
-                delta = u_here;
+                w = u_here;
                 d = d_here;
             } else {
-                delta = c.held[i] ? L{} : delta - d;
-                d = i == 0 ? L{} : d_here + c.lean[i] * (delta - u_here) +
+                w = c.held[i] ? velocity<N>(i, first) : w - d;
+                d = i == 0 ? L{} : d_here + c.lean[i] * (w - u_here) +
                                        c.bend[i] * (d - bend_wish<N>(i, first) - d_here);
             }
             if (i % kSettleEvery == 0) {
-                delta = settled(delta, Rest<double>::least);
+                w = settled(w, Rest<double>::least);
                 d = settled(d, Rest<double>::least);
             }
-            delta.store(value + at);
+            w.store(value + at);
         }
     }
 

@@ -4,54 +4,48 @@ namespace cd {
 
 namespace {
 
-// e_i, the difference delta_{i+1} - delta_i at which spring i would be closed after the stage.
-template <class L, class T> inline L wish(L x, L v, L x_next, L v_next, T rate) {
-    return rate * (x - x_next) + (v - v_next);
-}
-
-// y_i: what node i and all that hangs on its left would do without the rest.
-//     y_i = carry_i (y_{i-1} + e_{i-1}) + what acts on it from outside
+// y_i: what node i and all that hangs on its left would do without the rest; e_i: the difference w_{i+1} - w_i at which
+// spring i would be closed after the stage.
+//     y_i = between v_i and y_{i-1} + e_{i-1} at carry_i, and what acts on it from outside
 template <class T, int N, bool kPlain>
 void forward(const Lines<T>& lines, const SpringCoefficients<T>& c, const Stage<T>& stage, T* y, size_t first) {
     using L = Lanes<T, N>;
     const L gravity = lane_gravity<N>(lines, stage.gravity, first);
-    L x_last{}, v_last{}, sum{};
+    L x_last{}, sum{};
     for (size_t i = 0; i < lines.nodes; ++i) {
         const size_t at = i * lines.pitch + first;
         const L x = L::load(lines.position + at), v = L::load(lines.velocity + at);
         const L own = kPlain ? c.gains.gravity[i] * gravity : outside<N>(lines, c.gains, i, at, gravity, x, v);
         if (i == 0) {
-            sum = own;
+            sum = v + own;
         } else {
-            const T rate = kPlain || !c.closing_rate ? stage.closing_rate : c.closing_rate[i - 1];
-            sum = c.carry[i] * (sum + wish(x_last, v_last, x, v, rate)) + own;
+            const T rate = kPlain || !c.closing ? stage.closing_rate : c.closing[i - 1] * stage.closing_rate;
+            sum = between(v, sum + rate * (x_last - x), c.carry[i]) + own;
         }
         if (i % kSettleEvery == 0) sum = settled(sum, Rest<T>::least);
         sum.store(y + at);
         x_last = x;
-        v_last = v;
     }
 }
 
-// delta_i = y_i + pull_i (delta_{i+1} - e_i - y_i), and the node moves.
+// w_i = between y_i and w_{i+1} - e_i at pull_i, and the node moves.
 template <class T, int N, bool kPlain>
 bool backward(const Lines<T>& lines, const SpringCoefficients<T>& c, const Stage<T>& stage, const T* y, size_t first) {
     using L = Lanes<T, N>;
-    L x_next{}, v_next{}, delta{}, finite{};
+    L x_next{}, w{}, finite{};
     for (size_t i = lines.nodes; i-- > 0;) {
         const size_t at = i * lines.pitch + first;
         const L x = L::load(lines.position + at), v = L::load(lines.velocity + at), sum = L::load(y + at);
         if (i + 1 == lines.nodes) {
-            delta = sum;
+            w = sum;
         } else {
-            const T rate = kPlain || !c.closing_rate ? stage.closing_rate : c.closing_rate[i];
-            delta = sum + c.pull[i] * (delta - wish(x, v, x_next, v_next, rate) - sum);
+            const T rate = kPlain || !c.closing ? stage.closing_rate : c.closing[i] * stage.closing_rate;
+            w = between(sum, w - rate * (x - x_next), c.pull[i]);
         }
-        if (i % kSettleEvery == 0) delta = settled(delta, Rest<T>::least);
+        if (i % kSettleEvery == 0) w = settled(w, Rest<T>::least);
         x_next = x;
-        v_next = v;
-        const L v_new = settled(v + stage.velocity_gain * delta, Rest<T>::least);
-        const L x_new = settled(x + stage.position_gain * (v + delta), Rest<T>::least);
+        const L v_new = settled(w + stage.overshoot * (w - v), Rest<T>::least);
+        const L x_new = settled(x + stage.move * w, Rest<T>::least);
         v_new.store(lines.velocity + at);
         x_new.store(lines.position + at);
         finite = finite + T(0) * (x_new + v_new);
@@ -85,7 +79,7 @@ bool sweep(const Lines<T>& lines, const SpringCoefficients<T>& c, const Stage<T>
 template <class T>
 bool spring_sweep(const Lines<T>& lines, const SpringCoefficients<T>& c, const Stage<T>& stage, T* y, size_t first,
                   size_t count) {
-    const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !c.closing_rate;
+    const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !c.closing;
     return plain ? sweep<T, true>(lines, c, stage, y, first, count) : sweep<T, false>(lines, c, stage, y, first, count);
 }
 

@@ -6,9 +6,9 @@
 namespace cd {
 
 template <class T> struct SpringCoefficients {
-    const T* carry;        // [0, 1]: how much node i takes over of what hangs on its left
-    const T* pull;         // [0, 1]: how much node i follows its right neighbour
-    const T* closing_rate; // of each spring, 0 for a weld; null: the stage's for all
+    const T* carry;   // how far node i goes over to what hangs on its left, a fraction for between()
+    const T* pull;    // how far it follows its right neighbour, likewise
+    const T* closing; // 1 for each spring, 0 for a weld; null: 1 for all
     NodeGains<T> gains;
 };
 

@@ -1,16 +1,15 @@
-// Steps of a chain. Every implicit method is one or two stages of one form; with h the stage's share of dt,
+// Steps of a chain. Every implicit method is one or two stages of one form; with h the stage's share of dt and
+// C = drag M + Z + damping K,
 //
-//      (M (1 + h drag) + h Z + h (h + damping) K) delta = h [f + M g - (drag M + Z) v - K (x + h v + damping v)]
-//      v += velocity_gain delta,    x += position_gain (v_old + delta)
+//      (M + h C + h^2 K) w = M v + h [f + M g - K x],     v = w + overshoot (w - v_old),     x += move w
 //
-//   lambda   h = lambda dt: delta = lambda dv, gains 1 / lambda and dt                    (model.md, section 2)
+//   lambda   h = lambda dt: w = v + lambda dv, overshoot 1 / lambda - 1, move dt         (model.md, section 2)
 //   stiff    h = gamma dt, gamma = 1 - 1/sqrt(2): a backward Euler step of h carried on to sqrt(2) times its length,
-//            then another. SDIRK2 written so: with the state after the first stage Y_1, the second starts from
+//            then another. SDIRK2 written so: with the state Y_1 after the first stage, the second starts from
 //            Y + (1 - gamma) / gamma (Y_1 - Y), and (1 - gamma) / gamma = sqrt(2).
 //
-// Z holds matched ends and attachments. The springs' part of the right side goes to the solvers as wishes: spring i
-// wants delta_{i+1} - delta_i to be -(x_{i+1} - x_i) / (h + damping) - (v_{i+1} - v_i), with stiffness
-// h (h + damping) k_i. lambda = 0 is forward Euler.
+// Z holds matched ends and attachments. The springs enter the solvers with the stiffness h (h + damping) k_i and the
+// wish that w_{i+1} - w_i be -(x_{i+1} - x_i) / (h + damping). lambda = 0 is forward Euler.
 #include "model/chain.hh"
 
 #include <math.h>
@@ -80,10 +79,25 @@ template <class R> void set_gains(const StageSystem& s, Rows<R> rows, size_t fir
     rows.row(first + 3)[i] = R(s.h * s.tying(i) / grounded);
 }
 
-// 1 / (h + damping) for every spring, 0 for welds.
-template <class R> void set_closing_rates(const StageSystem& s, R* rates) {
-    for (size_t i = 0; i < s.c.springs; ++i) rates[i] = welded(s.c, i) ? R(0) : R(1 / (s.h + s.c.damping));
+// 1 for every spring that wants to close, 0 for welds.
+template <class R> void set_closing(const Chain& c, R* closing) {
+    for (size_t i = 0; i < c.springs; ++i) closing[i] = welded(c, i) ? R(0) : R(1);
 }
+
+// 1 / (h + damping) in a precision too narrow for it. Rounded one way at every step it would be an energy trend of
+// percents over a million float32 steps; so steps take its two neighbours in turn, with its mean over any run of them.
+template <class T> struct AlternatingRate {
+    T low, high;
+    uint32_t high_share; // in 2^-32
+
+    explicit AlternatingRate(double exact) {
+        low = high = T(exact);
+        if (double(low) > exact) low = T(nextafterf(float(low), 0));
+        if (double(high) < exact) high = T(nextafterf(float(high), INFINITY));
+        high_share = high > low ? uint32_t((exact - double(low)) / (double(high) - double(low)) * 4294967295.0) : 0;
+    }
+    T at(uint64_t step) const { return uint32_t(uint32_t(step + 1) * high_share) < high_share ? high : low; }
+};
 
 // ---- the three kinds of step ----------------------------------------------------------------------------------------
 
@@ -92,8 +106,8 @@ template <class T> Lines<T> lines_of(Chain& c) {
             c.target ? numbers<T>(c.target) : nullptr};
 }
 
-template <class D> Stage<D> make_stage(const Chain& c, double h, double velocity_gain, double position_gain) {
-    Stage<D> stage{D(1 / (h + c.damping)), D(velocity_gain), D(position_gain), {}};
+template <class D> Stage<D> make_stage(const Chain& c, double h, double overshoot, double move) {
+    Stage<D> stage{D(1 / (h + c.damping)), D(overshoot), D(move), {}};
     for (size_t k = 0; k < c.components; ++k) stage.gravity[k] = D(h * c.gravity[k]);
     return stage;
 }
@@ -101,11 +115,11 @@ template <class D> Stage<D> make_stage(const Chain& c, double h, double velocity
 template <class D> int make_stages(const Chain& c, double dt, Stage<D>* stages) {
     const double h = stage_share(c, dt);
     if (c.method != CD_METHOD_STIFF_SECOND) {
-        stages[0] = make_stage<D>(c, h, 1 / c.lambda, dt);
+        stages[0] = make_stage<D>(c, h, 1 / c.lambda - 1, dt);
         return 1;
     }
-    stages[0] = make_stage<D>(c, h, kSqrt2, kSqrt2 * h);
-    stages[1] = make_stage<D>(c, h, 1, h);
+    stages[0] = make_stage<D>(c, h, kSqrt2 - 1, kSqrt2 * h);
+    stages[1] = make_stage<D>(c, h, 0, h);
     return 2;
 }
 
@@ -114,23 +128,29 @@ template <class T> struct SpringStep {
     SpringCoefficients<T> coefficients;
     Stage<T> stages[2];
     int stage_count;
+    AlternatingRate<T> rate;
     T* scratch;
 
-    SpringStep(Chain& c, double dt, bool refactor) : lines(lines_of<T>(c)), scratch(numbers<T>(c.scratch)) {
+    // The rate is that of the dt the positions move by, which is rounded too.
+    SpringStep(Chain& c, double dt, bool refactor)
+        : lines(lines_of<T>(c)), rate(1 / (stage_share(c, double(T(dt))) + c.damping)), scratch(numbers<T>(c.scratch)) {
         const Rows<T> rows{numbers<T>(c.coefficients), c.nodes};
         const StageSystem system{c, stage_share(c, dt)};
         if (refactor) {
             factor_spring_line(c.nodes, system, rows.row(0), rows.row(1),
                                [&](size_t i, double grounded) { set_gains(system, rows, 3, i, grounded); });
-            set_closing_rates(system, rows.row(2));
+            set_closing(c, rows.row(2));
         }
         coefficients = {rows.row(0), rows.row(1), c.has_welds ? rows.row(2) : nullptr, gains_in(c, rows, 3)};
         stage_count = make_stages(c, dt, stages);
     }
-    bool operator()(size_t first, size_t count) const {
+    bool operator()(uint64_t step, size_t first, size_t count) const {
         bool finite = true;
-        for (int s = 0; s < stage_count; ++s)
-            finite &= spring_sweep(lines, coefficients, stages[s], scratch, first, count);
+        for (int s = 0; s < stage_count; ++s) {
+            Stage<T> stage = stages[s];
+            stage.closing_rate = rate.at(step);
+            finite &= spring_sweep(lines, coefficients, stage, scratch, first, count);
+        }
         return finite;
     }
 };
@@ -157,7 +177,7 @@ template <class T> struct RodStep {
                 rows.row(7)[i] = bend_of(c, i) > 0 ? 1 : 0;
                 holds[i] = held(c, i);
             }
-            set_closing_rates(system, rows.row(6));
+            set_closing(c, rows.row(6));
         }
         coefficients = {rod.stretch,     rod.stretch_lift, rod.ground, rod.ground_lift, rod.lean, rod.bend,
                         c.has_welds ? rows.row(6) : nullptr, rows.row(7), gains_in(c, rows, 9), holds};
@@ -174,7 +194,7 @@ template <class T> struct RodStep {
                     c.closure);
         c.closure.closing_rate = welded(c, c.springs) ? 0 : stages[0].closing_rate;
     }
-    bool operator()(size_t first, size_t count) const {
+    bool operator()(uint64_t, size_t first, size_t count) const {
         bool finite = true;
         for (int s = 0; s < stage_count; ++s) {
             rod_sweep(lines, coefficients, stages[s], value, slope, first, count);
@@ -213,7 +233,7 @@ template <class T> struct ExplicitStep {
         carrier = !new_velocity ? Carrier::kOldVelocity : c.has_welds ? Carrier::kNothing : Carrier::kNewVelocity;
     }
     // Welds take up any force without a tension of their own: the nodes they join share what they get.
-    bool operator()(size_t first, size_t count) const {
+    bool operator()(uint64_t, size_t first, size_t count) const {
         const bool finite = explicit_sweep(lines, coefficients, dt, gravity, carrier, first, count);
         if (chain.has_welds) merge_velocities(chain, first, count);
         if (carrier == Carrier::kNothing) drift(lines, dt, first, count);
@@ -231,7 +251,7 @@ template <class T, class Step> uint64_t run(Chain& c, const Step& step, size_t c
         const size_t first = b * kBundle, lines = c.lines - first < kBundle ? c.lines - first : kBundle;
         uint64_t bad = UINT64_MAX;
         for (size_t s = 0; s < count; ++s)
-            if (!step(first, lines) && bad == UINT64_MAX) bad = s;
+            if (!step(c.steps + s, first, lines) && bad == UINT64_MAX) bad = s;
         uint64_t seen = __atomic_load_n(&first_bad, __ATOMIC_RELAXED);
         while (bad < seen &&
                !__atomic_compare_exchange_n(&first_bad, &seen, bad, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}

@@ -1,11 +1,11 @@
 // Closes a ring: the response of the open line to the forces of the constraints that close it.
 //
 // The ring is the open line A and up to three constraints U (the closing spring and, with bend, the bend terms at the
-// last node and the first), each with a stiffness s:  (A + U s U') delta = b + U s wish. With delta_0 the open line's
+// last node and the first), each with a stiffness s:  (A + U s U') w = b + U s wish. With w_0 the open line's
 // answer and W = A^-1 U,
-//      delta = delta_0 + W f,   f = C^-1 (wish - U' delta_0),   C = 1/s + U' W.
+//      w = w_0 + W f,   f = C^-1 (wish - U' w_0),   C = 1/s + U' W.
 // Each U is a sum of tensions of the open line's springs (the closing pull is a pull of -1 in every one of them), and
-// U' delta the sum of the same tensions times the differences, which rod_line.hh gives without cancellation. So C keeps
+// U' w the sum of the same tensions times the differences, which rod_line.hh gives without cancellation. So C keeps
 // its digits when the springs are stiff: it is the sum of their compliances.
 #pragma once
 
