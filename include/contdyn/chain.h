@@ -12,6 +12,10 @@
  * with every node at the origin, at rest, all nodes free, mass 1, stiffness 1, no bend, no gravity, no damping,
  * CD_METHOD_IMPLICIT with lambda 1/2.
  *
+ * All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are stored in.
+ * Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them, so that a scene at
+ * rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
+ *
  * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for something that is no living chain;
  * the comments name the other errors. */
 #ifndef CONTDYN_CHAIN_H
@@ -157,7 +161,8 @@ CD_API cd_status cd_chain_view(const cd_chain* chain, cd_field field, const void
 CD_API cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const double* impulse, size_t count);
 
 /* Ties a node of every strand to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a
- * mouse drag does. target, one number per component, is given to every strand; null: each node's present position.
+ * mouse drag does. target, one number per component, is given to every strand; null: each node's present position, and
+ * count means nothing.
  * Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
  * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY. */
 CD_API cd_status cd_chain_attach(cd_chain* chain, size_t node, double stiffness, double damping, const double* target,

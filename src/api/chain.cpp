@@ -123,6 +123,7 @@ cd_status cd_chain_set_bend(cd_chain* chain, double bend) {
     CD_CHECK(change_features(__func__, c, wanted));
     c.bend = bend;
     fill_uniform(c, CD_BEND);
+    c.prepared_dt = 0;
     return CD_OK;
 }
 
@@ -277,7 +278,6 @@ cd_status cd_chain_load(cd_chain* chain, const void* bytes, size_t size) {
 
 cd_status cd_chain_copy_state(cd_chain* chain, const cd_chain* source) {
     CD_THE_CHAIN(Chain);
-    CD_NOT_NULL(source);
-    CD_CHECK(is_chain(__func__, source));
+    CD_CHECK(is_chain(__func__, source, "source"));
     return chain == source ? CD_OK : copy_chain(__func__, c, *reinterpret_cast<const Chain*>(source));
 }

@@ -211,13 +211,13 @@ cd_status cd_chain_attach(cd_chain* chain, size_t node, double stiffness, double
     CD_CHECK(is_index(__func__, "node", node, c.nodes));
     CD_CHECK(in_range(__func__, "stiffness", stiffness, 0, kMost));
     CD_CHECK(in_range(__func__, "damping", damping, 0, kMost));
-    CD_CHECK(is_count(__func__, "count", count, c.components));
+    if (target) CD_CHECK(is_count(__func__, "count", count, c.components));
     if (target) CD_CHECK(are_numbers(__func__, "target", target, count, most_of(c)));
     CD_CHECK(switch_field(__func__, c, CD_TARGET, true));
     c.attach_stiffness[node] = stiffness;
     c.attach_damping[node] = damping;
     for (size_t strand = 0; strand < c.strands; ++strand)
-        for (size_t k = 0; k < count; ++k)
+        for (size_t k = 0; k < c.components; ++k)
             set_number(c, c.target, strand, node, k, target ? target[k] : get_number(c, c.position, strand, node, k));
     c.prepared_dt = 0;
     return CD_OK;

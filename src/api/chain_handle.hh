@@ -13,11 +13,11 @@
 
 namespace cd {
 
-inline cd_status is_chain(const char* function, const cd_chain* chain) {
-    if (!chain) return fail(CD_ERROR_NULL, function, "chain is null");
+inline cd_status is_chain(const char* function, const cd_chain* chain, const char* name = "chain") {
+    CD_CHECK(not_null(function, name, chain));
     uint64_t tag;
     memcpy(&tag, chain, sizeof tag);
-    return tag == kChainTag ? CD_OK : fail(CD_ERROR_HANDLE, function, "%p is no living chain", (const void*)chain);
+    return tag == kChainTag ? CD_OK : fail(CD_ERROR_HANDLE, function, "%s, %p, is no living chain", name, (const void*)chain);
 }
 
 // The largest number that the chain's precision holds.

@@ -6,7 +6,7 @@ namespace {
 
 template <class T> struct Mover {
     const Lines<T>& lines;
-    const Stage<double>& stage;
+    const Stage& stage;
     const RingClosure& ring;
     const double* whole;
     bool finite = true;
@@ -38,9 +38,8 @@ template <class T> struct Mover {
             L w = L::load(whole + at);
             for (int r = 0; r < ring.constraints; ++r) w = w + ring.response[r][i] * force[r];
             const L x = L::load(lines.position + at), v = L::load(lines.velocity + at);
-            settled(w + stage.overshoot * (w - v), double(Rest<T>::least)).store(lines.velocity + at);
-            settled(x + stage.move * w, double(Rest<T>::least)).store(lines.position + at);
-            probe = probe + 0.0 * (L::load(lines.velocity + at) + L::load(lines.position + at));
+            store_settled(w + stage.overshoot * (w - v), lines.velocity + at, probe);
+            store_settled(x + stage.move * w, lines.position + at, probe);
         }
         finite &= !probe.any_nan();
     }
@@ -49,18 +48,18 @@ template <class T> struct Mover {
 } // namespace
 
 template <class T>
-bool advance(const Lines<T>& lines, const Stage<double>& stage, const RingClosure& ring, const double* w,
+bool advance(const Lines<T>& lines, const Stage& stage, const RingClosure& ring, const double* w,
              size_t first, size_t count) {
     Mover<T> bundles{lines, stage, ring, w};
-    for_each_bundle<double>(first, count, bundles);
+    for_each_bundle(first, count, bundles);
     return bundles.finite;
 }
 
 #if CD_WITH_FLOAT32
-template bool advance(const Lines<float>&, const Stage<double>&, const RingClosure&, const double*, size_t, size_t);
+template bool advance(const Lines<float>&, const Stage&, const RingClosure&, const double*, size_t, size_t);
 #endif
 #if CD_WITH_FLOAT64
-template bool advance(const Lines<double>&, const Stage<double>&, const RingClosure&, const double*, size_t, size_t);
+template bool advance(const Lines<double>&, const Stage&, const RingClosure&, const double*, size_t, size_t);
 #endif
 
 } // namespace cd

@@ -17,7 +17,7 @@ struct RingClosure {
 
 // w: scratch, like the positions. False if a number left the finite range.
 template <class T>
-bool advance(const Lines<T>& lines, const Stage<double>& stage, const RingClosure& ring, const double* w,
+bool advance(const Lines<T>& lines, const Stage& stage, const RingClosure& ring, const double* w,
              size_t first, size_t count);
 
 } // namespace cd

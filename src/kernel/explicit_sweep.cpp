@@ -8,35 +8,35 @@ namespace {
 // and the moments of the bends there) is carried along.
 template <class T> struct Sweep {
     const Lines<T>& lines;
-    const ExplicitCoefficients<T>& c;
-    T dt;
-    const T* gravity;
+    const ExplicitCoefficients& c;
+    double dt;
+    const double* gravity;
     Carrier carrier;
     bool finite = true;
 
-    template <int N> Lanes<T, N> x(size_t i, size_t first) const {
-        return Lanes<T, N>::load(lines.position + i * lines.pitch + first);
+    template <int N> Lanes<double, N> x(size_t i, size_t first) const {
+        return Lanes<double, N>::load(lines.position + i * lines.pitch + first);
     }
-    template <int N> Lanes<T, N> v(size_t i, size_t first) const {
-        return Lanes<T, N>::load(lines.velocity + i * lines.pitch + first);
+    template <int N> Lanes<double, N> v(size_t i, size_t first) const {
+        return Lanes<double, N>::load(lines.velocity + i * lines.pitch + first);
     }
     size_t after(size_t i) const { return i + 1 < lines.nodes ? i + 1 : 0; }
 
     // k_i (dx + damping dv): the force of spring i on its left node.
-    template <int N> Lanes<T, N> tension(size_t i, size_t first) const {
+    template <int N> Lanes<double, N> tension(size_t i, size_t first) const {
         const size_t j = after(i);
         return c.stiffness[i] *
                ((x<N>(j, first) - x<N>(i, first)) + c.damping * (v<N>(j, first) - v<N>(i, first)));
     }
     // b_j times the second difference at node j = i + 1; i: its left neighbour.
-    template <int N> Lanes<T, N> moment(size_t i, size_t first) const {
+    template <int N> Lanes<double, N> moment(size_t i, size_t first) const {
         const size_t j = after(i), k = after(j);
         return c.bend[j] * (((x<N>(k, first) - x<N>(j, first)) - (x<N>(j, first) - x<N>(i, first))) +
                             c.damping * ((v<N>(k, first) - v<N>(j, first)) - (v<N>(j, first) - v<N>(i, first))));
     }
 
     template <int N> void bundle(size_t first) {
-        using L = Lanes<T, N>;
+        using L = Lanes<double, N>;
         const size_t n = lines.nodes, z = n - 1;
         const L dv_gravity = lane_gravity<N>(lines, gravity, first);
         // what closes the ring is taken from the old state, before the first nodes move
@@ -57,14 +57,10 @@ template <class T> struct Sweep {
                 moment_here = moment_right;
             }
             const L pushed = outside<N>(lines, c.gains, i, at, dv_gravity, x_old, v_old);
-            const L v_new = settled(v_old + (c.inertia[i] * force + pushed), Rest<T>::least);
-            v_new.store(lines.velocity + at);
-            L x_new = x_old;
-            if (carrier != Carrier::kNothing) {
-                x_new = settled(x_old + dt * (carrier == Carrier::kOldVelocity ? v_old : v_new), Rest<T>::least);
-                x_new.store(lines.position + at);
-            }
-            probe = probe + T(0) * (x_new + v_new);
+            const L v_new = v_old + (c.inertia[i] * force + pushed);
+            store_settled(v_new, lines.velocity + at, probe);
+            if (carrier == Carrier::kNothing) continue;
+            store_settled(x_old + dt * (carrier == Carrier::kOldVelocity ? v_old : v_new), lines.position + at, probe);
         }
         finite &= !probe.any_nan();
     }
@@ -72,14 +68,14 @@ template <class T> struct Sweep {
 
 template <class T> struct Drift {
     const Lines<T>& lines;
-    T dt;
+    double dt;
 
     template <int N> void bundle(size_t first) {
-        using L = Lanes<T, N>;
+        using L = Lanes<double, N>;
+        L probe{};
         for (size_t i = 0; i < lines.nodes; ++i) {
             const size_t at = i * lines.pitch + first;
-            const L moved = L::load(lines.position + at) + dt * L::load(lines.velocity + at);
-            settled(moved, Rest<T>::least).store(lines.position + at);
+            store_settled(L::load(lines.position + at) + dt * L::load(lines.velocity + at), lines.position + at, probe);
         }
     }
 };
@@ -87,26 +83,26 @@ template <class T> struct Drift {
 } // namespace
 
 template <class T>
-bool explicit_sweep(const Lines<T>& lines, const ExplicitCoefficients<T>& c, T dt, const T* gravity, Carrier carrier,
-                    size_t first, size_t count) {
+bool explicit_sweep(const Lines<T>& lines, const ExplicitCoefficients& c, double dt, const double* gravity,
+                    Carrier carrier, size_t first, size_t count) {
     Sweep<T> bundles{lines, c, dt, gravity, carrier};
-    for_each_bundle<T>(first, count, bundles);
+    for_each_bundle(first, count, bundles);
     return bundles.finite;
 }
 
-template <class T> void drift(const Lines<T>& lines, T dt, size_t first, size_t count) {
+template <class T> void drift(const Lines<T>& lines, double dt, size_t first, size_t count) {
     Drift<T> bundles{lines, dt};
-    for_each_bundle<T>(first, count, bundles);
+    for_each_bundle(first, count, bundles);
 }
 
 #if CD_WITH_FLOAT32
-template bool explicit_sweep(const Lines<float>&, const ExplicitCoefficients<float>&, float, const float*, Carrier,
-                             size_t, size_t);
-template void drift(const Lines<float>&, float, size_t, size_t);
+template bool explicit_sweep(const Lines<float>&, const ExplicitCoefficients&, double, const double*, Carrier, size_t,
+                             size_t);
+template void drift(const Lines<float>&, double, size_t, size_t);
 #endif
 #if CD_WITH_FLOAT64
-template bool explicit_sweep(const Lines<double>&, const ExplicitCoefficients<double>&, double, const double*, Carrier,
-                             size_t, size_t);
+template bool explicit_sweep(const Lines<double>&, const ExplicitCoefficients&, double, const double*, Carrier, size_t,
+                             size_t);
 template void drift(const Lines<double>&, double, size_t, size_t);
 #endif
 

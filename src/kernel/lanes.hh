@@ -81,14 +81,12 @@ template <class L, class T> inline L between(L here, L there, T fraction) {
     return __builtin_signbit(fraction) ? there - fraction * (here - there) : here + fraction * (there - here);
 }
 
-// Calls f.template operator()<N>(first) for bundles of lanes that together cover [first, first + count): as wide as a
-// cache line while they last, then narrower; three stay together, for the three components of a single strand.
-template <class T, class F> void for_each_bundle(size_t first, size_t count, F& f) {
-    constexpr int kWidest = 64 / sizeof(T);
+// Calls f.template bundle<N>(first) for bundles of lanes that together cover [first, first + count): eight, a cache line
+// of doubles, while they last, then fewer; three stay together, for the three components of a single strand.
+template <class F> void for_each_bundle(size_t first, size_t count, F& f) {
     while (count > 0) {
         int n;
-        if (count >= size_t(kWidest)) f.template bundle<kWidest>(first), n = kWidest;
-        else if (kWidest > 8 && count >= 8) f.template bundle<8>(first), n = 8;
+        if (count >= 8) f.template bundle<8>(first), n = 8;
         else if (count >= 4) f.template bundle<4>(first), n = 4;
         else if (count == 3) f.template bundle<3>(first), n = 3;
         else if (count == 2) f.template bundle<2>(first), n = 2;

@@ -1,5 +1,7 @@
 #include "kernel/rod_sweep.hh"
 
+#include "contdyn/base.h"
+
 namespace cd {
 
 namespace {
@@ -7,7 +9,7 @@ namespace {
 template <class T> struct Sweep {
     const Lines<T>& lines;
     const RodCoefficients& c;
-    const Stage<double>& stage;
+    const Stage& stage;
     double *value, *slope;
 
     template <int N> Lanes<double, N> position(size_t i, size_t first) const {
@@ -16,6 +18,8 @@ template <class T> struct Sweep {
     template <int N> Lanes<double, N> velocity(size_t i, size_t first) const {
         return Lanes<double, N>::load(lines.velocity + i * lines.pitch + first);
     }
+
+    bool held(size_t i) const { return c.pin[i] == CD_NODE_PINNED || c.pin[i] == CD_NODE_DRIVEN; }
 
     // The difference w_{i+1} - w_i at which spring i would be closed after the stage.
     template <int N> Lanes<double, N> spring_wish(size_t i, size_t first) const {
@@ -63,14 +67,10 @@ template <class T> struct Sweep {
         for (size_t i = lines.nodes; i-- > 0;) {
             const size_t at = i * lines.pitch + first;
             const L u_here = L::load(value + at), d_here = L::load(slope + at);
-            if (i + 1 == lines.nodes) {
-                w = u_here;
-                d = d_here;
-            } else {
-                w = c.held[i] ? velocity<N>(i, first) : w - d;
-                d = i == 0 ? L{} : d_here + c.lean[i] * (w - u_here) +
-                                       c.bend[i] * (d - bend_wish<N>(i, first) - d_here);
-            }
+            const bool last = i + 1 == lines.nodes;
+            w = held(i) ? velocity<N>(i, first) : last ? u_here : w - d;
+            if (last) d = d_here;
+            else if (i > 0) d = d_here + c.lean[i] * (w - u_here) + c.bend[i] * (d - bend_wish<N>(i, first) - d_here);
             if (i % kSettleEvery == 0) {
                 w = settled(w, Rest<double>::least);
                 d = settled(d, Rest<double>::least);
@@ -88,18 +88,18 @@ template <class T> struct Sweep {
 } // namespace
 
 template <class T>
-void rod_sweep(const Lines<T>& lines, const RodCoefficients& c, const Stage<double>& stage, double* value,
+void rod_sweep(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage, double* value,
                double* slope, size_t first, size_t count) {
     Sweep<T> bundles{lines, c, stage, value, slope};
-    for_each_bundle<double>(first, count, bundles);
+    for_each_bundle(first, count, bundles);
 }
 
 #if CD_WITH_FLOAT32
-template void rod_sweep(const Lines<float>&, const RodCoefficients&, const Stage<double>&, double*, double*, size_t,
+template void rod_sweep(const Lines<float>&, const RodCoefficients&, const Stage&, double*, double*, size_t,
                         size_t);
 #endif
 #if CD_WITH_FLOAT64
-template void rod_sweep(const Lines<double>&, const RodCoefficients&, const Stage<double>&, double*, double*, size_t,
+template void rod_sweep(const Lines<double>&, const RodCoefficients&, const Stage&, double*, double*, size_t,
                         size_t);
 #endif
 

@@ -1,5 +1,4 @@
-// One implicit stage of a bundle of lines with springs and bend: the two filters of solve/rod_line.hh, in double
-// precision whatever the state's.
+// One implicit stage of a bundle of lines with springs and bend: the two filters of solve/rod_line.hh.
 #pragma once
 
 #include "kernel/lines.hh"
@@ -12,13 +11,13 @@ struct RodCoefficients {
     const double *lean, *bend;            // going back: difference into node i from its value, and from the next one
     const double* closing;               // 1 for each spring, 0 for a weld; null: 1 for all
     const double* has_bend;               // 1 at nodes with a bend term, else 0
-    NodeGains<double> gains;              // at a held node 0
-    const unsigned char* held;            // 1 where w is the velocity as it is
+    NodeGains gains;              // at a held node 0
+    const unsigned char* pin;             // cd_node: what is held keeps its velocity
 };
 
 // As spring_sweep, but leaves w in `value` and moves nothing. value, slope: scratch like the positions.
 template <class T>
-void rod_sweep(const Lines<T>& lines, const RodCoefficients& c, const Stage<double>& stage, double* value,
+void rod_sweep(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage, double* value,
                double* slope, size_t first, size_t count);
 
 } // namespace cd

@@ -5,16 +5,17 @@
 
 namespace cd {
 
-template <class T> struct SpringCoefficients {
-    const T* carry;   // how far node i goes over to what hangs on its left, a fraction for between()
-    const T* pull;    // how far it follows its right neighbour, likewise
-    const T* closing; // 1 for each spring, 0 for a weld; null: 1 for all
-    NodeGains<T> gains;
+struct SpringCoefficients {
+    const double* carry;   // how far node i goes over to what hangs on its left, a fraction for between()
+    const double* pull;    // how far it follows its right neighbour, likewise
+    const double* closing; // 1 for each spring, 0 for a weld; null: 1 for all
+    NodeGains gains;
 };
 
-// Solves and moves lines [first, first + count). y: scratch like the positions. False if a number left the finite range.
+// Solves and moves lines [first, first + count). y: scratch laid out like the positions. False if a number left the
+// finite range.
 template <class T>
-bool spring_sweep(const Lines<T>& lines, const SpringCoefficients<T>& c, const Stage<T>& stage, T* y,
-                  size_t first, size_t count);
+bool spring_sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage, double* y, size_t first,
+                  size_t count);
 
 } // namespace cd

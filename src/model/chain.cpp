@@ -62,16 +62,13 @@ struct Needs {
     size_t coefficients, scratch, ring_response;
 };
 
-// How many rows of one number per node the sweeps read (chain_step.cpp lays them out).
+// How many rows of one number per node the sweeps read (chain_step.cpp lays them out), and how many they leave between
+// their two ways.
 Needs needs_of(const Chain& c, const Features& f) {
     const bool is_explicit = f.method == CD_METHOD_FORWARD_EULER || f.method == CD_METHOD_SYMPLECTIC_EULER;
-    const bool rod = (f.ring || f.bend || f.node_bend) && !is_explicit;
-    const size_t row = c.nodes * (rod ? sizeof(double) : number_size(c));
-    const size_t state = c.nodes * c.pitch;
-    size_t rows = 4; // of the node gains
-    rows += is_explicit ? 3 : rod ? 9 : 3;
-    return {rows * row, is_explicit ? 0 : rod ? 2 * state * sizeof(double) : state * number_size(c),
-            f.ring && !is_explicit ? 4 * c.nodes : 0};
+    const bool rod = f.ring || f.bend || f.node_bend;
+    const size_t rows = 4 + (!is_explicit && rod ? 8 : 3), scratch_rows = is_explicit ? 0 : rod ? 2 : 1;
+    return {rows * c.nodes, scratch_rows * c.nodes * c.pitch, f.ring && !is_explicit ? 4 * c.nodes : 0};
 }
 
 // One array on its way from what it is to what it shall be.
@@ -104,7 +101,7 @@ bool set_features(Chain& c, const Features& wanted) {
     Change<double> attach_stiffness{c.attach_stiffness, wanted.target ? c.nodes : 0};
     Change<double> attach_damping{c.attach_damping, wanted.target ? c.nodes : 0};
     Change<char> force{c.force, wanted.force ? state : 0}, target{c.target, wanted.target ? state : 0};
-    Change<char> coefficients{c.coefficients, needs.coefficients}, scratch{c.scratch, needs.scratch};
+    Change<double> coefficients{c.coefficients, needs.coefficients}, scratch{c.scratch, needs.scratch};
     Change<double> ring_response{c.ring_response, needs.ring_response};
 
     const auto all = [&](auto f) {
@@ -123,8 +120,9 @@ bool set_features(Chain& c, const Features& wanted) {
     if (put(c.memory, stiffness)) fill_uniform(c, CD_STIFFNESS);
     if (put(c.memory, bend)) fill_uniform(c, CD_BEND);
     if (put(c.memory, target)) memcpy(c.target.data, c.position.data, c.target.count);
-    for (Change<double>* change : {&attach_stiffness, &attach_damping, &ring_response}) put(c.memory, *change);
-    for (Change<char>* change : {&force, &coefficients, &scratch}) put(c.memory, *change);
+    put(c.memory, force);
+    for (Change<double>* change : {&attach_stiffness, &attach_damping, &coefficients, &scratch, &ring_response})
+        put(c.memory, *change);
     c.prepared_dt = 0;
     return true;
 }
@@ -181,9 +179,9 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
 void destroy_chain(Chain* c) {
     c->tag = 0;
     for (Array<double>* array : {&c->node_mass, &c->spring_stiffness, &c->node_bend, &c->attach_stiffness,
-                                 &c->attach_damping, &c->ring_response})
+                                 &c->attach_damping, &c->coefficients, &c->scratch, &c->ring_response})
         release(c->memory, *array);
-    for (Array<char>* array : {&c->position, &c->velocity, &c->force, &c->target, &c->coefficients, &c->scratch})
+    for (Array<char>* array : {&c->position, &c->velocity, &c->force, &c->target})
         release(c->memory, *array);
     release(c->memory, c->pin);
     Memory memory = c->memory;

@@ -40,8 +40,7 @@ struct Chain {
     bool diverged;
 
     // what steps need, none of it state: see chain_step.cpp
-    Array<char> coefficients, scratch;
-    Array<double> ring_response;
+    Array<double> coefficients, scratch, ring_response;
     RingClosure closure;
     bool has_welds;
     double prepared_dt; // what the four above are for; 0: out of date

@@ -4,9 +4,9 @@
 //      (M + h C + h^2 K) w = M v + h [f + M g - K x],     v = w + overshoot (w - v_old),     x += move w
 //
 //   lambda   h = lambda dt: w = v + lambda dv, overshoot 1 / lambda - 1, move dt         (model.md, section 2)
-//   stiff    h = gamma dt, gamma = 1 - 1/sqrt(2): a backward Euler step of h carried on to sqrt(2) times its length,
-//            then another. SDIRK2 written so: with the state Y_1 after the first stage, the second starts from
-//            Y + (1 - gamma) / gamma (Y_1 - Y), and (1 - gamma) / gamma = sqrt(2).
+//   stiff    h = gamma dt, gamma = 1 - 1/sqrt(2): a backward Euler step of h carried on to 1 + sqrt(2) times its
+//            length, then another. SDIRK2 written so: with the state Y_1 after the first stage, the second starts from
+//            Y + (1 - gamma) / gamma (Y_1 - Y), and (1 - gamma) / gamma = 1 + sqrt(2).
 //
 // Z holds matched ends and attachments. The springs enter the solvers with the stiffness h (h + damping) k_i and the
 // wish that w_{i+1} - w_i be -(x_{i+1} - x_i) / (h + damping). lambda = 0 is forward Euler.
@@ -58,46 +58,31 @@ struct StageSystem {
 };
 
 // The chain's coefficients as rows of one number per node.
-template <class R> struct Rows {
-    R* data;
+struct Rows {
+    double* data;
     size_t nodes;
-    R* row(size_t r) const { return data + r * nodes; }
+    double* operator[](size_t r) const { return data + r * nodes; }
 };
 
-// The last four rows, filled by set_gains; absent where the chain has nothing of the kind.
-template <class R> NodeGains<R> gains_in(const Chain& c, Rows<R> rows, size_t first) {
+// The first four rows, absent where the chain has nothing of the kind.
+constexpr size_t kGainRows = 4;
+NodeGains gains_in(const Chain& c, Rows rows) {
     const bool drags = c.drag > 0 || c.target || c.pin[0] == CD_NODE_MATCHED || c.pin[c.nodes - 1] == CD_NODE_MATCHED;
-    return {rows.row(first), c.force ? rows.row(first + 1) : nullptr, drags ? rows.row(first + 2) : nullptr,
-            c.target ? rows.row(first + 3) : nullptr};
+    return {rows[0], c.force ? rows[1] : nullptr, drags ? rows[2] : nullptr, c.target ? rows[3] : nullptr};
 }
 
 // Gains of node i when `grounded` is what resists it.
-template <class R> void set_gains(const StageSystem& s, Rows<R> rows, size_t first, size_t i, double grounded) {
-    rows.row(first)[i] = R(mass_of(s.c, i) / grounded);
-    rows.row(first + 1)[i] = R(s.h / grounded);
-    rows.row(first + 2)[i] = R((s.h * s.dragging(i) + s.h * s.h * s.tying(i)) / grounded);
-    rows.row(first + 3)[i] = R(s.h * s.tying(i) / grounded);
+void set_gains(const StageSystem& s, Rows rows, size_t i, double grounded) {
+    rows[0][i] = mass_of(s.c, i) / grounded;
+    rows[1][i] = s.h / grounded;
+    rows[2][i] = (s.h * s.dragging(i) + s.h * s.h * s.tying(i)) / grounded;
+    rows[3][i] = s.h * s.tying(i) / grounded;
 }
 
 // 1 for every spring that wants to close, 0 for welds.
-template <class R> void set_closing(const Chain& c, R* closing) {
-    for (size_t i = 0; i < c.springs; ++i) closing[i] = welded(c, i) ? R(0) : R(1);
+void set_closing(const Chain& c, double* closing) {
+    for (size_t i = 0; i < c.springs; ++i) closing[i] = welded(c, i) ? 0 : 1;
 }
-
-// 1 / (h + damping) in a precision too narrow for it. Rounded one way at every step it would be an energy trend of
-// percents over a million float32 steps; so steps take its two neighbours in turn, with its mean over any run of them.
-template <class T> struct AlternatingRate {
-    T low, high;
-    uint32_t high_share; // in 2^-32
-
-    explicit AlternatingRate(double exact) {
-        low = high = T(exact);
-        if (double(low) > exact) low = T(nextafterf(float(low), 0));
-        if (double(high) < exact) high = T(nextafterf(float(high), INFINITY));
-        high_share = high > low ? uint32_t((exact - double(low)) / (double(high) - double(low)) * 4294967295.0) : 0;
-    }
-    T at(uint64_t step) const { return uint32_t(uint32_t(step + 1) * high_share) < high_share ? high : low; }
-};
 
 // ---- the three kinds of step ----------------------------------------------------------------------------------------
 
@@ -106,51 +91,45 @@ template <class T> Lines<T> lines_of(Chain& c) {
             c.target ? numbers<T>(c.target) : nullptr};
 }
 
-template <class D> Stage<D> make_stage(const Chain& c, double h, double overshoot, double move) {
-    Stage<D> stage{D(1 / (h + c.damping)), D(overshoot), D(move), {}};
-    for (size_t k = 0; k < c.components; ++k) stage.gravity[k] = D(h * c.gravity[k]);
+Stage make_stage(const Chain& c, double h, double overshoot, double move) {
+    Stage stage{1 / (h + c.damping), overshoot, move, {}};
+    for (size_t k = 0; k < c.components; ++k) stage.gravity[k] = h * c.gravity[k];
     return stage;
 }
 
-template <class D> int make_stages(const Chain& c, double dt, Stage<D>* stages) {
-    const double h = stage_share(c, dt);
-    if (c.method != CD_METHOD_STIFF_SECOND) {
-        stages[0] = make_stage<D>(c, h, 1 / c.lambda - 1, dt);
-        return 1;
+struct Stages {
+    Stage stage[2];
+    int count;
+
+    Stages(const Chain& c, double dt) {
+        const double h = stage_share(c, dt);
+        count = c.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
+        stage[0] = count == 1 ? make_stage(c, h, 1 / c.lambda - 1, dt) : make_stage(c, h, kSqrt2, (1 + kSqrt2) * h);
+        stage[1] = make_stage(c, h, 0, h);
     }
-    stages[0] = make_stage<D>(c, h, kSqrt2 - 1, kSqrt2 * h);
-    stages[1] = make_stage<D>(c, h, 0, h);
-    return 2;
-}
+};
 
 template <class T> struct SpringStep {
     Lines<T> lines;
-    SpringCoefficients<T> coefficients;
-    Stage<T> stages[2];
-    int stage_count;
-    AlternatingRate<T> rate;
-    T* scratch;
+    SpringCoefficients coefficients;
+    Stages stages;
+    double* scratch;
 
-    // The rate is that of the dt the positions move by, which is rounded too.
-    SpringStep(Chain& c, double dt, bool refactor)
-        : lines(lines_of<T>(c)), rate(1 / (stage_share(c, double(T(dt))) + c.damping)), scratch(numbers<T>(c.scratch)) {
-        const Rows<T> rows{numbers<T>(c.coefficients), c.nodes};
-        const StageSystem system{c, stage_share(c, dt)};
+    SpringStep(Chain& c, double dt, bool refactor) : lines(lines_of<T>(c)), stages(c, dt), scratch(c.scratch.data) {
+        const Rows rows{c.coefficients.data, c.nodes};
+        double *const carry = rows[kGainRows], *const pull = rows[kGainRows + 1], *const closing = rows[kGainRows + 2];
         if (refactor) {
-            factor_spring_line(c.nodes, system, rows.row(0), rows.row(1),
-                               [&](size_t i, double grounded) { set_gains(system, rows, 3, i, grounded); });
-            set_closing(c, rows.row(2));
+            const StageSystem system{c, stage_share(c, dt)};
+            factor_spring_line(c.nodes, system, carry, pull,
+                               [&](size_t i, double grounded) { set_gains(system, rows, i, grounded); });
+            set_closing(c, closing);
         }
-        coefficients = {rows.row(0), rows.row(1), c.has_welds ? rows.row(2) : nullptr, gains_in(c, rows, 3)};
-        stage_count = make_stages(c, dt, stages);
+        coefficients = {carry, pull, c.has_welds ? closing : nullptr, gains_in(c, rows)};
     }
-    bool operator()(uint64_t step, size_t first, size_t count) const {
+    bool operator()(size_t first, size_t count) const {
         bool finite = true;
-        for (int s = 0; s < stage_count; ++s) {
-            Stage<T> stage = stages[s];
-            stage.closing_rate = rate.at(step);
-            finite &= spring_sweep(lines, coefficients, stage, scratch, first, count);
-        }
+        for (int s = 0; s < stages.count; ++s)
+            finite &= spring_sweep(lines, coefficients, stages.stage[s], scratch, first, count);
         return finite;
     }
 };
@@ -159,30 +138,28 @@ template <class T> struct RodStep {
     Lines<T> lines;
     RodCoefficients coefficients;
     const RingClosure& closure;
-    Stage<double> stages[2];
-    int stage_count;
+    Stages stages;
     double *value, *slope;
 
     RodStep(Chain& c, double dt, bool refactor)
-        : lines(lines_of<T>(c)), closure(c.closure), value(numbers<double>(c.scratch)) {
-        slope = value + c.nodes * c.pitch;
-        const Rows<double> rows{numbers<double>(c.coefficients), c.nodes};
-        const StageSystem system{c, stage_share(c, dt)};
-        const RodRows rod{rows.row(0), rows.row(1), rows.row(2), rows.row(3), rows.row(4), rows.row(5)};
-        unsigned char* const holds = reinterpret_cast<unsigned char*>(rows.row(8));
+        : lines(lines_of<T>(c)), closure(c.closure), stages(c, dt), value(c.scratch.data),
+          slope(c.scratch.data + c.nodes * c.pitch) {
+        const Rows rows{c.coefficients.data, c.nodes};
+        constexpr size_t k = kGainRows;
+        const RodRows rod{rows[k], rows[k + 1], rows[k + 2], rows[k + 3], rows[k + 4], rows[k + 5]};
+        double *const closing = rows[k + 6], *const has_bend = rows[k + 7];
         if (refactor) {
+            const StageSystem system{c, stage_share(c, dt)};
             factor_rod_line(c.nodes, system, rod);
             for (size_t i = 0; i < c.nodes; ++i) {
-                set_gains(system, rows, 9, i, system.ground(i));
-                rows.row(7)[i] = bend_of(c, i) > 0 ? 1 : 0;
-                holds[i] = held(c, i);
+                set_gains(system, rows, i, system.ground(i));
+                has_bend[i] = bend_of(c, i) > 0 ? 1 : 0;
             }
-            set_closing(c, rows.row(6));
+            set_closing(c, closing);
+            close(c, system, rod);
         }
-        coefficients = {rod.stretch,     rod.stretch_lift, rod.ground, rod.ground_lift, rod.lean, rod.bend,
-                        c.has_welds ? rows.row(6) : nullptr, rows.row(7), gains_in(c, rows, 9), holds};
-        stage_count = make_stages(c, dt, stages);
-        if (refactor) close(c, system, rod);
+        coefficients = {rod.stretch, rod.stretch_lift, rod.ground, rod.ground_lift,   rod.lean,
+                        rod.bend,    c.has_welds ? closing : nullptr, has_bend, gains_in(c, rows), c.pin.data};
     }
     void close(Chain& c, const StageSystem& system, const RodRows& rod) {
         c.closure = {};
@@ -192,13 +169,13 @@ template <class T> struct RodStep {
         double* const response[3] = {c.ring_response.data, c.ring_response.data + n, c.ring_response.data + 2 * n};
         factor_ring(n, system, rod, has_bend(c) ? 3 : 1, stiffness, response, c.ring_response.data + 3 * n,
                     c.closure);
-        c.closure.closing_rate = welded(c, c.springs) ? 0 : stages[0].closing_rate;
+        c.closure.closing_rate = welded(c, c.springs) ? 0 : stages.stage[0].closing_rate;
     }
-    bool operator()(uint64_t, size_t first, size_t count) const {
+    bool operator()(size_t first, size_t count) const {
         bool finite = true;
-        for (int s = 0; s < stage_count; ++s) {
-            rod_sweep(lines, coefficients, stages[s], value, slope, first, count);
-            finite &= advance(lines, stages[s], closure, value, first, count);
+        for (int s = 0; s < stages.count; ++s) {
+            rod_sweep(lines, coefficients, stages.stage[s], value, slope, first, count);
+            finite &= advance(lines, stages.stage[s], closure, value, first, count);
         }
         return finite;
     }
@@ -207,33 +184,32 @@ template <class T> struct RodStep {
 template <class T> struct ExplicitStep {
     Chain& chain;
     Lines<T> lines;
-    ExplicitCoefficients<T> coefficients;
-    T dt, gravity[4];
+    ExplicitCoefficients coefficients;
+    double dt, gravity[4];
     Carrier carrier;
 
-    ExplicitStep(Chain& c, double dt_, bool refactor) : chain(c), lines(lines_of<T>(c)), dt(T(dt_)) {
-        const Rows<T> rows{numbers<T>(c.coefficients), c.nodes};
-        const StageSystem system{c, dt_};
+    ExplicitStep(Chain& c, double dt_, bool refactor) : chain(c), lines(lines_of<T>(c)), dt(dt_) {
+        const Rows rows{c.coefficients.data, c.nodes};
+        double *const stiffness = rows[kGainRows], *const bend = rows[kGainRows + 1], *const inertia = rows[kGainRows + 2];
         if (refactor) {
-            for (size_t i = 0; i < springs_in_all(c); ++i) rows.row(0)[i] = welded(c, i) ? T(0) : T(stiffness_of(c, i));
+            const StageSystem system{c, dt};
+            for (size_t i = 0; i < springs_in_all(c); ++i) stiffness[i] = welded(c, i) ? 0 : stiffness_of(c, i);
             for (size_t i = 0; i < c.nodes; ++i) {
-                rows.row(1)[i] = T(bend_of(c, i));
-                const double inertia = held(c, i) ? double(INFINITY) : mass_of(c, i);
-                rows.row(2)[i] = T(dt_ / inertia);
-                rows.row(3)[i] = T(mass_of(c, i) / inertia);
-                rows.row(4)[i] = T(dt_ / inertia);
-                rows.row(5)[i] = T(dt_ * system.dragging(i) / inertia);
-                rows.row(6)[i] = T(dt_ * system.tying(i) / inertia);
+                const double mass = held(c, i) ? double(INFINITY) : mass_of(c, i);
+                bend[i] = bend_of(c, i);
+                inertia[i] = rows[1][i] = dt / mass;
+                rows[0][i] = mass_of(c, i) / mass;
+                rows[2][i] = dt * system.dragging(i) / mass;
+                rows[3][i] = dt * system.tying(i) / mass;
             }
         }
-        coefficients = {rows.row(0), has_bend(c) ? rows.row(1) : nullptr, rows.row(2), gains_in(c, rows, 3),
-                        T(c.damping), c.ring != 0};
-        for (size_t k = 0; k < 4; ++k) gravity[k] = T(dt_ * c.gravity[k]);
+        coefficients = {stiffness, has_bend(c) ? bend : nullptr, inertia, gains_in(c, rows), c.damping, c.ring != 0};
+        for (size_t k = 0; k < 4; ++k) gravity[k] = dt * c.gravity[k];
         const bool new_velocity = c.method == CD_METHOD_SYMPLECTIC_EULER;
         carrier = !new_velocity ? Carrier::kOldVelocity : c.has_welds ? Carrier::kNothing : Carrier::kNewVelocity;
     }
     // Welds take up any force without a tension of their own: the nodes they join share what they get.
-    bool operator()(uint64_t, size_t first, size_t count) const {
+    bool operator()(size_t first, size_t count) const {
         const bool finite = explicit_sweep(lines, coefficients, dt, gravity, carrier, first, count);
         if (chain.has_welds) merge_velocities(chain, first, count);
         if (carrier == Carrier::kNothing) drift(lines, dt, first, count);
@@ -244,14 +220,14 @@ template <class T> struct ExplicitStep {
 // ---- many steps of many lines -----------------------------------------------------------------------------------------
 
 // Lines never mix, so a bundle of them makes all its steps while it is in the cache.
-template <class T, class Step> uint64_t run(Chain& c, const Step& step, size_t count) {
-    constexpr size_t kBundle = 64 / sizeof(T);
+template <class Step> uint64_t run(Chain& c, const Step& step, size_t count) {
+    constexpr size_t kBundle = 16;
     uint64_t first_bad = UINT64_MAX;
     auto bundle = [&](size_t b) {
         const size_t first = b * kBundle, lines = c.lines - first < kBundle ? c.lines - first : kBundle;
         uint64_t bad = UINT64_MAX;
         for (size_t s = 0; s < count; ++s)
-            if (!step(c.steps + s, first, lines) && bad == UINT64_MAX) bad = s;
+            if (!step(first, lines) && bad == UINT64_MAX) bad = s;
         uint64_t seen = __atomic_load_n(&first_bad, __ATOMIC_RELAXED);
         while (bad < seen &&
                !__atomic_compare_exchange_n(&first_bad, &seen, bad, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
@@ -267,10 +243,10 @@ template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
         c.has_welds = false;
         for (size_t i = 0; i < c.spring_stiffness.count; ++i) c.has_welds |= welded(c, i);
     }
-    if (is_explicit(c)) return run<T>(c, ExplicitStep<T>(c, dt, refactor), count);
+    if (is_explicit(c)) return run(c, ExplicitStep<T>(c, dt, refactor), count);
     c.factorizations += refactor;
-    if (is_rod(c)) return run<T>(c, RodStep<T>(c, dt, refactor), count);
-    return run<T>(c, SpringStep<T>(c, dt, refactor), count);
+    if (is_rod(c)) return run(c, RodStep<T>(c, dt, refactor), count);
+    return run(c, SpringStep<T>(c, dt, refactor), count);
 }
 
 template <class T> bool finite_numbers(const Chain& c, const Array<char>& array) {

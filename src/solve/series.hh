@@ -11,7 +11,7 @@ inline double share(double a, double b) {
 }
 
 // The same as a fraction for between() (kernel/lanes.hh): a share above 1/2 as that of b, with its sign bit set.
-template <class T> T fraction(double a, double b) { return a <= b ? T(share(a, b)) : -T(share(b, a)); }
+inline double fraction(double a, double b) { return a <= b ? share(a, b) : -share(b, a); }
 
 // a b / (a + b): the stiffness of two springs one behind the other.
 inline double series(double a, double b) {

@@ -25,15 +25,15 @@
 namespace cd {
 
 // System: double ground(i), spring(i). Gains: void operator()(i, r) is told what grounds node i in all.
-template <class T, class System, class Gains>
-void factor_spring_line(size_t nodes, const System& system, T* carry, T* pull, Gains gains) {
+template <class System, class Gains>
+void factor_spring_line(size_t nodes, const System& system, double* carry, double* pull, Gains gains) {
     double hanging = 0; // the spring to ground that all nodes on the left amount to
     for (size_t i = 0; i < nodes; ++i) {
         const double ground = system.ground(i), grounded = ground + hanging;
-        carry[i] = fraction<T>(hanging, ground);
+        carry[i] = fraction(hanging, ground);
         gains(i, grounded);
         if (i + 1 == nodes) break;
-        pull[i] = fraction<T>(system.spring(i), grounded);
+        pull[i] = fraction(system.spring(i), grounded);
         hanging = series(grounded, system.spring(i));
     }
 }

@@ -7,6 +7,7 @@ extern "C" {
 
 #include <initializer_list>
 
+#include "contdyn/base.h"
 #include "kernel/advance.hh"
 #include "kernel/rod_sweep.hh"
 #include "kernel/spring_sweep.hh"
@@ -93,7 +94,7 @@ struct Problem {
             v[i] = isinf(line.mass[i]) ? 0.25 : random_number(seed) - 0.5;
         }
     }
-    template <class T> cd::Stage<T> stage() const { return {T(rate), T(0), T(1), {}}; }
+    cd::Stage stage() const { return {rate, 0, 1, {}}; }
 };
 
 using cd::Lines;
@@ -102,8 +103,8 @@ using cd::Stage;
 void solve_springs(const Line& line, Problem& p) {
     double carry[kNodes], pull[kNodes], scratch[kNodes];
     cd::factor_spring_line(kNodes, line, carry, pull, [](size_t, double) {});
-    const cd::SpringCoefficients<double> c{carry, pull, nullptr, {p.gravity, nullptr, nullptr, nullptr}};
-    assert_true(cd::spring_sweep<double>({kNodes, 1, 1, p.x, p.v, nullptr, nullptr}, c, p.stage<double>(), scratch, 0, 1));
+    const cd::SpringCoefficients c{carry, pull, nullptr, {p.gravity, nullptr, nullptr, nullptr}};
+    assert_true(cd::spring_sweep<double>({kNodes, 1, 1, p.x, p.v, nullptr, nullptr}, c, p.stage(), scratch, 0, 1));
 }
 
 void solve_rod(const Line& line, Problem& p, bool ring) {
@@ -113,7 +114,7 @@ void solve_rod(const Line& line, Problem& p, bool ring) {
     cd::factor_rod_line(kNodes, line, rod);
     for (size_t i = 0; i < kNodes; ++i) {
         has_bend[i] = line.turning[i] > 0;
-        held[i] = isinf(line.mass[i]);
+        held[i] = isinf(line.mass[i]) ? CD_NODE_PINNED : CD_NODE_FREE;
     }
     cd::RingClosure closure;
     if (ring) {
@@ -125,8 +126,8 @@ void solve_rod(const Line& line, Problem& p, bool ring) {
     const Lines<double> lines{kNodes, 1, 1, p.x, p.v, nullptr, nullptr};
     const cd::RodCoefficients c{rows[0], rows[1], rows[2], rows[3], rows[4], rows[5], nullptr, has_bend,
                                 {p.gravity, nullptr, nullptr, nullptr}, held};
-    cd::rod_sweep(lines, c, p.stage<double>(), value, slope, 0, 1);
-    assert_true(cd::advance(lines, p.stage<double>(), closure, value, 0, 1));
+    cd::rod_sweep(lines, c, p.stage(), value, slope, 0, 1);
+    assert_true(cd::advance(lines, p.stage(), closure, value, 0, 1));
 }
 
 double error_against(const long double* exact, const double* w) {
@@ -216,24 +217,24 @@ void shares_are_right_from_zero_to_infinity(void**) {
 
 // A fraction close to 1 is kept by its distance from 1.
 void fractions_keep_their_digits_at_both_ends(void**) {
-    using L = cd::Lanes<float, 1>;
-    const float near_one = cd::fraction<float>(1e12, 1), near_zero = cd::fraction<float>(1, 1e12);
-    assert_true(cd::between(L{{5e11f}}, L{{0}}, near_one).v[0] > 0.49f);
-    assert_true(cd::between(L{{0}}, L{{5e11f}}, near_zero).v[0] > 0.49f);
-    assert_true(cd::between(L{{5e30f}}, L{{1}}, cd::fraction<float>(INFINITY, 1)).v[0] == 1);
-    assert_true(cd::between(L{{1}}, L{{5e30f}}, cd::fraction<float>(0, 1)).v[0] == 1);
-    assert_true(cd::between(L{{0.1f}}, L{{0.1f}}, 0.3f).v[0] == 0.1f);
+    using L = cd::Lanes<double, 1>;
+    const double near_one = cd::fraction(1e22, 1), near_zero = cd::fraction(1, 1e22);
+    assert_true(fabs(cd::between(L{{5e21}}, L{{0}}, near_one).v[0] - 0.5) < 1e-12);
+    assert_true(fabs(cd::between(L{{0}}, L{{5e21}}, near_zero).v[0] - 0.5) < 1e-12);
+    assert_true(cd::between(L{{5e30}}, L{{1}}, cd::fraction(INFINITY, 1)).v[0] == 1);
+    assert_true(cd::between(L{{1}}, L{{5e30}}, cd::fraction(0, 1)).v[0] == 1);
+    assert_true(cd::between(L{{0.1}}, L{{0.1}}, 0.3).v[0] == 0.1);
 }
 
 // A line's result does not depend on how many lines it shares a register with.
 void lanes_do_not_mix(void**) {
     constexpr size_t kLines = 61;
-    static float x[kNodes][kLines], v[kNodes][kLines], alone[2][kNodes], scratch[kNodes][kLines], carry[kNodes], pull[kNodes];
-    static float gravity[kNodes];
+    static float x[kNodes][kLines], v[kNodes][kLines], alone[2][kNodes];
+    static double scratch[kNodes][kLines], carry[kNodes], pull[kNodes], gravity[kNodes];
     const Line line = random_line(3, 6, false);
     cd::factor_spring_line(kNodes, line, carry, pull, [](size_t, double) {});
-    const cd::SpringCoefficients<float> c{carry, pull, nullptr, {gravity, nullptr, nullptr, nullptr}};
-    const Stage<float> stage{3, 1, 0.5f, {}};
+    const cd::SpringCoefficients c{carry, pull, nullptr, {gravity, nullptr, nullptr, nullptr}};
+    const Stage stage{3, 1, 0.5, {}};
     unsigned seed = 5;
     for (auto* field : {&x, &v})
         for (auto& row : *field)
