@@ -12,8 +12,8 @@ template <class T> struct Mover {
     bool finite = true;
 
     // By how much the open line's w misses the wish of each closing constraint.
-    template <int N> void misses(size_t first, Lanes<double, N>* out) const {
-        using L = Lanes<double, N>;
+    template <int N> void misses(size_t first, Lanes<N>* out) const {
+        using L = Lanes<N>;
         const auto row = [&](const auto* data, size_t i) { return L::load(data + i * lines.pitch + first); };
         const auto turn = [](L a, L b, L c) { return (b - a) - (c - b); };
         const size_t z = lines.nodes - 1, nodes[4] = {z - 1, z, 0, 1};
@@ -28,7 +28,7 @@ template <class T> struct Mover {
     }
 
     template <int N> void bundle(size_t first) {
-        using L = Lanes<double, N>;
+        using L = Lanes<N>;
         L miss[3] = {}, force[3] = {}, probe{};
         if (ring.constraints > 0) misses<N>(first, miss);
         for (int r = 0; r < ring.constraints; ++r)

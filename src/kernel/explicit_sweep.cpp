@@ -14,29 +14,29 @@ template <class T> struct Sweep {
     Carrier carrier;
     bool finite = true;
 
-    template <int N> Lanes<double, N> x(size_t i, size_t first) const {
-        return Lanes<double, N>::load(lines.position + i * lines.pitch + first);
+    template <int N> Lanes<N> x(size_t i, size_t first) const {
+        return Lanes<N>::load(lines.position + i * lines.pitch + first);
     }
-    template <int N> Lanes<double, N> v(size_t i, size_t first) const {
-        return Lanes<double, N>::load(lines.velocity + i * lines.pitch + first);
+    template <int N> Lanes<N> v(size_t i, size_t first) const {
+        return Lanes<N>::load(lines.velocity + i * lines.pitch + first);
     }
     size_t after(size_t i) const { return i + 1 < lines.nodes ? i + 1 : 0; }
 
     // k_i (dx + damping dv): the force of spring i on its left node.
-    template <int N> Lanes<double, N> tension(size_t i, size_t first) const {
+    template <int N> Lanes<N> tension(size_t i, size_t first) const {
         const size_t j = after(i);
         return c.stiffness[i] *
                ((x<N>(j, first) - x<N>(i, first)) + c.damping * (v<N>(j, first) - v<N>(i, first)));
     }
     // b_j times the second difference at node j = i + 1; i: its left neighbour.
-    template <int N> Lanes<double, N> moment(size_t i, size_t first) const {
+    template <int N> Lanes<N> moment(size_t i, size_t first) const {
         const size_t j = after(i), k = after(j);
         return c.bend[j] * (((x<N>(k, first) - x<N>(j, first)) - (x<N>(j, first) - x<N>(i, first))) +
                             c.damping * ((v<N>(k, first) - v<N>(j, first)) - (v<N>(j, first) - v<N>(i, first))));
     }
 
     template <int N> void bundle(size_t first) {
-        using L = Lanes<double, N>;
+        using L = Lanes<N>;
         const size_t n = lines.nodes, z = n - 1;
         const L dv_gravity = lane_gravity<N>(lines, gravity, first);
         // what closes the ring is taken from the old state, before the first nodes move
@@ -71,7 +71,7 @@ template <class T> struct Drift {
     double dt;
 
     template <int N> void bundle(size_t first) {
-        using L = Lanes<double, N>;
+        using L = Lanes<N>;
         L probe{};
         for (size_t i = 0; i < lines.nodes; ++i) {
             const size_t at = i * lines.pitch + first;

@@ -1,8 +1,9 @@
 // N numbers that go through the same operations side by side: N lines of a lattice, which never mix.
 //
-// Powers of two are GCC/Clang vectors, other counts plain arrays; an operation rounds the same in both, so a line's
-// result does not depend on how many neighbours it shared a register with. Vectors are naturally aligned and loaded
-// through memcpy: GCC 12 sends under-aligned vector types through the stack.
+// As many as a register of the instruction set holds are a GCC/Clang vector; more, or an odd number, are a pair of
+// narrower lanes. An operation rounds the same in all, so a line's result does not depend on how many neighbours it
+// shared a register with. Vectors are naturally aligned and loaded through memcpy: GCC 12 sends under-aligned vector
+// types, and vectors wider than a register, through the stack (measured: ten and six times slower).
 #pragma once
 
 #include <stddef.h>
@@ -11,13 +12,43 @@
 
 namespace cd {
 
-template <class T, int N, bool Vector = (N > 1 && (N & (N - 1)) == 0)> struct Lanes;
+// Doubles in a register.
+#if defined(__AVX512F__)
+constexpr int kNative = 8;
+#elif defined(__AVX__)
+constexpr int kNative = 4;
+#else
+constexpr int kNative = 2;
+#endif
 
-template <class T, int N> struct Lanes<T, N, true> {
-    typedef T Values __attribute__((vector_size(N * sizeof(T))));
+constexpr int largest_power_below(int n) { return n <= 2 ? 1 : 2 * largest_power_below((n + 1) / 2); }
+
+enum class LaneKind { kSingle, kVector, kPair };
+constexpr LaneKind lane_kind(int n) {
+    return n == 1 ? LaneKind::kSingle : (n & (n - 1)) == 0 && n <= kNative ? LaneKind::kVector : LaneKind::kPair;
+}
+
+// D is double: GCC 12 makes a vector of N of it only where its name depends on the template too.
+template <int N, LaneKind = lane_kind(N), class D = double> struct Lanes;
+
+template <> struct Lanes<1, LaneKind::kSingle, double> {
+    double v;
+
+    static Lanes splat(double a) { return {a}; }
+    template <class S> static Lanes load(const S* from) { return {double(*from)}; }
+    template <class S> void store(S* to) const { *to = S(v); }
+    friend Lanes operator+(Lanes a, Lanes b) { return {a.v + b.v}; }
+    friend Lanes operator-(Lanes a, Lanes b) { return {a.v - b.v}; }
+    friend Lanes operator*(Lanes a, Lanes b) { return {a.v * b.v}; }
+    friend Lanes settled(Lanes a, double least) { return {a.v < least && a.v > -least ? 0 : a.v}; }
+    bool any_nan() const { return v != v; }
+};
+
+template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
+    typedef D Values __attribute__((vector_size(N * sizeof(D))));
     Values v;
 
-    static Lanes splat(T a) { return {a - Values{}}; }
+    static Lanes splat(double a) { return {a - Values{}}; }
     template <class S> static Lanes load(const S* from) {
         typedef S Stored __attribute__((vector_size(N * sizeof(S))));
         Stored stored;
@@ -32,10 +63,9 @@ template <class T, int N> struct Lanes<T, N, true> {
     friend Lanes operator+(Lanes a, Lanes b) { return {a.v + b.v}; }
     friend Lanes operator-(Lanes a, Lanes b) { return {a.v - b.v}; }
     friend Lanes operator*(Lanes a, Lanes b) { return {a.v * b.v}; }
-    friend Lanes operator*(T a, Lanes b) { return splat(a) * b; }
 
     // 0 where |a| < least
-    friend Lanes settled(Lanes a, T least) {
+    friend Lanes settled(Lanes a, double least) {
         const auto small = (a.v < splat(least).v) & (a.v > splat(-least).v);
         return {reinterpret_cast<Values>(reinterpret_cast<decltype(a.v < a.v)>(a.v) & ~small)};
     }
@@ -46,43 +76,44 @@ template <class T, int N> struct Lanes<T, N, true> {
     }
 };
 
-template <class T, int N> struct Lanes<T, N, false> {
-    T v[N];
+template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
+    static constexpr int kFirst = largest_power_below(N);
+    Lanes<kFirst> a;
+    Lanes<N - kFirst> b;
 
-    template <class F> static Lanes each(F f) {
-        Lanes r;
-        for (int j = 0; j < N; ++j) r.v[j] = f(j);
-        return r;
+    static Lanes splat(double s) { return {Lanes<kFirst>::splat(s), Lanes<N - kFirst>::splat(s)}; }
+    template <class S> static Lanes load(const S* from) {
+        return {Lanes<kFirst>::load(from), Lanes<N - kFirst>::load(from + kFirst)};
     }
-    static Lanes splat(T a) { return each([&](int) { return a; }); }
-    template <class S> static Lanes load(const S* from) { return each([&](int j) { return T(from[j]); }); }
     template <class S> void store(S* to) const {
-        for (int j = 0; j < N; ++j) to[j] = S(v[j]);
+        a.store(to);
+        b.store(to + kFirst);
     }
-    friend Lanes operator+(Lanes a, Lanes b) { return each([&](int j) { return a.v[j] + b.v[j]; }); }
-    friend Lanes operator-(Lanes a, Lanes b) { return each([&](int j) { return a.v[j] - b.v[j]; }); }
-    friend Lanes operator*(Lanes a, Lanes b) { return each([&](int j) { return a.v[j] * b.v[j]; }); }
-    friend Lanes operator*(T a, Lanes b) { return each([&](int j) { return a * b.v[j]; }); }
-
-    friend Lanes settled(Lanes a, T least) {
-        return each([&](int j) { return a.v[j] < least && a.v[j] > -least ? T(0) : a.v[j]; });
-    }
-    bool any_nan() const {
-        for (int j = 0; j < N; ++j)
-            if (v[j] != v[j]) return true;
-        return false;
-    }
+    friend Lanes operator+(Lanes x, Lanes y) { return {x.a + y.a, x.b + y.b}; }
+    friend Lanes operator-(Lanes x, Lanes y) { return {x.a - y.a, x.b - y.b}; }
+    friend Lanes operator*(Lanes x, Lanes y) { return {x.a * y.a, x.b * y.b}; }
+    friend Lanes settled(Lanes x, double least) { return {settled(x.a, least), settled(x.b, least)}; }
+    bool any_nan() const { return a.any_nan() || b.any_nan(); }
 };
 
-// The point between `here` and `there` at a fraction of the way. With the sign bit set, the fraction is measured from
-// there: so both a fraction near 0 and one near 1 keep their digits, a weight of 0 leaves no trace of what it weighs, and
-// equal ends give themselves, exactly.
-template <class L, class T> inline L between(L here, L there, T fraction) {
-    return __builtin_signbit(fraction) ? there - fraction * (here - there) : here + fraction * (there - here);
+template <int N> inline Lanes<N> operator*(double s, Lanes<N> a) { return Lanes<N>::splat(s) * a; }
+
+// The point between `here` and `there` = moving + offset at a fraction of the way, and `extra` on top. With the sign bit
+// set, the fraction is measured from there: so both a fraction near 0 and one near 1 keep their digits, a weight of 0
+// leaves no trace of what it weighs, and equal ends give themselves, exactly. `moving` is what the last node gave: only
+// three operations wait for it.
+template <class L>
+inline L between(L here, L moving, L offset, double fraction, L extra) {
+    if (__builtin_signbit(fraction)) return (moving + (offset + extra)) - fraction * ((here - offset) - moving);
+    return (here + extra) + fraction * (moving + (offset - here));
+}
+template <class L> inline L between(L here, L moving, L offset, double fraction) {
+    if (__builtin_signbit(fraction)) return (moving + offset) - fraction * ((here - offset) - moving);
+    return here + fraction * (moving + (offset - here));
 }
 
-// Calls f.template bundle<N>(first) for bundles of lanes that together cover [first, first + count): eight, a cache line
-// of doubles, while they last, then fewer; three stay together, for the three components of a single strand.
+// Calls f.template bundle<N>(first) for bundles of lanes that together cover [first, first + count): eight while they
+// last, then fewer; three stay together, for the three components of a single strand.
 template <class F> void for_each_bundle(size_t first, size_t count, F& f) {
     while (count > 0) {
         int n;

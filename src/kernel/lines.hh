@@ -49,17 +49,17 @@ struct NodeGains {
 };
 
 // h g of each lane of the bundle that starts at a line.
-template <int N, class T> Lanes<double, N> lane_gravity(const Lines<T>& lines, const double* gravity, size_t first) {
+template <int N, class T> Lanes<N> lane_gravity(const Lines<T>& lines, const double* gravity, size_t first) {
     double g[N];
     for (int j = 0; j < N; ++j) g[j] = gravity[(first + size_t(j)) % lines.components];
-    return Lanes<double, N>::load(g);
+    return Lanes<N>::load(g);
 }
 
 // What acts on node i from outside. `at` is the place of the bundle's numbers at that node.
 template <int N, class T>
-inline Lanes<double, N> outside(const Lines<T>& lines, const NodeGains& gains, size_t i, size_t at,
-                                Lanes<double, N> gravity, Lanes<double, N> x, Lanes<double, N> v) {
-    using L = Lanes<double, N>;
+inline Lanes<N> outside(const Lines<T>& lines, const NodeGains& gains, size_t i, size_t at,
+                                Lanes<N> gravity, Lanes<N> x, Lanes<N> v) {
+    using L = Lanes<N>;
     L sum = gains.gravity[i] * gravity;
     if (gains.force) sum = sum + gains.force[i] * L::load(lines.force + at);
     if (gains.drag) sum = sum - gains.drag[i] * v;
@@ -69,9 +69,9 @@ inline Lanes<double, N> outside(const Lines<T>& lines, const NodeGains& gains, s
 
 // Stores a number where it settles to 0 if it is too small for the state's precision, and adds to the probe what is NaN
 // if it is too large for it.
-template <class T, int N> inline void store_settled(Lanes<double, N> a, T* to, Lanes<double, N>& probe) {
+template <class T, int N> inline void store_settled(Lanes<N> a, T* to, Lanes<N>& probe) {
     settled(a, double(Rest<T>::least)).store(to);
-    probe = probe + 0.0 * Lanes<double, N>::load(to);
+    probe = probe + 0.0 * Lanes<N>::load(to);
 }
 
 } // namespace cd

@@ -12,29 +12,29 @@ template <class T> struct Sweep {
     const Stage& stage;
     double *value, *slope;
 
-    template <int N> Lanes<double, N> position(size_t i, size_t first) const {
-        return Lanes<double, N>::load(lines.position + i * lines.pitch + first);
+    template <int N> Lanes<N> position(size_t i, size_t first) const {
+        return Lanes<N>::load(lines.position + i * lines.pitch + first);
     }
-    template <int N> Lanes<double, N> velocity(size_t i, size_t first) const {
-        return Lanes<double, N>::load(lines.velocity + i * lines.pitch + first);
+    template <int N> Lanes<N> velocity(size_t i, size_t first) const {
+        return Lanes<N>::load(lines.velocity + i * lines.pitch + first);
     }
 
     bool held(size_t i) const { return c.pin[i] == CD_NODE_PINNED || c.pin[i] == CD_NODE_DRIVEN; }
 
     // The difference w_{i+1} - w_i at which spring i would be closed after the stage.
-    template <int N> Lanes<double, N> spring_wish(size_t i, size_t first) const {
+    template <int N> Lanes<N> spring_wish(size_t i, size_t first) const {
         const double rate = c.closing ? c.closing[i] * stage.closing_rate : stage.closing_rate;
         return rate * (position<N>(i, first) - position<N>(i + 1, first));
     }
     // The second difference of w at which the line would be straight at node i after the stage.
-    template <int N> Lanes<double, N> bend_wish(size_t i, size_t first) const {
+    template <int N> Lanes<N> bend_wish(size_t i, size_t first) const {
         const auto here = position<N>(i, first);
         const auto turn = (here - position<N>(i - 1, first)) - (position<N>(i + 1, first) - here);
         return (c.has_bend[i] * stage.closing_rate) * turn;
     }
 
     template <int N> void forward(size_t first) const {
-        using L = Lanes<double, N>;
+        using L = Lanes<N>;
         const L gravity = lane_gravity<N>(lines, stage.gravity, first);
         L u{}, d{};
         for (size_t i = 0; i < lines.nodes; ++i) {
@@ -62,7 +62,7 @@ template <class T> struct Sweep {
     }
 
     template <int N> void backward(size_t first) const {
-        using L = Lanes<double, N>;
+        using L = Lanes<N>;
         L w{}, d{};
         for (size_t i = lines.nodes; i-- > 0;) {
             const size_t at = i * lines.pitch + first;

@@ -20,14 +20,14 @@ template <class T, bool kPlain> struct Sweep {
     // which spring i would be closed after the stage.
     //     y_i = between v_i and y_{i-1} + e_{i-1} at carry_i, and what acts on it from outside
     template <int N> void forward(size_t first) const {
-        using L = Lanes<double, N>;
+        using L = Lanes<N>;
         const L gravity = lane_gravity<N>(lines, stage.gravity, first);
         L x_last{}, sum{};
         for (size_t i = 0; i < lines.nodes; ++i) {
             const size_t at = i * lines.pitch + first;
             const L x = L::load(lines.position + at), v = L::load(lines.velocity + at);
             const L own = kPlain ? c.gains.gravity[i] * gravity : outside<N>(lines, c.gains, i, at, gravity, x, v);
-            sum = i == 0 ? v + own : between(v, sum + rate(i - 1) * (x_last - x), c.carry[i]) + own;
+            sum = i == 0 ? v + own : between(v, sum, rate(i - 1) * (x_last - x), c.carry[i], own);
             if (i % kSettleEvery == 0) sum = settled(sum, Rest<double>::least);
             sum.store(y + at);
             x_last = x;
@@ -36,12 +36,12 @@ template <class T, bool kPlain> struct Sweep {
 
     // w_i = between y_i and w_{i+1} - e_i at pull_i, and the node moves.
     template <int N> void backward(size_t first) {
-        using L = Lanes<double, N>;
+        using L = Lanes<N>;
         L x_next{}, w{}, probe{};
         for (size_t i = lines.nodes; i-- > 0;) {
             const size_t at = i * lines.pitch + first;
             const L x = L::load(lines.position + at), v = L::load(lines.velocity + at), sum = L::load(y + at);
-            w = i + 1 == lines.nodes ? sum : between(sum, w - rate(i) * (x - x_next), c.pull[i]);
+            w = i + 1 == lines.nodes ? sum : between(sum, w, rate(i) * (x_next - x), c.pull[i]);
             if (i % kSettleEvery == 0) w = settled(w, Rest<double>::least);
             x_next = x;
             store_settled(w + stage.overshoot * (w - v), lines.velocity + at, probe);

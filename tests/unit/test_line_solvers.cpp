@@ -217,13 +217,13 @@ void shares_are_right_from_zero_to_infinity(void**) {
 
 // A fraction close to 1 is kept by its distance from 1.
 void fractions_keep_their_digits_at_both_ends(void**) {
-    using L = cd::Lanes<double, 1>;
+    using L = cd::Lanes<1>;
     const double near_one = cd::fraction(1e22, 1), near_zero = cd::fraction(1, 1e22);
-    assert_true(fabs(cd::between(L{{5e21}}, L{{0}}, near_one).v[0] - 0.5) < 1e-12);
-    assert_true(fabs(cd::between(L{{0}}, L{{5e21}}, near_zero).v[0] - 0.5) < 1e-12);
-    assert_true(cd::between(L{{5e30}}, L{{1}}, cd::fraction(INFINITY, 1)).v[0] == 1);
-    assert_true(cd::between(L{{1}}, L{{5e30}}, cd::fraction(0, 1)).v[0] == 1);
-    assert_true(cd::between(L{{0.1}}, L{{0.1}}, 0.3).v[0] == 0.1);
+    assert_true(fabs(cd::between(L{5e21}, L{0}, L{0}, near_one).v - 0.5) < 1e-12);
+    assert_true(fabs(cd::between(L{0}, L{5e21}, L{0}, near_zero).v - 0.5) < 1e-12);
+    assert_true(cd::between(L{5e30}, L{1}, L{0}, cd::fraction(INFINITY, 1)).v == 1);
+    assert_true(cd::between(L{1}, L{5e30}, L{0}, cd::fraction(0, 1)).v == 1);
+    assert_true(cd::between(L{0.1}, L{0.1}, L{0}, 0.3).v == 0.1);
 }
 
 // A line's result does not depend on how many lines it shares a register with.
