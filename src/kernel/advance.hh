@@ -1,4 +1,4 @@
-// Moves a bundle of lines by the velocities that rod_sweep left behind, and closes rings.
+// Moves a bundle of lines by what rod_sweep left behind, and closes rings.
 #pragma once
 
 #include "kernel/lines.hh"
@@ -15,9 +15,9 @@ struct RingClosure {
     double closing_rate = 0;    // of the closing spring: the stage's, or 0 for a weld
 };
 
-// w: scratch, like the positions. False if a number left the finite range.
+// answer: what rod_sweep left. False if a number left the finite range.
 template <class T>
-bool advance(const Lines<T>& lines, const Stage& stage, const RingClosure& ring, const double* w,
+bool advance(const Lines<T>& lines, const Stage& stage, const RingClosure& ring, double of_change, const double* answer,
              size_t first, size_t count);
 
 } // namespace cd

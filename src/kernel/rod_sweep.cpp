@@ -21,16 +21,18 @@ template <class T> struct Sweep {
 
     bool held(size_t i) const { return c.pin[i] == CD_NODE_PINNED || c.pin[i] == CD_NODE_DRIVEN; }
 
-    // The difference w_{i+1} - w_i at which spring i would be closed after the stage.
+    // The difference of the answer at which spring i would be closed after the stage.
     template <int N> Lanes<N> spring_wish(size_t i, size_t first) const {
         const double rate = c.closing ? c.closing[i] * stage.closing_rate : stage.closing_rate;
-        return rate * (position<N>(i, first) - position<N>(i + 1, first));
+        return rate * (position<N>(i, first) - position<N>(i + 1, first)) +
+               c.of_change * (velocity<N>(i, first) - velocity<N>(i + 1, first));
     }
-    // The second difference of w at which the line would be straight at node i after the stage.
+    // The second difference of the answer at which the line would be straight at node i after the stage.
     template <int N> Lanes<N> bend_wish(size_t i, size_t first) const {
-        const auto here = position<N>(i, first);
-        const auto turn = (here - position<N>(i - 1, first)) - (position<N>(i + 1, first) - here);
-        return (c.has_bend[i] * stage.closing_rate) * turn;
+        const auto turn = [](Lanes<N> a, Lanes<N> b, Lanes<N> z) { return (b - a) - (z - b); };
+        return c.has_bend[i] *
+               (stage.closing_rate * turn(position<N>(i - 1, first), position<N>(i, first), position<N>(i + 1, first)) +
+                c.of_change * turn(velocity<N>(i - 1, first), velocity<N>(i, first), velocity<N>(i + 1, first)));
     }
 
     template <int N> void forward(size_t first) const {
@@ -40,17 +42,13 @@ template <class T> struct Sweep {
         for (size_t i = 0; i < lines.nodes; ++i) {
             const size_t at = i * lines.pitch + first;
             const L x = position<N>(i, first), v = velocity<N>(i, first);
-            const L own = v + outside<N>(lines, c.gains, i, at, gravity, x, v);
+            const L own = (1 - c.of_change) * v + outside<N>(lines, c.gains, i, at, gravity, x, v);
             if (i == 0) {
                 u = own;
             } else {
-                if (i > 1) d = d + bend_wish<N>(i - 1, first);
-                const L stretch = spring_wish<N>(i - 1, first) - d;
-                u = u + d + c.stretch_lift[i] * stretch;
-                d = d + c.stretch[i] * stretch;
-                const L pull = own - u;
-                u = u + c.ground_lift[i] * pull;
-                d = d + c.ground[i] * pull;
+                const L hold = i > 1 ? d + bend_wish<N>(i - 1, first) : d;
+                d = c.keep[i] * hold + c.close[i] * spring_wish<N>(i - 1, first) + c.turn[i] * (own - u);
+                u = between(own, u, d + c.lever[i] * (d - hold), c.follow[i]);
             }
             if (i % kSettleEvery == 0) {
                 u = settled(u, Rest<double>::least);
@@ -68,7 +66,7 @@ template <class T> struct Sweep {
             const size_t at = i * lines.pitch + first;
             const L u_here = L::load(value + at), d_here = L::load(slope + at);
             const bool last = i + 1 == lines.nodes;
-            w = held(i) ? velocity<N>(i, first) : last ? u_here : w - d;
+            w = held(i) ? (1 - c.of_change) * velocity<N>(i, first) : last ? u_here : w - d;
             if (last) d = d_here;
             else if (i > 0) d = d_here + c.lean[i] * (w - u_here) + c.bend[i] * (d - bend_wish<N>(i, first) - d_here);
             if (i % kSettleEvery == 0) {

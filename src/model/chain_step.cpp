@@ -79,6 +79,17 @@ void set_gains(const StageSystem& s, Rows rows, size_t i, double grounded) {
     rows[3][i] = s.h * s.tying(i) / grounded;
 }
 
+// Whether no mode has (omega h)^2 above 1e8: the answer of the line is then better solved for as a change.
+bool is_soft(const StageSystem& s) {
+    double stiffest = 0, lightest = INFINITY;
+    for (size_t i = 0; i < s.c.nodes; ++i) {
+        if (i < springs_in_all(s.c) && !welded(s.c, i)) stiffest = fmax(stiffest, 4 * s.spring(i));
+        stiffest = fmax(stiffest, 16 * s.bend(i));
+        lightest = fmin(lightest, mass_of(s.c, i));
+    }
+    return stiffest < 1e8 * lightest;
+}
+
 // 1 for every spring that wants to close, 0 for welds.
 void set_closing(const Chain& c, double* closing) {
     for (size_t i = 0; i < c.springs; ++i) closing[i] = welded(c, i) ? 0 : 1;
@@ -146,11 +157,12 @@ template <class T> struct RodStep {
           slope(c.scratch.data + c.nodes * c.pitch) {
         const Rows rows{c.coefficients.data, c.nodes};
         constexpr size_t k = kGainRows;
-        const RodRows rod{rows[k], rows[k + 1], rows[k + 2], rows[k + 3], rows[k + 4], rows[k + 5]};
-        double *const closing = rows[k + 6], *const has_bend = rows[k + 7];
+        const RodRows rod{rows[k], rows[k + 1], rows[k + 2], rows[k + 3], rows[k + 4], rows[k + 5], rows[k + 6]};
+        double *const closing = rows[k + 7], *const has_bend = rows[k + 8];
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
             factor_rod_line(c.nodes, system, rod);
+            c.rod_of_change = is_soft(system) ? 1 : 0;
             for (size_t i = 0; i < c.nodes; ++i) {
                 set_gains(system, rows, i, system.ground(i));
                 has_bend[i] = bend_of(c, i) > 0 ? 1 : 0;
@@ -158,8 +170,8 @@ template <class T> struct RodStep {
             set_closing(c, closing);
             close(c, system, rod);
         }
-        coefficients = {rod.stretch, rod.stretch_lift, rod.ground, rod.ground_lift,   rod.lean,
-                        rod.bend,    c.has_welds ? closing : nullptr, has_bend, gains_in(c, rows), c.pin.data};
+        coefficients = {rod.keep, rod.close, rod.turn, rod.lever, rod.follow, rod.lean, rod.bend,
+                        c.has_welds ? closing : nullptr, has_bend, gains_in(c, rows), c.rod_of_change, c.pin.data};
     }
     void close(Chain& c, const StageSystem& system, const RodRows& rod) {
         c.closure = {};
@@ -175,7 +187,7 @@ template <class T> struct RodStep {
         bool finite = true;
         for (int s = 0; s < stages.count; ++s) {
             rod_sweep(lines, coefficients, stages.stage[s], value, slope, first, count);
-            finite &= advance(lines, stages.stage[s], closure, value, first, count);
+            finite &= advance(lines, stages.stage[s], closure, coefficients.of_change, value, first, count);
         }
         return finite;
     }

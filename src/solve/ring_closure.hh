@@ -31,12 +31,9 @@ void pull_line(size_t nodes, const System& system, const RodRows& rows, Tension 
     w[0] = u;
     slope[0] = 0;
     for (size_t i = 1; i < nodes; ++i) {
-        const double stretch = (soft(i - 1) ? 0 : tension(i - 1) / system.spring(i - 1)) - d;
-        u += d + rows.stretch_lift[i] * stretch;
-        d += rows.stretch[i] * stretch;
-        const double pull = own(i) - u;
-        u += rows.ground_lift[i] * pull;
-        d += rows.ground[i] * pull;
+        const double hold = d, wish = soft(i - 1) ? 0 : tension(i - 1) / system.spring(i - 1);
+        d = rows.keep[i] * hold + rows.close[i] * wish + rows.turn[i] * (own(i) - u);
+        u = between(Lanes<1>{own(i)}, Lanes<1>{u}, Lanes<1>{d + rows.lever[i] * (d - hold)}, rows.follow[i]).v;
         w[i] = u;
         slope[i] = d;
     }

@@ -10,11 +10,16 @@
 //                         A <- A (T + b) / P,  q <- q b / (T + b),  T <- T b / (T + b),  d^ <- d^ + e_bend,
 //                     and, going back,  d = d^ + lean (u - u^) + bend (d' - e_bend - d^),  lean = A q / P, bend = b / P.
 //   step right        u' = u + d':  q <- q + 1,  u^ <- u^ + d^.
-//   spring s          acts on d alone:  T <- T + s;  d^ moves by s / T towards the spring's wish, u^ by q times as much.
-//   ground m at u     A' = A + m,  q' = q A / A',  T' = T + q^2 A m / A'. Towards the node's own wish
-//                     d^ moves by ground = q (A m / A') / T', u^ by q' ground + m / A'.
-// A pentadiagonal LDL^T subtracts, and loses a free rod's mass once b exceeds it by 1e16 (this library's tests show it);
-// here stiffness may be anything, infinity included (s = infinity: a weld; m = infinity: a held node).
+//   spring s, ground m     s acts on d alone, m on u'. With A m / (A + m) the two masses' reduced mass, three things
+//                     want the difference: the hold T wants t = d^ + e_bend, the spring s its own wish e, and the masses,
+//                     with R = q^2 A m / (A + m), the difference at which both rest,
+//                         (own - u^) / q + t (q - 1) / q:
+//                         d^ <- keep t + close e + turn (own - u^),  a blend by T : s : R,
+//                         u^ <- between own and u^ + d^ + (q - 1) (d^ - t) at A / (A + m).
+//                     T <- T + s + R,  q <- q A / (A + m),  A <- A + m.
+// Every number is a blend of numbers of its own size: in a soft line, where wishes are large and answers small, nothing
+// large is put in and taken out again. A pentadiagonal LDL^T subtracts, and loses a free rod's mass once b exceeds it by
+// 1e16; here stiffness may be anything, infinity included (s = infinity: a weld; m = infinity: a held node).
 #pragma once
 
 #include <stddef.h>
@@ -24,7 +29,9 @@
 namespace cd {
 
 struct RodRows { // what the sweeps need, one number per node each
-    double *stretch, *stretch_lift, *ground, *ground_lift, *lean, *bend;
+    double *keep, *close, *turn; // weights of the difference into a node
+    double *lever, *follow;      // q - 1, and the fraction for between()
+    double *lean, *bend;         // going back
 };
 
 // System: double ground(i), spring(i), bend(i).
@@ -40,19 +47,17 @@ template <class System> void factor_rod_line(size_t nodes, const System& system,
             lever *= share(b, hold);
             hold = series(hold, b);
         }
-        lever += 1;
-        const double s = system.spring(i - 1);
-        out.stretch[i] = share(s, hold);
-        out.stretch_lift[i] = lever * out.stretch[i];
-        hold += s;
-        const double m = system.ground(i), between = series(mass, m);
-        const double turning = lever * lever * between; // what the node adds to the hold on the lever
-        const double longer = lever;
-        lever *= share(mass, m);
-        out.ground[i] = share(turning, hold) / longer;
-        out.ground_lift[i] = lever * out.ground[i] + (m - m == 0 ? share(m, mass) : 1);
+        const double s = system.spring(i - 1), m = system.ground(i), longer = lever + 1;
+        const double turning = longer * longer * series(mass, m);
+        const double turn = share(turning, hold + s);
+        out.lever[i] = lever;
+        out.keep[i] = share(hold, s + turning) + turn * lever / longer;
+        out.close[i] = share(s, hold + turning);
+        out.turn[i] = turn / longer;
+        out.follow[i] = fraction(mass, m);
+        hold += s + turning;
+        lever = longer * share(mass, m);
         mass += m;
-        hold += turning;
     }
 }
 
