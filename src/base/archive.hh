@@ -47,8 +47,10 @@ struct Reader {
 };
 
 // Passes one number through a walker of any kind; a Reader sets it.
+// Every NaN is walked over as the same one: processors differ in the sign they give it.
 template <class Walker, class Number> void walk(Walker& walker, Number& number) {
     uint64_t bits = 0;
+    if (number != number) number = Number(__builtin_nan(""));
     memcpy(&bits, &number, sizeof number); // numbers fill the low bytes on little-endian machines
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
     bits >>= 64 - 8 * sizeof number;

@@ -12,7 +12,10 @@ static void* plain_allocate(void*, size_t size, size_t alignment) {
 
 static void plain_release(void*, void* pointer, size_t, size_t) { free(pointer); }
 
-cd_allocator default_allocator() { return {nullptr, plain_allocate, plain_release}; }
+cd_allocator default_allocator() {
+    static constexpr cd_allocator plain = {nullptr, plain_allocate, plain_release};
+    return plain;
+}
 
 void* allocate(Memory& memory, size_t size) {
     if (size == 0) return nullptr;

@@ -15,9 +15,10 @@ struct RingClosure {
     double closing_rate = 0;    // of the closing spring: the stage's, or 0 for a weld
 };
 
-// answer: what rod_sweep left. False if a number left the finite range.
+// answer: what rod_sweep left, from the same start. With `keep`, leaves w there instead of moving. False if a number left
+// the finite range.
 template <class T>
-bool advance(const Lines<T>& lines, const Stage& stage, const RingClosure& ring, double of_change, const double* answer,
-             size_t first, size_t count);
+bool advance(const Lines<T>& lines, const Stage& stage, const Start& start, const RingClosure& ring, double* answer,
+             bool keep, size_t first, size_t count);
 
 } // namespace cd

@@ -28,17 +28,37 @@ template <class T> struct Lines {
     const T *force, *target;
 };
 
-// One implicit stage. It solves for w, the velocity that moves the positions,
-//     (M (1 + h drag) + h (h + damping) K) w = M v + h [f + M g - K x],     then    v = w + overshoot (w - v_old),
-//     x += move w.
-// The whole velocity is solved for, not its change: of a stiff spring's velocity only a small part moves anything, and
-// as the sum of v and a change it would be lost in their rounding.
+// One implicit stage, from a start (x, v). It solves for w, the velocity that moves the positions,
+//     (M (1 + h drag) + h (h + damping) K) w = M v + h [f + M g - K x],     then    v <- w + overshoot (w - v),
+//     x <- x + move w.
 struct Stage {
     double closing_rate; // 1 / (h + damping) [1/s]: how fast a spring wants to close
     double overshoot;
     double move;       // [s]
     double gravity[4]; // h g [m/s]
+    // What the sweeps solve for. 0: w; 1: its change w - v. Of a stiff spring's velocity only a small part moves anything,
+    // which v + change would lose in rounding; where hardly anything changes, as in soft rods and with a lambda near 0,
+    // w - v would lose the change.
+    double of_change;
 };
+
+// Where a stage starts: at the state (w null), or where the stage before it, whose answer is w, leads. What lies between
+// two stages is never rounded to the state's precision.
+struct Start {
+    const double* w;
+    double overshoot, move;
+};
+
+template <int N> struct StateLanes {
+    Lanes<N> x, v;
+};
+template <int N, class T> inline StateLanes<N> load_start(const Lines<T>& lines, const Start& start, size_t at) {
+    using L = Lanes<N>;
+    const L x = L::load(lines.position + at), v = L::load(lines.velocity + at);
+    if (!start.w) return {x, v};
+    const L w = L::load(start.w + at);
+    return {x + start.move * w, w + start.overshoot * (w - v)};
+}
 
 // What acts on a node from outside, as gains per node; null where nothing of the kind does. Held nodes have gain 0.
 struct NodeGains {
@@ -72,6 +92,19 @@ inline Lanes<N> outside(const Lines<T>& lines, const NodeGains& gains, size_t i,
 template <class T, int N> inline void store_settled(Lanes<N> a, T* to, Lanes<N>& probe) {
     settled(a, double(Rest<T>::least)).store(to);
     probe = probe + 0.0 * Lanes<N>::load(to);
+}
+
+// Ends a stage for the node at `at`, given the sweep's answer: either keeps w for the stage that follows, or moves.
+template <int N, class T>
+inline void end_stage(const Lines<T>& lines, const Stage& stage, StateLanes<N> from, Lanes<N> answer, double* keep,
+                      size_t at, Lanes<N>& probe) {
+    const Lanes<N> w = answer + stage.of_change * from.v, change = answer - (1 - stage.of_change) * from.v;
+    if (keep) {
+        w.store(keep + at);
+        return;
+    }
+    store_settled(w + stage.overshoot * change, lines.velocity + at, probe);
+    store_settled(from.x + stage.move * w, lines.position + at, probe);
 }
 
 } // namespace cd

@@ -10,29 +10,26 @@ template <class T> struct Sweep {
     const Lines<T>& lines;
     const RodCoefficients& c;
     const Stage& stage;
+    const Start& start;
     double *value, *slope;
 
-    template <int N> Lanes<N> position(size_t i, size_t first) const {
-        return Lanes<N>::load(lines.position + i * lines.pitch + first);
+    template <int N> StateLanes<N> state(size_t i, size_t first) const {
+        return load_start<N>(lines, start, i * lines.pitch + first);
     }
-    template <int N> Lanes<N> velocity(size_t i, size_t first) const {
-        return Lanes<N>::load(lines.velocity + i * lines.pitch + first);
-    }
-
     bool held(size_t i) const { return c.pin[i] == CD_NODE_PINNED || c.pin[i] == CD_NODE_DRIVEN; }
 
     // The difference of the answer at which spring i would be closed after the stage.
     template <int N> Lanes<N> spring_wish(size_t i, size_t first) const {
         const double rate = c.closing ? c.closing[i] * stage.closing_rate : stage.closing_rate;
-        return rate * (position<N>(i, first) - position<N>(i + 1, first)) +
-               c.of_change * (velocity<N>(i, first) - velocity<N>(i + 1, first));
+        const StateLanes<N> left = state<N>(i, first), right = state<N>(i + 1, first);
+        return rate * (left.x - right.x) + stage.of_change * (left.v - right.v);
     }
     // The second difference of the answer at which the line would be straight at node i after the stage.
     template <int N> Lanes<N> bend_wish(size_t i, size_t first) const {
+        const StateLanes<N> left = state<N>(i - 1, first), here = state<N>(i, first), right = state<N>(i + 1, first);
         const auto turn = [](Lanes<N> a, Lanes<N> b, Lanes<N> z) { return (b - a) - (z - b); };
-        return c.has_bend[i] *
-               (stage.closing_rate * turn(position<N>(i - 1, first), position<N>(i, first), position<N>(i + 1, first)) +
-                c.of_change * turn(velocity<N>(i - 1, first), velocity<N>(i, first), velocity<N>(i + 1, first)));
+        return c.has_bend[i] * (stage.closing_rate * turn(left.x, here.x, right.x) +
+                                stage.of_change * turn(left.v, here.v, right.v));
     }
 
     template <int N> void forward(size_t first) const {
@@ -41,8 +38,8 @@ template <class T> struct Sweep {
         L u{}, d{};
         for (size_t i = 0; i < lines.nodes; ++i) {
             const size_t at = i * lines.pitch + first;
-            const L x = position<N>(i, first), v = velocity<N>(i, first);
-            const L own = (1 - c.of_change) * v + outside<N>(lines, c.gains, i, at, gravity, x, v);
+            const StateLanes<N> here = state<N>(i, first);
+            const L own = (1 - stage.of_change) * here.v + outside<N>(lines, c.gains, i, at, gravity, here.x, here.v);
             if (i == 0) {
                 u = own;
             } else {
@@ -61,19 +58,19 @@ template <class T> struct Sweep {
 
     template <int N> void backward(size_t first) const {
         using L = Lanes<N>;
-        L w{}, d{};
+        L answer{}, d{};
         for (size_t i = lines.nodes; i-- > 0;) {
             const size_t at = i * lines.pitch + first;
             const L u_here = L::load(value + at), d_here = L::load(slope + at);
             const bool last = i + 1 == lines.nodes;
-            w = held(i) ? (1 - c.of_change) * velocity<N>(i, first) : last ? u_here : w - d;
+            answer = held(i) ? (1 - stage.of_change) * state<N>(i, first).v : last ? u_here : answer - d;
             if (last) d = d_here;
-            else if (i > 0) d = d_here + c.lean[i] * (w - u_here) + c.bend[i] * (d - bend_wish<N>(i, first) - d_here);
+            else if (i > 0) d = d_here + c.lean[i] * (answer - u_here) + c.bend[i] * (d - bend_wish<N>(i, first) - d_here);
             if (i % kSettleEvery == 0) {
-                w = settled(w, Rest<double>::least);
+                answer = settled(answer, Rest<double>::least);
                 d = settled(d, Rest<double>::least);
             }
-            w.store(value + at);
+            answer.store(value + at);
         }
     }
 
@@ -86,18 +83,18 @@ template <class T> struct Sweep {
 } // namespace
 
 template <class T>
-void rod_sweep(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage, double* value,
+void rod_sweep(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage, const Start& start, double* value,
                double* slope, size_t first, size_t count) {
-    Sweep<T> bundles{lines, c, stage, value, slope};
+    Sweep<T> bundles{lines, c, stage, start, value, slope};
     for_each_bundle(first, count, bundles);
 }
 
 #if CD_WITH_FLOAT32
-template void rod_sweep(const Lines<float>&, const RodCoefficients&, const Stage&, double*, double*, size_t,
+template void rod_sweep(const Lines<float>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, size_t,
                         size_t);
 #endif
 #if CD_WITH_FLOAT64
-template void rod_sweep(const Lines<double>&, const RodCoefficients&, const Stage&, double*, double*, size_t,
+template void rod_sweep(const Lines<double>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, size_t,
                         size_t);
 #endif
 

@@ -4,48 +4,58 @@ namespace cd {
 
 namespace {
 
-// kPlain: nothing acts but springs and gravity.
+// kPlain: nothing acts but springs and gravity, and the stage is for w, from the state.
 template <class T, bool kPlain> struct Sweep {
     const Lines<T>& lines;
     const SpringCoefficients& c;
     const Stage& stage;
+    const Start& start;
     double* y;
+    double* keep;
     bool finite = true;
 
-    double rate(size_t spring) const {
-        return kPlain || !c.closing ? stage.closing_rate : c.closing[spring] * stage.closing_rate;
+    template <int N> StateLanes<N> state(size_t at) const { return load_start<N>(lines, kPlain ? Start{} : start, at); }
+
+    // e_i: the difference of the answer at which spring i would be closed after the stage.
+    template <int N> Lanes<N> wish(size_t i, const StateLanes<N>& left, const StateLanes<N>& right) const {
+        if (kPlain) return stage.closing_rate * (left.x - right.x);
+        const double rate = c.closing ? c.closing[i] * stage.closing_rate : stage.closing_rate;
+        return rate * (left.x - right.x) + stage.of_change * (left.v - right.v);
     }
 
-    // y_i: what node i and all that hangs on its left would do without the rest; e_i: the difference w_{i+1} - w_i at
-    // which spring i would be closed after the stage.
+    // y_i: what node i and all that hangs on its left would do without the rest.
     //     y_i = between v_i and y_{i-1} + e_{i-1} at carry_i, and what acts on it from outside
     template <int N> void forward(size_t first) const {
         using L = Lanes<N>;
         const L gravity = lane_gravity<N>(lines, stage.gravity, first);
-        L x_last{}, sum{};
+        StateLanes<N> left{};
+        L sum{};
         for (size_t i = 0; i < lines.nodes; ++i) {
             const size_t at = i * lines.pitch + first;
-            const L x = L::load(lines.position + at), v = L::load(lines.velocity + at);
-            const L own = kPlain ? c.gains.gravity[i] * gravity : outside<N>(lines, c.gains, i, at, gravity, x, v);
-            sum = i == 0 ? v + own : between(v, sum, rate(i - 1) * (x_last - x), c.carry[i], own);
+            const StateLanes<N> here = state<N>(at);
+            const L v = kPlain ? here.v : (1 - stage.of_change) * here.v;
+            const L own = kPlain ? c.gains.gravity[i] * gravity
+                                 : outside<N>(lines, c.gains, i, at, gravity, here.x, here.v);
+            sum = i == 0 ? v + own : between(v, sum, wish<N>(i - 1, left, here), c.carry[i], own);
             if (i % kSettleEvery == 0) sum = settled(sum, Rest<double>::least);
             sum.store(y + at);
-            x_last = x;
+            left = here;
         }
     }
 
-    // w_i = between y_i and w_{i+1} - e_i at pull_i, and the node moves.
+    // The answer at node i: between y_i and its right neighbour's less e_i at pull_i. Then the node moves.
     template <int N> void backward(size_t first) {
         using L = Lanes<N>;
-        L x_next{}, w{}, probe{};
+        StateLanes<N> right{};
+        L answer{}, probe{};
         for (size_t i = lines.nodes; i-- > 0;) {
             const size_t at = i * lines.pitch + first;
-            const L x = L::load(lines.position + at), v = L::load(lines.velocity + at), sum = L::load(y + at);
-            w = i + 1 == lines.nodes ? sum : between(sum, w, rate(i) * (x_next - x), c.pull[i]);
-            if (i % kSettleEvery == 0) w = settled(w, Rest<double>::least);
-            x_next = x;
-            store_settled(w + stage.overshoot * (w - v), lines.velocity + at, probe);
-            store_settled(x + stage.move * w, lines.position + at, probe);
+            const StateLanes<N> here = state<N>(at);
+            const L sum = L::load(y + at), none{};
+            answer = i + 1 == lines.nodes ? sum : between(sum, answer, none - wish<N>(i, here, right), c.pull[i]);
+            if (i % kSettleEvery == 0) answer = settled(answer, Rest<double>::least);
+            right = here;
+            end_stage<N>(lines, stage, here, answer, kPlain ? nullptr : keep, at, probe);
         }
         finite &= !probe.any_nan();
     }
@@ -56,27 +66,30 @@ template <class T, bool kPlain> struct Sweep {
     }
 };
 
-template <class T, bool kPlain>
-bool sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage, double* y, size_t first, size_t count) {
-    Sweep<T, kPlain> bundles{lines, c, stage, y};
+} // namespace
+
+template <class T>
+bool spring_sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage, const Start& start, double* y,
+                  bool keep, size_t first, size_t count) {
+    const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !c.closing && !start.w && !keep &&
+                       stage.of_change == 0;
+    if (plain) {
+        Sweep<T, true> bundles{lines, c, stage, start, y, nullptr};
+        for_each_bundle(first, count, bundles);
+        return bundles.finite;
+    }
+    Sweep<T, false> bundles{lines, c, stage, start, y, keep ? y : nullptr};
     for_each_bundle(first, count, bundles);
     return bundles.finite;
 }
 
-} // namespace
-
-template <class T>
-bool spring_sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage, double* y, size_t first,
-                  size_t count) {
-    const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !c.closing;
-    return plain ? sweep<T, true>(lines, c, stage, y, first, count) : sweep<T, false>(lines, c, stage, y, first, count);
-}
-
 #if CD_WITH_FLOAT32
-template bool spring_sweep(const Lines<float>&, const SpringCoefficients&, const Stage&, double*, size_t, size_t);
+template bool spring_sweep(const Lines<float>&, const SpringCoefficients&, const Stage&, const Start&, double*, bool,
+                           size_t, size_t);
 #endif
 #if CD_WITH_FLOAT64
-template bool spring_sweep(const Lines<double>&, const SpringCoefficients&, const Stage&, double*, size_t, size_t);
+template bool spring_sweep(const Lines<double>&, const SpringCoefficients&, const Stage&, const Start&, double*, bool,
+                           size_t, size_t);
 #endif
 
 } // namespace cd

@@ -12,10 +12,10 @@ struct SpringCoefficients {
     NodeGains gains;
 };
 
-// Solves and moves lines [first, first + count). y: scratch laid out like the positions. False if a number left the
-// finite range.
+// Solves lines [first, first + count) from `start` and moves them; with `keep`, leaves w in y instead. y: scratch laid
+// out like the positions, not that of start. False if a number left the finite range.
 template <class T>
-bool spring_sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage, double* y, size_t first,
-                  size_t count);
+bool spring_sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage, const Start& start, double* y,
+                  bool keep, size_t first, size_t count);
 
 } // namespace cd

@@ -67,7 +67,8 @@ struct Needs {
 Needs needs_of(const Chain& c, const Features& f) {
     const bool is_explicit = f.method == CD_METHOD_FORWARD_EULER || f.method == CD_METHOD_SYMPLECTIC_EULER;
     const bool rod = f.ring || f.bend || f.node_bend;
-    const size_t rows = 4 + (!is_explicit && rod ? 9 : 3), scratch_rows = is_explicit ? 0 : rod ? 2 : 1;
+    const size_t rows = 4 + (!is_explicit && rod ? 9 : 3), stages = f.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
+    const size_t scratch_rows = is_explicit ? 0 : rod ? stages + 1 : stages;
     return {rows * c.nodes, scratch_rows * c.nodes * c.pitch, f.ring && !is_explicit ? 4 * c.nodes : 0};
 }
 

@@ -43,8 +43,8 @@ struct Chain {
     Array<double> coefficients, scratch, ring_response;
     RingClosure closure;
     bool has_welds;
-    double rod_of_change; // see kernel/rod_sweep.hh
-    double prepared_dt;   // what those above are for; 0: out of date
+    double of_change;   // see Stage
+    double prepared_dt; // what those above are for; 0: out of date
     uint64_t factorizations;
 };
 

@@ -125,31 +125,34 @@ uint64_t checksum(const unsigned char* bytes, size_t size) {
     return hasher.state;
 }
 
-// The numbers of a field that follows in the bytes, all of which must be valid.
+// What follows the settings in the bytes: as many numbers as the fields need, all valid. Uniform values may reach beyond
+// what may be written, since totals are shared out among the nodes.
 bool check_fields(Reader reader, const Chain& c, const Settings& s) {
     const auto on = [&](cd_field field) { return (s.fields >> field & 1) != 0; };
-    const auto doubles = [&](size_t count, cd_field field) {
-        bool good = true;
-        for (size_t i = 0; i < count; ++i) {
-            double number = 0;
-            walk(reader, number);
-            good &= valid_number(c, field, i, number);
-        }
-        return good;
-    };
     bool good = true;
+    const auto numbers = [&](auto number, size_t count, auto valid) {
+        for (size_t i = 0; i < count; ++i) {
+            walk(reader, number);
+            good &= valid(double(number));
+        }
+    };
+    const auto shared = [](double value) { return value >= 0 && (value <= 1e100 || isinf(value)); };
     for (size_t i = 0; i < c.nodes; ++i) {
         uint8_t pin = 0;
         walk(reader, pin);
         good &= pin <= CD_NODE_MATCHED && (pin != CD_NODE_MATCHED || (!s.ring && (i == 0 || i + 1 == c.nodes)));
     }
-    if (on(CD_MASS)) good &= doubles(c.nodes, CD_MASS);
-    if (on(CD_STIFFNESS)) good &= doubles(c.springs + size_t(s.ring), CD_STIFFNESS);
-    if (on(CD_BEND)) good &= doubles(c.nodes, CD_BEND);
-    if (on(CD_TARGET)) good &= doubles(2 * c.nodes, CD_BEND); // attachments: the same range
-    const size_t lines = c.nodes * c.lines, number = number_size(c);
-    const size_t rest = lines * number * size_t(2 + on(CD_FORCE) + on(CD_TARGET));
-    return good && reader.whole && size_t(reader.end - reader.from) == rest;
+    if (on(CD_MASS)) numbers(0.0, c.nodes, [](double mass) { return mass >= 1e-100 && mass <= 1e100; });
+    if (on(CD_STIFFNESS)) numbers(0.0, c.springs + size_t(s.ring), shared);
+    if (on(CD_BEND)) numbers(0.0, c.nodes, [&](double bend) { return shared(bend) && isfinite(bend); });
+    if (on(CD_TARGET)) numbers(0.0, 2 * c.nodes, valid_parameter);
+    const auto per_line = [&](auto zero) {
+        numbers(zero, 2 * c.nodes * c.lines, [](double) { return true; }); // a state that diverged can be saved too
+        numbers(zero, size_t(on(CD_FORCE) + on(CD_TARGET)) * c.nodes * c.lines, [](double value) { return isfinite(value); });
+    };
+    if (c.precision == CD_FLOAT64) per_line(0.0);
+    else per_line(0.0f);
+    return good && reader.whole && reader.from == reader.end;
 }
 
 } // namespace
@@ -182,8 +185,8 @@ void save_chain(const Chain& c, unsigned char* out) {
 
 cd_status load_chain(const char* function, Chain& c, const unsigned char* bytes, size_t size) {
     Reader reader{bytes, bytes + size};
-    uint64_t magic, sum;
-    uint32_t format, kind;
+    uint64_t magic = 0, sum = 0;
+    uint32_t format = 0, kind = 0;
     walk(reader, magic), walk(reader, format), walk(reader, kind), walk(reader, sum);
     if (!reader.whole || magic != kMagic) return fail(CD_ERROR_FORMAT, function, "these %zu bytes are no saved state", size);
     if (format != kFormat)
@@ -192,8 +195,8 @@ cd_status load_chain(const char* function, Chain& c, const unsigned char* bytes,
     if (checksum(reader.from, size - kHeader) != sum)
         return fail(CD_ERROR_FORMAT, function, "the checksum of %zu bytes does not fit: damaged or cut short", size);
 
-    Shape shape;
-    Settings settings;
+    Shape shape{};
+    Settings settings{};
     walk_shape(reader, shape);
     if (!reader.whole) return fail(CD_ERROR_FORMAT, function, "%zu bytes are too few", size);
     if (!(shape == shape_of(c)))

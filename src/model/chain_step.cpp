@@ -79,15 +79,17 @@ void set_gains(const StageSystem& s, Rows rows, size_t i, double grounded) {
     rows[3][i] = s.h * s.tying(i) / grounded;
 }
 
-// Whether no mode has (omega h)^2 above 1e8: the answer of the line is then better solved for as a change.
-bool is_soft(const StageSystem& s) {
-    double stiffest = 0, lightest = INFINITY;
+// What to solve for, see Stage::of_change. Springs alone are better solved for w even where they are soft.
+double of_change(const StageSystem& s) {
+    if (s.c.method == CD_METHOD_IMPLICIT && s.c.lambda < 0.5) return 1;
+    if (!is_rod(s.c)) return 0;
+    double stiffest = 0, lightest = INFINITY; // of (omega h)^2, as far as it goes
     for (size_t i = 0; i < s.c.nodes; ++i) {
         if (i < springs_in_all(s.c) && !welded(s.c, i)) stiffest = fmax(stiffest, 4 * s.spring(i));
         stiffest = fmax(stiffest, 16 * s.bend(i));
         lightest = fmin(lightest, mass_of(s.c, i));
     }
-    return stiffest < 1e8 * lightest;
+    return stiffest < lightest ? 1 : 0;
 }
 
 // 1 for every spring that wants to close, 0 for welds.
@@ -103,7 +105,7 @@ template <class T> Lines<T> lines_of(Chain& c) {
 }
 
 Stage make_stage(const Chain& c, double h, double overshoot, double move) {
-    Stage stage{1 / (h + c.damping), overshoot, move, {}};
+    Stage stage{1 / (h + c.damping), overshoot, move, {}, c.of_change};
     for (size_t k = 0; k < c.components; ++k) stage.gravity[k] = h * c.gravity[k];
     return stage;
 }
@@ -118,15 +120,23 @@ struct Stages {
         stage[0] = count == 1 ? make_stage(c, h, 1 / c.lambda - 1, dt) : make_stage(c, h, kSqrt2, (1 + kSqrt2) * h);
         stage[1] = make_stage(c, h, 0, h);
     }
+
+    // Runs solve(stage, start, scratch row for the answer, whether to keep it there).
+    template <class Solve> bool run(const Chain& c, Solve solve) const {
+        double* const rows[2] = {c.scratch.data, c.scratch.data + c.nodes * c.pitch};
+        if (count == 1) return solve(stage[0], Start{}, rows[0], false);
+        solve(stage[0], Start{}, rows[0], true);
+        return solve(stage[1], Start{rows[0], stage[0].overshoot, stage[0].move}, rows[1], false);
+    }
 };
 
 template <class T> struct SpringStep {
+    Chain& chain;
     Lines<T> lines;
     SpringCoefficients coefficients;
     Stages stages;
-    double* scratch;
 
-    SpringStep(Chain& c, double dt, bool refactor) : lines(lines_of<T>(c)), stages(c, dt), scratch(c.scratch.data) {
+    SpringStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of<T>(c)), stages(c, dt) {
         const Rows rows{c.coefficients.data, c.nodes};
         double *const carry = rows[kGainRows], *const pull = rows[kGainRows + 1], *const closing = rows[kGainRows + 2];
         if (refactor) {
@@ -138,23 +148,19 @@ template <class T> struct SpringStep {
         coefficients = {carry, pull, c.has_welds ? closing : nullptr, gains_in(c, rows)};
     }
     bool operator()(size_t first, size_t count) const {
-        bool finite = true;
-        for (int s = 0; s < stages.count; ++s)
-            finite &= spring_sweep(lines, coefficients, stages.stage[s], scratch, first, count);
-        return finite;
+        return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
+            return spring_sweep(lines, coefficients, stage, start, row, keep, first, count);
+        });
     }
 };
 
 template <class T> struct RodStep {
+    Chain& chain;
     Lines<T> lines;
     RodCoefficients coefficients;
-    const RingClosure& closure;
     Stages stages;
-    double *value, *slope;
 
-    RodStep(Chain& c, double dt, bool refactor)
-        : lines(lines_of<T>(c)), closure(c.closure), stages(c, dt), value(c.scratch.data),
-          slope(c.scratch.data + c.nodes * c.pitch) {
+    RodStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of<T>(c)), stages(c, dt) {
         const Rows rows{c.coefficients.data, c.nodes};
         constexpr size_t k = kGainRows;
         const RodRows rod{rows[k], rows[k + 1], rows[k + 2], rows[k + 3], rows[k + 4], rows[k + 5], rows[k + 6]};
@@ -162,7 +168,6 @@ template <class T> struct RodStep {
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
             factor_rod_line(c.nodes, system, rod);
-            c.rod_of_change = is_soft(system) ? 1 : 0;
             for (size_t i = 0; i < c.nodes; ++i) {
                 set_gains(system, rows, i, system.ground(i));
                 has_bend[i] = bend_of(c, i) > 0 ? 1 : 0;
@@ -171,7 +176,7 @@ template <class T> struct RodStep {
             close(c, system, rod);
         }
         coefficients = {rod.keep, rod.close, rod.turn, rod.lever, rod.follow, rod.lean, rod.bend,
-                        c.has_welds ? closing : nullptr, has_bend, gains_in(c, rows), c.rod_of_change, c.pin.data};
+                        c.has_welds ? closing : nullptr, has_bend, gains_in(c, rows), c.pin.data};
     }
     void close(Chain& c, const StageSystem& system, const RodRows& rod) {
         c.closure = {};
@@ -184,12 +189,11 @@ template <class T> struct RodStep {
         c.closure.closing_rate = welded(c, c.springs) ? 0 : stages.stage[0].closing_rate;
     }
     bool operator()(size_t first, size_t count) const {
-        bool finite = true;
-        for (int s = 0; s < stages.count; ++s) {
-            rod_sweep(lines, coefficients, stages.stage[s], value, slope, first, count);
-            finite &= advance(lines, stages.stage[s], closure, coefficients.of_change, value, first, count);
-        }
-        return finite;
+        double* const slope = chain.scratch.data + size_t(stages.count) * chain.nodes * chain.pitch;
+        return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
+            rod_sweep(lines, coefficients, stage, start, row, slope, first, count);
+            return advance(lines, stage, start, chain.closure, row, keep, first, count);
+        });
     }
 };
 
@@ -256,7 +260,10 @@ template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
         for (size_t i = 0; i < c.spring_stiffness.count; ++i) c.has_welds |= welded(c, i);
     }
     if (is_explicit(c)) return run(c, ExplicitStep<T>(c, dt, refactor), count);
-    c.factorizations += refactor;
+    if (refactor) {
+        ++c.factorizations;
+        c.of_change = of_change({c, stage_share(c, dt)});
+    }
     if (is_rod(c)) return run(c, RodStep<T>(c, dt, refactor), count);
     return run(c, SpringStep<T>(c, dt, refactor), count);
 }
