@@ -51,7 +51,8 @@ CD_API cd_status cd_chain_get_shape(const cd_chain* chain, size_t* out_strands, 
 
 /* ---- method ------------------------------------------------------------------------------------------------------ */
 
-/* How steps are made. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY when the method needs a factorization and none is held. */
+/* How steps are made. Methods differ in the memory they need: implicit ones a factorization and a row of scratch,
+ * CD_METHOD_STIFF_SECOND a second row. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY. */
 CD_API cd_status cd_chain_set_method(cd_chain* chain, cd_method method);
 CD_API cd_status cd_chain_get_method(const cd_chain* chain, cd_method* out_method);
 

@@ -66,6 +66,69 @@ template <class T> struct Sweep {
     }
 };
 
+// The plain case of a single line, nodes side by side: springs, gravity, and a position that moves by the new velocity.
+// Rounds exactly as Sweep does. A bundle is stored only when the next one has read its old state.
+template <class T> struct Along {
+    const Lines<T>& lines;
+    const ExplicitCoefficients& c;
+    double dt, gravity;
+    bool finite = true;
+
+    template <int N> struct Moved {
+        size_t i;
+        StateLanes<N> to;
+    };
+    // Nodes i to i + N - 1, with springs on both sides of each.
+    template <int N> Moved<N> move(size_t i, Lanes<N> x_left) const {
+        using L = Lanes<N>;
+        const L x = L::load(lines.position + i), v = L::load(lines.velocity + i);
+        const L right = L::load(c.stiffness + i) * (L::load(lines.position + i + 1) - x);
+        return finish<N>(i, x, v, right - L::load(c.stiffness + i - 1) * (x - x_left));
+    }
+    template <int N> Moved<N> finish(size_t i, Lanes<N> x, Lanes<N> v, Lanes<N> force) const {
+        using L = Lanes<N>;
+        const L v_new = v + (L::load(c.inertia + i) * force + L::load(c.gains.gravity + i) * L::splat(gravity));
+        return {i, {x + dt * v_new, v_new}};
+    }
+    template <int N> void store(const Moved<N>& moved, Lanes<N>& probe) const {
+        store_settled(moved.to.v, lines.velocity + moved.i, probe);
+        store_settled(moved.to.x, lines.position + moved.i, probe);
+    }
+
+    void run() {
+        constexpr int kSide = 8;
+        using One = Lanes<1>;
+        const T* const x = lines.position;
+        const size_t last = lines.nodes - 1;
+        One probe{}, left = One::load(x);
+        Lanes<kSide> probes{};
+        const One first_pull = One::load(c.stiffness) * (One::load(x + 1) - left);
+        const Moved<1> first = finish<1>(0, left, One::load(lines.velocity), first_pull - One{});
+        size_t i = 1;
+        if (i + kSide <= last) {
+            Moved<kSide> held = move<kSide>(i, Lanes<kSide>::load(x + i - 1));
+            store(first, probe);
+            for (i += kSide; i + kSide <= last; i += kSide) {
+                const Moved<kSide> next = move<kSide>(i, Lanes<kSide>::load(x + i - 1));
+                store(held, probes);
+                held = next;
+            }
+            left = One::load(x + i - 1);
+            store(held, probes);
+        } else {
+            store(first, probe);
+        }
+        for (; i < last; ++i) {
+            const One here = One::load(x + i);
+            store(move<1>(i, left), probe);
+            left = here;
+        }
+        const One here = One::load(x + last), last_pull = One::load(c.stiffness + last - 1) * (here - left);
+        store(finish<1>(last, here, One::load(lines.velocity + last), One{} - last_pull), probe);
+        finite = !probe.any_nan() && !probes.any_nan();
+    }
+};
+
 template <class T> struct Drift {
     const Lines<T>& lines;
     double dt;
@@ -85,6 +148,12 @@ template <class T> struct Drift {
 template <class T>
 bool explicit_sweep(const Lines<T>& lines, const ExplicitCoefficients& c, double dt, const double* gravity,
                     Carrier carrier, size_t first, size_t count) {
+    const bool plain = !c.bend && !c.ring && c.damping == 0 && !c.gains.force && !c.gains.drag && !c.gains.attach;
+    if (lines.pitch == 1 && lines.nodes > 1 && plain && carrier == Carrier::kNewVelocity) {
+        Along<T> nodes{lines, c, dt, gravity[0]};
+        nodes.run();
+        return nodes.finite;
+    }
     Sweep<T> bundles{lines, c, dt, gravity, carrier};
     for_each_bundle(first, count, bundles);
     return bundles.finite;

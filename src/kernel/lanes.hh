@@ -40,7 +40,7 @@ template <> struct Lanes<1, LaneKind::kSingle, double> {
     friend Lanes operator+(Lanes a, Lanes b) { return {a.v + b.v}; }
     friend Lanes operator-(Lanes a, Lanes b) { return {a.v - b.v}; }
     friend Lanes operator*(Lanes a, Lanes b) { return {a.v * b.v}; }
-    friend Lanes settled(Lanes a, double least) { return {a.v < least && a.v > -least ? 0 : a.v}; }
+    friend Lanes settled(Lanes a, double least) { return {__builtin_fabs(a.v) < least ? 0 : a.v}; }
     bool any_nan() const { return v != v; }
 };
 

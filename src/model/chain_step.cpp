@@ -9,7 +9,8 @@
 //            Y + (1 - gamma) / gamma (Y_1 - Y), and (1 - gamma) / gamma = 1 + sqrt(2).
 //
 // Z holds matched ends and attachments. The springs enter the solvers with the stiffness h (h + damping) k_i and the
-// wish that w_{i+1} - w_i be -(x_{i+1} - x_i) / (h + damping). lambda = 0 is forward Euler.
+// wish that w_{i+1} - w_i be -(x_{i+1} - x_i) / (h + damping). lambda = 0 is forward Euler, and so, to every digit, is a
+// lambda below 1e-100.
 #include "model/chain.hh"
 
 #include <math.h>
@@ -31,7 +32,7 @@ constexpr double kSqrt2 = 1.4142135623730951;
 
 bool is_explicit(const Chain& c) {
     return c.method == CD_METHOD_FORWARD_EULER || c.method == CD_METHOD_SYMPLECTIC_EULER ||
-           (c.method == CD_METHOD_IMPLICIT && c.lambda == 0);
+           (c.method == CD_METHOD_IMPLICIT && c.lambda < 1e-100);
 }
 bool is_rod(const Chain& c) { return has_bend(c) || c.ring; }
 
