@@ -1,0 +1,298 @@
+/* Numbers that are no numbers, out of range, or none of an enumeration's: every argument of chain.h that is passed by
+ * value or as an array of numbers, but for the fields (test_bad_fields.c). */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "check.h"
+#include "heap.h"
+#include "refusals.h"
+#include "scene.h"
+
+enum { STRANDS = 3, SPRINGS = 9, NODES = SPRINGS + 1, COMPONENTS = 2 };
+
+static cd_chain* chain;
+
+static int set_up(void** state) {
+    (void)state;
+    chain = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT32);
+    scene_everything(chain);
+    ok(cd_chain_step(chain, 0.001, 2));
+    return 0;
+}
+
+static int tear_down(void** state) {
+    (void)state;
+    cd_chain_destroy(chain);
+    return 0;
+}
+
+struct bad {
+    double value;
+    const char* shown; /* in the message */
+};
+
+static const struct bad not_finite[] = {{NAN, "nan"}, {INFINITY, "inf"}, {-INFINITY, "-inf"}};
+static const struct bad negative[] = {{-1, "-1"}, {-0x1p-1000, ""}};
+static const struct bad not_positive[] = {{0, "0"}, {-0.0, "0"}, {-2.5, "-2.5"}};
+static const struct bad too_large[] = {{1.0625e60, "1.0625e+60"}, {1e300, "1e+300"}};
+static const struct bad too_small[] = {{0.5e-60, "5e-61"}, {0x1p-1074, ""}};
+static const struct bad not_a_share[] = {{-0.25, "-0.25"}, {1.5, "1.5"}, {1e9, "1e+09"}};
+static const struct bad not_a_step[] = {{1e-31, "1e-31"}, {1e31, "1e+31"}, {-0.125, "-0.125"}};
+
+/* call(bad value) for each bad value in the table */
+#define refuses_each(call, argument, table)                                                                            \
+    for (size_t i_ = 0; i_ < COUNT(table); ++i_) {                                                                     \
+        const double bad = (table)[i_].value;                                                                          \
+        refuses(chain, call, CD_ERROR_VALUE, text_of("%s|%s", argument, (table)[i_].shown));                           \
+    }
+
+static void no_parameter_takes_a_number_outside_its_range(void** state) {
+    (void)state;
+    refuses_each(cd_chain_set_lambda(chain, bad), "lambda", not_finite);
+    refuses_each(cd_chain_set_lambda(chain, bad), "lambda", not_a_share);
+    refuses_each(cd_chain_set_mass(chain, bad), "mass", not_finite);
+    refuses_each(cd_chain_set_mass(chain, bad), "mass", not_positive);
+    refuses_each(cd_chain_set_mass(chain, bad), "mass", too_large);
+    refuses_each(cd_chain_set_mass(chain, bad), "mass", too_small);
+    refuses_each(cd_chain_set_stiffness(chain, bad), "stiffness", not_finite);
+    refuses_each(cd_chain_set_stiffness(chain, bad), "stiffness", negative);
+    refuses_each(cd_chain_set_stiffness(chain, bad), "stiffness", too_large);
+    refuses_each(cd_chain_set_bend(chain, bad), "bend", not_finite);
+    refuses_each(cd_chain_set_bend(chain, bad), "bend", negative);
+    refuses_each(cd_chain_set_bend(chain, bad), "bend", too_large);
+    refuses_each(cd_chain_set_drag(chain, bad), "drag", not_finite);
+    refuses_each(cd_chain_set_drag(chain, bad), "drag", negative);
+    refuses_each(cd_chain_set_drag(chain, bad), "drag", too_large);
+    refuses_each(cd_chain_set_stiffness_damping(chain, bad), "seconds", not_finite);
+    refuses_each(cd_chain_set_stiffness_damping(chain, bad), "seconds", negative);
+    refuses_each(cd_chain_set_stiffness_damping(chain, bad), "seconds", too_large);
+    refuses_each(cd_chain_step(chain, bad, 1), "dt", not_finite);
+    refuses_each(cd_chain_step(chain, bad, 1), "dt", not_positive);
+    refuses_each(cd_chain_step(chain, bad, 1), "dt", not_a_step);
+    refuses_each(cd_chain_step(chain, bad, 0), "dt", not_finite);
+    refuses_each(cd_chain_attach(chain, 2, bad, 1, NULL, COMPONENTS), "stiffness", not_finite);
+    refuses_each(cd_chain_attach(chain, 2, bad, 1, NULL, COMPONENTS), "stiffness", negative);
+    refuses_each(cd_chain_attach(chain, 2, bad, 1, NULL, COMPONENTS), "stiffness", too_large);
+    refuses_each(cd_chain_attach(chain, 2, 1, bad, NULL, COMPONENTS), "damping", not_finite);
+    refuses_each(cd_chain_attach(chain, 2, 1, bad, NULL, COMPONENTS), "damping", negative);
+    refuses_each(cd_chain_attach(chain, 2, 1, bad, NULL, COMPONENTS), "damping", too_large);
+}
+
+static void the_extremes_of_the_header_are_taken(void** state) {
+    (void)state;
+    static cd_status (*const setters[])(cd_chain*, double) = {cd_chain_set_mass, cd_chain_set_stiffness,
+                                                              cd_chain_set_bend, cd_chain_set_drag,
+                                                              cd_chain_set_stiffness_damping};
+    cd_chain* c = scene_chain(1, 5, 1, CD_FLOAT32);
+    for (size_t i = 0; i < COUNT(setters); ++i) {
+        ok(setters[i](c, 1e60));
+        ok(setters[i](c, 1e-60));
+        if (setters[i] != cd_chain_set_mass) ok(setters[i](c, 0));
+    }
+    ok(cd_chain_set_lambda(c, 0));
+    ok(cd_chain_set_lambda(c, 1));
+    ok(cd_chain_attach(c, 0, 1e60, 1e60, NULL, 1));
+    ok(cd_chain_step(c, 1e-30, 1));
+    ok(cd_chain_step(c, 1e30, 1));
+    cd_chain_destroy(c);
+}
+
+static void no_array_takes_what_is_not_finite(void** state) {
+    (void)state;
+    for (size_t at = 0; at < COMPONENTS; ++at) {
+        for (size_t i = 0; i < COUNT(not_finite); ++i) {
+            double numbers[COMPONENTS] = {0.5, 0.5};
+            numbers[at] = not_finite[i].value;
+            const char* shown = not_finite[i].shown;
+            refuses(chain, cd_chain_set_gravity(chain, numbers, COMPONENTS), CD_ERROR_VALUE,
+                    text_of("gravity|[%zu]|%s", at, shown));
+            refuses(chain, cd_chain_impulse(chain, 1, 2, numbers, COMPONENTS), CD_ERROR_VALUE,
+                    text_of("impulse|[%zu]|%s", at, shown));
+            refuses(chain, cd_chain_attach(chain, 2, 1, 1, numbers, COMPONENTS), CD_ERROR_VALUE,
+                    text_of("target|[%zu]|%s", at, shown));
+            refuses(chain, cd_chain_sample(chain, 1, numbers, 2, out.number, 2 * COMPONENTS), CD_ERROR_VALUE,
+                    text_of("at|[%zu]|%s", at, shown));
+        }
+    }
+    const double before[] = {1, -0.125}, behind[] = {SPRINGS + 0.125, 1};
+    refuses(chain, cd_chain_sample(chain, 0, before, 2, out.number, 2 * COMPONENTS), CD_ERROR_VALUE, "at|[1]|-0.125");
+    refuses(chain, cd_chain_sample(chain, 0, behind, 2, out.number, 2 * COMPONENTS), CD_ERROR_VALUE, "at|[0]|9.125");
+}
+
+static void no_number_is_taken_for_an_enumerator(void** state) {
+    (void)state;
+    static const int32_t none[] = {-1, 4, 99, INT32_MAX, INT32_MIN};
+    for (size_t i = 0; i < COUNT(none); ++i) {
+        const int bad = none[i];
+        refuses(chain, cd_chain_create(1, 1, 1, bad, NULL, &out.chain), CD_ERROR_ENUM, text_of("precision|%d", bad));
+        refuses(chain, cd_chain_set_method(chain, bad), CD_ERROR_ENUM, text_of("method|%d", bad));
+        refuses(chain, cd_chain_set_mass_rule(chain, bad), CD_ERROR_ENUM, text_of("rule|%d", bad));
+        refuses(chain, cd_chain_set_end(chain, CD_END_LAST, bad), CD_ERROR_ENUM, text_of("kind|%d", bad));
+        refuses(chain, cd_chain_set_end(chain, bad, CD_NODE_FREE), CD_ERROR_ENUM, text_of("end|%d", bad));
+        refuses(chain, cd_chain_get_end(chain, bad, &out.i32), CD_ERROR_ENUM, text_of("end|%d", bad));
+        refuses(chain, cd_chain_set_ring(chain, bad), CD_ERROR_VALUE, text_of("ring|%d", bad));
+    }
+    refuses(chain, cd_chain_create(1, 1, 1, 2, NULL, &out.chain), CD_ERROR_ENUM, "precision|2");
+    refuses(chain, cd_chain_set_mass_rule(chain, 2), CD_ERROR_ENUM, "rule|2");
+    refuses(chain, cd_chain_set_end(chain, 2, CD_NODE_FREE), CD_ERROR_ENUM, "end|2");
+    refuses(chain, cd_chain_get_end(chain, 2, &out.i32), CD_ERROR_ENUM, "end|2");
+    refuses(chain, cd_chain_set_ring(chain, 2), CD_ERROR_VALUE, "ring|2");
+}
+
+static void no_shape_is_made_that_cannot_be(void** state) {
+    (void)state;
+    struct heap heap = {0}; /* refuses what is too large without trying the machine's memory */
+    const cd_allocator allocator = heap_allocator(&heap);
+    static const size_t big = (size_t)1 << (sizeof(size_t) == 8 ? 40 : 26), most = SIZE_MAX;
+    static const struct {
+        size_t strands, springs, components;
+        cd_status status;
+        const char* argument;
+        size_t shown;
+    } bad[] = {
+        {0, 1, 1, CD_ERROR_VALUE, "strands", 0},
+        {1, 1, 0, CD_ERROR_VALUE, "components", 0},
+        {1, 1, 5, CD_ERROR_VALUE, "components", 5},
+        {1, 1, SIZE_MAX, CD_ERROR_VALUE, "components", SIZE_MAX},
+        {1, SIZE_MAX, 1, CD_ERROR_SIZE, "springs", SIZE_MAX},
+        {1, SIZE_MAX - 1, 1, CD_ERROR_SIZE, "springs", SIZE_MAX - 1},
+        {SIZE_MAX, 1, 1, CD_ERROR_SIZE, "strands", SIZE_MAX},
+        {SIZE_MAX, 0, 4, CD_ERROR_SIZE, "strands", SIZE_MAX},
+        {SIZE_MAX, SIZE_MAX, 4, CD_ERROR_SIZE, "strands", SIZE_MAX},
+        {SIZE_MAX / 2 + 1, 1, 1, CD_ERROR_SIZE, "strands", SIZE_MAX / 2 + 1},
+        {SIZE_MAX / 4 + 1, 3, 1, CD_ERROR_SIZE, "strands", SIZE_MAX / 4 + 1},
+        {1, SIZE_MAX / 8, 1, CD_ERROR_SIZE, "springs", SIZE_MAX / 8},
+    };
+    for (size_t i = 0; i < COUNT(bad); ++i)
+        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
+            refuses(chain,
+                    cd_chain_create(bad[i].strands, bad[i].springs, bad[i].components, precision, &allocator,
+                                    &out.chain),
+                    bad[i].status, name_and_size(bad[i].argument, bad[i].shown));
+    refuses(chain, cd_chain_create(big, big, 4, CD_FLOAT64, &allocator, &out.chain), CD_ERROR_SIZE,
+            name_and_size("springs", big));
+    refuses(chain, cd_chain_create(1, big, 1, CD_FLOAT64, &allocator, &out.chain), CD_ERROR_MEMORY, "");
+    refuses(chain, cd_chain_create(big, 1, 1, CD_FLOAT32, &allocator, &out.chain), CD_ERROR_MEMORY, "");
+    assert_true(most > big);
+    heap_free(&heap);
+}
+
+static void no_index_beyond_the_end_is_taken(void** state) {
+    (void)state;
+    static const size_t beyond[] = {0, 1, 1000, SIZE_MAX / 2, SIZE_MAX / 8 + 2};
+    const double numbers[2] = {0.5, 0.5};
+    for (size_t i = 0; i <= COUNT(beyond); ++i) {
+        const size_t strand = i < COUNT(beyond) ? STRANDS + beyond[i] : SIZE_MAX;
+        const size_t node = i < COUNT(beyond) ? NODES + beyond[i] : SIZE_MAX;
+        const size_t spring = i < COUNT(beyond) ? SPRINGS + beyond[i] : SIZE_MAX;
+        refuses(chain, cd_chain_impulse(chain, strand, 2, numbers, 2), CD_ERROR_RANGE, name_and_size("strand", strand));
+        refuses(chain, cd_chain_impulse(chain, 0, node, numbers, 2), CD_ERROR_RANGE, name_and_size("node", node));
+        refuses(chain, cd_chain_attach(chain, node, 1, 1, numbers, 2), CD_ERROR_RANGE, name_and_size("node", node));
+        refuses(chain, cd_chain_attach(chain, node, 1, 1, NULL, 2), CD_ERROR_RANGE, name_and_size("node", node));
+        refuses(chain, cd_chain_detach(chain, node), CD_ERROR_RANGE, name_and_size("node", node));
+        refuses(chain, cd_chain_get_attachment(chain, node, &out.number[0], &out.number[1]), CD_ERROR_RANGE,
+                name_and_size("node", node));
+        refuses(chain, cd_chain_cut(chain, spring), CD_ERROR_RANGE, name_and_size("spring", spring));
+        refuses(chain, cd_chain_weld(chain, spring), CD_ERROR_RANGE, name_and_size("spring", spring));
+        refuses(chain, cd_chain_sample(chain, strand, numbers, 2, out.number, 4), CD_ERROR_RANGE,
+                name_and_size("strand", strand));
+    }
+}
+
+static void no_buffer_of_another_length_is_taken(void** state) {
+    (void)state;
+    static const size_t wrong[] = {1, 3, 77, SIZE_MAX};
+    double numbers[4] = {0.5, 0.5, 0.5, 0.5};
+    for (size_t i = 0; i < COUNT(wrong); ++i) {
+        const size_t count = wrong[i];
+        refuses(chain, cd_chain_set_gravity(chain, numbers, count), CD_ERROR_RANGE, name_and_size("count", count));
+        refuses(chain, cd_chain_get_gravity(chain, out.number, count), CD_ERROR_RANGE, name_and_size("count", count));
+        refuses(chain, cd_chain_impulse(chain, 0, 2, numbers, count), CD_ERROR_RANGE, name_and_size("count", count));
+        refuses(chain, cd_chain_attach(chain, 2, 1, 1, numbers, count), CD_ERROR_RANGE, name_and_size("count", count));
+        refuses(chain, cd_chain_get_momentum(chain, out.number, count), CD_ERROR_RANGE, name_and_size("count", count));
+        refuses(chain, cd_chain_sample(chain, 0, numbers, 2, out.number, count), CD_ERROR_RANGE,
+                name_and_size("out_count", count));
+    }
+    static const size_t most[] = {SIZE_MAX, SIZE_MAX / 2 + 3, SIZE_MAX / 4 + 1};
+    for (size_t i = 0; i < COUNT(most); ++i) /* n * COMPONENTS comes round to 4 in the second */
+        refuses(chain, cd_chain_sample(chain, 0, numbers, most[i], out.number, 4), CD_ERROR_RANGE,
+                name_and_size("n", most[i]));
+}
+
+static void what_the_chain_cannot_do_is_said_to_be_unsupported(void** state) {
+    (void)state;
+    cd_chain* pair = scene_chain(1, 1, 1, CD_FLOAT64);
+    refuses(pair, cd_chain_set_ring(pair, 1), CD_ERROR_UNSUPPORTED, "2");
+    cd_chain_destroy(pair);
+
+    cd_chain* ring = scene_chain(1, 8, 1, CD_FLOAT64);
+    ok(cd_chain_set_end(ring, CD_END_LAST, CD_NODE_MATCHED));
+    refuses(ring, cd_chain_set_ring(ring, 1), CD_ERROR_UNSUPPORTED, "");
+    ok(cd_chain_set_end(ring, CD_END_LAST, CD_NODE_FREE));
+    ok(cd_chain_set_ring(ring, 1));
+    for (cd_end end = CD_END_FIRST; end <= CD_END_LAST; ++end)
+        refuses(ring, cd_chain_set_end(ring, end, CD_NODE_MATCHED), CD_ERROR_UNSUPPORTED, "kind");
+    cd_chain_destroy(ring);
+}
+
+/* A by-value argument of this type is told apart by these statuses. */
+static const struct {
+    const char* type;
+    cd_status statuses[4];
+} kinds[] = {
+    {"double", {CD_ERROR_VALUE}},
+    {"const double*", {CD_ERROR_VALUE}},
+    {"int32_t", {CD_ERROR_VALUE}},
+    {"size_t", {CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_SIZE}},
+    {"cd_precision", {CD_ERROR_ENUM}},
+    {"cd_method", {CD_ERROR_ENUM}},
+    {"cd_mass_rule", {CD_ERROR_ENUM}},
+    {"cd_end", {CD_ERROR_ENUM}},
+    {"cd_node", {CD_ERROR_ENUM}},
+};
+
+/* Any count of steps is good; the sizes of save and load are tried in test_keep.c. */
+static const char* const elsewhere[] = {"cd_chain_step count", "cd_chain_save size", "cd_chain_load size"};
+
+static void every_number_in_the_header_was_tried(void** state) {
+    (void)state;
+    static struct prototype functions[100];
+    const size_t count = read_prototypes("chain.h", functions, COUNT(functions));
+    size_t missing = 0;
+    for (size_t i = 0; i < count; ++i) {
+        bool of_a_field = false;
+        for (size_t j = 0; j < functions[i].count; ++j)
+            if (strcmp(functions[i].parameters[j].type, "cd_field") == 0) of_a_field = true;
+        for (size_t j = 0; j < functions[i].count && !of_a_field; ++j) {
+            const struct parameter* parameter = &functions[i].parameters[j];
+            bool tried = strchr(parameter->type, '*') && strcmp(parameter->type, "const double*") != 0;
+            char name[128];
+            snprintf(name, sizeof name, "%s %s", functions[i].name, parameter->name);
+            for (size_t k = 0; k < COUNT(elsewhere); ++k)
+                if (strcmp(elsewhere[k], name) == 0) tried = true;
+            for (size_t k = 0; k < COUNT(kinds); ++k)
+                for (size_t s = 0; s < 4 && kinds[k].statuses[s] && strcmp(kinds[k].type, parameter->type) == 0; ++s)
+                    if (was_refused(functions[i].name, kinds[k].statuses[s], parameter->name)) tried = true;
+            if (tried) continue;
+            print_error("%s: nothing bad was tried for %s %s\n", functions[i].name, parameter->type, parameter->name);
+            ++missing;
+        }
+    }
+    assert_int_equal(missing, 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_parameter_takes_a_number_outside_its_range),
+        cmocka_unit_test(the_extremes_of_the_header_are_taken),
+        cmocka_unit_test(no_array_takes_what_is_not_finite),
+        cmocka_unit_test(no_number_is_taken_for_an_enumerator),
+        cmocka_unit_test(no_shape_is_made_that_cannot_be),
+        cmocka_unit_test(no_index_beyond_the_end_is_taken),
+        cmocka_unit_test(no_buffer_of_another_length_is_taken),
+        cmocka_unit_test(what_the_chain_cannot_do_is_said_to_be_unsupported),
+        cmocka_unit_test(every_number_in_the_header_was_tried),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

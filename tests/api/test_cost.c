@@ -1,0 +1,230 @@
+/* What a change costs: one factorization at the next step, and no memory. */
+#include "check.h"
+#include "heap.h"
+#include "scene.h"
+
+enum { STRANDS = 3, SPRINGS = 9, NODES = SPRINGS + 1, COMPONENTS = 2 };
+
+static uint64_t factorizations(const cd_chain* chain) {
+    uint64_t count;
+    ok(cd_chain_get_factorizations(chain, &count));
+    return count;
+}
+
+/* Every way to change the system that a step solves. */
+static void lambda(cd_chain* chain) { ok(cd_chain_set_lambda(chain, 0.9)); }
+static void method(cd_chain* chain) { ok(cd_chain_set_method(chain, CD_METHOD_STIFF_SECOND)); }
+static void mass(cd_chain* chain) { ok(cd_chain_set_mass(chain, 3)); }
+static void mass_rule(cd_chain* chain) { ok(cd_chain_set_mass_rule(chain, CD_MASS_EQUAL)); }
+static void stiffness(cd_chain* chain) { ok(cd_chain_set_stiffness(chain, 3)); }
+static void bend(cd_chain* chain) { ok(cd_chain_set_bend(chain, 0.005)); }
+static void drag(cd_chain* chain) { ok(cd_chain_set_drag(chain, 0.5)); }
+static void damping(cd_chain* chain) { ok(cd_chain_set_stiffness_damping(chain, 0.002)); }
+static void end(cd_chain* chain) { ok(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_PINNED)); }
+static void pin(cd_chain* chain) { scene_set(chain, CD_PIN, 2, CD_NODE_PINNED); }
+static void node_mass(cd_chain* chain) { scene_set(chain, CD_MASS, 2, 9); }
+static void spring_stiffness(cd_chain* chain) { scene_set(chain, CD_STIFFNESS, 2, 9); }
+static void node_bend(cd_chain* chain) { scene_set(chain, CD_BEND, 2, 9); }
+static void attach(cd_chain* chain) { ok(cd_chain_attach(chain, 2, 1, 1, NULL, COMPONENTS)); }
+static void detach(cd_chain* chain) { ok(cd_chain_detach(chain, 3)); }
+static void cut(cd_chain* chain) { ok(cd_chain_cut(chain, 1)); }
+static void weld(cd_chain* chain) { ok(cd_chain_weld(chain, 5)); }
+
+static const struct change {
+    const char* name;
+    void (*make)(cd_chain*);
+} changes[] = {{"lambda", lambda},
+               {"mass", mass},               {"mass rule", mass_rule},
+               {"stiffness", stiffness},     {"bend", bend},
+               {"drag", drag},               {"damping", damping},
+               {"end", end},                 {"pin", pin},
+               {"node mass", node_mass},     {"spring stiffness", spring_stiffness},
+               {"node bend", node_bend},     {"attach", attach},
+               {"detach", detach},           {"cut", cut},
+               {"weld", weld}};
+
+static cd_chain* everything(struct heap* heap) {
+    const cd_allocator allocator = heap_allocator(heap);
+    cd_chain* chain = scene_chain_from(&allocator, STRANDS, SPRINGS, COMPONENTS, CD_FLOAT64);
+    scene_everything(chain);
+    return chain;
+}
+
+static void an_unchanged_chain_factors_once(void** state) {
+    (void)state;
+    for (size_t scene = 0; scene < SCENES; ++scene) {
+        cd_chain* chain = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT32);
+        scenes[scene].build(chain);
+        assert_int_equal(factorizations(chain), 0);
+        for (uint64_t i = 0; i < 5; ++i) {
+            ok(cd_chain_step(chain, 0.01, 10));
+            assert_int_equal(factorizations(chain), 1);
+        }
+        cd_chain_destroy(chain);
+    }
+}
+
+static void the_state_and_the_forces_are_no_change(void** state) {
+    (void)state;
+    struct heap heap = {0};
+    cd_chain* chain = everything(&heap);
+    const double gravity[COMPONENTS] = {1, 2};
+    double values[STRANDS * NODES * COMPONENTS];
+    static const cd_field fields[] = {CD_POSITION, CD_VELOCITY, CD_FORCE, CD_TARGET};
+    ok(cd_chain_step(chain, 0.01, 1));
+    for (size_t i = 0; i < COUNT(fields); ++i) {
+        scene_read(chain, fields[i], values);
+        scene_write(chain, fields[i], values);
+    }
+    ok(cd_chain_set_gravity(chain, gravity, COMPONENTS));
+    ok(cd_chain_impulse(chain, 0, 2, gravity, COMPONENTS));
+    ok(cd_chain_reset(chain));
+    ok(cd_chain_step(chain, 0.01, 1));
+    assert_int_equal(factorizations(chain), 1);
+    cd_chain_destroy(chain);
+    heap_free(&heap);
+}
+
+static void each_change_costs_one_factorization_at_the_next_step_and_no_memory(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(changes); ++i) {
+        struct heap heap = {0};
+        cd_chain* chain = everything(&heap);
+        ok(cd_chain_step(chain, 0.01, 2));
+        const size_t allocations = heap.allocations, live = heap.live_bytes;
+        changes[i].make(chain);
+        assert_int_equal(factorizations(chain), 1);
+        ok(cd_chain_step(chain, 0.01, 1));
+        ok(cd_chain_step(chain, 0.01, 1));
+        if (factorizations(chain) != 2)
+            fail_msg("%s: %d factorizations", changes[i].name, (int)factorizations(chain));
+        if (heap.allocations != allocations || heap.live_bytes != live)
+            fail_msg("%s: %zu allocations", changes[i].name, heap.allocations - allocations);
+        cd_chain_destroy(chain);
+        heap_free(&heap);
+    }
+}
+
+/* A method may need other memory, which it takes when it is chosen. */
+static void a_change_of_method_costs_one_factorization_and_no_memory_in_the_step(void** state) {
+    (void)state;
+    struct heap heap = {0};
+    cd_chain* chain = everything(&heap);
+    ok(cd_chain_step(chain, 0.01, 2));
+    method(chain);
+    const size_t allocations = heap.allocations;
+    ok(cd_chain_step(chain, 0.01, 2));
+    assert_int_equal(factorizations(chain), 2);
+    assert_int_equal(heap.allocations, allocations);
+    cd_chain_destroy(chain);
+    heap_free(&heap);
+}
+
+static void each_change_of_dt_costs_one_factorization(void** state) {
+    (void)state;
+    cd_chain* chain = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT64);
+    scene_rope(chain);
+    static const double dts[] = {0.01, 0.02, 0.02, 0.01, 0.01, 0.03};
+    static const uint64_t wanted[] = {1, 2, 2, 3, 3, 4};
+    for (size_t i = 0; i < COUNT(dts); ++i) {
+        ok(cd_chain_step(chain, dts[i], 3));
+        assert_int_equal(factorizations(chain), wanted[i]);
+    }
+    cd_chain_destroy(chain);
+}
+
+static void several_changes_before_a_step_cost_one_factorization(void** state) {
+    (void)state;
+    struct heap heap = {0};
+    cd_chain* chain = everything(&heap);
+    ok(cd_chain_step(chain, 0.01, 1));
+    for (size_t i = 0; i < COUNT(changes); ++i) changes[i].make(chain);
+    ok(cd_chain_step(chain, 0.02, 4));
+    assert_int_equal(factorizations(chain), 2);
+    cd_chain_destroy(chain);
+    heap_free(&heap);
+}
+
+static void explicit_methods_factor_nothing(void** state) {
+    (void)state;
+    for (cd_method m = CD_METHOD_FORWARD_EULER; m <= CD_METHOD_SYMPLECTIC_EULER; ++m) {
+        struct heap heap = {0};
+        cd_chain* chain = everything(&heap);
+        ok(cd_chain_set_method(chain, m));
+        ok(cd_chain_step(chain, 0.0001, 3));
+        ok(cd_chain_set_stiffness(chain, 2));
+        ok(cd_chain_step(chain, 0.0002, 3));
+        assert_int_equal(factorizations(chain), 0);
+        cd_chain_destroy(chain);
+        heap_free(&heap);
+    }
+}
+
+static void steps_reads_and_writes_never_allocate(void** state) {
+    (void)state;
+    for (size_t scene = 0; scene < SCENES; ++scene) {
+        for (cd_method m = CD_METHOD_IMPLICIT; m <= CD_METHOD_STIFF_SECOND; ++m) {
+            struct heap heap = {0};
+            const cd_allocator allocator = heap_allocator(&heap);
+            cd_chain* chain = scene_chain_from(&allocator, STRANDS, SPRINGS, COMPONENTS, CD_FLOAT32);
+            scenes[scene].build(chain);
+            ok(cd_chain_set_method(chain, m));
+            const size_t allocations = heap.allocations, live = heap.live_bytes;
+            heap_fail(&heap, 1, true);
+            double values[STRANDS * NODES * COMPONENTS];
+            size_t size, written;
+            static unsigned char bytes[1 << 16];
+            for (int round = 0; round < 3; ++round) {
+                ok(cd_chain_step(chain, 0.0001 * (1 + round), 5));
+                for (cd_field field = CD_POSITION; field <= CD_TARGET; ++field) {
+                    const size_t strands = scene_field_strands(chain, field), count = scene_field_count(chain, field);
+                    const size_t items = scene_field_items(chain, field);
+                    if (cd_chain_read_f64(chain, field, 0, strands, 0, items, values, count) != CD_OK) continue;
+                    scene_write(chain, field, values);
+                }
+                ok(cd_chain_save_size(chain, &size));
+                assert_true(size <= sizeof bytes);
+                ok(cd_chain_save(chain, bytes, sizeof bytes, &written));
+                ok(cd_chain_load(chain, bytes, written)); /* the fields that are on already */
+                hash_of(chain);
+            }
+            assert_int_equal(heap.allocations, allocations);
+            assert_int_equal(heap.live_bytes, live);
+            cd_chain_destroy(chain);
+            heap_free(&heap);
+        }
+    }
+}
+
+static void a_plain_chain_costs_no_more_than_its_state_and_one_factorization(void** state) {
+    (void)state;
+    size_t plain, with_field;
+    cd_chain* chain = scene_chain(64, 999, 3, CD_FLOAT32);
+    const size_t numbers = 64 * 1000 * 3;
+    ok(cd_chain_get_memory(chain, &plain));
+    const size_t state_and_scratch = numbers * (2 * sizeof(float) + sizeof(double));
+    assert_true(plain >= state_and_scratch && (double)plain < (double)state_and_scratch * 1.15);
+    static const cd_field shared[] = {CD_MASS, CD_STIFFNESS};
+    for (size_t i = 0; i < COUNT(shared); ++i) {
+        ok(cd_chain_enable_field(chain, shared[i]));
+        ok(cd_chain_get_memory(chain, &with_field));
+        assert_true(with_field > plain && with_field < plain + 1000 * 3 * sizeof(double) + 4096);
+        plain = with_field;
+    }
+    cd_chain_destroy(chain);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_unchanged_chain_factors_once),
+        cmocka_unit_test(the_state_and_the_forces_are_no_change),
+        cmocka_unit_test(each_change_costs_one_factorization_at_the_next_step_and_no_memory),
+        cmocka_unit_test(a_change_of_method_costs_one_factorization_and_no_memory_in_the_step),
+        cmocka_unit_test(each_change_of_dt_costs_one_factorization),
+        cmocka_unit_test(several_changes_before_a_step_cost_one_factorization),
+        cmocka_unit_test(explicit_methods_factor_nothing),
+        cmocka_unit_test(steps_reads_and_writes_never_allocate),
+        cmocka_unit_test(a_plain_chain_costs_no_more_than_its_state_and_one_factorization),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,201 @@
+/* A state that leaves the finite range is reported, with the step; the chain can be read, reset and used again. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "scene.h"
+
+enum { STRANDS = 20, SPRINGS = 9, NODES = SPRINGS + 1, COMPONENTS = 2, ALL = STRANDS * NODES * COMPONENTS };
+
+/* An explicit chain beyond its limit. Three strands move, far apart; the one in the middle
+ * diverges first. */
+static cd_chain* unstable(cd_precision precision, cd_method method, double* out_dt) {
+    cd_chain* chain = scene_chain(STRANDS, SPRINGS, COMPONENTS, precision);
+    ok(cd_chain_set_method(chain, method));
+    const double v[COMPONENTS] = {1, -1}, less[COMPONENTS] = {1e-9, 1e-9};
+    ok(cd_chain_write_f64(chain, CD_VELOCITY, STRANDS / 2, 1, 4, 1, v, COMPONENTS));
+    ok(cd_chain_write_f64(chain, CD_VELOCITY, 0, 1, 4, 1, less, COMPONENTS));
+    ok(cd_chain_write_f64(chain, CD_VELOCITY, STRANDS - 1, 1, 4, 1, less, COMPONENTS));
+    ok(cd_chain_stable_dt(chain, out_dt));
+    *out_dt *= 2;
+    return chain;
+}
+
+static int is_finite(const cd_chain* chain) {
+    double x[ALL], v[ALL];
+    scene_read(chain, CD_POSITION, x);
+    scene_read(chain, CD_VELOCITY, v);
+    for (size_t i = 0; i < ALL; ++i)
+        if (!isfinite(x[i]) || !isfinite(v[i])) return 0;
+    return 1;
+}
+
+static const struct {
+    cd_precision precision;
+    cd_method method;
+} cases[] = {{CD_FLOAT32, CD_METHOD_SYMPLECTIC_EULER},
+             {CD_FLOAT64, CD_METHOD_SYMPLECTIC_EULER},
+             {CD_FLOAT32, CD_METHOD_FORWARD_EULER},
+             {CD_FLOAT64, CD_METHOD_FORWARD_EULER}};
+
+static void divergence_is_reported_with_the_first_bad_step(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        double dt;
+        cd_chain* slow = unstable(cases[i].precision, cases[i].method, &dt);
+        uint64_t first_bad = 0, steps;
+        while (is_finite(slow)) {
+            const cd_status status = cd_chain_step(slow, dt, 1);
+            ++first_bad;
+            assert_int_equal(status, is_finite(slow) ? CD_OK : CD_ERROR_DIVERGED);
+        }
+        assert_true(first_bad > 10);
+        assert_non_null(strstr(cd_error_message(), text_of(" %llu", (unsigned long long)first_bad)));
+        cd_chain_destroy(slow);
+
+        cd_chain* fast = unstable(cases[i].precision, cases[i].method, &dt);
+        ok(cd_chain_step(fast, dt, 5));
+        assert_int_equal(cd_chain_step(fast, dt, 5000), CD_ERROR_DIVERGED);
+        assert_non_null(strstr(cd_error_message(), "cd_chain_step: "));
+        const char* shown = strstr(cd_error_message(), text_of(" %llu", (unsigned long long)first_bad));
+        assert_non_null(shown); /* counted from create, not from this call */
+        ok(cd_chain_get_steps(fast, &steps));
+        assert_int_equal(steps, 5005); /* all steps are made */
+        assert_false(is_finite(fast));
+        cd_chain_destroy(fast);
+    }
+}
+
+static void the_finite_strands_of_a_diverged_chain_are_as_ever(void** state) {
+    (void)state;
+    double dt, v[2 * NODES * COMPONENTS];
+    cd_chain* chain = unstable(CD_FLOAT32, CD_METHOD_SYMPLECTIC_EULER, &dt);
+    assert_int_equal(cd_chain_step(chain, dt, 5000), CD_ERROR_DIVERGED);
+    ok(cd_chain_read_f64(chain, CD_VELOCITY, 1, 2, 0, NODES, v, COUNT(v)));
+    for (size_t i = 0; i < COUNT(v); ++i) assert_true(v[i] == 0);
+    cd_chain_destroy(chain);
+}
+
+static void a_diverged_chain_makes_no_step_and_changes_nothing(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        double dt;
+        cd_chain* chain = unstable(cases[i].precision, cases[i].method, &dt);
+        assert_int_equal(cd_chain_step(chain, dt, 5000), CD_ERROR_DIVERGED);
+        refuses(chain, cd_chain_step(chain, dt, 1), CD_ERROR_DIVERGED, "");
+        ok(cd_chain_set_method(chain, CD_METHOD_IMPLICIT));
+        refuses(chain, cd_chain_step(chain, dt, 1), CD_ERROR_DIVERGED, "");
+        cd_chain_destroy(chain);
+    }
+}
+
+static void a_diverged_chain_is_as_new_after_a_reset(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        double dt, unused;
+        cd_chain* chain = unstable(cases[i].precision, cases[i].method, &dt);
+        cd_chain* fresh = unstable(cases[i].precision, cases[i].method, &unused);
+        assert_int_equal(cd_chain_step(chain, dt, 5000), CD_ERROR_DIVERGED);
+        ok(cd_chain_reset(chain));
+        ok(cd_chain_reset(fresh));
+        assert_int_equal(hash_of(chain), hash_of(fresh));
+        scene_lay_out(chain, 0.1);
+        scene_lay_out(fresh, 0.1);
+        ok(cd_chain_step(chain, dt / 8, 20));
+        ok(cd_chain_step(fresh, dt / 8, 20));
+        assert_int_equal(hash_of(chain), hash_of(fresh));
+        cd_chain_destroy(chain);
+        cd_chain_destroy(fresh);
+    }
+}
+
+static void a_diverged_chain_goes_on_once_finite_numbers_are_written(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        double dt, zeros[ALL] = {0};
+        cd_chain* chain = unstable(cases[i].precision, cases[i].method, &dt);
+        assert_int_equal(cd_chain_step(chain, dt, 5000), CD_ERROR_DIVERGED);
+        scene_write(chain, CD_POSITION, zeros);
+        refuses(chain, cd_chain_step(chain, dt, 1), CD_ERROR_DIVERGED, ""); /* velocities are still wrong */
+        scene_write(chain, CD_VELOCITY, zeros);
+        ok(cd_chain_step(chain, dt, 3));
+        assert_true(is_finite(chain));
+        cd_chain_destroy(chain);
+    }
+}
+
+static void a_diverged_chain_goes_on_after_a_load_or_a_copy(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        for (int by_copy = 0; by_copy <= 1; ++by_copy) {
+            double dt, unused;
+            cd_chain* chain = unstable(cases[i].precision, cases[i].method, &dt);
+            cd_chain* good = unstable(cases[i].precision, cases[i].method, &unused);
+            size_t size, written;
+            ok(cd_chain_step(good, dt / 8, 7));
+            ok(cd_chain_save_size(good, &size));
+            unsigned char* bytes = malloc(size);
+            assert_non_null(bytes);
+            ok(cd_chain_save(good, bytes, size, &written));
+            assert_int_equal(cd_chain_step(chain, dt, 5000), CD_ERROR_DIVERGED);
+            if (by_copy) ok(cd_chain_copy_state(chain, good));
+            else ok(cd_chain_load(chain, bytes, size));
+            ok(cd_chain_step(chain, dt / 8, 20));
+            ok(cd_chain_step(good, dt / 8, 20));
+            assert_int_equal(hash_of(chain), hash_of(good));
+            free(bytes);
+            cd_chain_destroy(chain);
+            cd_chain_destroy(good);
+        }
+    }
+}
+
+static void a_diverged_state_can_be_kept_and_stays_diverged(void** state) {
+    (void)state;
+    for (int by_copy = 0; by_copy <= 1; ++by_copy) {
+        double dt, unused;
+        cd_chain* chain = unstable(CD_FLOAT32, CD_METHOD_SYMPLECTIC_EULER, &dt);
+        cd_chain* other = unstable(CD_FLOAT32, CD_METHOD_SYMPLECTIC_EULER, &unused);
+        assert_int_equal(cd_chain_step(chain, dt, 5000), CD_ERROR_DIVERGED);
+        size_t size, written;
+        ok(cd_chain_save_size(chain, &size));
+        unsigned char* bytes = malloc(size);
+        assert_non_null(bytes);
+        ok(cd_chain_save(chain, bytes, size, &written));
+        if (by_copy) ok(cd_chain_copy_state(other, chain));
+        else ok(cd_chain_load(other, bytes, size));
+        assert_int_equal(hash_of(other), hash_of(chain));
+        refuses(other, cd_chain_step(other, dt, 1), CD_ERROR_DIVERGED, "");
+        free(bytes);
+        cd_chain_destroy(chain);
+        cd_chain_destroy(other);
+    }
+}
+
+static void a_chain_within_the_limit_never_diverges(void** state) {
+    (void)state;
+    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+        double dt;
+        cd_chain* chain = unstable(precision, CD_METHOD_SYMPLECTIC_EULER, &dt);
+        ok(cd_chain_step(chain, dt * 0.499, 20000));
+        ok(cd_chain_set_method(chain, CD_METHOD_IMPLICIT));
+        ok(cd_chain_step(chain, dt * 1e6, 20000));
+        assert_true(is_finite(chain));
+        cd_chain_destroy(chain);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(divergence_is_reported_with_the_first_bad_step),
+        cmocka_unit_test(the_finite_strands_of_a_diverged_chain_are_as_ever),
+        cmocka_unit_test(a_diverged_chain_makes_no_step_and_changes_nothing),
+        cmocka_unit_test(a_diverged_chain_is_as_new_after_a_reset),
+        cmocka_unit_test(a_diverged_chain_goes_on_once_finite_numbers_are_written),
+        cmocka_unit_test(a_diverged_chain_goes_on_after_a_load_or_a_copy),
+        cmocka_unit_test(a_diverged_state_can_be_kept_and_stays_diverged),
+        cmocka_unit_test(a_chain_within_the_limit_never_diverges),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,172 @@
+/* The hash sees every parameter, every number of every field and the clock, and nothing else. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "jobs.h"
+#include "scene.h"
+
+enum { STRANDS = 2, SPRINGS = 9, NODES = SPRINGS + 1, COMPONENTS = 2, ALL = STRANDS * NODES * COMPONENTS };
+
+static cd_chain* everything(cd_precision precision) {
+    cd_chain* chain = scene_chain(STRANDS, SPRINGS, COMPONENTS, precision);
+    scene_everything(chain);
+    return chain;
+}
+
+static const double gravity[4][COMPONENTS] = {{1, 0}, {0, 1}, {1, 1}, {-1, 1}};
+
+static void lambda(cd_chain* c) { ok(cd_chain_set_lambda(c, 0.9)); }
+static void method_1(cd_chain* c) { ok(cd_chain_set_method(c, CD_METHOD_FORWARD_EULER)); }
+static void method_2(cd_chain* c) { ok(cd_chain_set_method(c, CD_METHOD_SYMPLECTIC_EULER)); }
+static void method_3(cd_chain* c) { ok(cd_chain_set_method(c, CD_METHOD_STIFF_SECOND)); }
+static void mass(cd_chain* c) { ok(cd_chain_set_mass(c, 3)); }
+static void mass_rule(cd_chain* c) { ok(cd_chain_set_mass_rule(c, CD_MASS_EQUAL)); }
+static void stiffness(cd_chain* c) { ok(cd_chain_set_stiffness(c, 3)); }
+static void bend(cd_chain* c) { ok(cd_chain_set_bend(c, 0.005)); }
+static void drag(cd_chain* c) { ok(cd_chain_set_drag(c, 0.5)); }
+static void damping(cd_chain* c) { ok(cd_chain_set_stiffness_damping(c, 0.002)); }
+static void gravity_0(cd_chain* c) { ok(cd_chain_set_gravity(c, gravity[0], COMPONENTS)); }
+static void gravity_1(cd_chain* c) { ok(cd_chain_set_gravity(c, gravity[1], COMPONENTS)); }
+static void gravity_2(cd_chain* c) { ok(cd_chain_set_gravity(c, gravity[2], COMPONENTS)); }
+static void end_free(cd_chain* c) { ok(cd_chain_set_end(c, CD_END_LAST, CD_NODE_FREE)); }
+static void end_pinned(cd_chain* c) { ok(cd_chain_set_end(c, CD_END_LAST, CD_NODE_PINNED)); }
+static void end_driven(cd_chain* c) { ok(cd_chain_set_end(c, CD_END_LAST, CD_NODE_DRIVEN)); }
+static void no_force(cd_chain* c) { ok(cd_chain_disable_field(c, CD_FORCE)); }
+static void no_mass(cd_chain* c) { ok(cd_chain_disable_field(c, CD_MASS)); }
+static void no_stiffness(cd_chain* c) { ok(cd_chain_disable_field(c, CD_STIFFNESS)); }
+static void no_bend(cd_chain* c) { ok(cd_chain_disable_field(c, CD_BEND)); }
+static void no_target(cd_chain* c) { ok(cd_chain_disable_field(c, CD_TARGET)); }
+static void attach_stiffness(cd_chain* c) { ok(cd_chain_attach(c, 3, 26, 0.25, NULL, COMPONENTS)); }
+static void attach_damping(cd_chain* c) { ok(cd_chain_attach(c, 3, 25, 0.5, NULL, COMPONENTS)); }
+static void attach_target(cd_chain* c) { ok(cd_chain_attach(c, 3, 25, 0.25, gravity[0], COMPONENTS)); }
+static void attach_another(cd_chain* c) { ok(cd_chain_attach(c, 2, 25, 0.25, NULL, COMPONENTS)); }
+static void detach(cd_chain* c) { ok(cd_chain_detach(c, 3)); }
+static void impulse(cd_chain* c) { ok(cd_chain_impulse(c, 1, 6, gravity[0], COMPONENTS)); }
+static void cut(cd_chain* c) { ok(cd_chain_cut(c, 1)); }
+static void weld(cd_chain* c) { ok(cd_chain_weld(c, 5)); }
+static void step(cd_chain* c) { ok(cd_chain_step(c, 0.001, 1)); }
+static void longer_step(cd_chain* c) { ok(cd_chain_step(c, 0.002, 1)); }
+static void two_steps(cd_chain* c) { ok(cd_chain_step(c, 0.001, 2)); }
+static void reset(cd_chain* c) { ok(cd_chain_reset(c)); }
+static void ring(cd_chain* c) {
+    ok(cd_chain_set_end(c, CD_END_LAST, CD_NODE_FREE));
+    ok(cd_chain_set_ring(c, 1));
+}
+
+static void (*const changes[])(cd_chain*) = {
+    lambda,    method_1,  method_2, method_3, mass,       mass_rule,        stiffness,      bend,          drag,
+    damping,   gravity_0, gravity_1, gravity_2, end_free, end_pinned,       end_driven,     no_force,      no_mass,
+    no_stiffness, no_bend, no_target, attach_stiffness,   attach_damping,   attach_target,  attach_another, detach,
+    impulse,   cut,       weld,     step,     longer_step, two_steps,       reset,          ring};
+
+static void every_change_gives_another_hash(void** state) {
+    (void)state;
+    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+        uint64_t hashes[COUNT(changes) + 1];
+        for (size_t i = 0; i < COUNT(hashes); ++i) {
+            cd_chain* chain = everything(precision);
+            if (i < COUNT(changes)) changes[i](chain);
+            hashes[i] = hash_of(chain);
+            for (size_t j = 0; j < i; ++j)
+                if (hashes[i] == hashes[j]) fail_msg("changes %zu and %zu give the same hash", i, j);
+            cd_chain_destroy(chain);
+        }
+    }
+}
+
+static void every_number_of_every_field_is_in_the_hash(void** state) {
+    (void)state;
+    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+        cd_chain* chain = everything(precision);
+        for (size_t node = 0; node < NODES; ++node) scene_set(chain, CD_PIN, node, CD_NODE_FREE); /* all may move */
+        ok(cd_chain_disable_field(chain, CD_STIFFNESS));
+        ok(cd_chain_enable_field(chain, CD_STIFFNESS));
+        const uint64_t before = hash_of(chain);
+        for (cd_field field = CD_POSITION; field <= CD_TARGET; ++field) {
+            double values[ALL];
+            const size_t count = scene_field_count(chain, field);
+            scene_read(chain, field, values);
+            for (size_t i = 0; i < count; ++i) {
+                const double old = values[i];
+                values[i] = field == CD_PIN ? CD_NODE_DRIVEN : old * 1.000001 + 1e-6;
+                scene_write(chain, field, values);
+                if (hash_of(chain) == before) fail_msg("number %zu of field %d is not in the hash", i, field);
+                values[i] = old;
+            }
+            scene_write(chain, field, values);
+            assert_int_equal(hash_of(chain), before);
+        }
+        cd_chain_destroy(chain);
+    }
+}
+
+static void numbers_that_change_places_change_the_hash(void** state) {
+    (void)state;
+    cd_chain* chain = everything(CD_FLOAT64);
+    double x[ALL], v[ALL];
+    scene_read(chain, CD_POSITION, x);
+    const uint64_t before = hash_of(chain);
+    for (size_t i = 1; i < ALL; ++i) {
+        double swapped[ALL];
+        memcpy(swapped, x, sizeof x);
+        swapped[0] = x[i], swapped[i] = x[0];
+        scene_write(chain, CD_POSITION, swapped);
+        assert_int_not_equal(hash_of(chain), before);
+    }
+    scene_read(chain, CD_VELOCITY, v);
+    scene_write(chain, CD_POSITION, x);
+    assert_int_equal(hash_of(chain), before);
+    cd_chain_destroy(chain);
+}
+
+static void shapes_and_precisions_differ_in_the_hash(void** state) {
+    (void)state;
+    static const struct {
+        size_t strands, springs, components;
+        cd_precision precision;
+    } shapes[] = {{1, 0, 1, CD_FLOAT32}, {1, 0, 1, CD_FLOAT64}, {2, 0, 1, CD_FLOAT32}, {1, 0, 2, CD_FLOAT32},
+                  {1, 1, 1, CD_FLOAT32}, {3, 5, 2, CD_FLOAT32}, {2, 5, 3, CD_FLOAT32}, {6, 5, 1, CD_FLOAT32}};
+    uint64_t hashes[COUNT(shapes)];
+    for (size_t i = 0; i < COUNT(shapes); ++i) {
+        cd_chain* chain =
+            scene_chain(shapes[i].strands, shapes[i].springs, shapes[i].components, shapes[i].precision);
+        hashes[i] = hash_of(chain);
+        for (size_t j = 0; j < i; ++j) assert_int_not_equal(hashes[i], hashes[j]);
+        cd_chain_destroy(chain);
+    }
+}
+
+static void what_is_not_state_is_not_in_the_hash(void** state) {
+    (void)state;
+    cd_chain* chain = everything(CD_FLOAT64);
+    cd_chain* same = everything(CD_FLOAT64);
+    const uint64_t before = hash_of(chain);
+    struct jobs jobs = {0};
+    const cd_parallel parallel = jobs_reversed(&jobs);
+    ok(cd_chain_set_parallel(chain, &parallel));
+    ok(cd_chain_set_method(chain, CD_METHOD_STIFF_SECOND));
+    ok(cd_chain_set_method(chain, CD_METHOD_IMPLICIT));
+    assert_int_equal(hash_of(chain), before);
+    /* one refactors at every step, the other does not */
+    for (int i = 0; i < 5; ++i) {
+        ok(cd_chain_set_drag(chain, 1));
+        ok(cd_chain_set_drag(chain, 0.2));
+        ok(cd_chain_step(chain, 0.01, 1));
+    }
+    ok(cd_chain_step(same, 0.01, 5));
+    assert_int_equal(hash_of(chain), hash_of(same));
+    cd_chain_destroy(chain);
+    cd_chain_destroy(same);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_change_gives_another_hash),
+        cmocka_unit_test(every_number_of_every_field_is_in_the_hash),
+        cmocka_unit_test(numbers_that_change_places_change_the_hash),
+        cmocka_unit_test(shapes_and_precisions_differ_in_the_hash),
+        cmocka_unit_test(what_is_not_state_is_not_in_the_hash),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

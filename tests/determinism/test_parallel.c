@@ -1,0 +1,204 @@
+/* The result depends neither on who runs the tasks and in what order, nor on a strand's neighbours, nor on how steps
+ * are dealt out over calls and threads. */
+#include <pthread.h>
+#include <stdlib.h>
+
+#include "check.h"
+#include "jobs.h"
+#include "scene.h"
+
+static const cd_method methods[] = {CD_METHOD_IMPLICIT, CD_METHOD_FORWARD_EULER, CD_METHOD_SYMPLECTIC_EULER,
+                                    CD_METHOD_STIFF_SECOND};
+static const double dts[] = {0.01, 0.0002, 0.001, 0.01};
+
+static cd_chain* begin(scene_build* build, size_t strands, size_t springs, size_t components, cd_precision precision,
+                       cd_method method) {
+    cd_chain* chain = scene_chain(strands, springs, components, precision);
+    build(chain);
+    ok(cd_chain_set_method(chain, method));
+    return chain;
+}
+
+static void the_job_system_leaves_no_trace(void** state) {
+    (void)state;
+    static const size_t strands[] = {1, 3, 17, 4096};
+    static scene_build* const builds[] = {scene_welded, scene_everything, scene_everything_ring};
+    for (size_t b = 0; b < COUNT(builds); ++b) {
+        for (size_t s = 0; s < COUNT(strands); ++s) {
+            for (size_t components = 1; components <= 4; ++components) {
+                for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+                    cd_chain* begun =
+                        begin(builds[b], strands[s], 8, components, precision, CD_METHOD_IMPLICIT);
+                    cd_chain* chain = scene_chain(strands[s], 8, components, precision);
+                    for (size_t m = 0; m < COUNT(methods); ++m) {
+                        struct jobs jobs[2] = {{0}};
+                        const cd_parallel ways[] = {jobs_reversed(&jobs[0]), jobs_threads(&jobs[1])};
+                        uint64_t hashes[3];
+                        for (size_t way = 0; way < 3; ++way) {
+                            ok(cd_chain_copy_state(chain, begun));
+                            ok(cd_chain_set_method(chain, methods[m]));
+                            ok(cd_chain_set_parallel(chain, way == 0 ? NULL : &ways[way - 1]));
+                            ok(cd_chain_step(chain, dts[m], 7));
+                            hashes[way] = hash_of(chain);
+                        }
+                        assert_int_equal(hashes[1], hashes[0]);
+                        assert_int_equal(hashes[2], hashes[0]);
+                        assert_true(hashes[0] != hash_of(begun));
+                        if (strands[s] == 4096) assert_true(jobs[0].tasks > 100 && jobs[1].tasks > 100);
+                    }
+                    cd_chain_destroy(chain);
+                    cd_chain_destroy(begun);
+                }
+            }
+        }
+    }
+}
+
+static void the_parallel_table_is_copied_and_can_be_taken_back(void** state) {
+    (void)state;
+    struct jobs jobs = {0};
+    cd_parallel parallel = jobs_reversed(&jobs);
+    cd_chain* chain = begin(scene_rope, 100, 9, 3, CD_FLOAT64, CD_METHOD_IMPLICIT);
+    ok(cd_chain_set_parallel(chain, &parallel));
+    parallel.run = NULL;
+    ok(cd_chain_step(chain, 0.01, 2));
+    const size_t tasks = jobs.tasks;
+    assert_true(tasks > 1);
+    ok(cd_chain_set_parallel(chain, NULL));
+    ok(cd_chain_step(chain, 0.01, 2));
+    assert_int_equal(jobs.tasks, tasks);
+    cd_chain_destroy(chain);
+}
+
+/* Gives `alone`, of one strand, the numbers of a strand of `many`. */
+static void copy_strand(cd_chain* alone, const cd_chain* many, size_t strand) {
+    static const cd_field fields[] = {CD_POSITION, CD_VELOCITY, CD_FORCE, CD_TARGET};
+    const size_t nodes = scene_nodes(many), count = nodes * scene_components(many);
+    double values[64];
+    assert_true(count <= COUNT(values));
+    for (size_t i = 0; i < COUNT(fields); ++i) {
+        if (cd_chain_read_f64(many, fields[i], strand, 1, 0, nodes, values, count) != CD_OK) continue;
+        ok(cd_chain_write_f64(alone, fields[i], 0, 1, 0, nodes, values, count));
+    }
+}
+
+static void a_strand_does_not_feel_its_neighbours(void** state) {
+    (void)state;
+    enum { STRANDS = 37, SPRINGS = 11, NODES = SPRINGS + 1 };
+    static const size_t some[] = {0, 1, 15, 16, 31, 36};
+    for (size_t scene = 0; scene < SCENES; ++scene) {
+        for (size_t components = 1; components <= 4; ++components) {
+            for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+                for (size_t m = 0; m < COUNT(methods); ++m) {
+                    cd_chain* many =
+                        begin(scenes[scene].build, STRANDS, SPRINGS, components, precision, methods[m]);
+                    cd_chain* alone[COUNT(some)];
+                    for (size_t i = 0; i < COUNT(some); ++i) {
+                        alone[i] = begin(scenes[scene].build, 1, SPRINGS, components, precision, methods[m]);
+                        copy_strand(alone[i], many, some[i]);
+                        ok(cd_chain_step(alone[i], dts[m], 40));
+                    }
+                    ok(cd_chain_step(many, dts[m], 40));
+                    for (size_t i = 0; i < COUNT(some); ++i) {
+                        for (cd_field field = CD_POSITION; field <= CD_VELOCITY; ++field) {
+                            double x[NODES * 4], y[NODES * 4];
+                            const size_t count = NODES * components;
+                            ok(cd_chain_read_f64(many, field, some[i], 1, 0, NODES, x, count));
+                            ok(cd_chain_read_f64(alone[i], field, 0, 1, 0, NODES, y, count));
+                            assert_same_bits(x, y, count);
+                        }
+                        cd_chain_destroy(alone[i]);
+                    }
+                    cd_chain_destroy(many);
+                }
+            }
+        }
+    }
+}
+
+static void components_do_not_mix(void** state) {
+    (void)state;
+    enum { SPRINGS = 11, NODES = SPRINGS + 1, COMPONENTS = 4 };
+    for (size_t scene = 0; scene < SCENES; ++scene) {
+        for (size_t m = 0; m < COUNT(methods); ++m) {
+            cd_chain* chains[2];
+            double x[2][NODES * COMPONENTS];
+            for (size_t i = 0; i < 2; ++i) {
+                chains[i] = begin(scenes[scene].build, 1, SPRINGS, COMPONENTS, CD_FLOAT32, methods[m]);
+                scene_read(chains[i], CD_POSITION, x[i]);
+                for (size_t node = 0; node < NODES && i == 1; ++node) x[1][node * COMPONENTS + 2] += 3;
+                scene_write(chains[i], CD_POSITION, x[i]);
+                ok(cd_chain_step(chains[i], dts[m], 40));
+                scene_read(chains[i], CD_POSITION, x[i]);
+                cd_chain_destroy(chains[i]);
+            }
+            for (size_t j = 0; j < COUNT(x[0]); ++j) {
+                if (j % COMPONENTS == 2) assert_true(x[0][j] != x[1][j]);
+                else assert_same_bits(&x[0][j], &x[1][j], 1);
+            }
+        }
+    }
+}
+
+static void ten_steps_at_once_are_ten_steps(void** state) {
+    (void)state;
+    for (size_t scene = 0; scene < SCENES; ++scene) {
+        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+            for (size_t m = 0; m < COUNT(methods); ++m) {
+                cd_chain* at_once = begin(scenes[scene].build, 3, 12, 3, precision, methods[m]);
+                cd_chain* singly = begin(scenes[scene].build, 3, 12, 3, precision, methods[m]);
+                ok(cd_chain_step(at_once, dts[m], 10));
+                for (int i = 0; i < 10; ++i) ok(cd_chain_step(singly, dts[m], 1));
+                assert_int_equal(hash_of(at_once), hash_of(singly));
+                cd_chain_destroy(at_once);
+                cd_chain_destroy(singly);
+            }
+        }
+    }
+}
+
+struct worker {
+    pthread_t thread;
+    cd_chain* chain;
+    int wrong; /* calls that did not do what they should */
+};
+
+static void* work(void* argument) { /* asserts nothing: that is for the main thread */
+    struct worker* worker = argument;
+    for (int i = 0; i < 300; ++i) {
+        double dt;
+        worker->wrong += cd_chain_step(worker->chain, 0.01 + 0.0001 * (i % 3), 2) != CD_OK;
+        worker->wrong += cd_chain_step(worker->chain, -1, 1) != CD_ERROR_VALUE;
+        worker->wrong += cd_chain_stable_dt(worker->chain, &dt) != CD_OK;
+    }
+    return NULL;
+}
+
+static void distinct_chains_can_be_stepped_at_the_same_time(void** state) {
+    (void)state;
+    struct worker workers[4] = {{0}}; /* the first two one after the other, the others, alike, at once */
+    for (size_t i = 0; i < 4; ++i)
+        workers[i].chain = begin(i % 2 ? scene_everything_ring : scene_everything, 5, 40, 3,
+                                 i % 2 ? CD_FLOAT64 : CD_FLOAT32, CD_METHOD_IMPLICIT);
+    work(&workers[0]);
+    work(&workers[1]);
+    for (size_t i = 2; i < 4; ++i) assert_int_equal(pthread_create(&workers[i].thread, NULL, work, &workers[i]), 0);
+    for (size_t i = 2; i < 4; ++i) assert_int_equal(pthread_join(workers[i].thread, NULL), 0);
+    for (size_t i = 0; i < 4; ++i) {
+        assert_int_equal(workers[i].wrong, 0);
+        assert_int_equal(hash_of(workers[i].chain), hash_of(workers[i % 2].chain));
+    }
+    for (size_t i = 0; i < 4; ++i) cd_chain_destroy(workers[i].chain);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_job_system_leaves_no_trace),
+        cmocka_unit_test(the_parallel_table_is_copied_and_can_be_taken_back),
+        cmocka_unit_test(a_strand_does_not_feel_its_neighbours),
+        cmocka_unit_test(components_do_not_mix),
+        cmocka_unit_test(ten_steps_at_once_are_ten_steps),
+        cmocka_unit_test(distinct_chains_can_be_stepped_at_the_same_time),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# left_out.sh PART: builds contdyn without PART (CHAIN, FLOAT32 or FLOAT64) and fails unless its code is gone, the
+# library is smaller, and asking for what was left out is refused.
+. "$(dirname "$0")/common.sh"
+
+part=$1
+out=$WORK/without_$part
+configures "$out" -S "$SOURCE" -DCONTDYN_"$part"=OFF -DCONTDYN_TESTS=OFF -DCONTDYN_REPORT=OFF
+builds "$out"
+
+# Bytes of machine code; the file's own size is rounded up to pages.
+text() { "$READELF" -SW "$1" | sed 's/^ *\[ *[0-9]*\] *//' | awk '$1 == ".text" { print $5 }'; }
+whole=$((16#$(text "$LIBRARY")))
+left=$((16#$(text "$out/src/libcontdyn.so")))
+echo "without $part: $left of $whole bytes of code"
+[ "$left" -lt "$whole" ] || fail "the library without $part is no smaller"
+
+functions() { "$NM" -C --defined-only "$1" 2>/dev/null | grep -o "$2" | sort -u || true; }
+dropped() { # fails unless the whole library has functions of this pattern and the one without the part has none
+    [ -n "$(functions "$ARCHIVE" "$1")" ] || fail "the whole library has no $1: what is looked for?"
+    functions "$out/src/libcontdyn.a" "$1" | { ! grep . ; } || fail "still there without $part"
+}
+case $part in
+CHAIN)
+    dropped 'cd_chain_[a-z_]*'
+    functions "$out/src/libcontdyn.a" cd_version | grep -q . || fail "cd_version is gone too"
+    exit 0
+    ;;
+FLOAT32)
+    dropped '[a-z_]*_sweep<float'
+    other=FLOAT64
+    ;;
+FLOAT64)
+    dropped '[a-z_]*_sweep<double'
+    other=FLOAT32
+    ;;
+esac
+"$CC" "$here/precision.c" -I"$SOURCE/include" "$out/src/libcontdyn.a" -lm -o "$out/precision"
+said=$("$out/precision")
+echo "$said"
+grep -qix "$part CD_ERROR_UNSUPPORTED" <<<"$said" || fail "the precision that was left out is not refused"
+grep -qix "$other CD_OK" <<<"$said" || fail "the other precision does not work"

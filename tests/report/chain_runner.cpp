@@ -1,0 +1,201 @@
+#include "chain_runner.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "textbook.hpp"
+
+namespace report {
+
+void check(cd_status status) {
+    if (status == CD_OK) return;
+    std::fprintf(stderr, "contdyn_report: %s: %s\n", cd_status_name(status), cd_error_message());
+    std::exit(1);
+}
+
+Chain::Chain(std::size_t springs, std::size_t components, cd_precision precision, std::size_t strands)
+    : strands_(strands), springs_(springs), components_(components) {
+    check(cd_chain_create(strands, springs, components, precision, nullptr, &chain_));
+}
+
+void Chain::write(cd_field field, const std::vector<double>& values) {
+    bool shared = field == CD_MASS || field == CD_STIFFNESS || field == CD_BEND || field == CD_PIN;
+    std::size_t n = field == CD_STIFFNESS ? springs_ : springs_ + 1;
+    check(cd_chain_write_f64(chain_, field, 0, shared ? 1 : strands_, 0, n, values.data(), values.size()));
+}
+
+std::vector<double> Chain::read(cd_field field) const {
+    std::vector<double> values(strands_ * (springs_ + 1) * components_);
+    check(cd_chain_read_f64(chain_, field, 0, strands_, 0, springs_ + 1, values.data(), values.size()));
+    return values;
+}
+
+std::uint64_t Chain::hash() const {
+    std::uint64_t hash = 0;
+    check(cd_chain_hash(chain_, &hash));
+    return hash;
+}
+
+std::vector<cd_precision> precisions() {
+    std::vector<cd_precision> there;
+    for (cd_precision precision : {CD_FLOAT64, CD_FLOAT32}) {
+        cd_chain* probe = nullptr;
+        if (cd_chain_create(1, 1, 1, precision, nullptr, &probe) == CD_OK) there.push_back(precision);
+        cd_chain_destroy(probe);
+    }
+    return there;
+}
+
+const char* name_of(cd_precision precision) { return precision == CD_FLOAT32 ? "float32" : "float64"; }
+
+const Method& method(Way way) {
+    static const Method kMethods[] = {
+        {"forward_euler", "forward Euler", CD_METHOD_FORWARD_EULER, 0, false, {4, Marker::triangle}},
+        {"symplectic_euler", "symplectic Euler", CD_METHOD_SYMPLECTIC_EULER, 0, false, {2, Marker::square}},
+        {"implicit_half", "λ = 1/2", CD_METHOD_IMPLICIT, 0.5, false, {1, Marker::circle}},
+        {"implicit_one", "λ = 1", CD_METHOD_IMPLICIT, 1, false, {5, Marker::diamond}},
+        {"stiff_second", "stiff second order", CD_METHOD_STIFF_SECOND, 0, false, {3, Marker::wedge}},
+        {"textbook_symplectic", "textbook symplectic Euler", CD_METHOD_SYMPLECTIC_EULER, 0, true,
+         {0, Marker::plus, Dash::dotted}},
+        {"textbook_half", "textbook λ = 1/2", CD_METHOD_IMPLICIT, 0.5, true, {0, Marker::cross, Dash::dotted}},
+        {"textbook_one", "textbook λ = 1", CD_METHOD_IMPLICIT, 1, true, {0, Marker::diamond, Dash::dotted, true}},
+    };
+    return kMethods[int(way)];
+}
+
+const std::vector<Way>& library_ways() {
+    static const std::vector<Way> kWays = {Way::forward_euler, Way::symplectic_euler, Way::half, Way::backward,
+                                           Way::stiff_second};
+    return kWays;
+}
+
+Style style_of(const Method& method, cd_precision precision) {
+    Style style = method.style;
+    if (precision == CD_FLOAT32) style.hollow = true, style.dash = Dash::dashed;
+    return style;
+}
+
+namespace {
+
+class LibraryRunner : public Runner {
+public:
+    LibraryRunner(const Problem& problem, const Method& method, cd_precision precision)
+        : problem_(problem), method_(method), chain_(problem.springs, 1, precision) {
+        cd_chain* chain = chain_.get();
+        check(cd_chain_set_mass(chain, problem.mass));
+        check(cd_chain_set_stiffness(chain, problem.stiffness));
+        if (problem.pin_first) check(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_PINNED));
+        if (problem.pin_last) check(cd_chain_set_end(chain, CD_END_LAST, CD_NODE_PINNED));
+        check(cd_chain_set_gravity(chain, &problem.gravity, 1));
+        const double origin = 0;
+        if (problem.tie > 0) check(cd_chain_attach(chain, problem.springs, problem.tie, 0, &origin, 1));
+        if (!problem.node_mass.empty()) {
+            check(cd_chain_enable_field(chain, CD_MASS));
+            chain_.write(CD_MASS, problem.node_mass);
+        }
+        check(cd_chain_set_method(chain, method.method));
+        reset();
+    }
+
+    void reset() override {
+        check(cd_chain_reset(chain_.get()));
+        if (!problem_.position.empty()) chain_.write(CD_POSITION, problem_.position);
+        if (!problem_.velocity.empty()) chain_.write(CD_VELOCITY, problem_.velocity);
+        check(cd_chain_set_lambda(chain_.get(), 0.75));  // a change, so that the next step factors anew
+        if (method_.method == CD_METHOD_IMPLICIT) check(cd_chain_set_lambda(chain_.get(), method_.lambda));
+    }
+
+    bool step(double dt, std::size_t count) override {
+        cd_status status = cd_chain_step(chain_.get(), dt, count);
+        if (status == CD_ERROR_DIVERGED) return false;
+        check(status);
+        return true;
+    }
+
+    std::vector<double> positions() const override { return chain_.read(CD_POSITION); }
+    std::vector<double> velocities() const override { return chain_.read(CD_VELOCITY); }
+    std::uint64_t hash() const override { return chain_.hash(); }
+
+private:
+    Problem problem_;
+    Method method_;
+    Chain chain_;
+};
+
+template <class Real>
+class TextbookRunner : public Runner {
+public:
+    TextbookRunner(const Problem& problem, const Method& method)
+        : problem_(problem), method_(method),
+          chain_(problem.springs + 1, Real(problem.mass_of_node()), Real(problem.stiffness_of_spring())) {
+        chain_.pin_first = problem.pin_first;
+        chain_.pin_last = problem.pin_last;
+        chain_.gravity = Real(problem.gravity);
+        chain_.tie = Real(problem.tie);
+        if (!problem.node_mass.empty()) chain_.mass.assign(problem.node_mass.begin(), problem.node_mass.end());
+        reset();
+    }
+
+    void reset() override {
+        chain_.x.assign(chain_.nodes, 0);
+        chain_.v.assign(chain_.nodes, 0);
+        if (!problem_.position.empty()) chain_.x.assign(problem_.position.begin(), problem_.position.end());
+        if (!problem_.velocity.empty()) chain_.v.assign(problem_.velocity.begin(), problem_.velocity.end());
+    }
+
+    bool step(double dt, std::size_t count) override {
+        for (std::size_t i = 0; i < count; ++i) {
+            if (method_.is_explicit())
+                chain_.explicit_step(Real(dt), method_.method == CD_METHOD_SYMPLECTIC_EULER);
+            else
+                chain_.implicit_step(Real(dt), Real(method_.lambda));
+        }
+        for (Real x : chain_.x)
+            if (!std::isfinite(x)) return false;
+        return true;
+    }
+
+    std::vector<double> positions() const override { return {chain_.x.begin(), chain_.x.end()}; }
+    std::vector<double> velocities() const override { return {chain_.v.begin(), chain_.v.end()}; }
+
+    std::uint64_t hash() const override {  // FNV-1a of positions and velocities
+        std::uint64_t hash = 0xcbf29ce484222325u;
+        for (const std::vector<Real>* values : {&chain_.x, &chain_.v})
+            for (Real value : *values) {
+                unsigned char bytes[sizeof(Real)];
+                std::memcpy(bytes, &value, sizeof value);
+                for (unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
+            }
+        return hash;
+    }
+
+private:
+    Problem problem_;
+    Method method_;
+    TextbookChain<Real> chain_;
+};
+
+}  // namespace
+
+std::unique_ptr<Runner> make_runner(const Problem& problem, const Method& method, cd_precision precision) {
+    if (!method.textbook) return std::make_unique<LibraryRunner>(problem, method, precision);
+    if (precision == CD_FLOAT32) return std::make_unique<TextbookRunner<float>>(problem, method);
+    return std::make_unique<TextbookRunner<double>>(problem, method);
+}
+
+double stable_dt(const Problem& problem) {
+    Chain chain(problem.springs, 1, precisions().front());
+    check(cd_chain_set_mass(chain.get(), problem.mass));
+    check(cd_chain_set_stiffness(chain.get(), problem.stiffness));
+    if (problem.pin_first) check(cd_chain_set_end(chain.get(), CD_END_FIRST, CD_NODE_PINNED));
+    if (problem.pin_last) check(cd_chain_set_end(chain.get(), CD_END_LAST, CD_NODE_PINNED));
+    const double origin = 0;
+    if (problem.tie > 0) check(cd_chain_attach(chain.get(), problem.springs, problem.tie, 0, &origin, 1));
+    double dt = 0;
+    check(cd_chain_stable_dt(chain.get(), &dt));
+    return dt;
+}
+
+}  // namespace report

@@ -1,0 +1,137 @@
+// contdyn_report: runs the library beside exact answers and a textbook, and writes what it finds as one HTML page, CSV
+// files and a summary on stdout.
+#include <contdyn/contdyn.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "format.hpp"
+#include "report.hpp"
+#include "timing.hpp"
+
+namespace {
+
+const char* const kUsage =
+    "usage: contdyn_report [--out DIR] [--only PART[,PART...]] [--short | --full] [--csv]\n"
+    "  --out DIR     where to write index.html and the CSV files; default: report\n"
+    "  --only PARTS  of: chain\n"
+    "  --short       coarse, a few seconds; default: a minute or two; --full: nothing scaled up, a quarter of an hour\n"
+    "  --csv         no page\n";
+
+struct Part {
+    const char* name;
+    void (*run)(report::Report&);
+};
+const std::vector<Part> kParts = {
+#ifdef REPORT_CHAIN
+    {"chain", report::report_chain},
+#endif
+};
+
+struct Options {
+    std::string folder = "report";
+    std::vector<std::string> only;
+    report::Extent extent = report::Extent::standard;
+    bool page = true;
+};
+
+bool is_part(const std::string& name) {
+    for (const Part& part : kParts)
+        if (name == part.name) return true;
+    return false;
+}
+
+bool split_parts(const std::string& list, std::vector<std::string>& parts) {
+    for (std::size_t from = 0; from <= list.size();) {
+        std::size_t comma = std::min(list.find(',', from), list.size());
+        parts.push_back(list.substr(from, comma - from));
+        if (!is_part(parts.back())) return false;
+        from = comma + 1;
+    }
+    return true;
+}
+
+bool parse(int argc, char** argv, Options& options) {
+    for (int i = 1; i < argc; ++i) {
+        std::string argument = argv[i];
+        bool more = i + 1 < argc;
+        if (argument == "--out" && more) options.folder = argv[++i];
+        else if (argument == "--only" && more) {
+            if (!split_parts(argv[++i], options.only)) return false;
+        } else if (argument == "--short") options.extent = report::Extent::brief;
+        else if (argument == "--full") options.extent = report::Extent::full;
+        else if (argument == "--csv") options.page = false;
+        else return false;
+    }
+    return true;
+}
+
+std::string processor() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+    return "unknown processor";
+}
+
+std::string today() {
+    std::time_t seconds = std::time(nullptr);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&seconds));
+    return text;
+}
+
+#if defined(__clang__)
+const char* const kCompiler = "Clang " __VERSION__;
+#else
+const char* const kCompiler = "GCC " __VERSION__;
+#endif
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    if (!parse(argc, argv, options)) {
+        std::fputs(kUsage, stderr);
+        return 2;
+    }
+    std::error_code error;
+    std::filesystem::create_directories(options.folder, error);
+    if (error) {
+        std::fprintf(stderr, "contdyn_report: cannot make %s: %s\n", options.folder.c_str(), error.message().c_str());
+        return 1;
+    }
+
+    report::Report report(options.extent, options.folder);
+    double start = report::now();
+    for (const Part& part : kParts) {
+        bool wanted = options.only.empty();
+        for (const std::string& name : options.only) wanted = wanted || name == part.name;
+        if (wanted) part.run(report);
+    }
+    report.save_text("outcomes.csv", report.outcomes().text());
+
+    std::string summary;
+    for (const std::string& line : report.summary_lines()) summary += line + "\n";
+    report.save_text("summary.txt", summary);
+    std::fputs(summary.c_str(), stdout);
+    if (options.page) {
+        std::vector<std::string> facts = {
+            "Machine: " + processor() + ", one core used. Date: " + today() + ".",
+            std::string("Library: ") + cd_build_info() + ".",
+            std::string("This program and the textbook in it: ") + kCompiler + ", " + REPORT_FLAGS + ".",
+            "Run time of this report: " + report::number(report::now() - start, 2) + " s. Main figures: summary.txt; "
+            "hashes of every final state, equal in every run: outcomes.csv."};
+        report.save_text("index.html", report.page.html(
+            "contdyn " + std::string(cd_version_string()) + ": error against run time",
+            "What a step costs, how wrong it is, and where it breaks: measured on this machine against exact "
+            "solutions, beside the textbook.", facts));
+        std::filesystem::path page = std::filesystem::absolute(std::filesystem::path(options.folder) / "index.html");
+        std::printf("report: %s\n", page.lexically_normal().c_str());
+    }
+    return 0;
+}

@@ -1,0 +1,49 @@
+// The report's page: one HTML file that needs no other file, no script and no network.
+#ifndef REPORT_PAGE_HPP
+#define REPORT_PAGE_HPP
+
+#include <string>
+#include <vector>
+
+namespace report {
+
+struct Table {
+    std::vector<std::string> head;
+    std::vector<std::vector<std::string>> rows;  // plain text; the first column is set left, the others right
+    std::vector<std::size_t> left;               // further columns to set left
+};
+
+class Page {
+public:
+    // A part of the page, with an entry in its contents. Everything added later belongs to it.
+    void section(const std::string& id, const std::string& title);
+
+    // Plain text; one paragraph.
+    void paragraph(const std::string& text);
+
+    // Panels (SVG) side by side where there is room; the legend (HTML) below them; the caption says what is seen.
+    void figure(const std::vector<std::string>& panels, const std::string& legend_html, const std::string& caption);
+
+    void table(const Table& table, const std::string& caption);
+
+    // One of the few figures at the head of the page.
+    void headline(const std::string& value, const std::string& meaning);
+
+    // A file beside the page; listed at the end of its section.
+    void file(const std::string& name);
+
+    std::string html(const std::string& title, const std::string& lead, const std::vector<std::string>& facts) const;
+
+private:
+    struct Part {
+        std::string id, title, body;
+        std::vector<std::string> files;
+    };
+    std::vector<Part> parts_;
+    std::string headlines_;
+    int figures_ = 0, tables_ = 0;
+};
+
+}  // namespace report
+
+#endif

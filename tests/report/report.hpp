@@ -1,0 +1,55 @@
+// What all parts of the report share: options, the page, the CSV files, the summary, progress.
+#ifndef REPORT_REPORT_HPP
+#define REPORT_REPORT_HPP
+
+#include <string>
+#include <vector>
+
+#include "csv.hpp"
+#include "page.hpp"
+
+namespace report {
+
+// How much to run: a few seconds for tests, a minute or two, or everything without extrapolation.
+enum class Extent { brief, standard, full };
+
+class Report {
+public:
+    explicit Report(Extent extent, std::string folder) : extent(extent), folder_(std::move(folder)) {}
+
+    const Extent extent;
+    Page page;
+
+    template <class Value>
+    Value by_extent(Value brief, Value standard, Value full) const {
+        return extent == Extent::brief ? brief : extent == Extent::standard ? standard : full;
+    }
+
+    // Writes a CSV into the folder and lists it in the page's present section.
+    void save(const std::string& name, const Csv& csv);
+    void save_text(const std::string& name, const std::string& text) const;
+
+    // A main figure, printed at the end as `key: value unit`. Keys are stable: other texts quote them.
+    void summary(const std::string& key, double value, const std::string& unit = "");
+    void summary(const std::string& key, const std::string& value);
+    const std::vector<std::string>& summary_lines() const { return summary_; }
+
+    // The hash of an outcome that must repeat in every run.
+    void outcome(const std::string& what, const std::string& hash) { outcomes_.row(what, hash); }
+    const Csv& outcomes() const { return outcomes_; }
+
+    // On stderr.
+    void progress(const std::string& what) const;
+
+private:
+    std::string folder_;
+    std::vector<std::string> summary_;
+    Csv outcomes_{"outcome,hash"};
+};
+
+// The parts, in the order of the page. A further object adds its own line here and in main.cpp.
+void report_chain(Report& report);
+
+}  // namespace report
+
+#endif
