@@ -63,5 +63,12 @@ const char* cd_build_info(void) {
 #if CD_WITH_FLOAT64
                        " float64"
 #endif
+                       ", kernels: plain"
+#if CD_WITH_AVX2
+                       " avx2"
+#endif
+#if CD_WITH_AVX512
+                       " avx512"
+#endif
         ;
 }

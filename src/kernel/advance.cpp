@@ -1,6 +1,9 @@
 #include "kernel/advance.hh"
 
+#include "kernel/line_lanes.hh"
+
 namespace cd {
+namespace CD_ISA {
 
 namespace {
 
@@ -64,4 +67,5 @@ template bool advance(const Lines<float>&, const Stage&, const Start&, const Rin
 template bool advance(const Lines<double>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t, size_t);
 #endif
 
+} // namespace CD_ISA
 } // namespace cd

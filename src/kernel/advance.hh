@@ -1,6 +1,7 @@
 // Moves a bundle of lines by what rod_sweep left behind, and closes rings.
 #pragma once
 
+#include "kernel/lanes.hh"
 #include "kernel/lines.hh"
 
 namespace cd {
@@ -15,10 +16,13 @@ struct RingClosure {
     double closing_rate = 0;    // of the closing spring: the stage's, or 0 for a weld
 };
 
+namespace CD_ISA {
+
 // answer: what rod_sweep left, from the same start. With `keep`, leaves w there instead of moving. False if a number left
 // the finite range.
 template <class T>
 bool advance(const Lines<T>& lines, const Stage& stage, const Start& start, const RingClosure& ring, double* answer,
              bool keep, size_t first, size_t count);
 
+} // namespace CD_ISA
 } // namespace cd

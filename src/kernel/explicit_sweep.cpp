@@ -1,6 +1,9 @@
 #include "kernel/explicit_sweep.hh"
 
+#include "kernel/line_lanes.hh"
+
 namespace cd {
+namespace CD_ISA {
 
 namespace {
 
@@ -175,4 +178,5 @@ template bool explicit_sweep(const Lines<double>&, const ExplicitCoefficients&, 
 template void drift(const Lines<double>&, double, size_t, size_t);
 #endif
 
+} // namespace CD_ISA
 } // namespace cd

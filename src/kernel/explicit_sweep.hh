@@ -1,6 +1,7 @@
 // One explicit step of a bundle of lines: v += dt M^-1 F(x, v), and x by the old velocity or the new.
 #pragma once
 
+#include "kernel/lanes.hh"
 #include "kernel/lines.hh"
 
 namespace cd {
@@ -9,13 +10,15 @@ namespace cd {
 enum class Carrier { kOldVelocity, kNewVelocity, kNothing };
 
 struct ExplicitCoefficients {
-    const double* stiffness;         // [N/m] of each spring, 0 where welded; of a ring as many as nodes
-    const double* bend;              // [N/m] of each node, 0 where there is none; null: no bend
-    const double* inertia;           // dt / mass [s/kg]; 0 where held
-    NodeGains gains;            // of what changes v directly
-    double damping;             // [s]
+    const double* stiffness; // [N/m] of each spring, 0 where welded; of a ring as many as nodes
+    const double* bend;      // [N/m] of each node, 0 where there is none; null: no bend
+    const double* inertia;   // dt / mass [s/kg]; 0 where held
+    NodeGains gains;         // of what changes v directly
+    double damping;          // [s]
     bool ring;
 };
+
+namespace CD_ISA {
 
 // gravity: dt g per component. False if a number left the finite range.
 template <class T>
@@ -25,4 +28,5 @@ bool explicit_sweep(const Lines<T>& lines, const ExplicitCoefficients& c, double
 // x += dt v.
 template <class T> void drift(const Lines<T>& lines, double dt, size_t first, size_t count);
 
+} // namespace CD_ISA
 } // namespace cd

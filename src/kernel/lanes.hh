@@ -4,13 +4,21 @@
 // narrower lanes. An operation rounds the same in all, so a line's result does not depend on how many neighbours it
 // shared a register with. Vectors are naturally aligned and loaded through memcpy: GCC 12 sends under-aligned vector
 // types, and vectors wider than a register, through the stack (measured: ten and six times slower).
+//
+// The kernels are compiled once per instruction set (kernels.hh), each into the namespace CD_ISA: the same inline function
+// compiled with different flags under one name would be one of them at random.
 #pragma once
 
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
+#ifndef CD_ISA
+#define CD_ISA plain // of the code outside the kernels
+#endif
+
 namespace cd {
+namespace CD_ISA {
 
 // Doubles in a register.
 #if defined(__AVX512F__)
@@ -25,7 +33,9 @@ constexpr int largest_power_below(int n) { return n <= 2 ? 1 : 2 * largest_power
 
 enum class LaneKind { kSingle, kVector, kPair };
 constexpr LaneKind lane_kind(int n) {
-    return n == 1 ? LaneKind::kSingle : (n & (n - 1)) == 0 && n <= kNative ? LaneKind::kVector : LaneKind::kPair;
+    if (n == 1) return LaneKind::kSingle;
+    const int width = n == 3 ? 4 : n; // three fill a register of four but for one
+    return (width & (width - 1)) == 0 && width <= kNative ? LaneKind::kVector : LaneKind::kPair;
 }
 
 // D is double: GCC 12 makes a vector of N of it only where its name depends on the template too.
@@ -45,20 +55,26 @@ template <> struct Lanes<1, LaneKind::kSingle, double> {
 };
 
 template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
-    typedef D Values __attribute__((vector_size(N * sizeof(D))));
+    static constexpr int kWidth = N == 3 ? 4 : N;
+    typedef D Values __attribute__((vector_size(kWidth * sizeof(D))));
     Values v;
 
     static Lanes splat(double a) { return {a - Values{}}; }
     template <class S> static Lanes load(const S* from) {
-        typedef S Stored __attribute__((vector_size(N * sizeof(S))));
+        typedef S Stored __attribute__((vector_size(kWidth * sizeof(S))));
         Stored stored;
-        memcpy(&stored, from, sizeof stored);
+        if constexpr (N == 3) return {Values{D(from[0]), D(from[1]), D(from[2]), 0}};
+        memcpy(&stored, from, N * sizeof(S));
         return {__builtin_convertvector(stored, Values)};
     }
     template <class S> void store(S* to) const {
-        typedef S Stored __attribute__((vector_size(N * sizeof(S))));
+        typedef S Stored __attribute__((vector_size(kWidth * sizeof(S))));
         const Stored stored = __builtin_convertvector(v, Stored);
-        memcpy(to, &stored, sizeof stored);
+        if constexpr (N == 3) {
+            for (int j = 0; j < 3; ++j) to[j] = stored[j];
+            return;
+        }
+        memcpy(to, &stored, N * sizeof(S));
     }
     friend Lanes operator+(Lanes a, Lanes b) { return {a.v + b.v}; }
     friend Lanes operator-(Lanes a, Lanes b) { return {a.v - b.v}; }
@@ -112,12 +128,15 @@ template <class L> inline L between(L here, L moving, L offset, double fraction)
     return here + fraction * (moving + (offset - here));
 }
 
-// Calls f.template bundle<N>(first) for bundles of lanes that together cover [first, first + count): eight while they
-// last, then fewer; three stay together, for the three components of a single strand.
+// The widest bundle: two registers at least, since a line's operations wait for each other.
+constexpr int kWidest = kNative < 4 ? 4 : 8;
+
+// Calls f.template bundle<N>(first) for bundles of lanes that together cover [first, first + count): the widest while
+// they last, then narrower ones; three stay together, for the three components of a single strand.
 template <class F> void for_each_bundle(size_t first, size_t count, F& f) {
     while (count > 0) {
         int n;
-        if (count >= 8) f.template bundle<8>(first), n = 8;
+        if (count >= size_t(kWidest)) f.template bundle<kWidest>(first), n = kWidest;
         else if (count >= 4) f.template bundle<4>(first), n = 4;
         else if (count == 3) f.template bundle<3>(first), n = 3;
         else if (count == 2) f.template bundle<2>(first), n = 2;
@@ -126,5 +145,9 @@ template <class F> void for_each_bundle(size_t first, size_t count, F& f) {
         count -= size_t(n);
     }
 }
+
+} // namespace CD_ISA
+
+using namespace CD_ISA;
 
 } // namespace cd

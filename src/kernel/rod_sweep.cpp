@@ -1,8 +1,10 @@
 #include "kernel/rod_sweep.hh"
 
 #include "contdyn/base.h"
+#include "kernel/line_lanes.hh"
 
 namespace cd {
+namespace CD_ISA {
 
 namespace {
 
@@ -98,4 +100,5 @@ template void rod_sweep(const Lines<double>&, const RodCoefficients&, const Stag
                         size_t);
 #endif
 
+} // namespace CD_ISA
 } // namespace cd

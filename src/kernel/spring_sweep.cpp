@@ -1,6 +1,9 @@
 #include "kernel/spring_sweep.hh"
 
+#include "kernel/line_lanes.hh"
+
 namespace cd {
+namespace CD_ISA {
 
 namespace {
 
@@ -92,4 +95,5 @@ template bool spring_sweep(const Lines<double>&, const SpringCoefficients&, cons
                            size_t, size_t);
 #endif
 
+} // namespace CD_ISA
 } // namespace cd

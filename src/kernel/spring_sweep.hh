@@ -1,6 +1,7 @@
 // One implicit stage of a bundle of lines held together by springs: forward and backward filter of solve/spring_line.hh.
 #pragma once
 
+#include "kernel/lanes.hh"
 #include "kernel/lines.hh"
 
 namespace cd {
@@ -12,10 +13,13 @@ struct SpringCoefficients {
     NodeGains gains;
 };
 
+namespace CD_ISA {
+
 // Solves lines [first, first + count) from `start` and moves them; with `keep`, leaves w in y instead. y: scratch laid
 // out like the positions, not that of start. False if a number left the finite range.
 template <class T>
 bool spring_sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage, const Start& start, double* y,
                   bool keep, size_t first, size_t count);
 
+} // namespace CD_ISA
 } // namespace cd

@@ -7,7 +7,7 @@
 
 #include "base/memory.hh"
 #include "contdyn/chain.h"
-#include "kernel/advance.hh"
+#include "kernel/kernels.hh"
 
 namespace cd {
 
@@ -16,6 +16,7 @@ struct Chain {
     uint64_t tag;
     Memory memory;
     cd_parallel parallel;
+    const Kernels* kernels;
 
     // shape
     size_t strands, springs, components;

@@ -16,10 +16,7 @@
 #include <math.h>
 
 #include "base/parallel.hh"
-#include "kernel/advance.hh"
-#include "kernel/explicit_sweep.hh"
-#include "kernel/rod_sweep.hh"
-#include "kernel/spring_sweep.hh"
+#include "kernel/kernels.hh"
 #include "solve/ring_closure.hh"
 #include "solve/rod_line.hh"
 #include "solve/spring_line.hh"
@@ -150,7 +147,7 @@ template <class T> struct SpringStep {
     }
     bool operator()(size_t first, size_t count) const {
         return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
-            return spring_sweep(lines, coefficients, stage, start, row, keep, first, count);
+            return chain.kernels->of(T()).spring_sweep(lines, coefficients, stage, start, row, keep, first, count);
         });
     }
 };
@@ -190,10 +187,11 @@ template <class T> struct RodStep {
         c.closure.closing_rate = welded(c, c.springs) ? 0 : stages.stage[0].closing_rate;
     }
     bool operator()(size_t first, size_t count) const {
+        const LineKernels<T>& kernels = chain.kernels->of(T());
         double* const slope = chain.scratch.data + size_t(stages.count) * chain.nodes * chain.pitch;
         return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
-            rod_sweep(lines, coefficients, stage, start, row, slope, first, count);
-            return advance(lines, stage, start, chain.closure, row, keep, first, count);
+            kernels.rod_sweep(lines, coefficients, stage, start, row, slope, first, count);
+            return kernels.advance(lines, stage, start, chain.closure, row, keep, first, count);
         });
     }
 };
@@ -227,9 +225,10 @@ template <class T> struct ExplicitStep {
     }
     // Welds take up any force without a tension of their own: the nodes they join share what they get.
     bool operator()(size_t first, size_t count) const {
-        const bool finite = explicit_sweep(lines, coefficients, dt, gravity, carrier, first, count);
+        const LineKernels<T>& kernels = chain.kernels->of(T());
+        const bool finite = kernels.explicit_sweep(lines, coefficients, dt, gravity, carrier, first, count);
         if (chain.has_welds) merge_velocities(chain, first, count);
-        if (carrier == Carrier::kNothing) drift(lines, dt, first, count);
+        if (carrier == Carrier::kNothing) kernels.drift(lines, dt, first, count);
         return finite;
     }
 };

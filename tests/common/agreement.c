@@ -5,7 +5,8 @@
 
 #include "check.h"
 
-const struct limits float32_limits = {1e-5, 1e-4, 3}, float64_limits = {1e-13, 1e-10, 30};
+const struct limits float32_limits = {1e-5, 1e-4, 3}, float64_limits = {1e-13, 1e-10, 300};
+const struct limits float32_rod_limits = {1e-5, 1e-4, 30}, float64_rod_limits = {1e-12, 3e-9, 1000};
 
 static void round_all(long double* values, size_t count, cd_precision precision) {
     for (size_t i = 0; i < count; ++i) values[i] = precision == CD_FLOAT32 ? (float)values[i] : (double)values[i];

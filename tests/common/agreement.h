@@ -11,8 +11,12 @@
 struct limits {
     double once, thousand, slack;
 };
-extern const struct limits float32_limits; /* 1e-5, 1e-4, 3 */
-extern const struct limits float64_limits; /* 1e-13, 1e-10, 30 */
+extern const struct limits float32_limits; /* 1e-5, 1e-4, 3: the library solves in float64 */
+extern const struct limits float64_limits; /* 1e-13, 1e-10, 300: a rounding while solving reaches all nodes */
+
+/* With bend a rounding at one node turns all that hangs beyond it, and so costs more than rounding the state. */
+extern const struct limits float32_rod_limits; /* 1e-5, 1e-4, 30 */
+extern const struct limits float64_rod_limits; /* 1e-12, 3e-9, 1000 */
 
 /* A chain with the reference's parameters and state, one strand of one component. First the reference's own numbers are
  * rounded to the precision; afterwards it has the velocities that welding left in the chain. Free nodes of infinite

@@ -92,8 +92,8 @@ static int names_step(const char* message, uint64_t step) {
     return 0;
 }
 
-/* The pair (x, v) of one mode alone, doubled and more at each forward step, leaves the range at a step that can be
- * found by stepping one at a time; the whole run reports the same one. */
+/* Steps far too long for an explicit method: the first one whose numbers leave the range is found by stepping one at a
+ * time, and a whole run reports the same one. */
 static void divergence_is_reported_with_its_step_and_the_chain_works_again(void** state) {
     (void)state;
     static const double dt = 1;

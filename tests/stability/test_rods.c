@@ -23,11 +23,8 @@ static struct reference* make(size_t nodes, double ratio, double spring, int pin
     return r;
 }
 
-/* As for chains; but a rounding at one node turns all that hangs beyond it, and so costs more than rounding the
- * state. */
 static struct limits limits_of(cd_precision precision) {
-    static const struct limits rod32 = {1e-5, 1e-4, 30}, rod64 = {1e-12, 3e-9, 1000};
-    return precision == CD_FLOAT32 ? rod32 : rod64;
+    return precision == CD_FLOAT32 ? float32_rod_limits : float64_rod_limits;
 }
 
 /* The reference's own digits go with n^4: a long rod for float32, a short one for float64. */

@@ -1,0 +1,63 @@
+// Which kernels the processor can run. Asked by hand: the compiler's own __builtin_cpu_supports brings a static
+// constructor with it.
+#include "kernel/kernels.hh"
+
+#if CD_WITH_AVX2 || CD_WITH_AVX512
+#include <cpuid.h>
+#endif
+
+namespace cd {
+
+namespace plain {
+extern const Kernels kernels;
+}
+
+#if CD_WITH_AVX2 || CD_WITH_AVX512
+namespace avx2 {
+extern const Kernels kernels;
+}
+namespace avx512 {
+extern const Kernels kernels;
+}
+
+namespace {
+
+struct Processor {
+    bool avx2 = false, avx512 = false;
+
+    Processor() {
+        unsigned a, b, c, d;
+        constexpr unsigned kOsSavesRegisters = 1u << 27, kAvx = 1u << 28;
+        if (!__get_cpuid(1, &a, &b, &c, &d) || (c & kOsSavesRegisters) == 0 || (c & kAvx) == 0) return;
+        unsigned saved, unused; // XCR0: which registers the system saves
+        __asm__("xgetbv" : "=a"(saved), "=d"(unused) : "c"(0));
+        if (!__get_cpuid_count(7, 0, &a, &b, &c, &d)) return;
+        avx2 = (saved & 0x06) == 0x06 && (b & 1u << 5) != 0;
+        avx512 = avx2 && (saved & 0xe6) == 0xe6 && (b & 1u << 16) != 0 && (b & 1u << 17) != 0; // F and DQ
+    }
+};
+
+} // namespace
+#endif
+
+size_t runnable_kernels(const Kernels** out) {
+    size_t count = 0;
+    out[count++] = &plain::kernels;
+#if CD_WITH_AVX2 || CD_WITH_AVX512
+    const Processor processor;
+#endif
+#if CD_WITH_AVX2
+    if (processor.avx2) out[count++] = &avx2::kernels;
+#endif
+#if CD_WITH_AVX512
+    if (processor.avx512) out[count++] = &avx512::kernels;
+#endif
+    return count;
+}
+
+const Kernels& best_kernels() {
+    const Kernels* sets[kKernelSets];
+    return *sets[runnable_kernels(sets) - 1];
+}
+
+} // namespace cd

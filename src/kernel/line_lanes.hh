@@ -1,0 +1,61 @@
+// A bundle of lines at one node: what the sweeps load, add up and store there.
+#pragma once
+
+#include "kernel/lanes.hh"
+#include "kernel/lines.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+template <int N> struct StateLanes {
+    Lanes<N> x, v;
+};
+template <int N, class T> inline StateLanes<N> load_start(const Lines<T>& lines, const Start& start, size_t at) {
+    using L = Lanes<N>;
+    const L x = L::load(lines.position + at), v = L::load(lines.velocity + at);
+    if (!start.w) return {x, v};
+    const L w = L::load(start.w + at);
+    return {x + start.move * w, w + start.overshoot * (w - v)};
+}
+
+// h g of each lane of the bundle that starts at a line.
+template <int N, class T> Lanes<N> lane_gravity(const Lines<T>& lines, const double* gravity, size_t first) {
+    double g[N];
+    for (int j = 0; j < N; ++j) g[j] = gravity[(first + size_t(j)) % lines.components];
+    return Lanes<N>::load(g);
+}
+
+// What acts on node i from outside. `at` is the place of the bundle's numbers at that node.
+template <int N, class T>
+inline Lanes<N> outside(const Lines<T>& lines, const NodeGains& gains, size_t i, size_t at,
+                                Lanes<N> gravity, Lanes<N> x, Lanes<N> v) {
+    using L = Lanes<N>;
+    L sum = gains.gravity[i] * gravity;
+    if (gains.force) sum = sum + gains.force[i] * L::load(lines.force + at);
+    if (gains.drag) sum = sum - gains.drag[i] * v;
+    if (gains.attach) sum = sum - gains.attach[i] * (x - L::load(lines.target + at));
+    return sum;
+}
+
+// Stores a number where it settles to 0 if it is too small for the state's precision, and adds to the probe what is NaN
+// if it is too large for it.
+template <class T, int N> inline void store_settled(Lanes<N> a, T* to, Lanes<N>& probe) {
+    settled(a, double(Rest<T>::least)).store(to);
+    probe = probe + 0.0 * Lanes<N>::load(to);
+}
+
+// Ends a stage for the node at `at`, given the sweep's answer: either keeps w for the stage that follows, or moves.
+template <int N, class T>
+inline void end_stage(const Lines<T>& lines, const Stage& stage, StateLanes<N> from, Lanes<N> answer, double* keep,
+                      size_t at, Lanes<N>& probe) {
+    const Lanes<N> w = answer + stage.of_change * from.v, change = answer - (1 - stage.of_change) * from.v;
+    if (keep) {
+        w.store(keep + at);
+        return;
+    }
+    store_settled(w + stage.overshoot * change, lines.velocity + at, probe);
+    store_settled(from.x + stage.move * w, lines.position + at, probe);
+}
+
+} // namespace CD_ISA
+} // namespace cd

@@ -1,0 +1,132 @@
+// The kernels of every instruction set this processor has give the same bits as the plain ones.
+extern "C" {
+#include "cmocka_all.h"
+}
+#include <string.h>
+
+#include <initializer_list>
+
+#include "contdyn/base.h"
+#include "kernel/kernels.hh"
+#include "solve/rod_line.hh"
+#include "solve/spring_line.hh"
+
+namespace {
+
+constexpr size_t kNodes = 37, kLines = 61;
+
+struct Line {
+    double ground(size_t i) const { return 1 + 0.1 * double(i % 7); }
+    double spring(size_t i) const { return i % 5 == 0 ? 1e9 : 0.3 * double(1 + i % 3); }
+    double bend(size_t i) const { return i > 0 && i + 1 < kNodes ? 0.7 * double(i % 4) : 0; }
+};
+
+template <class T> struct State {
+    T position[kNodes][kLines], velocity[kNodes][kLines];
+
+    explicit State(unsigned seed) {
+        for (auto* field : {&position, &velocity})
+            for (auto& row : *field)
+                for (T& number : row) {
+                    seed = seed * 1664525u + 1013904223u;
+                    number = T(double(seed >> 8) / double(1u << 24) - 0.5);
+                }
+        position[3][5] = T(1e-30); // settles in float32
+    }
+    cd::Lines<T> lines() { return {kNodes, kLines, 3, position[0], velocity[0], nullptr, nullptr}; }
+};
+
+// Steps of every kind through one set of kernels.
+template <class T> void step_all(const cd::Kernels& set, State<T>& state) {
+    static double rows[12][kNodes], y[kNodes][kLines], slope[kNodes][kLines];
+    static unsigned char pin[kNodes];
+    const cd::LineKernels<T>& kernels = set.of(T());
+    const Line line;
+    for (size_t i = 0; i < kNodes; ++i) rows[0][i] = 0.01 * double(i), rows[10][i] = i > 0 && i + 1 < kNodes, rows[11][i] = 0.02;
+    const cd::NodeGains gains{rows[0], nullptr, rows[11], nullptr};
+    const cd::Stage stage{7, 1, 0.1, {1, -2, 3}, 0}, change{7, 1, 0.1, {1, -2, 3}, 1};
+    cd::factor_spring_line(kNodes, line, rows[1], rows[2], [](size_t, double) {});
+    for (const cd::NodeGains& g : {gains, cd::NodeGains{rows[0], nullptr, nullptr, nullptr}}) {
+        const cd::SpringCoefficients springs{rows[1], rows[2], nullptr, g};
+        for (const cd::Stage& s : {stage, change})
+            assert_true(kernels.spring_sweep(state.lines(), springs, s, {}, y[0], false, 0, kLines));
+    }
+    const cd::RodRows rod{rows[3], rows[4], rows[5], rows[6], rows[7], rows[8], rows[9]};
+    cd::factor_rod_line(kNodes, line, rod);
+    const cd::RodCoefficients rods{rows[3], rows[4], rows[5], rows[6], rows[7], rows[8], rows[9], nullptr, rows[10], gains, pin};
+    kernels.rod_sweep(state.lines(), rods, stage, {}, y[0], slope[0], 0, kLines);
+    assert_true(kernels.advance(state.lines(), stage, {}, {}, y[0], false, 0, kLines));
+    const cd::ExplicitCoefficients explicits{rows[11], rows[0], rows[11], gains, 0.01, false};
+    const double gravity[4] = {0.1, 0.2, 0.3, 0};
+    assert_true(kernels.explicit_sweep(state.lines(), explicits, 0.1, gravity, cd::Carrier::kOldVelocity, 0, kLines));
+    kernels.drift(state.lines(), 0.1, 0, kLines);
+}
+
+// Explicit steps of `count` like lines side by side. One alone takes its nodes side by side.
+template <class T> void step_explicitly(const cd::Kernels& set, T* x, T* v, size_t count) {
+    double stiffness[kNodes], inertia[kNodes], weight[kNodes];
+    for (size_t i = 0; i < kNodes; ++i) {
+        stiffness[i] = 1 + double(i % 3);
+        inertia[i] = 0.01 * double(1 + i % 2);
+        weight[i] = 1;
+    }
+    const cd::ExplicitCoefficients c{stiffness, nullptr, inertia, {weight, nullptr, nullptr, nullptr}, 0, false};
+    const double gravity[4] = {-0.3, -0.3, -0.3, 0};
+    for (int step = 0; step < 20; ++step)
+        assert_true(set.of(T()).explicit_sweep({kNodes, count, count, x, v, nullptr, nullptr}, c, 0.1, gravity,
+                                               cd::Carrier::kNewVelocity, 0, count));
+}
+
+template <class T> void check_sets() {
+    const cd::Kernels* sets[cd::kKernelSets];
+    const size_t count = cd::runnable_kernels(sets);
+    static State<T> plain(1);
+    plain = State<T>(1);
+    step_all(*sets[0], plain);
+    for (size_t k = 1; k < count; ++k) {
+        static State<T> state(1);
+        state = State<T>(1);
+        step_all(*sets[k], state);
+        if (memcmp(&state, &plain, sizeof plain) != 0) fail_msg("%s differs from %s", sets[k]->name, sets[0]->name);
+    }
+    print_message("%zu sets of kernels, the fastest %s\n", count, cd::best_kernels().name);
+}
+
+void every_instruction_set_gives_the_same_bits(void**) {
+    check_sets<float>();
+    check_sets<double>();
+}
+
+// Nodes side by side round as one after the other do: compared with three lines at once, which go another way.
+template <class T> void check_alone() {
+    const cd::Kernels* sets[cd::kKernelSets];
+    const size_t count = cd::runnable_kernels(sets);
+    for (size_t k = 0; k < count; ++k) {
+        State<T> start(9);
+        T x[kNodes], v[kNodes], x3[kNodes][3], v3[kNodes][3];
+        for (size_t i = 0; i < kNodes; ++i) {
+            x[i] = start.position[i][0];
+            v[i] = start.velocity[i][0];
+            for (size_t j = 0; j < 3; ++j) x3[i][j] = x[i], v3[i][j] = v[i];
+        }
+        step_explicitly<T>(*sets[k], x, v, 1);
+        step_explicitly<T>(*sets[k], x3[0], v3[0], 3);
+        for (size_t i = 0; i < kNodes; ++i)
+            for (size_t j = 0; j < 3; ++j) assert_true(x3[i][j] == x[i] && v3[i][j] == v[i]);
+    }
+}
+
+void explicit_steps_of_a_line_alone_round_as_among_others(void**) {
+    check_alone<float>();
+    check_alone<double>();
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(every_instruction_set_gives_the_same_bits),
+        cmocka_unit_test(explicit_steps_of_a_line_alone_round_as_among_others),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
