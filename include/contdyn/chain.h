@@ -190,8 +190,9 @@ CD_API cd_status cd_chain_weld(cd_chain* chain, size_t spring);
 CD_API cd_status cd_chain_step(cd_chain* chain, double dt, size_t count);
 
 /* The longest dt at which CD_METHOD_SYMPLECTIC_EULER stays bounded, whatever method is set: the largest dt with
- * 4 M - 2 dt C - dt^2 K positive definite. Exact for stretch; with bend a lower bound, exact in the limit of many
- * nodes. INFINITY if nothing can swing. */
+ * 4 M - 2 dt C - dt^2 K positive definite. Exact for stretch with drag and stiffness damping; with bend a lower bound,
+ * exact in the limit of many nodes; with matched ends and attachment damping a lower bound, and close. INFINITY if nothing
+ * can swing. */
 CD_API cd_status cd_chain_stable_dt(const cd_chain* chain, double* out_dt);
 
 /* Simulated time [s] and steps made since create, reset or load. */
