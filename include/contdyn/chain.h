@@ -12,9 +12,9 @@
  * with every node at the origin, at rest, all nodes free, mass 1, stiffness 1, no bend, no gravity, no damping,
  * CD_METHOD_IMPLICIT with lambda 1/2.
  *
- * All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are stored in.
- * Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them, so that a scene at
- * rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
+ * All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are stored
+ * in. Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them, so that a
+ * scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
  *
  * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for something that is no living chain;
  * the comments name the other errors. */
@@ -155,7 +155,7 @@ CD_API cd_status cd_chain_read_f64(const cd_chain* chain, cd_field field, size_t
 CD_API cd_status cd_chain_view(const cd_chain* chain, cd_field field, const void** out_data, size_t* out_strand_stride,
                                size_t* out_node_stride, size_t* out_component_stride);
 
-/* ---- acting on it ------------------------------------------------------------------------------------------------- */
+/* ---- acting on it ------------------------------------------------------------------------------------------------ */
 
 /* Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in a welded group
  * by impulse / the group's mass; a pinned or driven node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE. */
@@ -191,8 +191,8 @@ CD_API cd_status cd_chain_step(cd_chain* chain, double dt, size_t count);
 
 /* The longest dt at which CD_METHOD_SYMPLECTIC_EULER stays bounded, whatever method is set: the largest dt with
  * 4 M - 2 dt C - dt^2 K positive definite. Exact for stretch with drag and stiffness damping; with bend a lower bound,
- * exact in the limit of many nodes; with matched ends and attachment damping a lower bound, and close. INFINITY if nothing
- * can swing. */
+ * exact in the limit of many nodes; with matched ends and attachment damping a lower bound, and close. INFINITY if
+ * nothing can swing. */
 CD_API cd_status cd_chain_stable_dt(const cd_chain* chain, double* out_dt);
 
 /* Simulated time [s] and steps made since create, reset or load. */

@@ -52,7 +52,8 @@ const char* cd_version_string(void) {
 }
 
 const char* cd_build_info(void) {
-    return CD_COMPILER ", " CD_TARGET ", objects:"
+    return CD_COMPILER ", " CD_TARGET
+                       ", objects:"
 #if CD_WITH_CHAIN
                        " chain"
 #endif

@@ -17,8 +17,8 @@ cd_status cd_chain_create(size_t strands, size_t springs, size_t components, cd_
     if ((precision == CD_FLOAT32 && !CD_WITH_FLOAT32) || (precision == CD_FLOAT64 && !CD_WITH_FLOAT64))
         return fail(CD_ERROR_UNSUPPORTED, __func__, "precision %d is left out of this build", int(precision));
     Chain* c = nullptr;
-    CD_CHECK(create_chain(__func__, strands, springs, components, precision, allocator ? *allocator : default_allocator(),
-                          c));
+    CD_CHECK(create_chain(__func__, strands, springs, components, precision,
+                          allocator ? *allocator : default_allocator(), c));
     *out_chain = reinterpret_cast<cd_chain*>(c);
     return CD_OK;
 }
@@ -37,19 +37,19 @@ cd_status cd_chain_get_shape(const cd_chain* chain, size_t* out_strands, size_t*
     return CD_OK;
 }
 
-// ---- method and parameters --------------------------------------------------------------------------------------------
+// ---- method and parameters ------------------------------------------------------------------------------------------
 
 static cd_status change_features(const char* function, Chain& c, const Features& wanted) {
     return set_features(c, wanted) ? CD_OK : fail(CD_ERROR_MEMORY, function, "no memory");
 }
 
 // Getters that hand out one number of the chain.
-#define CD_GETTER(name, type, argument, value)                                \
-    cd_status cd_chain_get_##name(const cd_chain* chain, type* argument) {    \
-        CD_THE_CHAIN(const Chain);                                            \
-        CD_NOT_NULL(argument);                                                \
-        *argument = value;                                                    \
-        return CD_OK;                                                         \
+#define CD_GETTER(name, type, argument, value)                             \
+    cd_status cd_chain_get_##name(const cd_chain* chain, type* argument) { \
+        CD_THE_CHAIN(const Chain);                                         \
+        CD_NOT_NULL(argument);                                             \
+        *argument = value;                                                 \
+        return CD_OK;                                                      \
     }
 CD_GETTER(method, cd_method, out_method, c.method)
 CD_GETTER(lambda, double, out_lambda, c.lambda)
@@ -88,12 +88,18 @@ cd_status cd_chain_set_parallel(cd_chain* chain, const cd_parallel* parallel) {
     return CD_OK;
 }
 
+static cd_status set_parameter(const char* function, Chain& c, const char* name, double value, double& parameter,
+                               double least = 0) {
+    CD_CHECK(in_range(function, name, value, least, kMost));
+    parameter = value;
+    c.prepared_dt = 0;
+    return CD_OK;
+}
+
 cd_status cd_chain_set_mass(cd_chain* chain, double mass) {
     CD_THE_CHAIN(Chain);
-    CD_CHECK(in_range(__func__, "mass", mass, kLeastMass, kMost));
-    c.mass = mass;
+    CD_CHECK(set_parameter(__func__, c, "mass", mass, c.mass, kLeastMass));
     fill_uniform(c, CD_MASS);
-    c.prepared_dt = 0;
     return CD_OK;
 }
 
@@ -108,10 +114,8 @@ cd_status cd_chain_set_mass_rule(cd_chain* chain, cd_mass_rule rule) {
 
 cd_status cd_chain_set_stiffness(cd_chain* chain, double stiffness) {
     CD_THE_CHAIN(Chain);
-    CD_CHECK(in_range(__func__, "stiffness", stiffness, 0, kMost));
-    c.stiffness = stiffness;
+    CD_CHECK(set_parameter(__func__, c, "stiffness", stiffness, c.stiffness));
     fill_uniform(c, CD_STIFFNESS);
-    c.prepared_dt = 0;
     return CD_OK;
 }
 
@@ -129,18 +133,12 @@ cd_status cd_chain_set_bend(cd_chain* chain, double bend) {
 
 cd_status cd_chain_set_drag(cd_chain* chain, double drag) {
     CD_THE_CHAIN(Chain);
-    CD_CHECK(in_range(__func__, "drag", drag, 0, kMost));
-    c.drag = drag;
-    c.prepared_dt = 0;
-    return CD_OK;
+    return set_parameter(__func__, c, "drag", drag, c.drag);
 }
 
 cd_status cd_chain_set_stiffness_damping(cd_chain* chain, double seconds) {
     CD_THE_CHAIN(Chain);
-    CD_CHECK(in_range(__func__, "seconds", seconds, 0, kMost));
-    c.damping = seconds;
-    c.prepared_dt = 0;
-    return CD_OK;
+    return set_parameter(__func__, c, "seconds", seconds, c.damping);
 }
 
 cd_status cd_chain_set_gravity(cd_chain* chain, const double* gravity, size_t count) {
@@ -164,7 +162,8 @@ cd_status cd_chain_set_end(cd_chain* chain, cd_end end, cd_node kind) {
     CD_THE_CHAIN(Chain);
     CD_CHECK(is_enum(__func__, "end", end, CD_END_LAST));
     CD_CHECK(is_enum(__func__, "kind", kind, CD_NODE_MATCHED));
-    if (kind == CD_NODE_MATCHED && c.ring) return fail(CD_ERROR_UNSUPPORTED, __func__, "kind is 3, matched: a ring has no end");
+    if (kind == CD_NODE_MATCHED && c.ring)
+        return fail(CD_ERROR_UNSUPPORTED, __func__, "kind is 3, matched: a ring has no end");
     const double value = kind;
     return cd_chain_write_f64(chain, CD_PIN, 0, 1, end == CD_END_FIRST ? 0 : c.springs, 1, &value, 1);
 }
@@ -180,7 +179,8 @@ cd_status cd_chain_get_end(const cd_chain* chain, cd_end end, cd_node* out_kind)
 cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring) {
     CD_THE_CHAIN(Chain);
     if (ring != 0 && ring != 1) return fail(CD_ERROR_VALUE, __func__, "ring is %d, must be 0 or 1", int(ring));
-    if (ring && c.nodes < 3) return fail(CD_ERROR_UNSUPPORTED, __func__, "ring is 1, but of %zu nodes, fewer than 3", c.nodes);
+    if (ring && c.nodes < 3)
+        return fail(CD_ERROR_UNSUPPORTED, __func__, "ring is 1, but of %zu nodes, fewer than 3", c.nodes);
     for (size_t i : {size_t(0), c.springs})
         if (ring && c.pin[i] == CD_NODE_MATCHED)
             return fail(CD_ERROR_UNSUPPORTED, __func__, "ring is 1, but node %zu is a matched end", i);
@@ -202,7 +202,8 @@ cd_status cd_chain_step(cd_chain* chain, double dt, size_t count) {
     if (c.diverged && !all_finite(c))
         return fail(CD_ERROR_DIVERGED, __func__, "the state of step %llu is not finite", (unsigned long long)c.steps);
     if (const uint64_t bad = step_chain(c, dt, count))
-        return fail(CD_ERROR_DIVERGED, __func__, "a number left the finite range at step %llu", (unsigned long long)bad);
+        return fail(CD_ERROR_DIVERGED, __func__, "a number left the finite range at step %llu",
+                    (unsigned long long)bad);
     return CD_OK;
 }
 
@@ -223,7 +224,7 @@ cd_status cd_chain_reset(cd_chain* chain) {
     return CD_OK;
 }
 
-// ---- measuring --------------------------------------------------------------------------------------------------------
+// ---- measuring ------------------------------------------------------------------------------------------------------
 
 cd_status cd_chain_get_energy(const cd_chain* chain, double* out_kinetic, double* out_elastic, double* out_gravity) {
     CD_THE_CHAIN(const Chain);
@@ -250,7 +251,7 @@ cd_status cd_chain_hash(const cd_chain* chain, uint64_t* out_hash) {
     return CD_OK;
 }
 
-// ---- keeping ----------------------------------------------------------------------------------------------------------
+// ---- keeping --------------------------------------------------------------------------------------------------------
 
 cd_status cd_chain_save_size(const cd_chain* chain, size_t* out_size) {
     CD_THE_CHAIN(const Chain);

@@ -12,14 +12,17 @@ bool is_per_strand(cd_field field) {
 }
 
 const char* field_name(cd_field field) {
-    static const char* const names[] = {"CD_POSITION", "CD_VELOCITY", "CD_FORCE", "CD_MASS",
-                                        "CD_STIFFNESS", "CD_BEND",    "CD_PIN",   "CD_TARGET"};
+    static const char* const names[] = {"CD_POSITION",  "CD_VELOCITY", "CD_FORCE", "CD_MASS",
+                                        "CD_STIFFNESS", "CD_BEND",     "CD_PIN",   "CD_TARGET"};
     return names[field];
 }
 
 // The numbers of a per-strand field, or of one that the strands share.
 const Array<char>& lines_of(const Chain& c, cd_field field) {
-    return field == CD_POSITION ? c.position : field == CD_VELOCITY ? c.velocity : field == CD_FORCE ? c.force : c.target;
+    return field == CD_POSITION   ? c.position
+           : field == CD_VELOCITY ? c.velocity
+           : field == CD_FORCE    ? c.force
+                                  : c.target;
 }
 const Array<double>& shared_of(const Chain& c, cd_field field) {
     return field == CD_MASS ? c.node_mass : field == CD_STIFFNESS ? c.spring_stiffness : c.node_bend;
@@ -79,8 +82,7 @@ template <class S> cd_status check_values(const char* function, const Chain& c, 
     return CD_OK;
 }
 
-template <class S>
-cd_status write(const char* function, Chain& c, const Part& part, const S* values, size_t count) {
+template <class S> cd_status write(const char* function, Chain& c, const Part& part, const S* values, size_t count) {
     CD_CHECK(part.check(function, c, count));
     if (count > 0) CD_CHECK(not_null(function, "values", values));
     CD_CHECK(check_values(function, c, part, values));
@@ -96,8 +98,7 @@ cd_status write(const char* function, Chain& c, const Part& part, const S* value
     return CD_OK;
 }
 
-template <class S>
-cd_status read(const char* function, const Chain& c, const Part& part, S* values, size_t count) {
+template <class S> cd_status read(const char* function, const Chain& c, const Part& part, S* values, size_t count) {
     CD_CHECK(part.check(function, c, count));
     if (count > 0) CD_CHECK(not_null(function, "out_values", values));
     part.each(c, [&](size_t at, size_t strand, size_t i, size_t k) {
@@ -137,14 +138,14 @@ cd_status cd_chain_disable_field(cd_chain* chain, cd_field field) {
     return switch_field(__func__, c, field, false);
 }
 
-cd_status cd_chain_write_f32(cd_chain* chain, cd_field field, size_t first_strand, size_t strands, size_t first, size_t n,
-                             const float* values, size_t count) {
+cd_status cd_chain_write_f32(cd_chain* chain, cd_field field, size_t first_strand, size_t strands, size_t first,
+                             size_t n, const float* values, size_t count) {
     CD_THE_CHAIN(Chain);
     return write(__func__, c, {field, first_strand, strands, first, n}, values, count);
 }
 
-cd_status cd_chain_write_f64(cd_chain* chain, cd_field field, size_t first_strand, size_t strands, size_t first, size_t n,
-                             const double* values, size_t count) {
+cd_status cd_chain_write_f64(cd_chain* chain, cd_field field, size_t first_strand, size_t strands, size_t first,
+                             size_t n, const double* values, size_t count) {
     CD_THE_CHAIN(Chain);
     return write(__func__, c, {field, first_strand, strands, first, n}, values, count);
 }
@@ -170,7 +171,8 @@ cd_status cd_chain_view(const cd_chain* chain, cd_field field, const void** out_
     CD_NOT_NULL(out_node_stride);
     CD_NOT_NULL(out_component_stride);
     if (!is_per_strand(field))
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "field %d, %s, has no view: read it", int(field), field_name(field));
+        return fail(CD_ERROR_UNSUPPORTED, __func__, "field %d, %s, has no view: read it", int(field),
+                    field_name(field));
     CD_CHECK(is_on(__func__, c, field));
     *out_data = lines_of(c, field).data;
     *out_component_stride = number_size(c);
@@ -195,7 +197,8 @@ cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const do
     for (size_t j = 0; j < count; ++j) {
         const double v = get_number(c, c.velocity, strand, node, j) + impulse[j] / mass;
         if (!(fabs(v) <= most_of(c)))
-            return fail(CD_ERROR_VALUE, __func__, "impulse[%zu] is %g: the node's velocity would be %g", j, impulse[j], v);
+            return fail(CD_ERROR_VALUE, __func__, "impulse[%zu] is %g: the node's velocity would be %g", j, impulse[j],
+                        v);
     }
     for (size_t k = 0; k < group.count; ++k)
         for (size_t j = 0; j < count; ++j) {
@@ -254,7 +257,8 @@ cd_status cd_chain_cut(cd_chain* chain, size_t spring) {
 cd_status cd_chain_weld(cd_chain* chain, size_t spring) {
     CD_THE_CHAIN(Chain);
     CD_CHECK(is_index(__func__, "spring", spring, springs_in_all(c)));
-    if (!groups_are_sound(c, [&](size_t i) { return i == spring || welded(c, i); }, [&](size_t i) { return held(c, i); }))
+    if (!groups_are_sound(
+            c, [&](size_t i) { return i == spring || welded(c, i); }, [&](size_t i) { return held(c, i); }))
         return fail(CD_ERROR_UNSUPPORTED, __func__, "spring %zu would join two pinned or driven nodes", spring);
     CD_CHECK(switch_field(__func__, c, CD_STIFFNESS, true));
     c.spring_stiffness[spring] = double(INFINITY);

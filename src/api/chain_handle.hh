@@ -7,8 +7,8 @@
 #include "model/chain.hh"
 
 // Checks `chain` and declares `c`, the chain behind it.
-#define CD_THE_CHAIN(type)                                              \
-    CD_CHECK(::cd::is_chain(__func__, chain));                          \
+#define CD_THE_CHAIN(type)                     \
+    CD_CHECK(::cd::is_chain(__func__, chain)); \
     type& c = *reinterpret_cast<type*>(const_cast<cd_chain*>(chain))
 
 namespace cd {
@@ -17,11 +17,14 @@ inline cd_status is_chain(const char* function, const cd_chain* chain, const cha
     CD_CHECK(not_null(function, name, chain));
     uint64_t tag;
     memcpy(&tag, chain, sizeof tag);
-    return tag == kChainTag ? CD_OK : fail(CD_ERROR_HANDLE, function, "%s, %p, is no living chain", name, (const void*)chain);
+    return tag == kChainTag ? CD_OK
+                            : fail(CD_ERROR_HANDLE, function, "%s, %p, is no living chain", name, (const void*)chain);
 }
 
 // The largest number that the chain's precision holds.
-inline double most_of(const Chain& c) { return c.precision == CD_FLOAT64 ? 1.7976931348623157e308 : 3.4028234663852886e38; }
+inline double most_of(const Chain& c) {
+    return c.precision == CD_FLOAT64 ? 1.7976931348623157e308 : 3.4028234663852886e38;
+}
 
 // Whether every welded group would hold one held node at the most, if springs and nodes were as the functions say.
 template <class Welded, class Held> bool groups_are_sound(const Chain& c, Welded is_welded, Held is_held) {

@@ -6,9 +6,9 @@
 #include "base/status.hh"
 
 // Leaves the function with the status of a check that failed.
-#define CD_CHECK(check)                                              \
-    do {                                                             \
-        if (const cd_status checked_ = (check)) return checked_;     \
+#define CD_CHECK(check)                                          \
+    do {                                                         \
+        if (const cd_status checked_ = (check)) return checked_; \
     } while (0)
 
 // For a pointer argument that may not be null.

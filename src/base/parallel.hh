@@ -13,7 +13,8 @@ template <class Body> void parallel_for(const cd_parallel& parallel, size_t coun
         for (size_t i = 0; i < count; ++i) body(i);
         return;
     }
-    parallel.run(parallel.user, count, [](void* context, size_t i) { (*static_cast<Body*>(context))(i); }, &body);
+    parallel.run(
+        parallel.user, count, [](void* context, size_t i) { (*static_cast<Body*>(context))(i); }, &body);
 }
 
 } // namespace cd

@@ -52,19 +52,20 @@ template <class T> struct Mover {
 
 } // namespace
 
-template <class T>
-bool advance(const Lines<T>& lines, const Stage& stage, const Start& start, const RingClosure& ring, double* answer,
-             bool keep, size_t first, size_t count) {
+template <class T> bool advance(const Lines<T>& lines, const Stage& stage, const Start& start, const RingClosure& ring,
+                                double* answer, bool keep, size_t first, size_t count) {
     Mover<T> bundles{lines, stage, start, ring, answer, keep ? answer : nullptr};
     for_each_bundle(first, count, bundles);
     return bundles.finite;
 }
 
 #if CD_WITH_FLOAT32
-template bool advance(const Lines<float>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t, size_t);
+template bool advance(const Lines<float>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t,
+                      size_t);
 #endif
 #if CD_WITH_FLOAT64
-template bool advance(const Lines<double>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t, size_t);
+template bool advance(const Lines<double>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t,
+                      size_t);
 #endif
 
 } // namespace CD_ISA

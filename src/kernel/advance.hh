@@ -12,17 +12,16 @@ namespace cd {
 struct RingClosure {
     int constraints = 0; // 0: an open line; 1; 3 with bend
     const double* response[3] = {};
-    double inverse[3][3] = {};  // rows and columns of what is absent or cut are 0
-    double closing_rate = 0;    // of the closing spring: the stage's, or 0 for a weld
+    double inverse[3][3] = {}; // rows and columns of what is absent or cut are 0
+    double closing_rate = 0;   // of the closing spring: the stage's, or 0 for a weld
 };
 
 namespace CD_ISA {
 
-// answer: what rod_sweep left, from the same start. With `keep`, leaves w there instead of moving. False if a number left
-// the finite range.
-template <class T>
-bool advance(const Lines<T>& lines, const Stage& stage, const Start& start, const RingClosure& ring, double* answer,
-             bool keep, size_t first, size_t count);
+// answer: what rod_sweep left, from the same start. With `keep`, leaves w there instead of moving. False if a number
+// left the finite range.
+template <class T> bool advance(const Lines<T>& lines, const Stage& stage, const Start& start, const RingClosure& ring,
+                                double* answer, bool keep, size_t first, size_t count);
 
 } // namespace CD_ISA
 } // namespace cd

@@ -28,8 +28,7 @@ template <class T> struct Sweep {
     // k_i (dx + damping dv): the force of spring i on its left node.
     template <int N> Lanes<N> tension(size_t i, size_t first) const {
         const size_t j = after(i);
-        return c.stiffness[i] *
-               ((x<N>(j, first) - x<N>(i, first)) + c.damping * (v<N>(j, first) - v<N>(i, first)));
+        return c.stiffness[i] * ((x<N>(j, first) - x<N>(i, first)) + c.damping * (v<N>(j, first) - v<N>(i, first)));
     }
     // b_j times the second difference at node j = i + 1; i: its left neighbour.
     template <int N> Lanes<N> moment(size_t i, size_t first) const {
@@ -148,9 +147,8 @@ template <class T> struct Drift {
 
 } // namespace
 
-template <class T>
-bool explicit_sweep(const Lines<T>& lines, const ExplicitCoefficients& c, double dt, const double* gravity,
-                    Carrier carrier, size_t first, size_t count) {
+template <class T> bool explicit_sweep(const Lines<T>& lines, const ExplicitCoefficients& c, double dt,
+                                       const double* gravity, Carrier carrier, size_t first, size_t count) {
     const bool plain = !c.bend && !c.ring && c.damping == 0 && !c.gains.force && !c.gains.drag && !c.gains.attach;
     if (lines.pitch == 1 && lines.nodes > 1 && plain && carrier == Carrier::kNewVelocity) {
         Along<T> nodes{lines, c, dt, gravity[0]};

@@ -21,9 +21,8 @@ struct ExplicitCoefficients {
 namespace CD_ISA {
 
 // gravity: dt g per component. False if a number left the finite range.
-template <class T>
-bool explicit_sweep(const Lines<T>& lines, const ExplicitCoefficients& c, double dt, const double* gravity,
-                    Carrier carrier, size_t first, size_t count);
+template <class T> bool explicit_sweep(const Lines<T>& lines, const ExplicitCoefficients& c, double dt,
+                                       const double* gravity, Carrier carrier, size_t first, size_t count);
 
 // x += dt v.
 template <class T> void drift(const Lines<T>& lines, double dt, size_t first, size_t count);

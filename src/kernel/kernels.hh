@@ -14,12 +14,13 @@ template <class T> struct LineKernels {
     void (*rod_sweep)(const Lines<T>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, size_t,
                       size_t);
     bool (*advance)(const Lines<T>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t, size_t);
-    bool (*explicit_sweep)(const Lines<T>&, const ExplicitCoefficients&, double, const double*, Carrier, size_t, size_t);
+    bool (*explicit_sweep)(const Lines<T>&, const ExplicitCoefficients&, double, const double*, Carrier, size_t,
+                           size_t);
     void (*drift)(const Lines<T>&, double, size_t, size_t);
 };
 
 struct Kernels {
-    const char* name; // of the instruction set
+    const char* name;           // of the instruction set
     LineKernels<float> float32; // null where the precision is left out
     LineKernels<double> float64;
 

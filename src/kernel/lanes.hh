@@ -5,8 +5,8 @@
 // shared a register with. Vectors are naturally aligned and loaded through memcpy: GCC 12 sends under-aligned vector
 // types, and vectors wider than a register, through the stack (measured: ten and six times slower).
 //
-// The kernels are compiled once per instruction set (kernels.hh), each into the namespace CD_ISA: the same inline function
-// compiled with different flags under one name would be one of them at random.
+// The kernels are compiled once per instruction set (kernels.hh), each into the namespace CD_ISA: the same inline
+// function compiled with different flags under one name would be one of them at random.
 #pragma once
 
 #include <stddef.h>
@@ -114,12 +114,11 @@ template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
 
 template <int N> inline Lanes<N> operator*(double s, Lanes<N> a) { return Lanes<N>::splat(s) * a; }
 
-// The point between `here` and `there` = moving + offset at a fraction of the way, and `extra` on top. With the sign bit
-// set, the fraction is measured from there: so both a fraction near 0 and one near 1 keep their digits, a weight of 0
-// leaves no trace of what it weighs, and equal ends give themselves, exactly. `moving` is what the last node gave: only
-// three operations wait for it.
-template <class L>
-inline L between(L here, L moving, L offset, double fraction, L extra) {
+// The point between `here` and `there` = moving + offset at a fraction of the way, and `extra` on top. With the sign
+// bit set, the fraction is measured from there: so both a fraction near 0 and one near 1 keep their digits, a weight of
+// 0 leaves no trace of what it weighs, and equal ends give themselves, exactly. `moving` is what the last node gave:
+// only three operations wait for it.
+template <class L> inline L between(L here, L moving, L offset, double fraction, L extra) {
     if (__builtin_signbit(fraction)) return (moving + (offset + extra)) - fraction * ((here - offset) - moving);
     return (here + extra) + fraction * (moving + (offset - here));
 }

@@ -7,9 +7,8 @@
 namespace cd {
 namespace CD_ISA {
 
-template <int N> struct StateLanes {
-    Lanes<N> x, v;
-};
+// The state at one node.
+template <int N> struct StateLanes { Lanes<N> x, v; };
 template <int N, class T> inline StateLanes<N> load_start(const Lines<T>& lines, const Start& start, size_t at) {
     using L = Lanes<N>;
     const L x = L::load(lines.position + at), v = L::load(lines.velocity + at);
@@ -26,9 +25,8 @@ template <int N, class T> Lanes<N> lane_gravity(const Lines<T>& lines, const dou
 }
 
 // What acts on node i from outside. `at` is the place of the bundle's numbers at that node.
-template <int N, class T>
-inline Lanes<N> outside(const Lines<T>& lines, const NodeGains& gains, size_t i, size_t at,
-                                Lanes<N> gravity, Lanes<N> x, Lanes<N> v) {
+template <int N, class T> inline Lanes<N> outside(const Lines<T>& lines, const NodeGains& gains, size_t i, size_t at,
+                                                  Lanes<N> gravity, Lanes<N> x, Lanes<N> v) {
     using L = Lanes<N>;
     L sum = gains.gravity[i] * gravity;
     if (gains.force) sum = sum + gains.force[i] * L::load(lines.force + at);
@@ -45,9 +43,8 @@ template <class T, int N> inline void store_settled(Lanes<N> a, T* to, Lanes<N>&
 }
 
 // Ends a stage for the node at `at`, given the sweep's answer: either keeps w for the stage that follows, or moves.
-template <int N, class T>
-inline void end_stage(const Lines<T>& lines, const Stage& stage, StateLanes<N> from, Lanes<N> answer, double* keep,
-                      size_t at, Lanes<N>& probe) {
+template <int N, class T> inline void end_stage(const Lines<T>& lines, const Stage& stage, StateLanes<N> from,
+                                                Lanes<N> answer, double* keep, size_t at, Lanes<N>& probe) {
     const Lanes<N> w = answer + stage.of_change * from.v, change = answer - (1 - stage.of_change) * from.v;
     if (keep) {
         w.store(keep + at);

@@ -36,14 +36,14 @@ struct Stage {
     double overshoot;
     double move;       // [s]
     double gravity[4]; // h g [m/s]
-    // What the sweeps solve for. 0: w; 1: its change w - v. Of a stiff spring's velocity only a small part moves anything,
-    // which v + change would lose in rounding; where hardly anything changes, as in soft rods and with a lambda near 0,
-    // w - v would lose the change.
+    // What the sweeps solve for. 0: w; 1: its change w - v. Of a stiff spring's velocity only a small part moves
+    // anything, which v + change would lose in rounding; where hardly anything changes, as in soft rods and with a
+    // lambda near 0, w - v would lose the change.
     double of_change;
 };
 
-// Where a stage starts: at the state (w null), or where the stage before it, whose answer is w, leads. What lies between
-// two stages is never rounded to the state's precision.
+// Where a stage starts: at the state (w null), or where the stage before it, whose answer is w, leads. What lies
+// between two stages is never rounded to the state's precision.
 struct Start {
     const double* w;
     double overshoot, move;

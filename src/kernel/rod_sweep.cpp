@@ -30,8 +30,8 @@ template <class T> struct Sweep {
     template <int N> Lanes<N> bend_wish(size_t i, size_t first) const {
         const StateLanes<N> left = state<N>(i - 1, first), here = state<N>(i, first), right = state<N>(i + 1, first);
         const auto turn = [](Lanes<N> a, Lanes<N> b, Lanes<N> z) { return (b - a) - (z - b); };
-        return c.has_bend[i] * (stage.closing_rate * turn(left.x, here.x, right.x) +
-                                stage.of_change * turn(left.v, here.v, right.v));
+        return c.has_bend[i] *
+               (stage.closing_rate * turn(left.x, here.x, right.x) + stage.of_change * turn(left.v, here.v, right.v));
     }
 
     template <int N> void forward(size_t first) const {
@@ -67,7 +67,8 @@ template <class T> struct Sweep {
             const bool last = i + 1 == lines.nodes;
             answer = held(i) ? (1 - stage.of_change) * state<N>(i, first).v : last ? u_here : answer - d;
             if (last) d = d_here;
-            else if (i > 0) d = d_here + c.lean[i] * (answer - u_here) + c.bend[i] * (d - bend_wish<N>(i, first) - d_here);
+            else if (i > 0)
+                d = d_here + c.lean[i] * (answer - u_here) + c.bend[i] * (d - bend_wish<N>(i, first) - d_here);
             if (i % kSettleEvery == 0) {
                 answer = settled(answer, Rest<double>::least);
                 d = settled(d, Rest<double>::least);
@@ -84,20 +85,19 @@ template <class T> struct Sweep {
 
 } // namespace
 
-template <class T>
-void rod_sweep(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage, const Start& start, double* value,
-               double* slope, size_t first, size_t count) {
+template <class T> void rod_sweep(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage,
+                                  const Start& start, double* value, double* slope, size_t first, size_t count) {
     Sweep<T> bundles{lines, c, stage, start, value, slope};
     for_each_bundle(first, count, bundles);
 }
 
 #if CD_WITH_FLOAT32
-template void rod_sweep(const Lines<float>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, size_t,
-                        size_t);
+template void rod_sweep(const Lines<float>&, const RodCoefficients&, const Stage&, const Start&, double*, double*,
+                        size_t, size_t);
 #endif
 #if CD_WITH_FLOAT64
-template void rod_sweep(const Lines<double>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, size_t,
-                        size_t);
+template void rod_sweep(const Lines<double>&, const RodCoefficients&, const Stage&, const Start&, double*, double*,
+                        size_t, size_t);
 #endif
 
 } // namespace CD_ISA

@@ -37,8 +37,8 @@ template <class T, bool kPlain> struct Sweep {
             const size_t at = i * lines.pitch + first;
             const StateLanes<N> here = state<N>(at);
             const L v = kPlain ? here.v : (1 - stage.of_change) * here.v;
-            const L own = kPlain ? c.gains.gravity[i] * gravity
-                                 : outside<N>(lines, c.gains, i, at, gravity, here.x, here.v);
+            const L own =
+                kPlain ? c.gains.gravity[i] * gravity : outside<N>(lines, c.gains, i, at, gravity, here.x, here.v);
             sum = i == 0 ? v + own : between(v, sum, wish<N>(i - 1, left, here), c.carry[i], own);
             if (i % kSettleEvery == 0) sum = settled(sum, Rest<double>::least);
             sum.store(y + at);
@@ -71,11 +71,10 @@ template <class T, bool kPlain> struct Sweep {
 
 } // namespace
 
-template <class T>
-bool spring_sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage, const Start& start, double* y,
-                  bool keep, size_t first, size_t count) {
-    const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !c.closing && !start.w && !keep &&
-                       stage.of_change == 0;
+template <class T> bool spring_sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage,
+                                     const Start& start, double* y, bool keep, size_t first, size_t count) {
+    const bool plain =
+        !c.gains.force && !c.gains.drag && !c.gains.attach && !c.closing && !start.w && !keep && stage.of_change == 0;
     if (plain) {
         Sweep<T, true> bundles{lines, c, stage, start, y, nullptr};
         for_each_bundle(first, count, bundles);

@@ -1,4 +1,5 @@
-// One implicit stage of a bundle of lines held together by springs: forward and backward filter of solve/spring_line.hh.
+// One implicit stage of a bundle of lines held together by springs: forward and backward filter of
+// solve/spring_line.hh.
 #pragma once
 
 #include "kernel/lanes.hh"
@@ -17,9 +18,8 @@ namespace CD_ISA {
 
 // Solves lines [first, first + count) from `start` and moves them; with `keep`, leaves w in y instead. y: scratch laid
 // out like the positions, not that of start. False if a number left the finite range.
-template <class T>
-bool spring_sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage, const Start& start, double* y,
-                  bool keep, size_t first, size_t count);
+template <class T> bool spring_sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage,
+                                     const Start& start, double* y, bool keep, size_t first, size_t count);
 
 } // namespace CD_ISA
 } // namespace cd

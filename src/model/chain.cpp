@@ -33,14 +33,16 @@ double impedance(const Chain& c, size_t node) {
     if (c.pin[node] != CD_NODE_MATCHED || c.springs == 0) return 0;
     const bool first = node == 0;
     size_t i = first ? 0 : c.springs - 1;
-    while (welded(c, i) && i != (first ? c.springs - 1 : 0)) i = first ? i + 1 : i - 1; // beyond what is welded to the end
+    while (welded(c, i) && i != (first ? c.springs - 1 : 0))
+        i = first ? i + 1 : i - 1; // beyond what is welded to the end
     const size_t inside = first ? i + 1 : i;
     return welded(c, i) ? 0 : sqrt(stiffness_of(c, i) * mass_of(c, inside));
 }
 
 // ---- memory ---------------------------------------------------------------------------------------------------------
 
-// Line starts that are a multiple of 4096 bytes apart fall into one set of the cache: keep the pitch odd in cache lines.
+// Line starts that are a multiple of 4096 bytes apart fall into one set of the cache: keep the pitch odd in cache
+// lines.
 static bool line_pitch(size_t lines, size_t number, size_t& out) {
     const size_t per_cache_line = kAlignment / number;
     out = lines;
@@ -51,8 +53,10 @@ static bool line_pitch(size_t lines, size_t number, size_t& out) {
 }
 
 Features features(const Chain& c) {
-    return {bool(c.node_mass), bool(c.spring_stiffness), bool(c.node_bend), bool(c.force),
-            bool(c.target),    c.ring != 0,              c.bend > 0,        c.method};
+    return {bool(c.node_mass), bool(c.spring_stiffness),
+            bool(c.node_bend), bool(c.force),
+            bool(c.target),    c.ring != 0,
+            c.bend > 0,        c.method};
 }
 
 namespace {
@@ -183,8 +187,7 @@ void destroy_chain(Chain* c) {
     for (Array<double>* array : {&c->node_mass, &c->spring_stiffness, &c->node_bend, &c->attach_stiffness,
                                  &c->attach_damping, &c->coefficients, &c->scratch, &c->ring_response})
         release(c->memory, *array);
-    for (Array<char>* array : {&c->position, &c->velocity, &c->force, &c->target})
-        release(c->memory, *array);
+    for (Array<char>* array : {&c->position, &c->velocity, &c->force, &c->target}) release(c->memory, *array);
     release(c->memory, c->pin);
     Memory memory = c->memory;
     release(memory, c, sizeof(Chain));

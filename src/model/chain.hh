@@ -93,7 +93,7 @@ bool set_features(Chain& c, const Features& wanted);
 // Fills a field that is switched on with the uniform values of the totals.
 void fill_uniform(Chain& c, cd_field field);
 
-// ---- fields and acting (chain_fields.cpp) -------------------------------------------------------------------------------
+// ---- fields and acting (chain_fields.cpp) ---------------------------------------------------------------------------
 
 template <class T> T* numbers(const Array<char>& array) { return reinterpret_cast<T*>(array.data); }
 // Parameters stay far enough inside double's range for products of four of them: see chain.h.
@@ -120,7 +120,7 @@ void merge_velocities(Chain& c, size_t first_line, size_t lines);
 // Stops the nodes that have become pinned.
 void stop_pinned(Chain& c);
 
-// ---- time (chain_step.cpp) --------------------------------------------------------------------------------------------
+// ---- time (chain_step.cpp) ------------------------------------------------------------------------------------------
 
 // Returns the number of the first step at which a number left the finite range, or 0.
 uint64_t step_chain(Chain& c, double dt, size_t count);
@@ -128,12 +128,12 @@ bool all_finite(const Chain& c);
 inline double time_of(const Chain& c) { return c.clock_start + double(c.clock_steps) * c.clock_dt; }
 double stable_dt(const Chain& c); // chain_limit.cpp
 
-// ---- measuring (chain_measure.cpp) --------------------------------------------------------------------------------------
+// ---- measuring (chain_measure.cpp) ----------------------------------------------------------------------------------
 
 void energy(const Chain& c, double& kinetic, double& elastic, double& gravity);
 void momentum(const Chain& c, double* out);
 
-// ---- keeping (chain_keep.cpp) -------------------------------------------------------------------------------------------
+// ---- keeping (chain_keep.cpp) ---------------------------------------------------------------------------------------
 
 uint64_t hash_chain(const Chain& c);
 size_t saved_size(const Chain& c);

@@ -43,8 +43,8 @@ Settings settings_of(const Chain& c) {
     if (c.node_bend) fields |= 1u << CD_BEND;
     if (c.force) fields |= 1u << CD_FORCE;
     if (c.target) fields |= 1u << CD_TARGET;
-    Settings s{c.method, c.mass_rule, c.ring, fields, c.lambda, c.mass, c.stiffness, c.bend, c.drag, c.damping, {},
-               c.clock_start, c.clock_dt, c.clock_steps, c.steps};
+    Settings s{c.method, c.mass_rule, c.ring, fields,        c.lambda,   c.mass,        c.stiffness, c.bend,
+               c.drag,   c.damping,   {},     c.clock_start, c.clock_dt, c.clock_steps, c.steps};
     memcpy(s.gravity, c.gravity, sizeof s.gravity);
     return s;
 }
@@ -99,7 +99,8 @@ template <class W, class T> void walk_lines(W& w, const Chain& c, T* data) {
 }
 template <class W> void walk_fields(W& w, const Chain& c) {
     for (size_t i = 0; i < c.pin.count; ++i) walk(w, c.pin[i]);
-    for (const Array<double>* a : {&c.node_mass, &c.spring_stiffness, &c.node_bend, &c.attach_stiffness, &c.attach_damping})
+    for (const Array<double>* a :
+         {&c.node_mass, &c.spring_stiffness, &c.node_bend, &c.attach_stiffness, &c.attach_damping})
         for (size_t i = 0; i < a->count; ++i) walk(w, (*a)[i]);
     for (const Array<char>* a : {&c.position, &c.velocity, &c.force, &c.target}) {
         if (c.precision == CD_FLOAT64) walk_lines(w, c, numbers<double>(*a));
@@ -125,8 +126,8 @@ uint64_t checksum(const unsigned char* bytes, size_t size) {
     return hasher.state;
 }
 
-// What follows the settings in the bytes: as many numbers as the fields need, all valid. Uniform values may reach beyond
-// what may be written, since totals are shared out among the nodes.
+// What follows the settings in the bytes: as many numbers as the fields need, all valid. Uniform values may reach
+// beyond what may be written, since totals are shared out among the nodes.
 bool check_fields(Reader reader, const Chain& c, const Settings& s) {
     const auto on = [&](cd_field field) { return (s.fields >> field & 1) != 0; };
     bool good = true;
@@ -148,7 +149,8 @@ bool check_fields(Reader reader, const Chain& c, const Settings& s) {
     if (on(CD_TARGET)) numbers(0.0, 2 * c.nodes, valid_parameter);
     const auto per_line = [&](auto zero) {
         numbers(zero, 2 * c.nodes * c.lines, [](double) { return true; }); // a state that diverged can be saved too
-        numbers(zero, size_t(on(CD_FORCE) + on(CD_TARGET)) * c.nodes * c.lines, [](double value) { return isfinite(value); });
+        numbers(zero, size_t(on(CD_FORCE) + on(CD_TARGET)) * c.nodes * c.lines,
+                [](double value) { return isfinite(value); });
     };
     if (c.precision == CD_FLOAT64) per_line(0.0);
     else per_line(0.0f);
@@ -188,10 +190,12 @@ cd_status load_chain(const char* function, Chain& c, const unsigned char* bytes,
     uint64_t magic = 0, sum = 0;
     uint32_t format = 0, kind = 0;
     walk(reader, magic), walk(reader, format), walk(reader, kind), walk(reader, sum);
-    if (!reader.whole || magic != kMagic) return fail(CD_ERROR_FORMAT, function, "these %zu bytes are no saved state", size);
+    if (!reader.whole || magic != kMagic)
+        return fail(CD_ERROR_FORMAT, function, "these %zu bytes are no saved state", size);
     if (format != kFormat)
         return fail(CD_ERROR_FORMAT, function, "format version is %u, this library reads %u", format, kFormat);
-    if (kind != kKindChain) return fail(CD_ERROR_FORMAT, function, "kind of object is %u, a chain is %u", kind, kKindChain);
+    if (kind != kKindChain)
+        return fail(CD_ERROR_FORMAT, function, "kind of object is %u, a chain is %u", kind, kKindChain);
     if (checksum(reader.from, size - kHeader) != sum)
         return fail(CD_ERROR_FORMAT, function, "the checksum of %zu bytes does not fit: damaged or cut short", size);
 
@@ -200,14 +204,16 @@ cd_status load_chain(const char* function, Chain& c, const unsigned char* bytes,
     walk_shape(reader, shape);
     if (!reader.whole) return fail(CD_ERROR_FORMAT, function, "%zu bytes are too few", size);
     if (!(shape == shape_of(c)))
-        return fail(CD_ERROR_MISMATCH, function,
-                    "saved from %zu strands, %zu springs, %zu components, precision %d; this chain has %zu, %zu, %zu, %d",
-                    size_t(shape.strands), size_t(shape.springs), size_t(shape.components), int(shape.precision), c.strands,
-                    c.springs, c.components, int(c.precision));
+        return fail(
+            CD_ERROR_MISMATCH, function,
+            "saved from %zu strands, %zu springs, %zu components, precision %d; this chain has %zu, %zu, %zu, %d",
+            size_t(shape.strands), size_t(shape.springs), size_t(shape.components), int(shape.precision), c.strands,
+            c.springs, c.components, int(c.precision));
     walk_settings(reader, settings);
     if (!reader.whole || !valid(c, settings) || !check_fields(reader, c, settings))
         return fail(CD_ERROR_FORMAT, function, "a number in these %zu bytes is not valid", size);
-    if (!set_features(c, features_of(settings))) return fail(CD_ERROR_MEMORY, function, "no memory for the saved fields");
+    if (!set_features(c, features_of(settings)))
+        return fail(CD_ERROR_MEMORY, function, "no memory for the saved fields");
     apply(c, settings);
     walk_fields(reader, c);
     c.diverged = !all_finite(c);
@@ -216,10 +222,11 @@ cd_status load_chain(const char* function, Chain& c, const unsigned char* bytes,
 
 cd_status copy_chain(const char* function, Chain& c, const Chain& source) {
     if (!(shape_of(c) == shape_of(source)))
-        return fail(CD_ERROR_MISMATCH, function,
-                    "the source has %zu strands, %zu springs, %zu components, precision %d; this chain has %zu, %zu, %zu, %d",
-                    source.strands, source.springs, source.components, int(source.precision), c.strands, c.springs,
-                    c.components, int(c.precision));
+        return fail(
+            CD_ERROR_MISMATCH, function,
+            "the source has %zu strands, %zu springs, %zu components, precision %d; this chain has %zu, %zu, %zu, %d",
+            source.strands, source.springs, source.components, int(source.precision), c.strands, c.springs,
+            c.components, int(c.precision));
     if (!set_features(c, features(source))) return fail(CD_ERROR_MEMORY, function, "no memory for the source's fields");
     apply(c, settings_of(source));
     c.diverged = source.diverged;

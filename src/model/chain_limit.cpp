@@ -43,8 +43,8 @@ struct Elimination {
         }
     }
 
-    // Eliminates the unknowns in turn. The first one of a ring stands back: every other is coupled to it by fill-in, and
-    // it comes last.
+    // Eliminates the unknowns in turn. The first one of a ring stands back: every other is coupled to it by fill-in,
+    // and it comes last.
     bool positive() const {
         size_t start = 0;
         while (c.ring && start < c.nodes && joined(start > 0 ? start - 1 : c.nodes - 1)) ++start;

@@ -29,8 +29,8 @@ template <class T> struct Measure {
             if (bend_of(c, i) > 0) {
                 const size_t left = i > 0 ? i - 1 : c.nodes - 1, right = after(i);
                 elastic.add(0.5 * bend_of(c, i) * squares([&](size_t l) {
-                    return (at(x, right, l) - at(x, i, l)) - (at(x, i, l) - at(x, left, l));
-                }));
+                                return (at(x, right, l) - at(x, i, l)) - (at(x, i, l) - at(x, left, l));
+                            }));
             }
             if (c.target)
                 elastic.add(0.5 * c.attach_stiffness[i] *

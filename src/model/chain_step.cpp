@@ -9,8 +9,8 @@
 //            Y + (1 - gamma) / gamma (Y_1 - Y), and (1 - gamma) / gamma = 1 + sqrt(2).
 //
 // Z holds matched ends and attachments. The springs enter the solvers with the stiffness h (h + damping) k_i and the
-// wish that w_{i+1} - w_i be -(x_{i+1} - x_i) / (h + damping). lambda = 0 is forward Euler, and so, to every digit, is a
-// lambda below 1e-100.
+// wish that w_{i+1} - w_i be -(x_{i+1} - x_i) / (h + damping). lambda = 0 is forward Euler, and so, to every digit, is
+// a lambda below 1e-100.
 #include "model/chain.hh"
 
 #include <math.h>
@@ -98,7 +98,12 @@ void set_closing(const Chain& c, double* closing) {
 // ---- the three kinds of step ----------------------------------------------------------------------------------------
 
 template <class T> Lines<T> lines_of(Chain& c) {
-    return {c.nodes, c.pitch, c.components, numbers<T>(c.position), numbers<T>(c.velocity), numbers<T>(c.force),
+    return {c.nodes,
+            c.pitch,
+            c.components,
+            numbers<T>(c.position),
+            numbers<T>(c.velocity),
+            numbers<T>(c.force),
             c.target ? numbers<T>(c.target) : nullptr};
 }
 
@@ -173,8 +178,9 @@ template <class T> struct RodStep {
             set_closing(c, closing);
             close(c, system, rod);
         }
-        coefficients = {rod.keep, rod.close, rod.turn, rod.lever, rod.follow, rod.lean, rod.bend,
-                        c.has_welds ? closing : nullptr, has_bend, gains_in(c, rows), c.pin.data};
+        coefficients = {rod.keep,   rod.close,         rod.turn,  rod.lever,
+                        rod.follow, rod.lean,          rod.bend,  c.has_welds ? closing : nullptr,
+                        has_bend,   gains_in(c, rows), c.pin.data};
     }
     void close(Chain& c, const StageSystem& system, const RodRows& rod) {
         c.closure = {};
@@ -182,8 +188,7 @@ template <class T> struct RodStep {
         const size_t n = c.nodes;
         const double stiffness[3] = {system.spring(c.springs), system.bend(n - 1), system.bend(0)};
         double* const response[3] = {c.ring_response.data, c.ring_response.data + n, c.ring_response.data + 2 * n};
-        factor_ring(n, system, rod, has_bend(c) ? 3 : 1, stiffness, response, c.ring_response.data + 3 * n,
-                    c.closure);
+        factor_ring(n, system, rod, has_bend(c) ? 3 : 1, stiffness, response, c.ring_response.data + 3 * n, c.closure);
         c.closure.closing_rate = welded(c, c.springs) ? 0 : stages.stage[0].closing_rate;
     }
     bool operator()(size_t first, size_t count) const {
@@ -205,7 +210,8 @@ template <class T> struct ExplicitStep {
 
     ExplicitStep(Chain& c, double dt_, bool refactor) : chain(c), lines(lines_of<T>(c)), dt(dt_) {
         const Rows rows{c.coefficients.data, c.nodes};
-        double *const stiffness = rows[kGainRows], *const bend = rows[kGainRows + 1], *const inertia = rows[kGainRows + 2];
+        double *const stiffness = rows[kGainRows], *const bend = rows[kGainRows + 1],
+                      *const inertia = rows[kGainRows + 2];
         if (refactor) {
             const StageSystem system{c, dt};
             for (size_t i = 0; i < springs_in_all(c); ++i) stiffness[i] = welded(c, i) ? 0 : stiffness_of(c, i);
@@ -233,7 +239,7 @@ template <class T> struct ExplicitStep {
     }
 };
 
-// ---- many steps of many lines -----------------------------------------------------------------------------------------
+// ---- many steps of many lines ---------------------------------------------------------------------------------------
 
 // Lines never mix, so a bundle of them makes all its steps while it is in the cache.
 template <class Step> uint64_t run(Chain& c, const Step& step, size_t count) {
@@ -246,7 +252,8 @@ template <class Step> uint64_t run(Chain& c, const Step& step, size_t count) {
             if (!step(first, lines) && bad == UINT64_MAX) bad = s;
         uint64_t seen = __atomic_load_n(&first_bad, __ATOMIC_RELAXED);
         while (bad < seen &&
-               !__atomic_compare_exchange_n(&first_bad, &seen, bad, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+               !__atomic_compare_exchange_n(&first_bad, &seen, bad, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+        }
     };
     parallel_for(c.parallel, (c.lines + kBundle - 1) / kBundle, bundle);
     return first_bad;
@@ -299,7 +306,8 @@ uint64_t step_chain(Chain& c, double dt, size_t count) {
 }
 
 bool all_finite(const Chain& c) {
-    if (c.precision == CD_FLOAT64) return finite_numbers<double>(c, c.position) && finite_numbers<double>(c, c.velocity);
+    if (c.precision == CD_FLOAT64)
+        return finite_numbers<double>(c, c.position) && finite_numbers<double>(c, c.velocity);
     return finite_numbers<float>(c, c.position) && finite_numbers<float>(c, c.velocity);
 }
 

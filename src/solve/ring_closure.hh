@@ -14,8 +14,8 @@
 
 namespace cd {
 
-// Solves the open line under tension(i) in spring i, i in [0, nodes - 1). w: the answer. slope: scratch. Both `nodes` long.
-// differences(i, d): told w[i + 1] - w[i].
+// Solves the open line under tension(i) in spring i, i in [0, nodes - 1). w: the answer. slope: scratch. Both `nodes`
+// long. differences(i, d): told w[i + 1] - w[i].
 template <class System, class Tension, class Differences>
 void pull_line(size_t nodes, const System& system, const RodRows& rows, Tension tension, double* w, double* slope,
                Differences differences) {
@@ -46,10 +46,11 @@ void pull_line(size_t nodes, const System& system, const RodRows& rows, Tension 
     }
 }
 
-// response: constraints arrays of `nodes`, filled here. scratch: nodes. stiffness: of the constraints, 0 leaves one out.
-template <class System>
-void factor_ring(size_t nodes, const System& system, const RodRows& rows, int constraints, const double* stiffness,
-                 double* const* response, double* scratch, RingClosure& out) {
+// response: constraints arrays of `nodes`, filled here. scratch: nodes. stiffness: of the constraints, 0 leaves one
+// out.
+template <class System> void factor_ring(size_t nodes, const System& system, const RodRows& rows, int constraints,
+                                         const double* stiffness, double* const* response, double* scratch,
+                                         RingClosure& out) {
     const auto tension = [&](int r, size_t i) -> double { // U_r as tensions of the open line's springs
         if (r == 0) return -1;
         if (r == 1) return i + 2 == nodes ? -2 : -1;
@@ -57,10 +58,11 @@ void factor_ring(size_t nodes, const System& system, const RodRows& rows, int co
     };
     double c[3][3] = {};
     for (int s = 0; s < constraints; ++s) {
-        pull_line(nodes, system, rows, [&](size_t i) { return tension(s, i); }, response[s], scratch,
-                  [&](size_t i, double d) {
-                      for (int r = 0; r < constraints; ++r) c[r][s] += tension(r, i) * d;
-                  });
+        pull_line(
+            nodes, system, rows, [&](size_t i) { return tension(s, i); }, response[s], scratch,
+            [&](size_t i, double d) {
+                for (int r = 0; r < constraints; ++r) c[r][s] += tension(r, i) * d;
+            });
         out.response[s] = response[s];
     }
     out.constraints = constraints;

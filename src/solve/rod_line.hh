@@ -3,23 +3,26 @@
 // The unknowns of the part already eliminated are the value u = w_i at its last node and the difference
 // d = w_i - w_{i-1} into it. Its energy is kept as a sum of squares,
 //      V(u, d) = 1/2 A (u - u^ - q (d - d^))^2 + 1/2 T (d - d^)^2,        A, q, T >= 0:
-// a mass A on a lever of length q and a spring T that holds the lever. (u^, d^) is where it rests. A new node is reached
-// in four moves, each of which keeps the form and the signs:
-//   bend b at node i  the lever's end is joined to the next difference d' by b. Eliminating d, three springs meet in it
-//                     (A q^2 to the value, T to rest, b to d'): with P = A q^2 + T + b
-//                         A <- A (T + b) / P,  q <- q b / (T + b),  T <- T b / (T + b),  d^ <- d^ + e_bend,
-//                     and, going back,  d = d^ + lean (u - u^) + bend (d' - e_bend - d^),  lean = A q / P, bend = b / P.
-//   step right        u' = u + d':  q <- q + 1,  u^ <- u^ + d^.
-//   spring s, ground m     s acts on d alone, m on u'. With A m / (A + m) the two masses' reduced mass, three things
-//                     want the difference: the hold T wants t = d^ + e_bend, the spring s its own wish e, and the masses,
-//                     with R = q^2 A m / (A + m), the difference at which both rest,
-//                         (own - u^) / q + t (q - 1) / q:
-//                         d^ <- keep t + close e + turn (own - u^),  a blend by T : s : R,
-//                         u^ <- between own and u^ + d^ + (q - 1) (d^ - t) at A / (A + m).
-//                     T <- T + s + R,  q <- q A / (A + m),  A <- A + m.
+// a mass A on a lever of length q and a spring T that holds the lever. (u^, d^) is where it rests. A new node is
+// reached in three moves, each of which keeps the form and the signs:
+//
+// Bend b at node i. The lever's end is joined to the next difference d' by b. Eliminating d, three springs meet in it,
+// A q^2 to the value, T to rest and b to d'. With P = A q^2 + T + b
+//      A <- A (T + b) / P,   q <- q b / (T + b),   T <- T b / (T + b),   t = d^ + e_bend,
+// and, going back,  d = d^ + lean (u - u^) + bend (d' - e_bend - d^)  with  lean = A q / P,  bend = b / P.
+//
+// Step right. u' = u + d' makes the lever longer: q <- q + 1.
+//
+// Spring s and ground m. s acts on the difference alone, m on the value. Three things want the difference: the hold T
+// wants t, the spring its own wish e, and the masses, with R = q^2 A m / (A + m), the difference at which both rest,
+// (own - u^) / q + t (q - 1) / q. So
+//      d^ <- keep t + close e + turn (own - u^), a blend by T : s : R,
+//      u^ <- between own and u^ + d^ + (q - 1) (d^ - t) at A / (A + m),
+//      T <- T + s + R,   q <- q A / (A + m),   A <- A + m.
+//
 // Every number is a blend of numbers of its own size: in a soft line, where wishes are large and answers small, nothing
-// large is put in and taken out again. A pentadiagonal LDL^T subtracts, and loses a free rod's mass once b exceeds it by
-// 1e16; here stiffness may be anything, infinity included (s = infinity: a weld; m = infinity: a held node).
+// large is put in and taken out again. A pentadiagonal LDL^T subtracts, and loses a free rod's mass once b exceeds it
+// by 1e16; here stiffness may be anything, infinity included (s = infinity: a weld; m = infinity: a held node).
 #pragma once
 
 #include <stddef.h>
@@ -28,7 +31,7 @@
 
 namespace cd {
 
-struct RodRows { // what the sweeps need, one number per node each
+struct RodRows {                 // what the sweeps need, one number per node each
     double *keep, *close, *turn; // weights of the difference into a node
     double *lever, *follow;      // q - 1, and the fraction for between()
     double *lean, *bend;         // going back

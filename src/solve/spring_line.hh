@@ -5,16 +5,17 @@
 //        |          |          |             D: d_i >= 0 grounds node i (its mass, drag, ...; infinite: held)
 //        o---s_0----o---s_1----o             L: s_i >= 0 joins node i to node i + 1 (0: cut; infinite: welded)
 //
-// The energy to minimise is 1/2 sum d_i (w_i - own_i)^2 + 1/2 sum s_i (w_{i+1} - w_i - e_i)^2. All that hangs on the left of node i acts on it like one spring r to ground: eliminating node i puts s_i in series with it,
+// The energy to minimise is 1/2 sum d_i (w_i - own_i)^2 + 1/2 sum s_i (w_{i+1} - w_i - e_i)^2. All that hangs on the
+// left of node i acts on it like one spring r to ground: eliminating node i puts s_i in series with it,
 //      g = r_i s_i / (r_i + s_i)         r_{i+1} = d_{i+1} + g,
 // and that spring's rest position is y_i + e_i. So going right, node i + 1 settles between it and its own wish,
 //      y_{i+1} = carry (y_i + e_i) + (1 - carry) own_{i+1},      carry = g / (d_{i+1} + g),
 // and going left, node i settles between its left side and its right neighbour,
 //      w_i = y_i + pull (w_{i+1} - e_i - y_i),           pull = s_i / (r_i + s_i).
-// Nothing is subtracted, and the diagonal d_i + s_{i-1} + s_i, in which stiff springs drown the masses, is never formed.
-// The springs' own forces enter as the wishes e_i and never as numbers of size s_i x_i, so that the right side keeps its
-// digits too. Any carry and pull in [0, 1], rounded as they may be, are the exact elimination of some line of masses and
-// springs: an undamped step with rounded coefficients conserves the energy of that line and has no trend.
+// Nothing is subtracted, and the diagonal d_i + s_{i-1} + s_i, in which stiff springs drown the masses, is never
+// formed. The springs' own forces enter as the wishes e_i and never as numbers of size s_i x_i, so that the right side
+// keeps its digits too. Any carry and pull in [0, 1], rounded as they may be, are the exact elimination of some line of
+// masses and springs: an undamped step with rounded coefficients conserves the energy of that line and has no trend.
 // (model.md: series-spring elimination; both filters are Kass 1997, eq. 31.)
 #pragma once
 

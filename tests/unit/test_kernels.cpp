@@ -42,7 +42,8 @@ template <class T> void step_all(const cd::Kernels& set, State<T>& state) {
     static unsigned char pin[kNodes];
     const cd::LineKernels<T>& kernels = set.of(T());
     const Line line;
-    for (size_t i = 0; i < kNodes; ++i) rows[0][i] = 0.01 * double(i), rows[10][i] = i > 0 && i + 1 < kNodes, rows[11][i] = 0.02;
+    for (size_t i = 0; i < kNodes; ++i)
+        rows[0][i] = 0.01 * double(i), rows[10][i] = i > 0 && i + 1 < kNodes, rows[11][i] = 0.02;
     const cd::NodeGains gains{rows[0], nullptr, rows[11], nullptr};
     const cd::Stage stage{7, 1, 0.1, {1, -2, 3}, 0}, change{7, 1, 0.1, {1, -2, 3}, 1};
     cd::factor_spring_line(kNodes, line, rows[1], rows[2], [](size_t, double) {});
@@ -53,7 +54,8 @@ template <class T> void step_all(const cd::Kernels& set, State<T>& state) {
     }
     const cd::RodRows rod{rows[3], rows[4], rows[5], rows[6], rows[7], rows[8], rows[9]};
     cd::factor_rod_line(kNodes, line, rod);
-    const cd::RodCoefficients rods{rows[3], rows[4], rows[5], rows[6], rows[7], rows[8], rows[9], nullptr, rows[10], gains, pin};
+    const cd::RodCoefficients rods{rows[3], rows[4], rows[5],  rows[6], rows[7], rows[8],
+                                   rows[9], nullptr, rows[10], gains,   pin};
     kernels.rod_sweep(state.lines(), rods, stage, {}, y[0], slope[0], 0, kLines);
     assert_true(kernels.advance(state.lines(), stage, {}, {}, y[0], false, 0, kLines));
     const cd::ExplicitCoefficients explicits{rows[11], rows[0], rows[11], gains, 0.01, false};
