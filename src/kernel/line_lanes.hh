@@ -38,8 +38,8 @@ template <int N, class T> inline Lanes<N> outside(const Lines<T>& lines, const N
 // Stores a number where it settles to 0 if it is too small for the state's precision, and adds to the probe what is NaN
 // if it is too large for it.
 template <class T, int N> inline void store_settled(Lanes<N> a, T* to, Lanes<N>& probe) {
-    settled(a, double(Rest<T>::least)).store(to);
-    probe = probe + 0.0 * Lanes<N>::load(to);
+    settled(a, double(Limits<T>::least)).store(to);
+    probe = probe + 0.0 * (Limits<T>::to_overflow * a);
 }
 
 // Ends a stage for the node at `at`, given the sweep's answer: either keeps w for the stage that follows, or moves.

@@ -11,13 +11,16 @@
 namespace cd {
 
 // Numbers smaller than this are put to 0 where they leave a sweep, and every 16th node inside one, so that a scene that
-// decays never reaches the subnormal numbers, on which processors are up to 150 times slower.
-template <class T> struct Rest;
-template <> struct Rest<float> {
+// decays never reaches the subnormal numbers, on which processors are up to 150 times slower. At the other end,
+// to_overflow times a number is infinite exactly when the number rounds to infinity in T.
+template <class T> struct Limits;
+template <> struct Limits<float> {
     static constexpr float least = 0x1p-80f; // 8e-25
+    static constexpr double to_overflow = 0x1.0000008p896;
 };
-template <> struct Rest<double> {
+template <> struct Limits<double> {
     static constexpr double least = 0x1p-500; // 3e-151
+    static constexpr double to_overflow = 1;
 };
 constexpr size_t kSettleEvery = 16;
 

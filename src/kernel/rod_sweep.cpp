@@ -50,8 +50,8 @@ template <class T> struct Sweep {
                 u = between(own, u, d + c.lever[i] * (d - hold), c.follow[i]);
             }
             if (i % kSettleEvery == 0) {
-                u = settled(u, Rest<double>::least);
-                d = settled(d, Rest<double>::least);
+                u = settled(u, Limits<double>::least);
+                d = settled(d, Limits<double>::least);
             }
             u.store(value + at);
             d.store(slope + at);
@@ -70,8 +70,8 @@ template <class T> struct Sweep {
             else if (i > 0)
                 d = d_here + c.lean[i] * (answer - u_here) + c.bend[i] * (d - bend_wish<N>(i, first) - d_here);
             if (i % kSettleEvery == 0) {
-                answer = settled(answer, Rest<double>::least);
-                d = settled(d, Rest<double>::least);
+                answer = settled(answer, Limits<double>::least);
+                d = settled(d, Limits<double>::least);
             }
             answer.store(value + at);
         }

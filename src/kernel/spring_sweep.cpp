@@ -40,7 +40,7 @@ template <class T, bool kPlain> struct Sweep {
             const L own =
                 kPlain ? c.gains.gravity[i] * gravity : outside<N>(lines, c.gains, i, at, gravity, here.x, here.v);
             sum = i == 0 ? v + own : between(v, sum, wish<N>(i - 1, left, here), c.carry[i], own);
-            if (i % kSettleEvery == 0) sum = settled(sum, Rest<double>::least);
+            if (i % kSettleEvery == 0) sum = settled(sum, Limits<double>::least);
             sum.store(y + at);
             left = here;
         }
@@ -56,7 +56,7 @@ template <class T, bool kPlain> struct Sweep {
             const StateLanes<N> here = state<N>(at);
             const L sum = L::load(y + at), none{};
             answer = i + 1 == lines.nodes ? sum : between(sum, answer, none - wish<N>(i, here, right), c.pull[i]);
-            if (i % kSettleEvery == 0) answer = settled(answer, Rest<double>::least);
+            if (i % kSettleEvery == 0) answer = settled(answer, Limits<double>::least);
             right = here;
             end_stage<N>(lines, stage, here, answer, kPlain ? nullptr : keep, at, probe);
         }
