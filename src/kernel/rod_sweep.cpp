@@ -20,33 +20,36 @@ template <class T> struct Sweep {
     }
     bool held(size_t i) const { return c.pin[i] == CD_NODE_PINNED || c.pin[i] == CD_NODE_DRIVEN; }
 
-    // The difference of the answer at which spring i would be closed after the stage.
-    template <int N> Lanes<N> spring_wish(size_t i, size_t first) const {
+    // The difference of the answer at which spring i, between two nodes, would be closed after the stage.
+    template <int N> Lanes<N> spring_wish(size_t i, const StateLanes<N>& left, const StateLanes<N>& right) const {
         const double rate = c.closing ? c.closing[i] * stage.closing_rate : stage.closing_rate;
-        const StateLanes<N> left = state<N>(i, first), right = state<N>(i + 1, first);
         return rate * (left.x - right.x) + stage.of_change * (left.v - right.v);
     }
     // The second difference of the answer at which the line would be straight at node i after the stage.
-    template <int N> Lanes<N> bend_wish(size_t i, size_t first) const {
-        const StateLanes<N> left = state<N>(i - 1, first), here = state<N>(i, first), right = state<N>(i + 1, first);
+    template <int N> Lanes<N> bend_wish(size_t i, const StateLanes<N>& left, const StateLanes<N>& here,
+                                        const StateLanes<N>& right) const {
         const auto turn = [](Lanes<N> a, Lanes<N> b, Lanes<N> z) { return (b - a) - (z - b); };
         return c.has_bend[i] *
                (stage.closing_rate * turn(left.x, here.x, right.x) + stage.of_change * turn(left.v, here.v, right.v));
     }
 
+    // u and d: where the value at node i and the difference into it would rest without what is on their right.
     template <int N> void forward(size_t first) const {
         using L = Lanes<N>;
         const L gravity = lane_gravity<N>(lines, stage.gravity, first);
+        StateLanes<N> here{}, left{}, before{}; // nodes i, i - 1 and i - 2
         L u{}, d{};
         for (size_t i = 0; i < lines.nodes; ++i) {
             const size_t at = i * lines.pitch + first;
-            const StateLanes<N> here = state<N>(i, first);
+            before = left;
+            left = here;
+            here = state<N>(i, first);
             const L own = (1 - stage.of_change) * here.v + outside<N>(lines, c.gains, i, at, gravity, here.x, here.v);
             if (i == 0) {
                 u = own;
             } else {
-                const L hold = i > 1 ? d + bend_wish<N>(i - 1, first) : d;
-                d = c.keep[i] * hold + c.close[i] * spring_wish<N>(i - 1, first) + c.turn[i] * (own - u);
+                const L hold = i > 1 ? d + bend_wish<N>(i - 1, before, left, here) : d;
+                d = c.keep[i] * hold + c.close[i] * spring_wish<N>(i - 1, left, here) + c.turn[i] * (own - u);
                 u = between(own, u, d + c.lever[i] * (d - hold), c.follow[i]);
             }
             if (i % kSettleEvery == 0) {
@@ -58,17 +61,25 @@ template <class T> struct Sweep {
         }
     }
 
+    // The answer at node i is its right neighbour's less the difference between them, d.
     template <int N> void backward(size_t first) const {
         using L = Lanes<N>;
+        StateLanes<N> left = state<N>(lines.nodes - 1, first), here{}, right{}; // nodes i - 1, i and i + 1
         L answer{}, d{};
         for (size_t i = lines.nodes; i-- > 0;) {
             const size_t at = i * lines.pitch + first;
+            right = here;
+            here = left;
+            if (i > 0) left = state<N>(i - 1, first);
             const L u_here = L::load(value + at), d_here = L::load(slope + at);
             const bool last = i + 1 == lines.nodes;
-            answer = held(i) ? (1 - stage.of_change) * state<N>(i, first).v : last ? u_here : answer - d;
-            if (last) d = d_here;
-            else if (i > 0)
-                d = d_here + c.lean[i] * (answer - u_here) + c.bend[i] * (d - bend_wish<N>(i, first) - d_here);
+            answer = held(i) ? (1 - stage.of_change) * here.v : last ? u_here : answer - d;
+            if (last) {
+                d = d_here;
+            } else if (i > 0) {
+                const L wish = bend_wish<N>(i, left, here, right);
+                d = d_here + c.lean[i] * (answer - u_here) + c.bend[i] * (d - wish - d_here);
+            }
             if (i % kSettleEvery == 0) {
                 answer = settled(answer, Limits<double>::least);
                 d = settled(d, Limits<double>::least);
