@@ -30,7 +30,9 @@ const Array<double>& shared_of(const Chain& c, cd_field field) {
 
 cd_status is_on(const char* function, const Chain& c, cd_field field) {
     CD_CHECK(is_enum(function, "field", field, kLastField));
-    if (field == CD_PIN || (is_per_strand(field) ? bool(lines_of(c, field)) : bool(shared_of(c, field)))) return CD_OK;
+    const bool empty = field == CD_STIFFNESS && springs_in_all(c) == 0; // of a single node: neither on nor off
+    if (field == CD_PIN || empty || (is_per_strand(field) ? bool(lines_of(c, field)) : bool(shared_of(c, field))))
+        return CD_OK;
     return fail(CD_ERROR_DISABLED, function, "field %d, %s, is off: see cd_chain_enable_field", int(field),
                 field_name(field));
 }

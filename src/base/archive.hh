@@ -46,19 +46,28 @@ struct Reader {
     }
 };
 
-// Passes one number through a walker of any kind; a Reader sets it.
-// Every NaN is walked over as the same one: processors differ in the sign they give it.
-template <class Walker, class Number> void walk(Walker& walker, Number& number) {
+// How far the bits of a number of this type stand from the low end of a word that they were copied into.
+template <class Number> constexpr int high_end() {
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    return int(64 - 8 * sizeof(Number));
+#else
+    return 0;
+#endif
+}
+
+// Shows a walker one number. Every NaN is shown as the same one: processors differ in the sign they give it.
+template <class Walker, class Number> void walk(Walker& walker, const Number& number) {
+    const Number shown = number == number ? number : Number(__builtin_nan(""));
     uint64_t bits = 0;
-    if (number != number) number = Number(__builtin_nan(""));
-    memcpy(&bits, &number, sizeof number); // numbers fill the low bytes on little-endian machines
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    bits >>= 64 - 8 * sizeof number;
-#endif
-    walker.word(bits, int(sizeof number));
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    bits <<= 64 - 8 * sizeof number;
-#endif
+    memcpy(&bits, &shown, sizeof shown);
+    walker.word(bits >> high_end<Number>(), int(sizeof shown));
+}
+
+// Reads one number.
+template <class Number> void walk(Reader& reader, Number& number) {
+    uint64_t bits;
+    reader.word(bits, int(sizeof number));
+    bits <<= high_end<Number>();
     memcpy(&number, &bits, sizeof number);
 }
 

@@ -41,8 +41,7 @@ double impedance(const Chain& c, size_t node) {
 
 // ---- memory ---------------------------------------------------------------------------------------------------------
 
-// Line starts that are a multiple of 4096 bytes apart fall into one set of the cache: keep the pitch odd in cache
-// lines.
+// Nodes whose numbers lie a multiple of 4096 bytes apart share one set of the cache: keep the pitch odd in cache lines.
 static bool line_pitch(size_t lines, size_t number, size_t& out) {
     const size_t per_cache_line = kAlignment / number;
     out = lines;

@@ -172,6 +172,18 @@ static void a_single_node_has_all_the_mass(void** state) {
     }
 }
 
+static void a_single_node_has_no_spring_to_switch_on(void** state) {
+    (void)state;
+    cd_chain* chain = scene_chain(1, 0, 2, CD_FLOAT32);
+    double nothing = 7;
+    ok(cd_chain_enable_field(chain, CD_STIFFNESS));
+    ok(cd_chain_write_f64(chain, CD_STIFFNESS, 0, 1, 0, 0, NULL, 0));
+    ok(cd_chain_read_f64(chain, CD_STIFFNESS, 0, 1, 0, 0, &nothing, 0));
+    assert_true(nothing == 7);
+    refuses(chain, cd_chain_read_f64(chain, CD_STIFFNESS, 0, 1, 0, 1, &nothing, 1), CD_ERROR_RANGE, "springs");
+    cd_chain_destroy(chain);
+}
+
 static void switching_on_what_is_on_keeps_its_values(void** state) {
     (void)state;
     cd_chain* chain = scene_chain(STRANDS, 9, COMPONENTS, CD_FLOAT32);
@@ -305,6 +317,7 @@ int main(void) {
         cmocka_unit_test(a_wide_chain_read_as_float32_overflows_to_infinity),
         cmocka_unit_test(a_field_switched_on_holds_the_uniform_values),
         cmocka_unit_test(a_single_node_has_all_the_mass),
+        cmocka_unit_test(a_single_node_has_no_spring_to_switch_on),
         cmocka_unit_test(switching_on_what_is_on_keeps_its_values),
         cmocka_unit_test(a_field_switched_off_gives_its_memory_back_and_its_values_up),
         cmocka_unit_test(setting_a_total_writes_its_field_anew),
