@@ -65,14 +65,15 @@ struct Needs {
     size_t coefficients, scratch, ring_response;
 };
 
-// How many rows of one number per node the sweeps read (chain_step.cpp lays them out), and how many they leave between
+// How many rows of one number per node the sweeps read (chain_step.cpp hands them out), and how many they leave between
 // their two ways.
 Needs needs_of(const Chain& c, const Features& f) {
     const bool is_explicit = f.method == CD_METHOD_FORWARD_EULER || f.method == CD_METHOD_SYMPLECTIC_EULER;
-    const bool rod = f.ring || f.bend || f.node_bend;
-    const size_t rows = 4 + (!is_explicit && rod ? 9 : 3), stages = f.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
-    const size_t scratch_rows = is_explicit ? 0 : rod ? stages + 1 : stages;
-    return {rows * c.nodes, scratch_rows * c.nodes * c.pitch, f.ring && !is_explicit ? 4 * c.nodes : 0};
+    const bool bends = f.bend || f.node_bend, rod = bends || f.ring;
+    const size_t gains = 2 + size_t(f.force) + size_t(f.target), stages = f.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
+    if (is_explicit) return {(gains + 2 + size_t(bends)) * c.nodes, 0, 0};
+    const size_t rows = gains + (rod ? 8 : 2) + size_t(f.spring_stiffness), scratch_rows = stages + size_t(rod);
+    return {rows * c.nodes, scratch_rows * c.nodes * c.pitch, f.ring ? 4 * c.nodes : 0};
 }
 
 // One array on its way from what it is to what it shall be.

@@ -55,27 +55,38 @@ struct StageSystem {
     double bend(size_t i) const { return h * (h + c.damping) * bend_of(c, i); }
 };
 
-// The chain's coefficients as rows of one number per node.
+// The chain's coefficients, rows of one number per node, handed out to those who need one (chain.cpp counts them).
 struct Rows {
-    double* data;
+    double* next;
     size_t nodes;
-    double* operator[](size_t r) const { return data + r * nodes; }
+
+    explicit Rows(const Chain& c) : next(c.coefficients.data), nodes(c.nodes) {}
+    double* take(bool needed = true) {
+        double* const row = needed ? next : nullptr;
+        if (needed) next += nodes;
+        return row;
+    }
 };
 
-// The first four rows, absent where the chain has nothing of the kind.
-constexpr size_t kGainRows = 4;
-NodeGains gains_in(const Chain& c, Rows rows) {
-    const bool drags = c.drag > 0 || c.target || c.pin[0] == CD_NODE_MATCHED || c.pin[c.nodes - 1] == CD_NODE_MATCHED;
-    return {rows[0], c.force ? rows[1] : nullptr, drags ? rows[2] : nullptr, c.target ? rows[3] : nullptr};
-}
+struct GainRows {
+    double *gravity, *drag, *force, *attach; // the last two null where nothing of the kind acts
 
-// Gains of node i when `grounded` is what resists it.
-void set_gains(const StageSystem& s, Rows rows, size_t i, double grounded) {
-    rows[0][i] = mass_of(s.c, i) / grounded;
-    rows[1][i] = s.h / grounded;
-    rows[2][i] = (s.h * s.dragging(i) + s.h * s.h * s.tying(i)) / grounded;
-    rows[3][i] = s.h * s.tying(i) / grounded;
-}
+    GainRows(const Chain& c, Rows& rows)
+        : gravity(rows.take()), drag(rows.take()), force(rows.take(bool(c.force))), attach(rows.take(bool(c.target))) {}
+
+    // Gains of node i when `grounded` is what resists it.
+    void set(const StageSystem& s, size_t i, double grounded) const {
+        gravity[i] = mass_of(s.c, i) / grounded;
+        drag[i] = (s.h * s.dragging(i) + s.h * s.h * s.tying(i)) / grounded;
+        if (force) force[i] = s.h / grounded;
+        if (attach) attach[i] = s.h * s.tying(i) / grounded;
+    }
+    NodeGains gains(const Chain& c) const {
+        const bool drags =
+            c.drag > 0 || c.target || c.pin[0] == CD_NODE_MATCHED || c.pin[c.nodes - 1] == CD_NODE_MATCHED;
+        return {gravity, force, drags ? drag : nullptr, attach};
+    }
+};
 
 // What to solve for, see Stage::of_change. Springs alone are better solved for w even where they are soft.
 double of_change(const StageSystem& s) {
@@ -140,15 +151,17 @@ template <class T> struct SpringStep {
     Stages stages;
 
     SpringStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of<T>(c)), stages(c, dt) {
-        const Rows rows{c.coefficients.data, c.nodes};
-        double *const carry = rows[kGainRows], *const pull = rows[kGainRows + 1], *const closing = rows[kGainRows + 2];
+        Rows rows(c);
+        const GainRows gains(c, rows);
+        double *const carry = rows.take(), *const pull = rows.take();
+        double* const closing = rows.take(bool(c.spring_stiffness));
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
             factor_spring_line(c.nodes, system, carry, pull,
-                               [&](size_t i, double grounded) { set_gains(system, rows, i, grounded); });
-            set_closing(c, closing);
+                               [&](size_t i, double grounded) { gains.set(system, i, grounded); });
+            if (closing) set_closing(c, closing);
         }
-        coefficients = {carry, pull, c.has_welds ? closing : nullptr, gains_in(c, rows)};
+        coefficients = {carry, pull, c.has_welds ? closing : nullptr, gains.gains(c)};
     }
     bool operator()(size_t first, size_t count) const {
         return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
@@ -164,23 +177,23 @@ template <class T> struct RodStep {
     Stages stages;
 
     RodStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of<T>(c)), stages(c, dt) {
-        const Rows rows{c.coefficients.data, c.nodes};
-        constexpr size_t k = kGainRows;
-        const RodRows rod{rows[k], rows[k + 1], rows[k + 2], rows[k + 3], rows[k + 4], rows[k + 5], rows[k + 6]};
-        double *const closing = rows[k + 7], *const has_bend = rows[k + 8];
+        Rows rows(c);
+        const GainRows gains(c, rows);
+        const RodRows rod{rows.take(), rows.take(), rows.take(), rows.take(), rows.take(), rows.take(), rows.take()};
+        double *const has_bend = rows.take(), *const closing = rows.take(bool(c.spring_stiffness));
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
             factor_rod_line(c.nodes, system, rod);
             for (size_t i = 0; i < c.nodes; ++i) {
-                set_gains(system, rows, i, system.ground(i));
+                gains.set(system, i, system.ground(i));
                 has_bend[i] = bend_of(c, i) > 0 ? 1 : 0;
             }
-            set_closing(c, closing);
+            if (closing) set_closing(c, closing);
             close(c, system, rod);
         }
-        coefficients = {rod.keep,   rod.close,         rod.turn,  rod.lever,
-                        rod.follow, rod.lean,          rod.bend,  c.has_welds ? closing : nullptr,
-                        has_bend,   gains_in(c, rows), c.pin.data};
+        coefficients = {rod.keep,   rod.close,      rod.turn,  rod.lever,
+                        rod.follow, rod.lean,       rod.bend,  c.has_welds ? closing : nullptr,
+                        has_bend,   gains.gains(c), c.pin.data};
     }
     void close(Chain& c, const StageSystem& system, const RodRows& rod) {
         c.closure = {};
@@ -209,22 +222,23 @@ template <class T> struct ExplicitStep {
     Carrier carrier;
 
     ExplicitStep(Chain& c, double dt_, bool refactor) : chain(c), lines(lines_of<T>(c)), dt(dt_) {
-        const Rows rows{c.coefficients.data, c.nodes};
-        double *const stiffness = rows[kGainRows], *const bend = rows[kGainRows + 1],
-                      *const inertia = rows[kGainRows + 2];
+        Rows rows(c);
+        const GainRows gains(c, rows);
+        double *const stiffness = rows.take(), *const inertia = rows.take(), *const bend = rows.take(has_bend(c));
         if (refactor) {
             const StageSystem system{c, dt};
             for (size_t i = 0; i < springs_in_all(c); ++i) stiffness[i] = welded(c, i) ? 0 : stiffness_of(c, i);
             for (size_t i = 0; i < c.nodes; ++i) {
                 const double mass = held(c, i) ? double(INFINITY) : mass_of(c, i);
-                bend[i] = bend_of(c, i);
-                inertia[i] = rows[1][i] = dt / mass;
-                rows[0][i] = mass_of(c, i) / mass;
-                rows[2][i] = dt * system.dragging(i) / mass;
-                rows[3][i] = dt * system.tying(i) / mass;
+                inertia[i] = dt / mass;
+                if (bend) bend[i] = bend_of(c, i);
+                gains.gravity[i] = mass_of(c, i) / mass;
+                gains.drag[i] = dt * system.dragging(i) / mass;
+                if (gains.force) gains.force[i] = inertia[i];
+                if (gains.attach) gains.attach[i] = dt * system.tying(i) / mass;
             }
         }
-        coefficients = {stiffness, has_bend(c) ? bend : nullptr, inertia, gains_in(c, rows), c.damping, c.ring != 0};
+        coefficients = {stiffness, bend, inertia, gains.gains(c), c.damping, c.ring != 0};
         for (size_t k = 0; k < 4; ++k) gravity[k] = dt * c.gravity[k];
         const bool new_velocity = c.method == CD_METHOD_SYMPLECTIC_EULER;
         carrier = !new_velocity ? Carrier::kOldVelocity : c.has_welds ? Carrier::kNothing : Carrier::kNewVelocity;
