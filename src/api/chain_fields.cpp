@@ -70,6 +70,7 @@ template <class S> cd_status check_values(const char* function, const Chain& c, 
     if (bad != SIZE_MAX)
         return fail(CD_ERROR_VALUE, function, "values[%zu] is %g, not valid in %s", bad, double(values[bad]),
                     field_name(part.field));
+    if (part.field != CD_STIFFNESS && part.field != CD_PIN) return CD_OK;
     const auto new_value = [&](cd_field field, size_t i, double old) {
         return part.field == field && part.holds(i) ? double(values[i - part.first]) : old;
     };
@@ -79,7 +80,7 @@ template <class S> cd_status check_values(const char* function, const Chain& c, 
             const double pin = new_value(CD_PIN, i, c.pin[i]);
             return pin == CD_NODE_PINNED || pin == CD_NODE_DRIVEN;
         });
-    if ((part.field == CD_STIFFNESS || part.field == CD_PIN) && !sound)
+    if (!sound)
         return fail(CD_ERROR_UNSUPPORTED, function, "a group of welded nodes would hold two pinned or driven ones");
     return CD_OK;
 }

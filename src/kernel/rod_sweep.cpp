@@ -49,8 +49,7 @@ template <class T> struct Sweep {
                 u = own;
             } else {
                 const L hold = i > 1 ? d + bend_wish<N>(i - 1, before, left, here) : d;
-                d = c.keep[i] * hold + c.close[i] * spring_wish<N>(i - 1, left, here) + c.turn[i] * (own - u);
-                u = between(own, u, d + c.lever[i] * (d - hold), c.follow[i]);
+                rod_reach(c, i, hold, spring_wish<N>(i - 1, left, here), own, u, d);
             }
             if (i % kSettleEvery == 0) {
                 u = settled(u, Limits<double>::least);
@@ -77,8 +76,7 @@ template <class T> struct Sweep {
             if (last) {
                 d = d_here;
             } else if (i > 0) {
-                const L wish = bend_wish<N>(i, left, here, right);
-                d = d_here + c.lean[i] * (answer - u_here) + c.bend[i] * (d - wish - d_here);
+                d = rod_leave(c, i, answer, u_here, d_here, d - bend_wish<N>(i, left, here, right));
             }
             if (i % kSettleEvery == 0) {
                 answer = settled(answer, Limits<double>::least);

@@ -29,7 +29,8 @@ double bend_of(const Chain& c, size_t node) {
 
 bool has_bend(const Chain& c) { return c.node_bend || c.bend > 0; }
 
-double impedance(const Chain& c, size_t node) {
+// sqrt(stiffness mass) of a matched end, 0 of every other node [N s/m].
+static double impedance(const Chain& c, size_t node) {
     if (c.pin[node] != CD_NODE_MATCHED || c.springs == 0) return 0;
     const bool first = node == 0;
     size_t i = first ? 0 : c.springs - 1;
@@ -37,6 +38,10 @@ double impedance(const Chain& c, size_t node) {
         i = first ? i + 1 : i - 1; // beyond what is welded to the end
     const size_t inside = first ? i + 1 : i;
     return welded(c, i) ? 0 : sqrt(stiffness_of(c, i) * mass_of(c, inside));
+}
+
+double drag_of(const Chain& c, size_t node) {
+    return c.drag * mass_of(c, node) + impedance(c, node) + (c.attach_damping ? c.attach_damping[node] : 0);
 }
 
 // ---- memory ---------------------------------------------------------------------------------------------------------
@@ -68,10 +73,9 @@ struct Needs {
 // How many rows of one number per node the sweeps read (chain_step.cpp hands them out), and how many they leave between
 // their two ways.
 Needs needs_of(const Chain& c, const Features& f) {
-    const bool is_explicit = f.method == CD_METHOD_FORWARD_EULER || f.method == CD_METHOD_SYMPLECTIC_EULER;
     const bool bends = f.bend || f.node_bend, rod = bends || f.ring;
     const size_t gains = 2 + size_t(f.force) + size_t(f.target), stages = f.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
-    if (is_explicit) return {(gains + 2 + size_t(bends)) * c.nodes, 0, 0};
+    if (is_explicit(f.method)) return {(gains + 2 + size_t(bends)) * c.nodes, 0, 0};
     const size_t rows = gains + (rod ? 8 : 2) + size_t(f.spring_stiffness), scratch_rows = stages + size_t(rod);
     return {rows * c.nodes, scratch_rows * c.nodes * c.pitch, f.ring ? 4 * c.nodes : 0};
 }

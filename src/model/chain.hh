@@ -57,6 +57,15 @@ inline size_t number_size(const Chain& c) { return c.precision == CD_FLOAT64 ? s
 inline size_t springs_in_all(const Chain& c) { return c.springs + size_t(c.ring); }
 inline bool held(const Chain& c, size_t node) { return c.pin[node] == CD_NODE_PINNED || c.pin[node] == CD_NODE_DRIVEN; }
 
+// Parameters stay far enough inside double's range for products of four of them: see chain.h.
+constexpr double kMost = 1e60, kLeastMass = 1e-60;
+inline bool valid_parameter(double value) { return value >= 0 && value <= kMost; }
+inline bool valid_mass(double value) { return value >= kLeastMass && value <= kMost; }
+
+inline bool is_explicit(cd_method method) {
+    return method == CD_METHOD_FORWARD_EULER || method == CD_METHOD_SYMPLECTIC_EULER;
+}
+
 // The uniform values that the totals come to.
 double uniform_mass(const Chain& c, size_t node);
 double uniform_stiffness(const Chain& c);
@@ -70,8 +79,10 @@ double bend_of(const Chain& c, size_t node); // 0 at the ends of an open chain
 bool has_bend(const Chain& c);
 inline bool welded(const Chain& c, size_t spring) { return stiffness_of(c, spring) > 1.7976931348623157e308; }
 
-// sqrt(stiffness mass) of a matched end, 0 of every other node [N s/m].
-double impedance(const Chain& c, size_t node);
+// What drags a node back beside the springs' damping [N s/m]: drag, a matched end, an attachment. What ties it to its
+// target [N/m].
+double drag_of(const Chain& c, size_t node);
+inline double tie_of(const Chain& c, size_t node) { return c.attach_stiffness ? c.attach_stiffness[node] : 0; }
 
 // ---- life and features (chain.cpp) ----------------------------------------------------------------------------------
 
@@ -96,10 +107,6 @@ void fill_uniform(Chain& c, cd_field field);
 // ---- fields and acting (chain_fields.cpp) ---------------------------------------------------------------------------
 
 template <class T> T* numbers(const Array<char>& array) { return reinterpret_cast<T*>(array.data); }
-// Parameters stay far enough inside double's range for products of four of them: see chain.h.
-constexpr double kMost = 1e60, kLeastMass = 1e-60;
-inline bool valid_parameter(double value) { return value >= 0 && value <= kMost; }
-inline bool valid_mass(double value) { return value >= kLeastMass && value <= kMost; }
 
 // Whether a number may stand in a field: finite, and in the ranges of chain.h.
 bool valid_number(const Chain& c, cd_field field, size_t node, double value);

@@ -27,10 +27,7 @@ struct Elimination {
         const double k = stiffness_of(c, i) + 2 * (bend_of(c, i) + bend_of(c, next(i)));
         return (dt * dt + 2 * dt * c.damping) * k;
     }
-    double own(size_t i) const {
-        const double drag = c.drag * mass_of(c, i) + impedance(c, i) + (c.attach_damping ? c.attach_damping[i] : 0);
-        return 4 * mass_of(c, i) - 2 * dt * drag - dt * dt * (c.attach_stiffness ? c.attach_stiffness[i] : 0);
-    }
+    double own(size_t i) const { return 4 * mass_of(c, i) - 2 * dt * drag_of(c, i) - dt * dt * tie_of(c, i); }
 
     // Nodes joined by welds are one unknown. Returns its last node; adds up what is its own.
     size_t unknown(size_t i, size_t& seen, double& sum, bool& is_held) const {
@@ -82,17 +79,17 @@ struct Elimination {
 } // namespace
 
 double stable_dt(const Chain& c) {
-    constexpr double kLeast = 1e-150, kMost = 1e150;
+    constexpr double kShortest = 1e-150, kLongest = 1e150;
     const auto bounded = [&](double dt) { return Elimination{c, dt}.positive(); };
     double low = 1, high = 1;
     if (bounded(1)) {
         while (bounded(high)) {
-            if (high > kMost) return INFINITY;
+            if (high > kLongest) return INFINITY;
             low = high;
             high *= 16;
         }
     } else {
-        while (low > kLeast && !bounded(low)) {
+        while (low > kShortest && !bounded(low)) {
             high = low;
             low /= 16;
         }

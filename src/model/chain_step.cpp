@@ -27,14 +27,13 @@ namespace {
 
 constexpr double kSqrt2 = 1.4142135623730951;
 
-bool is_explicit(const Chain& c) {
-    return c.method == CD_METHOD_FORWARD_EULER || c.method == CD_METHOD_SYMPLECTIC_EULER ||
-           (c.method == CD_METHOD_IMPLICIT && c.lambda < 1e-100);
+bool steps_explicitly(const Chain& c) {
+    return is_explicit(c.method) || (c.method == CD_METHOD_IMPLICIT && c.lambda < 1e-100);
 }
 bool is_rod(const Chain& c) { return has_bend(c) || c.ring; }
 
 double stage_share(const Chain& c, double dt) {
-    return is_explicit(c) ? dt : c.method == CD_METHOD_STIFF_SECOND ? (1 - kSqrt2 / 2) * dt : c.lambda * dt;
+    return steps_explicitly(c) ? dt : c.method == CD_METHOD_STIFF_SECOND ? (1 - kSqrt2 / 2) * dt : c.lambda * dt;
 }
 
 // The system of one stage, for the solvers to factor.
@@ -42,14 +41,8 @@ struct StageSystem {
     const Chain& c;
     double h;
 
-    // Beside its inertia: what drags a node back, and what ties it to its target.
-    double dragging(size_t i) const {
-        return c.drag * mass_of(c, i) + impedance(c, i) + (c.attach_damping ? c.attach_damping[i] : 0);
-    }
-    double tying(size_t i) const { return c.attach_stiffness ? c.attach_stiffness[i] : 0; }
-
     double ground(size_t i) const {
-        return held(c, i) ? double(INFINITY) : mass_of(c, i) + h * dragging(i) + h * h * tying(i);
+        return held(c, i) ? double(INFINITY) : mass_of(c, i) + h * drag_of(c, i) + h * h * tie_of(c, i);
     }
     double spring(size_t i) const { return h * (h + c.damping) * stiffness_of(c, i); }
     double bend(size_t i) const { return h * (h + c.damping) * bend_of(c, i); }
@@ -77,9 +70,9 @@ struct GainRows {
     // Gains of node i when `grounded` is what resists it.
     void set(const StageSystem& s, size_t i, double grounded) const {
         gravity[i] = mass_of(s.c, i) / grounded;
-        drag[i] = (s.h * s.dragging(i) + s.h * s.h * s.tying(i)) / grounded;
+        drag[i] = (s.h * drag_of(s.c, i) + s.h * s.h * tie_of(s.c, i)) / grounded;
         if (force) force[i] = s.h / grounded;
-        if (attach) attach[i] = s.h * s.tying(i) / grounded;
+        if (attach) attach[i] = s.h * tie_of(s.c, i) / grounded;
     }
     NodeGains gains(const Chain& c) const {
         const bool drags =
@@ -204,13 +197,16 @@ template <class T> struct RodStep {
         factor_ring(n, system, rod, has_bend(c) ? 3 : 1, stiffness, response, c.ring_response.data + 3 * n, c.closure);
         c.closure.closing_rate = welded(c, c.springs) ? 0 : stages.stage[0].closing_rate;
     }
+    // A weld that closes a ring is a constraint, kept to rounding; its nodes then share what they have, to the bit.
     bool operator()(size_t first, size_t count) const {
         const LineKernels<T>& kernels = chain.kernels->of(T());
         double* const slope = chain.scratch.data + size_t(stages.count) * chain.nodes * chain.pitch;
-        return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
+        const bool finite = stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
             kernels.rod_sweep(lines, coefficients, stage, start, row, slope, first, count);
             return kernels.advance(lines, stage, start, chain.closure, row, keep, first, count);
         });
+        if (chain.ring && welded(chain, chain.springs)) merge_velocities(chain, first, count);
+        return finite;
     }
 };
 
@@ -226,16 +222,15 @@ template <class T> struct ExplicitStep {
         const GainRows gains(c, rows);
         double *const stiffness = rows.take(), *const inertia = rows.take(), *const bend = rows.take(has_bend(c));
         if (refactor) {
-            const StageSystem system{c, dt};
             for (size_t i = 0; i < springs_in_all(c); ++i) stiffness[i] = welded(c, i) ? 0 : stiffness_of(c, i);
             for (size_t i = 0; i < c.nodes; ++i) {
                 const double mass = held(c, i) ? double(INFINITY) : mass_of(c, i);
                 inertia[i] = dt / mass;
                 if (bend) bend[i] = bend_of(c, i);
                 gains.gravity[i] = mass_of(c, i) / mass;
-                gains.drag[i] = dt * system.dragging(i) / mass;
+                gains.drag[i] = dt * drag_of(c, i) / mass;
                 if (gains.force) gains.force[i] = inertia[i];
-                if (gains.attach) gains.attach[i] = dt * system.tying(i) / mass;
+                if (gains.attach) gains.attach[i] = dt * tie_of(c, i) / mass;
             }
         }
         coefficients = {stiffness, bend, inertia, gains.gains(c), c.damping, c.ring != 0};
@@ -280,7 +275,7 @@ template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
         c.has_welds = false;
         for (size_t i = 0; i < c.spring_stiffness.count; ++i) c.has_welds |= welded(c, i);
     }
-    if (is_explicit(c)) return run(c, ExplicitStep<T>(c, dt, refactor), count);
+    if (steps_explicitly(c)) return run(c, ExplicitStep<T>(c, dt, refactor), count);
     if (refactor) {
         ++c.factorizations;
         c.of_change = of_change({c, stage_share(c, dt)});

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "kernel/advance.hh"
+#include "kernel/rod_sweep.hh"
 #include "solve/rod_line.hh"
 
 namespace cd {
@@ -27,22 +28,22 @@ void pull_line(size_t nodes, const System& system, const RodRows& rows, Tension 
         if (i > 0 && soft(i - 1)) load += tension(i - 1);
         return load / system.ground(i);
     };
-    double u = own(0), d = 0;
-    w[0] = u;
+    using One = Lanes<1>;
+    One u{own(0)}, d{0};
+    w[0] = u.v;
     slope[0] = 0;
     for (size_t i = 1; i < nodes; ++i) {
-        const double hold = d, wish = soft(i - 1) ? 0 : tension(i - 1) / system.spring(i - 1);
-        d = rows.keep[i] * hold + rows.close[i] * wish + rows.turn[i] * (own(i) - u);
-        u = between(Lanes<1>{own(i)}, Lanes<1>{u}, Lanes<1>{d + rows.lever[i] * (d - hold)}, rows.follow[i]).v;
-        w[i] = u;
-        slope[i] = d;
+        const One wish{soft(i - 1) ? 0 : tension(i - 1) / system.spring(i - 1)};
+        rod_reach(rows, i, d, wish, One{own(i)}, u, d);
+        w[i] = u.v;
+        slope[i] = d.v;
     }
     for (size_t i = nodes - 1; i > 0; --i) {
-        differences(i - 1, d);
-        u -= d;
-        if (system.ground(i - 1) - system.ground(i - 1) != 0) u = 0;
-        if (i > 1) d = slope[i - 1] + rows.lean[i - 1] * (u - w[i - 1]) + rows.bend[i - 1] * (d - slope[i - 1]);
-        w[i - 1] = u;
+        differences(i - 1, d.v);
+        u = u - d;
+        if (system.ground(i - 1) - system.ground(i - 1) != 0) u = One{0};
+        if (i > 1) d = rod_leave(rows, i - 1, u, One{w[i - 1]}, One{slope[i - 1]}, d);
+        w[i - 1] = u.v;
     }
 }
 

@@ -265,8 +265,39 @@ static void a_weld_comes_loose_when_it_gets_a_stiffness_again(void** state) {
     cd_chain_destroy(chain);
 }
 
+/* Whatever the method, with bend or without, and where a weld is the spring that closes a ring. */
+static void welded_nodes_share_one_velocity_to_the_bit(void** state) {
+    (void)state;
+    enum { SIZE = 21, LAST = SIZE - 1 };
+    static const size_t welds[] = {5, 6, 12, LAST};
+    for (int kind = 0; kind < 32; ++kind) {
+        const int ring = kind / 16;
+        cd_chain* chain = scene_chain(1, LAST, 1, kind % 2 ? CD_FLOAT64 : CD_FLOAT32);
+        double x[SIZE], v[SIZE];
+        for (size_t i = 0; i < SIZE; ++i) {
+            x[i] = (double)(i * 7919 % 101) / 100;
+            v[i] = (double)(i * 104729 % 97) / 97 - 0.5;
+        }
+        ok(cd_chain_set_ring(chain, ring));
+        ok(cd_chain_set_method(chain, kind / 2 % 4));
+        ok(cd_chain_set_stiffness(chain, 0.01));
+        if (kind / 8 % 2) ok(cd_chain_set_bend(chain, 1e-7));
+        scene_write(chain, CD_POSITION, x);
+        scene_write(chain, CD_VELOCITY, v);
+        for (size_t k = 0; k < COUNT(welds) - (ring ? 0 : 1); ++k) ok(cd_chain_weld(chain, welds[k]));
+        for (int step = 0; step < 50; ++step) {
+            ok(cd_chain_step(chain, 0.003, 1));
+            scene_read(chain, CD_VELOCITY, v);
+            for (size_t k = 0; k < COUNT(welds) - (ring ? 0 : 1); ++k)
+                assert_true(v[welds[k]] == v[(welds[k] + 1) % SIZE]);
+        }
+        cd_chain_destroy(chain);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(welded_nodes_share_one_velocity_to_the_bit),
         cmocka_unit_test(welded_nodes_share_the_mean_velocity_at_once),
         cmocka_unit_test(a_welded_pair_keeps_its_offset_and_the_chain_its_momentum),
         cmocka_unit_test(a_chain_welded_all_along_moves_as_one_body),
