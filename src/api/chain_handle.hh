@@ -1,29 +1,26 @@
-// From the opaque handle to the chain behind it.
+// From the opaque handle to the chain behind it, and what both files of its functions use.
 #pragma once
 
-#include <string.h>
-
-#include "api/check.hh"
+#include "api/shared.hh"
 #include "model/chain.hh"
-
-// Checks `chain` and declares `c`, the chain behind it.
-#define CD_THE_CHAIN(type)                     \
-    CD_CHECK(::cd::is_chain(__func__, chain)); \
-    type& c = *reinterpret_cast<type*>(const_cast<cd_chain*>(chain))
 
 namespace cd {
 
-inline cd_status is_chain(const char* function, const cd_chain* chain, const char* name = "chain") {
-    CD_CHECK(not_null(function, name, chain));
-    uint64_t tag;
-    memcpy(&tag, chain, sizeof tag);
-    return tag == kChainTag ? CD_OK
-                            : fail(CD_ERROR_HANDLE, function, "%s, %p, is no living chain", name, (const void*)chain);
-}
+template <> struct Behind<cd_chain> {
+    using Object = Chain;
+    static constexpr uint64_t tag = kChainTag;
+    static constexpr const char* name = "chain";
+};
 
-// The largest number that the chain's precision holds.
-inline double most_of(const Chain& c) {
-    return c.precision == CD_FLOAT64 ? 1.7976931348623157e308 : 3.4028234663852886e38;
+inline cd_status is_field(const char* function, const Chain&, cd_field field) {
+    return is_enum(function, "field", field, CD_TARGET);
+}
+inline bool is_always_on(const Chain&, cd_field field) {
+    return field == CD_POSITION || field == CD_VELOCITY || field == CD_PIN;
+}
+inline void switch_own(Features& wanted, cd_field field, bool on) {
+    if (field == CD_STIFFNESS) wanted.spring_stiffness = on;
+    if (field == CD_BEND) wanted.node_bend = on;
 }
 
 // Whether every welded group would hold one held node at the most, if springs and nodes were as the functions say.

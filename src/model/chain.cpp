@@ -41,7 +41,7 @@ static double impedance(const Chain& c, size_t node) {
 }
 
 double drag_of(const Chain& c, size_t node) {
-    return c.drag * mass_of(c, node) + impedance(c, node) + (c.attach_damping ? c.attach_damping[node] : 0);
+    return c.drag * mass_of(c, node) + impedance(c, node) + tie_damping_of(c, node);
 }
 
 // ---- memory ---------------------------------------------------------------------------------------------------------
@@ -57,10 +57,10 @@ static bool line_pitch(size_t lines, size_t number, size_t& out) {
 }
 
 Features features(const Chain& c) {
-    return {bool(c.node_mass), bool(c.spring_stiffness),
-            bool(c.node_bend), bool(c.force),
-            bool(c.target),    c.ring != 0,
-            c.bend > 0,        c.method};
+    return {{c.method, bool(c.node_mass), bool(c.force), bool(c.target), c.bend > 0},
+            bool(c.spring_stiffness),
+            bool(c.node_bend),
+            c.ring != 0};
 }
 
 namespace {
@@ -80,58 +80,27 @@ Needs needs_of(const Chain& c, const Features& f) {
     return {rows * c.nodes, scratch_rows * c.nodes * c.pitch, f.ring ? 4 * c.nodes : 0};
 }
 
-// One array on its way from what it is to what it shall be.
-template <class T> struct Change {
-    Array<T>& array;
-    size_t count;
-    Array<T> fresh{};
-    bool keep() const { return array.count == count; }
-};
-
-template <class T> bool take(Memory& memory, Change<T>& change) {
-    return change.keep() || change.count == 0 || allocate(memory, change.count, change.fresh);
-}
-template <class T> void undo(Memory& memory, Change<T>& change) { release(memory, change.fresh); }
-template <class T> bool put(Memory& memory, Change<T>& change) { // true if the array is new
-    if (change.keep()) return false;
-    release(memory, change.array);
-    change.array = change.fresh;
-    return change.count > 0;
-}
-
 } // namespace
 
 bool set_features(Chain& c, const Features& wanted) {
     const Needs needs = needs_of(c, wanted);
-    const size_t state = c.nodes * c.pitch * number_size(c), springs = c.springs + (wanted.ring ? 1 : 0);
-    Change<double> mass{c.node_mass, wanted.node_mass ? c.nodes : 0};
+    const size_t springs = c.springs + (wanted.ring ? 1 : 0);
+    BodyChanges body(c, wanted, needs.coefficients, needs.scratch);
+    Change<uint8_t> pin{c.pin, c.nodes};
     Change<double> stiffness{c.spring_stiffness, wanted.spring_stiffness ? springs : 0};
     Change<double> bend{c.node_bend, wanted.node_bend ? c.nodes : 0};
-    Change<double> attach_stiffness{c.attach_stiffness, wanted.target ? c.nodes : 0};
-    Change<double> attach_damping{c.attach_damping, wanted.target ? c.nodes : 0};
-    Change<char> force{c.force, wanted.force ? state : 0}, target{c.target, wanted.target ? state : 0};
-    Change<double> coefficients{c.coefficients, needs.coefficients}, scratch{c.scratch, needs.scratch};
     Change<double> ring_response{c.ring_response, needs.ring_response};
 
-    const auto all = [&](auto f) {
-        return f(mass) && f(stiffness) && f(bend) && f(attach_stiffness) && f(attach_damping) && f(force) &&
-               f(target) && f(coefficients) && f(scratch) && f(ring_response);
-    };
-    if (wanted.method == c.method && wanted.ring == (c.ring != 0) && all([](auto& change) { return change.keep(); }))
-        return true;
-    if (!all([&](auto& change) { return take(c.memory, change); })) {
-        all([&](auto& change) { return undo(c.memory, change), true; });
-        return false;
-    }
+    const auto all = [&](auto f) { return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(ring_response); };
+    if (wanted.method == c.method && wanted.ring == (c.ring != 0) && keep_all(all)) return true;
+    if (!take_all(c.memory, all)) return false;
+    put_all(c.memory, all);
     c.ring = wanted.ring;
     c.method = wanted.method;
-    if (put(c.memory, mass)) fill_uniform(c, CD_MASS);
-    if (put(c.memory, stiffness)) fill_uniform(c, CD_STIFFNESS);
-    if (put(c.memory, bend)) fill_uniform(c, CD_BEND);
-    if (put(c.memory, target)) memcpy(c.target.data, c.position.data, c.target.count);
-    put(c.memory, force);
-    for (Change<double>* change : {&attach_stiffness, &attach_damping, &coefficients, &scratch, &ring_response})
-        put(c.memory, *change);
+    if (body.mass.is_new()) fill_uniform(c, CD_MASS);
+    if (stiffness.is_new()) fill_uniform(c, CD_STIFFNESS);
+    if (bend.is_new()) fill_uniform(c, CD_BEND);
+    body.fill(c);
     c.prepared_dt = 0;
     return true;
 }
@@ -167,34 +136,11 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
     shape.mass = 1;
     shape.stiffness = 1;
 
-    Array<char> place;
-    Memory& memory = shape.memory;
-    const size_t state = shape.nodes * shape.pitch * number_size(shape);
-    if (!allocate(memory, sizeof(Chain), place) || !allocate(memory, shape.nodes, shape.pin) ||
-        !allocate(memory, state, shape.position) || !allocate(memory, state, shape.velocity) ||
-        !set_features(shape, features(shape))) {
-        release(memory, shape.velocity);
-        release(memory, shape.position);
-        release(memory, shape.pin);
-        release(memory, place);
+    out = make(shape, kChainTag, shape.nodes * shape.pitch * number_size(shape));
+    if (!out)
         return fail(CD_ERROR_MEMORY, function, "no memory for %zu strands of %zu springs with %zu components", strands,
                     springs, components);
-    }
-    out = reinterpret_cast<Chain*>(place.data);
-    *out = shape;
-    out->tag = kChainTag;
     return CD_OK;
-}
-
-void destroy_chain(Chain* c) {
-    c->tag = 0;
-    for (Array<double>* array : {&c->node_mass, &c->spring_stiffness, &c->node_bend, &c->attach_stiffness,
-                                 &c->attach_damping, &c->coefficients, &c->scratch, &c->ring_response})
-        release(c->memory, *array);
-    for (Array<char>* array : {&c->position, &c->velocity, &c->force, &c->target}) release(c->memory, *array);
-    release(c->memory, c->pin);
-    Memory memory = c->memory;
-    release(memory, c, sizeof(Chain));
 }
 
 } // namespace cd

@@ -1,70 +1,52 @@
 // The chain: what it consists of, and what is done with it. The equations are those of model.md, sections 1 to 3.
 #pragma once
 
-#include <string.h>
-
-#include <initializer_list>
-
-#include "base/memory.hh"
 #include "contdyn/chain.h"
-#include "kernel/kernels.hh"
+#include "model/body.hh"
 
 namespace cd {
 
-// Everything a chain is. Shared by its strands: all but the four fields of strand, node and component.
-struct Chain {
-    uint64_t tag;
-    Memory memory;
-    cd_parallel parallel;
-    const Kernels* kernels;
-
-    // shape
-    size_t strands, springs, components;
-    cd_precision precision;
-    size_t nodes, lines, pitch; // lines: strands * components, side by side; pitch: numbers from one node to the next
-
-    // parameters
-    cd_method method;
-    cd_mass_rule mass_rule;
+struct ChainSettings {
     int32_t ring;
-    double lambda, mass, stiffness, bend, drag, damping, gravity[4];
+    double stiffness, bend;
+};
 
-    // fields, empty where switched off: per node or spring
-    Array<double> node_mass, spring_stiffness, node_bend, attach_stiffness, attach_damping;
-    Array<uint8_t> pin; // always there
-    // and per strand, node and component, in the chain's precision; position and velocity are always there
-    Array<char> position, velocity, force, target;
+// Shared by the strands: all but the four fields of strand, node and component.
+struct Chain : Body, ChainSettings {
+    // shape
+    size_t strands, springs;
+    size_t lines, pitch; // lines: strands * components, side by side; pitch: numbers from one node to the next
 
-    // time: clock_steps steps of clock_dt since clock_start, so that it does not depend on how steps share calls
-    double clock_start, clock_dt;
-    uint64_t clock_steps, steps;
-    bool diverged;
+    // fields of its own, per spring and per node; pin is always there
+    Array<double> spring_stiffness, node_bend;
 
     // what steps need, none of it state: see chain_step.cpp
-    Array<double> coefficients, scratch, ring_response;
+    Array<double> ring_response;
     RingClosure closure;
     bool has_welds;
-    double of_change;   // see Stage
-    double prepared_dt; // what those above are for; 0: out of date
-    uint64_t factorizations;
+    double of_change; // see Stage
+
+    // f(array, array of another chain...) for each field, in the order in which they are kept; and for every array.
+    template <class F, class... C> static void each_field(F f, C&... c) {
+        f(c.pin...), f(c.node_mass...), f(c.spring_stiffness...), f(c.node_bend...), f(c.attach_stiffness...);
+        f(c.attach_damping...), f(c.position...), f(c.velocity...), f(c.force...), f(c.target...);
+    }
+    template <class F> static void each_array(F f, Chain& c) {
+        each_field(f, c);
+        f(c.coefficients), f(c.scratch), f(c.ring_response);
+    }
 };
 
 constexpr uint64_t kChainTag = 0x316e696168436443; // "CdChain1"
 
 // ---- shape and parameters -------------------------------------------------------------------------------------------
 
-inline size_t number_size(const Chain& c) { return c.precision == CD_FLOAT64 ? sizeof(double) : sizeof(float); }
+inline Layout layout_of(const Chain& c) { return {c.nodes, c.lines, c.pitch}; }
+inline size_t place(const Chain& c, size_t strand, size_t node, size_t component) {
+    return node * c.pitch + strand * c.components + component;
+}
 inline size_t springs_in_all(const Chain& c) { return c.springs + size_t(c.ring); }
 inline bool held(const Chain& c, size_t node) { return c.pin[node] == CD_NODE_PINNED || c.pin[node] == CD_NODE_DRIVEN; }
-
-// Parameters stay far enough inside double's range for products of four of them: see chain.h.
-constexpr double kMost = 1e60, kLeastMass = 1e-60;
-inline bool valid_parameter(double value) { return value >= 0 && value <= kMost; }
-inline bool valid_mass(double value) { return value >= kLeastMass && value <= kMost; }
-
-inline bool is_explicit(cd_method method) {
-    return method == CD_METHOD_FORWARD_EULER || method == CD_METHOD_SYMPLECTIC_EULER;
-}
 
 // The uniform values that the totals come to.
 double uniform_mass(const Chain& c, size_t node);
@@ -79,21 +61,16 @@ double bend_of(const Chain& c, size_t node); // 0 at the ends of an open chain
 bool has_bend(const Chain& c);
 inline bool welded(const Chain& c, size_t spring) { return stiffness_of(c, spring) > 1.7976931348623157e308; }
 
-// What drags a node back beside the springs' damping [N s/m]: drag, a matched end, an attachment. What ties it to its
-// target [N/m].
+// What drags a node back beside the springs' damping [N s/m]: drag, a matched end, an attachment.
 double drag_of(const Chain& c, size_t node);
-inline double tie_of(const Chain& c, size_t node) { return c.attach_stiffness ? c.attach_stiffness[node] : 0; }
 
 // ---- life and features (chain.cpp) ----------------------------------------------------------------------------------
 
 cd_status create_chain(const char* function, size_t strands, size_t springs, size_t components, cd_precision precision,
                        const cd_allocator& allocator, Chain*& out);
-void destroy_chain(Chain* c);
 
-// What a chain may have switched on, in one value, so that features change all together or not at all.
-struct Features {
-    bool node_mass, spring_stiffness, node_bend, force, target, ring, bend;
-    cd_method method;
+struct Features : BodyFeatures {
+    bool spring_stiffness, node_bend, ring;
 };
 Features features(const Chain& c);
 
@@ -106,13 +83,8 @@ void fill_uniform(Chain& c, cd_field field);
 
 // ---- fields and acting (chain_fields.cpp) ---------------------------------------------------------------------------
 
-template <class T> T* numbers(const Array<char>& array) { return reinterpret_cast<T*>(array.data); }
-
 // Whether a number may stand in a field: finite, and in the ranges of chain.h.
 bool valid_number(const Chain& c, cd_field field, size_t node, double value);
-
-double get_number(const Chain& c, const Array<char>& array, size_t strand, size_t node, size_t component);
-void set_number(const Chain& c, const Array<char>& array, size_t strand, size_t node, size_t component, double value);
 
 // The group of nodes that welded springs join to a node: `count` nodes from `first`, round a ring.
 struct Group {
@@ -131,8 +103,6 @@ void stop_pinned(Chain& c);
 
 // Returns the number of the first step at which a number left the finite range, or 0.
 uint64_t step_chain(Chain& c, double dt, size_t count);
-bool all_finite(const Chain& c);
-inline double time_of(const Chain& c) { return c.clock_start + double(c.clock_steps) * c.clock_dt; }
 double stable_dt(const Chain& c); // chain_limit.cpp
 
 // ---- measuring (chain_measure.cpp) ----------------------------------------------------------------------------------
@@ -142,10 +112,10 @@ void momentum(const Chain& c, double* out);
 
 // ---- keeping (chain_keep.cpp) ---------------------------------------------------------------------------------------
 
-uint64_t hash_chain(const Chain& c);
-size_t saved_size(const Chain& c);
-void save_chain(const Chain& c, unsigned char* out);
-cd_status load_chain(const char* function, Chain& c, const unsigned char* bytes, size_t size);
-cd_status copy_chain(const char* function, Chain& c, const Chain& source);
+uint64_t hash(const Chain& c);
+size_t save_size(const Chain& c);
+void save(const Chain& c, unsigned char* out);
+cd_status load(const char* function, Chain& c, const unsigned char* bytes, size_t size);
+cd_status copy(const char* function, Chain& c, const Chain& source);
 
 } // namespace cd

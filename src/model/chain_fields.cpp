@@ -18,23 +18,8 @@ bool valid_number(const Chain& c, cd_field field, size_t node, double value) {
     case CD_VELOCITY:
         if (c.pin[node] == CD_NODE_PINNED && value != 0) return false;
         [[fallthrough]];
-    default: return fabs(value) <= (c.precision == CD_FLOAT64 ? 1.7976931348623157e308 : 3.4028234663852886e38);
+    default: return fabs(value) <= most_of(c);
     }
-}
-
-static size_t place(const Chain& c, size_t strand, size_t node, size_t component) {
-    return node * c.pitch + strand * c.components + component;
-}
-
-double get_number(const Chain& c, const Array<char>& array, size_t strand, size_t node, size_t component) {
-    const size_t at = place(c, strand, node, component);
-    return c.precision == CD_FLOAT64 ? numbers<double>(array)[at] : double(numbers<float>(array)[at]);
-}
-
-void set_number(const Chain& c, const Array<char>& array, size_t strand, size_t node, size_t component, double value) {
-    const size_t at = place(c, strand, node, component);
-    if (c.precision == CD_FLOAT64) numbers<double>(array)[at] = value;
-    else numbers<float>(array)[at] = float(value);
 }
 
 Group group_of(const Chain& c, size_t node) {
@@ -96,7 +81,7 @@ void stop_pinned(Chain& c) {
     for (size_t node = 0; node < c.nodes; ++node)
         if (c.pin[node] == CD_NODE_PINNED)
             for (size_t strand = 0; strand < c.strands; ++strand)
-                for (size_t k = 0; k < c.components; ++k) set_number(c, c.velocity, strand, node, k, 0);
+                for (size_t k = 0; k < c.components; ++k) set_number(c, c.velocity, place(c, strand, node, k), 0);
 }
 
 } // namespace cd

@@ -284,14 +284,6 @@ template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
     return run(c, SpringStep<T>(c, dt, refactor), count);
 }
 
-template <class T> bool finite_numbers(const Chain& c, const Array<char>& array) {
-    const T* const data = numbers<T>(array);
-    for (size_t i = 0; i < c.nodes; ++i)
-        for (size_t line = 0; line < c.lines; ++line)
-            if (!isfinite(data[i * c.pitch + line])) return false;
-    return true;
-}
-
 } // namespace
 
 uint64_t step_chain(Chain& c, double dt, size_t count) {
@@ -302,22 +294,10 @@ uint64_t step_chain(Chain& c, double dt, size_t count) {
 #if CD_WITH_FLOAT32
     if (c.precision == CD_FLOAT32) bad = step_lines<float>(c, dt, count);
 #endif
-    const uint64_t first = c.steps;
-    c.steps += count;
-    if (c.clock_dt != dt) {
-        c.clock_start = time_of(c);
-        c.clock_dt = dt;
-        c.clock_steps = 0;
-    }
-    c.clock_steps += count;
+    const uint64_t first = c.clock.steps;
+    c.clock.advance(dt, count);
     c.diverged = bad != UINT64_MAX;
     return c.diverged ? first + bad + 1 : 0;
-}
-
-bool all_finite(const Chain& c) {
-    if (c.precision == CD_FLOAT64)
-        return finite_numbers<double>(c, c.position) && finite_numbers<double>(c, c.velocity);
-    return finite_numbers<float>(c, c.position) && finite_numbers<float>(c, c.velocity);
 }
 
 } // namespace cd

@@ -1,0 +1,83 @@
+// What the fields of all objects share: names, switches, and the way numbers go in and out.
+#pragma once
+
+#include "api/check.hh"
+#include "model/body.hh"
+
+namespace cd {
+
+inline const char* field_name(cd_field field) {
+    static const char* const names[] = {"CD_POSITION",    "CD_VELOCITY",    "CD_FORCE", "CD_MASS",
+                                        "CD_STIFFNESS",   "CD_BEND",        "CD_PIN",   "CD_TARGET",
+                                        "CD_STIFFNESS_U", "CD_STIFFNESS_V", "CD_MASK"};
+    return names[field];
+}
+
+// object: its name in the names of its functions
+inline cd_status must_be_on(const char* function, const char* object, cd_field field, bool on) {
+    if (on) return CD_OK;
+    return fail(CD_ERROR_DISABLED, function, "field %d, %s, is off: see cd_%s_enable_field", int(field),
+                field_name(field), object);
+}
+
+// Whether a field of a body is part of its state: a number per component, in the body's precision.
+inline bool is_state(cd_field field) {
+    return field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET;
+}
+inline const Array<char>& state_of(const Body& b, cd_field field) {
+    return field == CD_POSITION   ? b.position
+           : field == CD_VELOCITY ? b.velocity
+           : field == CD_FORCE    ? b.force
+                                  : b.target;
+}
+
+inline cd_status has_view(const char* function, cd_field field) {
+    if (is_state(field)) return CD_OK;
+    return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, has no view: read it", int(field), field_name(field));
+}
+
+// What every sample is given: places at[j], and room for positions.
+inline cd_status can_sample(const char* function, const double* at, size_t n, const double* out_positions) {
+    if (n > 0) CD_CHECK(not_null(function, "at", at));
+    if (n > 0) CD_CHECK(not_null(function, "out_positions", out_positions));
+    return n > SIZE_MAX / 4 ? fail(CD_ERROR_RANGE, function, "n is %zu, more than fits in memory", n) : CD_OK;
+}
+inline cd_status is_place(const char* function, const double* at, size_t j, size_t springs) {
+    if (at[j] >= 0 && at[j] <= double(springs)) return CD_OK;
+    return fail(CD_ERROR_VALUE, function, "at[%zu] is %g, must be in [0, %zu]", j, at[j], springs);
+}
+
+// Part: a part of the field part.field of an object, as read and write are given it:
+//   check(function, x, count)        whether it is one, and whether a buffer of `count` numbers fits it
+//   each(x, f)                       f(index in the buffer, place) for each of its numbers
+//   valid(x, place, value)           whether the number may stand there
+//   check_all(function, x, values)   what the values must be together
+//   get(x, place), set(x, place, value)
+//   written(x)                       what follows from a write
+
+template <class X, class Part, class S>
+cd_status write_part(const char* function, X& x, const Part& part, const S* values, size_t count) {
+    CD_CHECK(part.check(function, x, count));
+    if (count > 0) CD_CHECK(not_null(function, "values", values));
+    size_t bad = SIZE_MAX;
+    part.each(x, [&](size_t at, const auto& place) {
+        if (bad == SIZE_MAX && !part.valid(x, place, double(values[at]))) bad = at;
+    });
+    if (bad != SIZE_MAX)
+        return fail(CD_ERROR_VALUE, function, "values[%zu] is %g, not valid in %s", bad, double(values[bad]),
+                    field_name(part.field));
+    CD_CHECK(part.check_all(function, x, values));
+    part.each(x, [&](size_t at, const auto& place) { part.set(x, place, double(values[at])); });
+    part.written(x);
+    return CD_OK;
+}
+
+template <class X, class Part, class S>
+cd_status read_part(const char* function, const X& x, const Part& part, S* values, size_t count) {
+    CD_CHECK(part.check(function, x, count));
+    if (count > 0) CD_CHECK(not_null(function, "out_values", values));
+    part.each(x, [&](size_t at, const auto& place) { values[at] = S(part.get(x, place)); });
+    return CD_OK;
+}
+
+} // namespace cd

@@ -1,0 +1,82 @@
+#include "model/keep.hh"
+
+namespace cd {
+
+constexpr uint64_t kMagic = 0x006e7964746e6f63; // "contdyn"
+constexpr uint32_t kFormat = 1;
+
+static uint64_t checksum(const unsigned char* bytes, size_t size) {
+    Hasher hasher;
+    for (size_t i = 0; i < size; i += 8) {
+        uint64_t word = 0;
+        for (size_t k = 0; k < 8 && i + k < size; ++k) word |= uint64_t(bytes[i + k]) << (8 * k);
+        hasher.word(word, 8);
+    }
+    return hasher.state;
+}
+
+void write_header(const Kind& kind, unsigned char* bytes, size_t size) {
+    Writer header{bytes};
+    walk(header, kMagic), walk(header, kFormat), walk(header, kind.number);
+    walk(header, checksum(bytes + kHeader, size - kHeader));
+}
+
+cd_status read_header(const char* function, const Kind& kind, Reader& reader, size_t size) {
+    uint64_t magic = 0, sum = 0;
+    uint32_t format = 0, number = 0;
+    walk(reader, magic), walk(reader, format), walk(reader, number), walk(reader, sum);
+    if (!reader.whole || magic != kMagic)
+        return fail(CD_ERROR_FORMAT, function, "these %zu bytes are no saved state", size);
+    if (format != kFormat)
+        return fail(CD_ERROR_FORMAT, function, "format version is %u, this library reads %u", format, kFormat);
+    if (number != kind.number)
+        return fail(CD_ERROR_FORMAT, function, "kind of object is %u, a %s is %u", number, kind.name, kind.number);
+    if (checksum(reader.from, size - kHeader) != sum)
+        return fail(CD_ERROR_FORMAT, function, "the checksum of %zu bytes does not fit: damaged or cut short", size);
+    return CD_OK;
+}
+
+cd_status shapes_differ(const char* function, const Kind& kind, const char* source, const Shape& from,
+                        const Shape& here) {
+    return fail(CD_ERROR_MISMATCH, function,
+                "%s has %zu %s, %zu %s, %zu components, precision %d; this %s has %zu, %zu, %zu, %d", source,
+                size_t(from.sizes[0]), kind.sizes[0], size_t(from.sizes[1]), kind.sizes[1], size_t(from.components),
+                int(from.precision), kind.name, size_t(here.sizes[0]), size_t(here.sizes[1]), size_t(here.components),
+                int(here.precision));
+}
+
+// ---- what is the same for every body --------------------------------------------------------------------------------
+
+KeptBody keep_body(const Body& b) {
+    const auto bit = [](bool on, cd_field field) { return uint32_t(on) << field; };
+    return {b, bit(bool(b.node_mass), CD_MASS) | bit(bool(b.force), CD_FORCE) | bit(bool(b.target), CD_TARGET)};
+}
+
+bool valid_body(const KeptBody& kept) {
+    const BodySettings& s = kept.body;
+    bool good = s.method >= CD_METHOD_IMPLICIT && s.method <= CD_METHOD_STIFF_SECOND;
+    good &= s.mass_rule == CD_MASS_EQUAL || s.mass_rule == CD_MASS_HALF_ENDS;
+    good &= s.lambda >= 0 && s.lambda <= 1 && valid_mass(s.mass);
+    good &= valid_parameter(s.drag) && valid_parameter(s.damping);
+    for (double g : s.gravity) good &= fabs(g) <= kMost;
+    return good && isfinite(s.clock.start) && isfinite(s.clock.dt);
+}
+
+BodyFeatures features_of_body(const KeptBody& s, bool bend) {
+    return {s.body.method, s.on(CD_MASS), s.on(CD_FORCE), s.on(CD_TARGET), bend};
+}
+
+void check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s) {
+    const size_t state = layout.rows * layout.width;
+    if (s.on(CD_TARGET)) check.numbers<double>(2 * b.nodes, [](double tie, size_t) { return valid_parameter(tie); });
+    const auto check_state = [&](auto zero) {
+        using T = decltype(zero);
+        check.numbers<T>(2 * state, [](double, size_t) { return true; }); // a state that diverged can be saved too
+        check.numbers<T>((s.on(CD_FORCE) + s.on(CD_TARGET)) * state,
+                         [](double value, size_t) { return isfinite(value) != 0; });
+    };
+    if (b.precision == CD_FLOAT64) check_state(0.0);
+    else check_state(0.0f);
+}
+
+} // namespace cd

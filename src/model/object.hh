@@ -1,0 +1,101 @@
+// What every object has: memory, a way of stepping, a clock, and a state of numbers in a precision of its own.
+#pragma once
+
+#include <math.h>
+#include <string.h>
+
+#include <initializer_list>
+
+#include "base/memory.hh"
+#include "contdyn/base.h"
+#include "kernel/kernels.hh"
+
+namespace cd {
+
+// Time as a count of steps of one length since a start, so that it does not depend on how steps share calls.
+struct Clock {
+    double start, dt;
+    uint64_t counted; // steps of dt since start
+    uint64_t steps;   // of any length since create, reset or load
+
+    double time() const { return start + double(counted) * dt; }
+    void advance(double step, uint64_t count) {
+        if (dt != step) *this = {time(), step, 0, steps};
+        counted += count;
+        steps += count;
+    }
+};
+
+// What is set from outside and kept with the state.
+struct ObjectSettings {
+    cd_method method;
+    double lambda;
+    Clock clock;
+};
+
+struct Object {
+    uint64_t tag; // which kind of object this is, and that it lives
+    Memory memory;
+    cd_parallel parallel;
+    const Kernels* kernels;
+    cd_precision precision;
+    bool diverged;
+
+    // what steps need, none of it state
+    Array<double> coefficients, scratch;
+    double prepared_dt; // what those are for; 0: out of date
+    uint64_t factorizations;
+};
+
+// Parameters stay far enough inside double's range for products of four of them: see chain.h.
+constexpr double kMost = 1e60, kLeastMass = 1e-60;
+inline bool valid_parameter(double value) { return value >= 0 && value <= kMost; }
+inline bool valid_mass(double value) { return value >= kLeastMass && value <= kMost; }
+
+inline bool is_explicit(cd_method method) {
+    return method == CD_METHOD_FORWARD_EULER || method == CD_METHOD_SYMPLECTIC_EULER;
+}
+
+// ---- the state's numbers --------------------------------------------------------------------------------------------
+
+inline size_t number_size(const Object& o) { return o.precision == CD_FLOAT64 ? sizeof(double) : sizeof(float); }
+
+// The largest number that the object's precision holds.
+inline double most_of(const Object& o) {
+    return o.precision == CD_FLOAT64 ? 1.7976931348623157e308 : 3.4028234663852886e38;
+}
+
+template <class T> T* numbers(const Array<char>& array) { return reinterpret_cast<T*>(array.data); }
+
+inline double get_number(const Object& o, const Array<char>& array, size_t at) {
+    return o.precision == CD_FLOAT64 ? numbers<double>(array)[at] : double(numbers<float>(array)[at]);
+}
+inline void set_number(const Object& o, const Array<char>& array, size_t at, double value) {
+    if (o.precision == CD_FLOAT64) numbers<double>(array)[at] = value;
+    else numbers<float>(array)[at] = float(value);
+}
+
+// Arrays of the state lie in rows, `pitch` numbers apart, of which the first `width` mean something.
+struct Layout {
+    size_t rows, width, pitch;
+};
+
+// f(number) for each of them, in their order; nothing for an array that is off.
+template <class T, class F> void each_number(const Layout& layout, T* data, F f) {
+    for (size_t row = 0; data && row < layout.rows; ++row)
+        for (size_t i = 0; i < layout.width; ++i) f(data[row * layout.pitch + i]);
+}
+template <class F> void each_number(const Object& o, const Layout& layout, const Array<char>& array, F f) {
+    if (o.precision == CD_FLOAT64) each_number(layout, numbers<double>(array), f);
+    else each_number(layout, numbers<float>(array), f);
+}
+
+// X: an object with position and velocity, and a layout_of.
+template <class X> bool all_finite(const X& x) {
+    bool finite = true;
+    for (const Array<char>* array : {&x.position, &x.velocity})
+        each_number(x, layout_of(x), *array, [&](auto number) { finite &= isfinite(number) != 0; });
+    return finite;
+}
+
+} // namespace cd
