@@ -63,7 +63,7 @@ template <class T> bool advance(const Lines<T>& lines, const Stage& stage, const
 template bool advance(const Lines<float>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t,
                       size_t);
 #endif
-#if CD_WITH_FLOAT64
+#if CD_WITH_FLOAT64 || CD_WITH_MEMBRANE // a membrane's planes are double
 template bool advance(const Lines<double>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t,
                       size_t);
 #endif

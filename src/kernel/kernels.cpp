@@ -7,6 +7,13 @@
 namespace cd {
 namespace CD_ISA {
 
+#if CD_WITH_MEMBRANE
+template <class T> constexpr SheetStateKernels<T> state_kernels() {
+    return {gather<T>,      push_separable<T, T>,      push_general<T, T>,      move_nodes<T, T>,     move_nodes<T, double>,
+            gather<double>, push_separable<double, T>, push_general<double, T>, move_nodes<double, T>};
+}
+#endif
+
 extern const Kernels kernels;
 const Kernels kernels = {
     CD_TEXT(CD_ISA),
@@ -17,6 +24,25 @@ const Kernels kernels = {
 #endif
 #if CD_WITH_FLOAT64
     {spring_sweep<double>, rod_sweep<double>, advance<double>, explicit_sweep<double>, drift<double>},
+#elif CD_WITH_MEMBRANE
+    {nullptr, rod_sweep<double>, advance<double>, nullptr, nullptr},
+#else
+    {},
+#endif
+#if CD_WITH_MEMBRANE
+    {pull_separable, pull_general, apply, moments, energies, solve_lines, filter_lines, smooth_lines, transpose, combine, multiply,
+     wrap, dot, aggregate, spread,
+#if CD_WITH_FLOAT32
+     state_kernels<float>(),
+#else
+     {},
+#endif
+#if CD_WITH_FLOAT64
+     state_kernels<double>()
+#else
+     {}
+#endif
+    },
 #else
     {},
 #endif

@@ -4,6 +4,7 @@
 #include "kernel/advance.hh"
 #include "kernel/explicit_sweep.hh"
 #include "kernel/rod_sweep.hh"
+#include "kernel/sheet.hh"
 #include "kernel/spring_sweep.hh"
 
 namespace cd {
@@ -19,10 +20,51 @@ template <class T> struct LineKernels {
     void (*drift)(const Lines<T>&, double, size_t, size_t);
 };
 
+// Of the state of a sheet; those on double planes begin stages between two others.
+template <class T> struct SheetStateKernels {
+    void (*gather)(const Grid&, const T*, const T*, double, double, double*, const double*, double*, size_t, size_t);
+    void (*push_separable)(const Grid&, const SeparableSheet&, const SheetPush<T>&, const T*, double*, size_t, size_t);
+    void (*push_general)(const Grid&, const GeneralSheet&, const SheetPush<T>&, const T*, const T*, double*, size_t,
+                         size_t);
+    bool (*move)(const Grid&, const SheetMove&, const T*, const T*, T*, T*, size_t, size_t);
+    bool (*keep)(const Grid&, const SheetMove&, const T*, const T*, double*, double*, size_t, size_t);
+    void (*gather_kept)(const Grid&, const double*, const double*, double, double, double*, const double*, double*,
+                        size_t, size_t);
+    void (*push_separable_kept)(const Grid&, const SeparableSheet&, const SheetPush<T>&, const double*, double*, size_t,
+                                size_t);
+    void (*push_general_kept)(const Grid&, const GeneralSheet&, const SheetPush<T>&, const double*, const double*,
+                              double*, size_t, size_t);
+    bool (*move_kept)(const Grid&, const SheetMove&, const double*, const double*, T*, T*, size_t, size_t);
+};
+
+struct SheetKernels {
+    decltype(&CD_ISA::pull_separable) pull_separable;
+    decltype(&CD_ISA::pull_general) pull_general;
+    decltype(&CD_ISA::apply) apply;
+    decltype(&CD_ISA::moments) moments;
+    decltype(&CD_ISA::energies) energies;
+    decltype(&CD_ISA::solve_lines) solve_lines;
+    decltype(&CD_ISA::filter_lines) filter_lines;
+    decltype(&CD_ISA::smooth_lines) smooth_lines;
+    decltype(&CD_ISA::transpose) transpose;
+    decltype(&CD_ISA::combine) combine;
+    decltype(&CD_ISA::multiply) multiply;
+    decltype(&CD_ISA::wrap) wrap;
+    decltype(&CD_ISA::dot) dot;
+    decltype(&CD_ISA::aggregate) aggregate;
+    decltype(&CD_ISA::spread) spread;
+    SheetStateKernels<float> float32; // null where the precision is left out
+    SheetStateKernels<double> float64;
+
+    const SheetStateKernels<float>& of(float) const { return float32; }
+    const SheetStateKernels<double>& of(double) const { return float64; }
+};
+
 struct Kernels {
     const char* name;           // of the instruction set
     LineKernels<float> float32; // null where the precision is left out
     LineKernels<double> float64;
+    SheetKernels sheet;
 
     const LineKernels<float>& of(float) const { return float32; }
     const LineKernels<double>& of(double) const { return float64; }

@@ -51,6 +51,7 @@ template <> struct Lanes<1, LaneKind::kSingle, double> {
     friend Lanes operator-(Lanes a, Lanes b) { return {a.v - b.v}; }
     friend Lanes operator*(Lanes a, Lanes b) { return {a.v * b.v}; }
     friend Lanes settled(Lanes a, double least) { return {__builtin_fabs(a.v) < least ? 0 : a.v}; }
+    friend Lanes select(Lanes by, Lanes a, Lanes b) { return by.v > 0 ? a : b; }
     bool any_nan() const { return v != v; }
 };
 
@@ -85,6 +86,12 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
         const auto small = (a.v < splat(least).v) & (a.v > splat(-least).v);
         return {reinterpret_cast<Values>(reinterpret_cast<decltype(a.v < a.v)>(a.v) & ~small)};
     }
+    // a where by > 0, else b
+    friend Lanes select(Lanes by, Lanes a, Lanes b) {
+        typedef decltype(a.v < a.v) Bits;
+        const Bits yes = by.v > splat(0).v;
+        return {reinterpret_cast<Values>((reinterpret_cast<Bits>(a.v) & yes) | (reinterpret_cast<Bits>(b.v) & ~yes))};
+    }
     bool any_nan() const {
         for (int j = 0; j < N; ++j)
             if (v[j] != v[j]) return true;
@@ -109,6 +116,7 @@ template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
     friend Lanes operator-(Lanes x, Lanes y) { return {x.a - y.a, x.b - y.b}; }
     friend Lanes operator*(Lanes x, Lanes y) { return {x.a * y.a, x.b * y.b}; }
     friend Lanes settled(Lanes x, double least) { return {settled(x.a, least), settled(x.b, least)}; }
+    friend Lanes select(Lanes by, Lanes x, Lanes y) { return {select(by.a, x.a, y.a), select(by.b, x.b, y.b)}; }
     bool any_nan() const { return a.any_nan() || b.any_nan(); }
 };
 

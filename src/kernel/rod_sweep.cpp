@@ -104,7 +104,7 @@ template <class T> void rod_sweep(const Lines<T>& lines, const RodCoefficients& 
 template void rod_sweep(const Lines<float>&, const RodCoefficients&, const Stage&, const Start&, double*, double*,
                         size_t, size_t);
 #endif
-#if CD_WITH_FLOAT64
+#if CD_WITH_FLOAT64 || CD_WITH_MEMBRANE // a membrane's planes are double
 template void rod_sweep(const Lines<double>&, const RodCoefficients&, const Stage&, const Start&, double*, double*,
                         size_t, size_t);
 #endif

@@ -1,0 +1,124 @@
+// What the kernels of sheets share. They work on planes: one number per node of a lattice in rows of columns, in double,
+// whatever the state is stored in. A plane has room for the two columns that lie beyond each end of a row; they hold
+// what lies there round the ring, and where there is no ring, springs of stiffness 0 lead there.
+//
+// Kernels take the part [first, first + count) of the rows (of the columns where lines run down the columns), so that
+// parts can go to different threads; sums come out as one number per row, to be added in order.
+#pragma once
+
+#include <stddef.h>
+
+#include "kernel/lanes.hh"
+
+namespace cd {
+
+struct Grid {
+    size_t columns, rows, pitch;
+
+    // The rows above and below, round the ring.
+    size_t above(size_t row) const { return (row > 0 ? row : rows) - 1; }
+    size_t below(size_t row) const { return row + 1 < rows ? row + 1 : 0; }
+};
+
+// A sheet whose two directions separate: mass(u, v) = mass_u(u) mass_v(v), springs likewise. One number per column
+// (direction 0) or row (1), each divided by the mass: [1] as all springs of a step, stiffness times a time squared.
+struct SeparableSheet {
+    const double *before[2], *after[2]; // the spring before and after a node
+    const double* gain[2];              // of all that acts on a node, 0 where held
+    const double* inverse_mass[2];      // their product: 1 / mass
+    const double* drag[2];              // of the velocity, beside SheetPush::drag; null: none
+};
+
+// Any sheet. Planes; mass is 0 where nodes are held or absent, and so are the springs from one such node to another.
+struct GeneralSheet {
+    const double *mass, *ground;      // ground: mass and what else resists there
+    const double* spring[2];          // of the spring that starts at a node along u and along v
+    const double *bend[2], *twist;    // null: no bend. Of a node along u and v, of the cell that starts at a node
+    double* moment[3];                // scratch for bend
+};
+
+// What acts on a sheet beside its springs.
+template <class T> struct SheetPush {
+    double gravity;              // h g
+    double force;                // h, of force and pressed
+    double drag;                 // h drag, of separable sheets
+    const T *forces, *target;    // null: none
+    const double* pressed;       // null: none
+    const double* tie;           // h times the stiffness that ties to the target
+};
+
+// Where a node starts from and what it is moved by: dw = sum of factor[k] change[k], w = v + dw,
+//     v <- v + overshoot dw,    x <- x + move (v + follow dw).
+struct SheetMove {
+    double overshoot, move, follow;
+    const double* change[4];
+    double factor[4];
+    int changes;
+};
+
+namespace CD_ISA {
+
+// ---- the state (sheet_state.cpp) ---- S is what a stage starts from: the state's type, or double between stages.
+
+// x_scaled = closing_rate x + v_share v with its beyond; v_free: v where mass > 0, else 0, if not null.
+template <class S> void gather(const Grid& grid, const S* x, const S* v, double closing_rate, double v_share,
+                               double* x_scaled, const double* mass, double* v_free, size_t first, size_t count);
+// out = what acts on the nodes beside springs: on a separable sheet [m/s], else [kg m/s].
+template <class S, class T> void push_separable(const Grid& grid, const SeparableSheet& sheet, const SheetPush<T>& push,
+                                                const S* v, double* out, size_t first, size_t count);
+template <class S, class T> void push_general(const Grid& grid, const GeneralSheet& sheet, const SheetPush<T>& push,
+                                              const S* x, const S* v, double* out, size_t first, size_t count);
+// False if a number left the finite range. to_x and to_v may be x and v.
+template <class S, class T> bool move_nodes(const Grid& grid, const SheetMove& move, const S* x, const S* v, T* to_x,
+                                            T* to_v, size_t first, size_t count);
+
+// ---- springs (sheet_springs.cpp) ----
+
+// out = gain (out, or with `constant` h g alone, + the pull of the springs at x).
+void pull_separable(const Grid& grid, const SeparableSheet& sheet, const double* x, bool constant, double gravity,
+                    double* out, size_t first, size_t count);
+// out += the pull of springs and bend at x; 0 where mass is 0. Bend: after `moments` of all rows.
+void pull_general(const Grid& grid, const GeneralSheet& sheet, const double* x, double* out, size_t first,
+                  size_t count);
+// out = S z, energy[row]: that row's part of z S z.
+void apply(const Grid& grid, const GeneralSheet& sheet, const double* z, double* out, double* energy, size_t first,
+           size_t count);
+void moments(const Grid& grid, const GeneralSheet& sheet, const double* x, size_t first, size_t count);
+// sums[row][pair] = z_a S z_b for a <= b of n planes, pairs in the order 00 01 02 03 11 12 ...
+constexpr int kMostDirections = 4, kPairs = 10;
+void energies(const Grid& grid, const GeneralSheet& sheet, const double* const* z, int n, double* sums, size_t first,
+              size_t count);
+
+// ---- lines down the columns (sheet_lines.cpp) ----
+
+// Factors of the lines' systems (solve/sheet_lines.hh): forward y_i = b_i + pull_{i-1} y_{i-1}, back x_i = gain_i y_i +
+// pull_i x_{i+1}.
+struct LineFactors {
+    const double *pull, *gain;
+    const double *around, *closing; // of rings, else null: the response to a pull of the closing spring, and its strength
+};
+void solve_lines(const Grid& grid, const LineFactors& factors, const double* b, double* x, size_t first, size_t count);
+// Lines that share one factorization (solve/spring_line.hh): x becomes the answer where it was each node's own wish.
+void filter_lines(const Grid& grid, const double* carry, const double* pull, double* x, size_t first, size_t count);
+// Solves every second line, from `colour`, for given neighbours: cross is the spring that starts at a node and leads to
+// the next column. x: in and out, its beyond too.
+void smooth_lines(const Grid& grid, const LineFactors& factors, const double* cross, const double* b, int colour,
+                  double* x, size_t first, size_t count);
+
+// ---- planes (sheet_planes.cpp) ----
+
+void transpose(const Grid& grid, const double* from, double* to, size_t to_pitch, size_t first, size_t count);
+// a = alpha a + beta b
+void combine(const Grid& grid, double alpha, double* a, double beta, const double* b, size_t first, size_t count);
+void multiply(const Grid& grid, const double* a, const double* b, double* out, size_t first, size_t count);
+void wrap(const Grid& grid, double* a, size_t first, size_t count); // fills what lies beyond the rows
+void dot(const Grid& grid, const double* a, const double* b, double* sums, size_t first, size_t count);
+// Between a lattice and one of half as many rows and columns, each node of which stands for up to 2 x 2. Rows are those
+// of the coarse one. coarse = sums of fine - minus; fine += coarse where it moves (gain > 0).
+void aggregate(const Grid& coarse, const Grid& fine, const double* from, const double* minus, double* to, size_t first,
+               size_t count);
+void spread(const Grid& coarse, const Grid& fine, const double* from, const double* gain, double* to, size_t first,
+            size_t count);
+
+} // namespace CD_ISA
+} // namespace cd

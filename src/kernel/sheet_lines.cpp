@@ -1,0 +1,178 @@
+// Lines run down the columns. They are worked on side by side in strips: a strip's row follows the row before it, so
+// that memory is read in order, and a strip is narrow enough for its last row to stay in the nearest cache.
+#include "kernel/sheet.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+namespace {
+
+constexpr size_t kStrip = 128;
+
+template <class Strip> void in_strips(size_t first, size_t count, const Strip& strip) {
+    for (size_t done = 0; done < count; done += kStrip)
+        strip(first + done, count - done < kStrip ? count - done : kStrip);
+}
+
+// x_r = b_r + pull_{r-1} x_{r-1}
+struct Forward {
+    const double *b, *pull; // pull: of the row before; null in the first row
+    double* x;
+    size_t pitch;
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        const L sum = L::load(b + u);
+        (pull ? sum + L::load(pull + u) * L::load(x + u - pitch) : sum).store(x + u);
+    }
+};
+
+// x_r = gain_r x_r + pull_r x_{r+1}
+struct Backward {
+    const double *gain, *pull;
+    double* x;
+    size_t pitch;
+    bool last;
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        const L own = L::load(gain + u) * L::load(x + u);
+        (last ? own : own + L::load(pull + u) * L::load(x + u + pitch)).store(x + u);
+    }
+};
+
+// 1 in the lanes of the colour's columns, else 0.
+template <int N> Lanes<N> coloured(size_t u, int colour) {
+    double mine[N];
+    for (int k = 0; k < N; ++k) mine[k] = (u + size_t(k)) % 2 == size_t(colour) ? 1 : 0;
+    return Lanes<N>::load(mine);
+}
+
+// The same for the columns of one colour, whose neighbours keep still.
+struct ForwardBeside {
+    const double *b, *pull, *cross;
+    double* x;
+    size_t pitch;
+    int colour;
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        L sum = L::load(b + u) + (L::load(cross + u) * L::load(x + u + 1) + L::load(cross + u - 1) * L::load(x + u - 1));
+        if (pull) sum = sum + L::load(pull + u) * L::load(x + u - pitch);
+        select(coloured<N>(u, colour), sum, L::load(x + u)).store(x + u);
+    }
+};
+
+struct BackwardBeside {
+    const double *gain, *pull;
+    double* x;
+    size_t pitch;
+    bool last;
+    int colour;
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        const L old = L::load(x + u);
+        L sum = L::load(gain + u) * old;
+        if (!last) sum = sum + L::load(pull + u) * L::load(x + u + pitch);
+        select(coloured<N>(u, colour), sum, old).store(x + u);
+    }
+};
+
+// Takes back what the open lines' answer x lacks of the closing spring of a ring.
+struct Close {
+    const Grid& grid;
+    const LineFactors& factors;
+    double* x;
+    int colour; // -1: every column
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        const size_t last = (grid.rows - 1) * grid.pitch + u;
+        L strength = L::load(factors.closing + u) * (L::load(x + last) - L::load(x + u));
+        if (colour >= 0) strength = select(coloured<N>(u, colour), strength, L{});
+        for (size_t r = 0; r < grid.rows; ++r) {
+            const size_t at = r * grid.pitch + u;
+            (L::load(x + at) - strength * L::load(factors.around + at)).store(x + at);
+        }
+    }
+};
+
+// The filters of solve/spring_line.hh for lines that share their fractions.
+struct SharedForward {
+    double carry;
+    double* x;
+    size_t pitch;
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        settled(between(L::load(x + u), L::load(x + u - pitch), L{}, carry), kLeast).store(x + u);
+    }
+    static constexpr double kLeast = 0x1p-500;
+};
+
+struct SharedBackward {
+    double pull;
+    double* x;
+    size_t pitch;
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        between(L::load(x + u), L::load(x + u + pitch), L{}, pull).store(x + u);
+    }
+};
+
+} // namespace
+
+void solve_lines(const Grid& grid, const LineFactors& factors, const double* b, double* x, size_t first, size_t count) {
+    in_strips(first, count, [&](size_t from, size_t columns) {
+        for (size_t r = 0; r < grid.rows; ++r) {
+            const size_t row = r * grid.pitch;
+            Forward step{b + row, r > 0 ? factors.pull + row - grid.pitch : nullptr, x + row, grid.pitch};
+            for_each_bundle(from, columns, step);
+        }
+        for (size_t r = grid.rows; r-- > 0;) {
+            const size_t row = r * grid.pitch;
+            Backward step{factors.gain + row, factors.pull + row, x + row, grid.pitch, r + 1 == grid.rows};
+            for_each_bundle(from, columns, step);
+        }
+        Close close{grid, factors, x, -1};
+        if (factors.around) for_each_bundle(from, columns, close);
+    });
+}
+
+void smooth_lines(const Grid& grid, const LineFactors& factors, const double* cross, const double* b, int colour,
+                  double* x, size_t first, size_t count) {
+    in_strips(first, count, [&](size_t from, size_t columns) {
+        for (size_t r = 0; r < grid.rows; ++r) {
+            const size_t row = r * grid.pitch;
+            ForwardBeside step{b + row,     r > 0 ? factors.pull + row - grid.pitch : nullptr, cross + row, x + row,
+                               grid.pitch, colour};
+            for_each_bundle(from, columns, step);
+        }
+        for (size_t r = grid.rows; r-- > 0;) {
+            const size_t row = r * grid.pitch;
+            BackwardBeside step{factors.gain + row, factors.pull + row,  x + row,
+                                grid.pitch,         r + 1 == grid.rows, colour};
+            for_each_bundle(from, columns, step);
+        }
+        Close close{grid, factors, x, colour};
+        if (factors.around) for_each_bundle(from, columns, close);
+    });
+}
+
+void filter_lines(const Grid& grid, const double* carry, const double* pull, double* x, size_t first, size_t count) {
+    in_strips(first, count, [&](size_t from, size_t columns) {
+        for (size_t r = 1; r < grid.rows; ++r) {
+            SharedForward step{carry[r], x + r * grid.pitch, grid.pitch};
+            for_each_bundle(from, columns, step);
+        }
+        for (size_t r = grid.rows; r-- > 1;) {
+            SharedBackward step{pull[r - 1], x + (r - 1) * grid.pitch, grid.pitch};
+            for_each_bundle(from, columns, step);
+        }
+    });
+}
+
+} // namespace CD_ISA
+} // namespace cd

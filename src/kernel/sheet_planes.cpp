@@ -1,0 +1,105 @@
+#include "kernel/row_sum.hh"
+#include "kernel/sheet.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+namespace {
+
+struct Combine {
+    double alpha, beta;
+    double* a;
+    const double* b;
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        (alpha * L::load(a + u) + beta * L::load(b + u)).store(a + u);
+    }
+};
+
+struct Multiply {
+    const double *a, *b;
+    double* out;
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        (L::load(a + u) * L::load(b + u)).store(out + u);
+    }
+};
+
+struct Product {
+    const double *a, *b;
+
+    template <int N> Lanes<N> operator()(size_t u) const { return Lanes<N>::load(a + u) * Lanes<N>::load(b + u); }
+};
+
+} // namespace
+
+void transpose(const Grid& grid, const double* from, double* to, size_t to_pitch, size_t first, size_t count) {
+    constexpr size_t kBlock = 8; // a cache line of each row
+    for (size_t r = first; r < first + count; r += kBlock) {
+        const size_t rows = first + count - r < kBlock ? first + count - r : kBlock;
+        for (size_t u = 0; u < grid.columns; ++u)
+            for (size_t k = 0; k < rows; ++k) to[u * to_pitch + r + k] = from[(r + k) * grid.pitch + u];
+    }
+}
+
+void combine(const Grid& grid, double alpha, double* a, double beta, const double* b, size_t first, size_t count) {
+    for (size_t r = first; r < first + count; ++r) {
+        Combine bundles{alpha, beta, a + r * grid.pitch, b + r * grid.pitch};
+        for_each_bundle(0, grid.columns, bundles);
+    }
+}
+
+void multiply(const Grid& grid, const double* a, const double* b, double* out, size_t first, size_t count) {
+    for (size_t r = first; r < first + count; ++r) {
+        Multiply bundles{a + r * grid.pitch, b + r * grid.pitch, out + r * grid.pitch};
+        for_each_bundle(0, grid.columns, bundles);
+    }
+}
+
+void wrap(const Grid& grid, double* a, size_t first, size_t count) {
+    const size_t n = grid.columns;
+    for (size_t r = first; r < first + count; ++r) {
+        double* const row = a + r * grid.pitch;
+        for (size_t k = 0; k < 2; ++k) {
+            row[n + k] = row[k % n];
+            row[ptrdiff_t(k) - 2] = row[(n - 2 + k + n) % n];
+        }
+    }
+}
+
+void dot(const Grid& grid, const double* a, const double* b, double* sums, size_t first, size_t count) {
+    for (size_t r = first; r < first + count; ++r)
+        sums[r] = row_sum(grid.columns, Product{a + r * grid.pitch, b + r * grid.pitch});
+}
+
+void aggregate(const Grid& coarse, const Grid& fine, const double* from, const double* minus, double* to, size_t first,
+               size_t count) {
+    const auto at = [&](size_t r, size_t u) {
+        const size_t i = r * fine.pitch + u;
+        return u < fine.columns && r < fine.rows ? from[i] - minus[i] : 0.0;
+    };
+    const size_t across = fine.columns == coarse.columns ? 1 : 2, down = fine.rows == coarse.rows ? 1 : 2;
+    for (size_t r = first; r < first + count; ++r)
+        for (size_t u = 0; u < coarse.columns; ++u) {
+            double sum = at(r * down, u * across);
+            if (across == 2) sum += at(r * down, u * across + 1);
+            if (down == 2) sum += at(r * down + 1, u * across);
+            if (down == 2 && across == 2) sum += at(r * down + 1, u * across + 1);
+            to[r * coarse.pitch + u] = sum;
+        }
+}
+
+void spread(const Grid& coarse, const Grid& fine, const double* from, const double* gain, double* to, size_t first,
+            size_t count) {
+    const size_t across = fine.columns == coarse.columns ? 1 : 2, down = fine.rows == coarse.rows ? 1 : 2;
+    for (size_t r = first * down; r < (first + count) * down && r < fine.rows; ++r)
+        for (size_t u = 0; u < fine.columns; ++u) {
+            const size_t at = r * fine.pitch + u;
+            to[at] += gain[at] > 0 ? from[(r / down) * coarse.pitch + u / across] : 0;
+        }
+}
+
+} // namespace CD_ISA
+} // namespace cd

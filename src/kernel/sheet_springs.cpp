@@ -1,0 +1,206 @@
+#include "kernel/row_sum.hh"
+#include "kernel/sheet.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+namespace {
+
+// One row of a plane, and the rows above and below it.
+struct Rows {
+    const double *here, *above, *below;
+
+    Rows(const Grid& grid, const double* plane, size_t row)
+        : here(plane + row * grid.pitch), above(plane + grid.above(row) * grid.pitch),
+          below(plane + grid.below(row) * grid.pitch) {}
+};
+
+template <int N> inline Lanes<N> at(const double* row, size_t u) { return Lanes<N>::load(row + u); }
+// The number before u, which may lie beyond the row's start.
+template <int N> inline Lanes<N> before(const double* row, size_t u) { return Lanes<N>::load(row + u - 1); }
+template <int N> inline Lanes<N> after(const double* row, size_t u) { return Lanes<N>::load(row + u + 1); }
+
+// (right - here) - (here - left)
+template <class L> inline L turn(L left, L here, L right) { return (right - here) - (here - left); }
+template <int N> inline Lanes<N> turn_u(const Rows& x, size_t u) {
+    return turn(before<N>(x.here, u), at<N>(x.here, u), after<N>(x.here, u));
+}
+template <int N> inline Lanes<N> turn_v(const Rows& x, size_t u) {
+    return turn(at<N>(x.above, u), at<N>(x.here, u), at<N>(x.below, u));
+}
+// Of the cell that starts at a node.
+template <int N> inline Lanes<N> twist(const Rows& x, size_t u) {
+    return (after<N>(x.below, u) - at<N>(x.below, u)) - (after<N>(x.here, u) - at<N>(x.here, u));
+}
+
+struct Separable {
+    const Grid& grid;
+    const SeparableSheet& sheet;
+    bool constant;
+    double gravity;
+    double* out;
+    Rows x;
+    size_t row;
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        double* const to = out + row * grid.pitch + u;
+        const L here = at<N>(x.here, u);
+        const L along_u = L::load(sheet.after[0] + u) * (after<N>(x.here, u) - here) -
+                          L::load(sheet.before[0] + u) * (here - before<N>(x.here, u));
+        const L along_v = sheet.after[1][row] * (at<N>(x.below, u) - here) -
+                          sheet.before[1][row] * (here - at<N>(x.above, u));
+        const L push = constant ? L::splat(gravity) : L::load(to);
+        (sheet.gain[1][row] * (L::load(sheet.gain[0] + u) * (push + (along_u + along_v)))).store(to);
+    }
+};
+
+struct General {
+    const GeneralSheet& sheet;
+    Rows x, spring_u, spring_v;
+    size_t row; // where it starts
+
+    // The pull of the springs at the bundle's nodes.
+    template <int N> Lanes<N> springs(size_t u) const {
+        const Lanes<N> here = at<N>(x.here, u);
+        const Lanes<N> along_u = at<N>(spring_u.here, u) * (after<N>(x.here, u) - here) -
+                                 before<N>(spring_u.here, u) * (here - before<N>(x.here, u));
+        const Lanes<N> along_v = at<N>(spring_v.here, u) * (at<N>(x.below, u) - here) -
+                                 at<N>(spring_v.above, u) * (here - at<N>(x.above, u));
+        return along_u + along_v;
+    }
+    // That of the bends, from their moments.
+    template <int N> Lanes<N> bends(const Grid& grid, size_t r, size_t u) const {
+        const Rows m_u(grid, sheet.moment[0], r), m_v(grid, sheet.moment[1], r), m_t(grid, sheet.moment[2], r);
+        const Lanes<N> twisted = (at<N>(m_t.here, u) - before<N>(m_t.here, u)) -
+                                 (at<N>(m_t.above, u) - before<N>(m_t.above, u));
+        return Lanes<N>{} - ((turn_u<N>(m_u, u) + turn_v<N>(m_v, u)) + twisted);
+    }
+};
+
+struct Puller {
+    const Grid& grid;
+    General general;
+    double* out;
+    size_t r;
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        const size_t here = general.row + u;
+        L sum = L::load(out + here) + general.springs<N>(u);
+        if (general.sheet.twist) sum = sum + general.bends<N>(grid, r, u);
+        select(L::load(general.sheet.mass + here), sum, L{}).store(out + here);
+    }
+};
+
+struct Applier {
+    const Grid& grid;
+    General general;
+    double* out;
+    size_t r;
+
+    template <int N> Lanes<N> operator()(size_t u) const {
+        using L = Lanes<N>;
+        const GeneralSheet& sheet = general.sheet;
+        const Rows& x = general.x;
+        const size_t here = general.row + u;
+        const L z = at<N>(x.here, u), mass = L::load(sheet.mass + here), own = L::load(sheet.ground + here) * z;
+        const L right = after<N>(x.here, u) - z, below = at<N>(x.below, u) - z;
+        L sum = own - general.springs<N>(u);
+        L energy = select(mass, own * z, L{}) + (L::load(sheet.spring[0] + here) * (right * right) +
+                                                 L::load(sheet.spring[1] + here) * (below * below));
+        if (sheet.twist) {
+            sum = sum - general.bends<N>(grid, r, u);
+            energy = energy + (L::load(sheet.moment[0] + here) * turn_u<N>(x, u) +
+                               L::load(sheet.moment[1] + here) * turn_v<N>(x, u) +
+                               L::load(sheet.moment[2] + here) * twist<N>(x, u));
+        }
+        select(mass, sum, L{}).store(out + here);
+        return energy;
+    }
+};
+
+struct Bender {
+    const GeneralSheet& sheet;
+    Rows x;
+    size_t row;
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        (L::load(sheet.bend[0] + row + u) * turn_u<N>(x, u)).store(sheet.moment[0] + row + u);
+        (L::load(sheet.bend[1] + row + u) * turn_v<N>(x, u)).store(sheet.moment[1] + row + u);
+        (L::load(sheet.twist + row + u) * twist<N>(x, u)).store(sheet.moment[2] + row + u);
+    }
+};
+
+General general_row(const Grid& grid, const GeneralSheet& sheet, const double* x, size_t r) {
+    return {sheet, Rows(grid, x, r), Rows(grid, sheet.spring[0], r), Rows(grid, sheet.spring[1], r), r * grid.pitch};
+}
+
+// One of the energies between planes z_a and z_b.
+struct Pair {
+    const Grid& grid;
+    const GeneralSheet& sheet;
+    const double *a, *b;
+    size_t r;
+
+    template <int N> Lanes<N> operator()(size_t u) const {
+        using L = Lanes<N>;
+        const Rows p(grid, a, r), q(grid, b, r);
+        const size_t here = r * grid.pitch + u;
+        const L x = at<N>(p.here, u), y = at<N>(q.here, u);
+        L sum = L::load(sheet.ground + here) * (x * y);
+        sum = select(L::load(sheet.mass + here), sum, L{});
+        sum = sum + L::load(sheet.spring[0] + here) * ((after<N>(p.here, u) - x) * (after<N>(q.here, u) - y));
+        sum = sum + L::load(sheet.spring[1] + here) * ((at<N>(p.below, u) - x) * (at<N>(q.below, u) - y));
+        if (sheet.twist) {
+            sum = sum + L::load(sheet.bend[0] + here) * (turn_u<N>(p, u) * turn_u<N>(q, u));
+            sum = sum + L::load(sheet.bend[1] + here) * (turn_v<N>(p, u) * turn_v<N>(q, u));
+            sum = sum + L::load(sheet.twist + here) * (twist<N>(p, u) * twist<N>(q, u));
+        }
+        return sum;
+    }
+};
+
+} // namespace
+
+void pull_separable(const Grid& grid, const SeparableSheet& sheet, const double* x, bool constant, double gravity,
+                    double* out, size_t first, size_t count) {
+    for (size_t r = first; r < first + count; ++r) {
+        Separable bundles{grid, sheet, constant, gravity, out, Rows(grid, x, r), r};
+        for_each_bundle(0, grid.columns, bundles);
+    }
+}
+
+void pull_general(const Grid& grid, const GeneralSheet& sheet, const double* x, double* out, size_t first,
+                  size_t count) {
+    for (size_t r = first; r < first + count; ++r) {
+        Puller bundles{grid, general_row(grid, sheet, x, r), out, r};
+        for_each_bundle(0, grid.columns, bundles);
+    }
+}
+
+void apply(const Grid& grid, const GeneralSheet& sheet, const double* z, double* out, double* energy, size_t first,
+           size_t count) {
+    for (size_t r = first; r < first + count; ++r)
+        energy[r] = row_sum(grid.columns, Applier{grid, general_row(grid, sheet, z, r), out, r});
+}
+
+void moments(const Grid& grid, const GeneralSheet& sheet, const double* x, size_t first, size_t count) {
+    for (size_t r = first; r < first + count; ++r) {
+        Bender bundles{sheet, Rows(grid, x, r), r * grid.pitch};
+        for_each_bundle(0, grid.columns, bundles);
+    }
+}
+
+void energies(const Grid& grid, const GeneralSheet& sheet, const double* const* z, int n, double* sums, size_t first,
+              size_t count) {
+    for (size_t r = first; r < first + count; ++r) {
+        double* to = sums + r * kPairs;
+        for (int a = 0; a < n; ++a)
+            for (int b = a; b < n; ++b) *to++ = row_sum(grid.columns, Pair{grid, sheet, z[a], z[b], r});
+    }
+}
+
+} // namespace CD_ISA
+} // namespace cd

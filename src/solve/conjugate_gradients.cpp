@@ -1,0 +1,54 @@
+#include "solve/conjugate_gradients.hh"
+
+#include <math.h>
+
+namespace cd {
+
+Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preconditioner, const Goal& goal,
+                          const GradientPlanes& planes, double* r, double* x) {
+    const auto [start, direction, steep, applied] = planes;
+    const double norm = sqrt(system.dot(r, r));
+    system.clear(x);
+    system.copy(r, start);
+    if (norm == 0) return {};
+
+    // The residual that the iteration carries along drifts away from the true one by rounding. Where it claims success
+    // the true one decides; if that has not halved since it was last asked, it will not get better.
+    constexpr double kRounding = 0x1p-50;
+    Convergence out{0, 1, false};
+    double true_before = norm, curvature = 0;
+    while (out.iterations < goal.most_iterations) {
+        preconditioner.first.cycle(r, steep);
+        if (preconditioner.two) {
+            double* const between = preconditioner.second.level[0].b;
+            system.copy(steep, between);
+            preconditioner.second.cycle(between, steep);
+        }
+        // conjugate to the last direction, whatever the preconditioner (Fletcher and Reeves' factor needs it symmetric)
+        if (curvature > 0) system.combine(-system.dot(steep, applied) / curvature, direction, 1, steep);
+        else system.copy(steep, direction);
+        curvature = system.apply(direction, applied);
+        ++out.iterations;
+        if (!(curvature > 0)) break;
+        const double length = system.dot(direction, r) / curvature;
+        system.combine(1, x, length, direction);
+        system.combine(1, r, -length, applied);
+        // what the residual is measured by: at least so much that rounding does not show
+        const double rounding = kRounding * goal.stiffest * (goal.size + sqrt(system.dot(x, x)));
+        const double whole = norm + rounding / goal.relative;
+        out.residual = sqrt(system.dot(r, r)) / whole;
+        if (out.residual > goal.relative) continue;
+        system.apply(x, applied);
+        system.copy(start, r);
+        system.combine(1, r, -1, applied);
+        const double left = sqrt(system.dot(r, r));
+        out.residual = left / whole;
+        out.reached = out.residual <= goal.relative;
+        if (out.reached || !(left < true_before / 2)) break;
+        true_before = left;
+        curvature = 0;
+    }
+    return out;
+}
+
+} // namespace cd

@@ -1,0 +1,41 @@
+// Conjugate gradients for the system of a sheet, preconditioned by V-cycles.
+#pragma once
+
+#include "solve/multigrid.hh"
+
+namespace cd {
+
+struct Convergence {
+    size_t iterations = 0;
+    double residual = 0; // as a fraction of the one it started from
+    bool reached = true;
+};
+
+// With bend, (G + p L) (G + q L), G the root of the ground, stands for the system: a V-cycle for each factor.
+struct Preconditioner {
+    Multigrid first, second;
+    bool two;
+};
+
+// Scratch, planes of the system. steep: the preconditioned residual.
+struct GradientPlanes {
+    double *start = nullptr, *direction = nullptr, *steep = nullptr, *applied = nullptr;
+
+    GradientPlanes() = default;
+    GradientPlanes(const SheetSystem& system, Carver& carve)
+        : start(carve.plane(system.grid)), direction(carve.plane(system.grid)), steep(carve.plane(system.grid)),
+          applied(carve.plane(system.grid)) {}
+};
+
+// What a solve has to reach: a residual of `relative` times the first one, or of what double precision leaves of it:
+// `stiffest`, the largest diagonal entry of S, times that precision times the size of x and of what r was made from.
+struct Goal {
+    double relative, stiffest, size;
+    size_t most_iterations;
+};
+
+// Solves S x = r from x = 0. r: in, the right side; out, what is left of it.
+Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preconditioner, const Goal& goal,
+                          const GradientPlanes& planes, double* r, double* x);
+
+} // namespace cd

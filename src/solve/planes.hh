@@ -1,0 +1,55 @@
+// Planes of a sheet (kernel/sheet.hh) out of one run of numbers, and work on them spread over threads.
+#pragma once
+
+#include "base/memory.hh"
+#include "base/parallel.hh"
+#include "kernel/sheet.hh"
+
+namespace cd {
+
+// Rows are whole cache lines, an odd number of them: nodes below each other then fall into different sets of the cache.
+inline bool grid_of(size_t columns, size_t rows, Grid& out) {
+    size_t pitch;
+    if (!add(columns, 4 + 7, pitch)) return false;
+    const size_t lines = pitch / 8;
+    out = {columns, rows, (lines % 2 == 1 ? lines : lines + 1) * 8};
+    return true;
+}
+
+// Hands out runs of numbers, or, from null, counts how many there would be. A plane starts a cache line into its run, so
+// that what lies beyond its first row is its own.
+struct Carver {
+    double* next;
+    size_t taken = 0;
+    bool fits = true;
+
+    double* numbers(size_t count) {
+        size_t whole;
+        fits = fits && add(count, 7, whole) && add(taken, whole / 8 * 8, taken);
+        if (!next) return nullptr;
+        double* const run = next;
+        next += (count + 7) / 8 * 8;
+        return run;
+    }
+    double* plane(const Grid& grid) {
+        size_t size;
+        fits = fits && multiply(grid.pitch, grid.rows, size) && add(size, 2 * 8, size);
+        double* const run = numbers(fits ? size : 0);
+        return run ? run + 8 : nullptr;
+    }
+};
+
+// body(first, count) for parts of [0, lines), each line `length` numbers long.
+template <class Body> void in_parts(const cd_parallel& parallel, size_t lines, size_t length, const Body& body) {
+    constexpr size_t kPart = 1 << 14; // numbers
+    size_t per_part = length < kPart ? kPart / length : 1;
+    per_part = (per_part + 7) / 8 * 8;
+    if (!parallel.run || lines <= per_part) return body(size_t(0), lines);
+    auto part = [&](size_t i) {
+        const size_t first = i * per_part;
+        body(first, lines - first < per_part ? lines - first : per_part);
+    };
+    parallel_for(parallel, (lines + per_part - 1) / per_part, part);
+}
+
+} // namespace cd
