@@ -40,7 +40,8 @@ enum {
     CD_ERROR_UNSUPPORTED = 9, /* a combination this object or this build cannot do */
     CD_ERROR_DIVERGED = 10,   /* the state left the finite range during a step */
     CD_ERROR_FORMAT = 11,     /* the bytes to load are damaged, or of another version or kind */
-    CD_ERROR_MISMATCH = 12    /* the two objects, or the object and the bytes, differ in shape or precision */
+    CD_ERROR_MISMATCH = 12,   /* the two objects, or the object and the bytes, differ in shape or precision */
+    CD_ERROR_TOLERANCE = 13   /* an iterative solve ended short of its tolerance */
 };
 
 /* Name of a status, such as "CD_ERROR_VALUE"; "CD_ERROR_UNKNOWN" for a number that is none. A static string. */
@@ -66,6 +67,13 @@ enum {
     CD_METHOD_SYMPLECTIC_EULER = 2, /* the new velocity moves the position; bounded up to cd_*_stable_dt */
     CD_METHOD_STIFF_SECOND = 3      /* two implicit stages with gamma = 1 - 1/sqrt(2) (SDIRK2): second order, and
                                        L-stable: motion too fast for dt dies out */
+};
+
+/* How the two-dimensional system of an implicit step is solved. */
+typedef int32_t cd_solver;
+enum {
+    CD_SOLVER_ALTERNATING = 0, /* rows, then columns: Kass 1997, section 9 */
+    CD_SOLVER_COUPLED = 1      /* both at once, to a tolerance */
 };
 
 /* How the total mass is dealt out to the nodes. */
@@ -94,7 +102,10 @@ enum {
     CD_STIFFNESS = 4,
     CD_BEND = 5,
     CD_PIN = 6,
-    CD_TARGET = 7
+    CD_TARGET = 7,
+    CD_STIFFNESS_U = 8,
+    CD_STIFFNESS_V = 9,
+    CD_MASK = 10
 };
 
 /* ---- callbacks ------------------------------------------------------------------------------------------------- */

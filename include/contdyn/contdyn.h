@@ -5,5 +5,6 @@
 
 #include "base.h"
 #include "chain.h"
+#include "membrane.h"
 
 #endif

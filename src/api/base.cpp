@@ -38,6 +38,7 @@ const char* cd_status_name(cd_status status) {
         CD_NAME(CD_ERROR_DIVERGED)
         CD_NAME(CD_ERROR_FORMAT)
         CD_NAME(CD_ERROR_MISMATCH)
+        CD_NAME(CD_ERROR_TOLERANCE)
 #undef CD_NAME
     default: return "CD_ERROR_UNKNOWN";
     }
@@ -56,6 +57,9 @@ const char* cd_build_info(void) {
                        ", objects:"
 #if CD_WITH_CHAIN
                        " chain"
+#endif
+#if CD_WITH_MEMBRANE
+                       " membrane"
 #endif
                        ", precisions:"
 #if CD_WITH_FLOAT32

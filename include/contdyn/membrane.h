@@ -1,0 +1,321 @@
+/* contdyn: a membrane: a sheet of nodes joined by springs in two directions: drum, cloth, flag, thin plate.
+ *
+ * A membrane has `nu` springs along u and `nv` along v, and (nu + 1) (nv + 1) nodes; node (u, v) has the number
+ * v (nu + 1) + u wherever nodes are listed. A node has 1 to 4 components that never mix. A direction can be closed to a
+ * ring: its last nodes are then joined to the first by one spring more.
+ *
+ * Energy    E = 1/2 sum k_u |x_{u+1,v} - x_{u,v}|^2 + 1/2 sum k_v |x_{u,v+1} - x_{u,v}|^2
+ *             + 1/2 sum b (|x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2)           (Kass 1997, section 8; the thin plate's energy)
+ * Motion    M x'' + C x' + K x = M g + f + pressure along the normal,  K = the Hessian of E,
+ *           C = drag M + stiffness_damping K
+ *
+ * Rest length is zero: a free sheet draws together, and one stretched evenly is held by its edges. A new membrane lies
+ * with every node at the origin, at rest, all nodes free, mass 1, stiffness 1 along both directions, no bend, no
+ * gravity, no damping, CD_METHOD_IMPLICIT with lambda 1/2, CD_SOLVER_ALTERNATING.
+ *
+ * Which solver? An implicit step has a two-dimensional system to solve.
+ *   CD_SOLVER_ALTERNATING  rows, then columns (Kass 1997, section 9). Its cost is fixed, and it is stable at any
+ *      stiffness and dt. Its price: motion that is fast along both directions for the step, with a = (w_u h)^2 and
+ *      b = (w_v h)^2 both large, h = lambda dt, w the direction's angular frequency, feels the inertia of
+ *      1 + a + b + a b instead of 1 + a + b: the sheet seems heavy. Take it where k / m dt^2 is at most about 1 for the
+ *      motion that matters: drums, flags, soft cloth. Where it comes to rest does not depend on dt.
+ *   CD_SOLVER_COUPLED      the system itself, to a tolerance, by conjugate gradients with multigrid: several times the
+ *      cost, and as stiff as it should be. Take it for stiff cloth that hangs, swings or is thrown as a whole.
+ * With either, lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, whatever the tolerance.
+ *
+ * All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are stored
+ * in. Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them, so that a
+ * scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
+ *
+ * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for something that is no living
+ * membrane; the comments name the other errors. Functions that the chain has too mean the same here. */
+#ifndef CONTDYN_MEMBRANE_H
+#define CONTDYN_MEMBRANE_H
+
+#include "base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct cd_membrane cd_membrane;
+
+/* The four edges of a membrane. A corner belongs to two. */
+typedef int32_t cd_edge;
+enum {
+    CD_EDGE_U_FIRST = 0, /* the nodes with u = 0 */
+    CD_EDGE_U_LAST = 1,  /* u = nu */
+    CD_EDGE_V_FIRST = 2, /* v = 0 */
+    CD_EDGE_V_LAST = 3   /* v = nv */
+};
+
+/* ---- life ------------------------------------------------------------------------------------------------------ */
+
+/* Makes a membrane. nu, nv >= 0 (0: a single row or column of nodes); components 1 to 4. allocator may be null
+ * (malloc). The caller owns *out_membrane and releases it with cd_membrane_destroy; on failure *out_membrane is left
+ * alone. Errors: CD_ERROR_VALUE, CD_ERROR_ENUM, CD_ERROR_SIZE, CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED for a precision
+ * that this build leaves out. */
+CD_API cd_status cd_membrane_create(size_t nu, size_t nv, size_t components, cd_precision precision,
+                                    const cd_allocator* allocator, cd_membrane** out_membrane);
+
+/* Releases a membrane and all its memory. Null does nothing; a handle that is no living membrane is left alone. */
+CD_API void cd_membrane_destroy(cd_membrane* membrane);
+
+/* What cd_membrane_create was given. Each output may be null. */
+CD_API cd_status cd_membrane_get_shape(const cd_membrane* membrane, size_t* out_nu, size_t* out_nv,
+                                       size_t* out_components, cd_precision* out_precision);
+
+/* ---- method ------------------------------------------------------------------------------------------------------ */
+
+/* How steps are made. Methods and solvers differ in the memory they need. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY. */
+CD_API cd_status cd_membrane_set_method(cd_membrane* membrane, cd_method method);
+CD_API cd_status cd_membrane_get_method(const cd_membrane* membrane, cd_method* out_method);
+
+/* lambda of CD_METHOD_IMPLICIT, in [0, 1]; default 1/2. Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_membrane_set_lambda(cd_membrane* membrane, double lambda);
+CD_API cd_status cd_membrane_get_lambda(const cd_membrane* membrane, double* out_lambda);
+
+/* How implicit steps solve their system; see above. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY. */
+CD_API cd_status cd_membrane_set_solver(cd_membrane* membrane, cd_solver solver);
+CD_API cd_status cd_membrane_get_solver(const cd_membrane* membrane, cd_solver* out_solver);
+
+/* When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
+ * component), in [1e-14, 1/2], default 1e-6; and how many iterations it may take, >= 1, default 100. When they do not
+ * suffice cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_membrane_set_tolerance(cd_membrane* membrane, double tolerance, size_t most_iterations);
+CD_API cd_status cd_membrane_get_tolerance(const cd_membrane* membrane, double* out_tolerance,
+                                           size_t* out_most_iterations);
+
+/* What the last call of cd_membrane_step did with CD_SOLVER_COUPLED: the most iterations that a solve took, and the
+ * largest residual it ended with, as a fraction of the one it started from. 0 and 0 if there was no such solve. Each
+ * output may be null. */
+CD_API cd_status cd_membrane_get_convergence(const cd_membrane* membrane, size_t* out_iterations,
+                                             double* out_residual);
+
+/* Spreads a step over the caller's threads. Null turns it off. Errors: CD_ERROR_NULL for a table without run. */
+CD_API cd_status cd_membrane_set_parallel(cd_membrane* membrane, const cd_parallel* parallel);
+
+/* ---- parameters -------------------------------------------------------------------------------------------------- */
+/* Totals of the sheet. A change takes effect at the next step and costs it one refactorization. Where the field of
+ * the same name is switched on, setting the total writes the whole field anew. A getter tells the total last set.
+ * Errors of all setters: CD_ERROR_VALUE for a number that is NaN, infinite or out of range. */
+
+/* Mass [kg], > 0. CD_MASS_EQUAL: mass / ((nu + 1) (nv + 1)) per node. CD_MASS_HALF_ENDS: an edge line counts half, in
+ * its masses and in the springs and bends along it: mass / (nu nv) per node inside, half of it on an edge, a quarter at
+ * a corner. In a direction that is a ring or has no spring the rules agree, and in what follows its nu + 1 and nu (or
+ * nv + 1 and nv) are both the number of its nodes. */
+CD_API cd_status cd_membrane_set_mass(cd_membrane* membrane, double mass);
+CD_API cd_status cd_membrane_get_mass(const cd_membrane* membrane, double* out_mass);
+CD_API cd_status cd_membrane_set_mass_rule(cd_membrane* membrane, cd_mass_rule rule);
+CD_API cd_status cd_membrane_get_mass_rule(const cd_membrane* membrane, cd_mass_rule* out_rule);
+
+/* Stretch stiffness along u and along v [N/m], >= 0: a sheet stretched evenly along u by the length d holds the energy
+ * k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the edges; along v
+ * likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. */
+CD_API cd_status cd_membrane_set_stiffness(cd_membrane* membrane, double along_u, double along_v);
+CD_API cd_status cd_membrane_get_stiffness(const cd_membrane* membrane, double* out_along_u, double* out_along_v);
+
+/* Bend stiffness b [N/m], >= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2 over the unit square
+ * of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of it along the
+ * edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. The plate is not cut
+ * with a spring: take nodes out by CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on. */
+CD_API cd_status cd_membrane_set_bend(cd_membrane* membrane, double bend);
+CD_API cd_status cd_membrane_get_bend(const cd_membrane* membrane, double* out_bend);
+
+/* Drag [1/s], >= 0: every node loses velocity at this rate. */
+CD_API cd_status cd_membrane_set_drag(cd_membrane* membrane, double drag);
+CD_API cd_status cd_membrane_get_drag(const cd_membrane* membrane, double* out_drag);
+
+/* Stiffness damping [s], >= 0: stretch and bend damp at this time constant; a mode of angular frequency w loses
+ * amplitude at the rate (drag + stiffness_damping w^2) / 2. */
+CD_API cd_status cd_membrane_set_stiffness_damping(cd_membrane* membrane, double seconds);
+CD_API cd_status cd_membrane_get_stiffness_damping(const cd_membrane* membrane, double* out_seconds);
+
+/* Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of components. */
+CD_API cd_status cd_membrane_set_gravity(cd_membrane* membrane, const double* gravity, size_t count);
+CD_API cd_status cd_membrane_get_gravity(const cd_membrane* membrane, double* out_gravity, size_t count);
+
+/* Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a node is
+ * pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3 components only;
+ * it costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for another number of components unless 0;
+ * CD_ERROR_MEMORY. */
+CD_API cd_status cd_membrane_set_pressure(cd_membrane* membrane, double pressure);
+CD_API cd_status cd_membrane_get_pressure(const cd_membrane* membrane, double* out_pressure);
+
+/* What holds an edge; a corner is pinned if either of its edges is, else driven if either is. Pinning stops the nodes;
+ * driving leaves their velocity, which is then written through CD_VELOCITY. CD_NODE_MATCHED leaves the edge free, with
+ * the impedance that sends no echo back to a wave that runs straight at it. Where CD_PIN is switched on, free, pinned
+ * and driven are written to it along the edge. The getter tells what was set last, whatever was written to CD_PIN since.
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED in the direction of a ring; CD_ERROR_MEMORY. */
+CD_API cd_status cd_membrane_set_edge(cd_membrane* membrane, cd_edge edge, cd_node kind);
+CD_API cd_status cd_membrane_get_edge(const cd_membrane* membrane, cd_edge edge, cd_node* out_kind);
+
+/* Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and a
+ * per-spring stiffness field of that direction gets the uniform values. A ring needs 3 nodes. Errors: CD_ERROR_VALUE
+ * for anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge; CD_ERROR_MEMORY. */
+CD_API cd_status cd_membrane_set_ring(cd_membrane* membrane, int32_t along_u, int32_t along_v);
+CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_along_u, int32_t* out_along_v);
+
+/* ---- fields -------------------------------------------------------------------------------------------------------
+ *  field            per           unit    values
+ *  CD_POSITION      node          m       finite
+ *  CD_VELOCITY      node          m/s     finite; of a pinned or absent node only 0
+ *  CD_FORCE         node          N       finite; acts until it is overwritten
+ *  CD_TARGET        node          m       finite; where cd_membrane_attach pulls to
+ *  CD_MASS          node          kg      > 0
+ *  CD_STIFFNESS_U   spring        N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u + 1, v)
+ *  CD_STIFFNESS_V   spring        N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u, v + 1)
+ *  CD_PIN           node          -       CD_NODE_FREE, CD_NODE_PINNED or CD_NODE_DRIVEN; whole edges need it not, see
+ *                                         cd_membrane_set_edge
+ *  CD_MASK          node          -       1: there; 0: absent, with all that touches it: it stands still where it is and
+ *                                         counts for nothing
+ * Position and velocity are always there. The others cost memory and time only once they are switched on; CD_MASS, the
+ * stiffnesses, CD_TARGET, CD_PIN and CD_MASK make the sheet one whose lines differ, with factors for each of them. */
+
+/* Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin
+ * what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY. */
+CD_API cd_status cd_membrane_enable_field(cd_membrane* membrane, cd_field field);
+
+/* Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened, all nodes
+ * there, none held but on edges. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position and velocity. */
+CD_API cd_status cd_membrane_disable_field(cd_membrane* membrane, cd_field field);
+
+/* Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [first_u, first_u + n_u) x
+ * [first_v, first_v + n_v). Fields without components have one value per node or spring; there are nu (ring: nu + 1)
+ * springs along u and nv + 1 rows of them, and likewise along v. `count` is the number of values in the buffer:
+ * n_u * n_v * components. Numbers are rounded once, to the precision of the side that is narrower. Never allocates.
+ * Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first bad index. */
+CD_API cd_status cd_membrane_write_f32(cd_membrane* membrane, cd_field field, size_t first_u, size_t first_v,
+                                       size_t n_u, size_t n_v, const float* values, size_t count);
+CD_API cd_status cd_membrane_write_f64(cd_membrane* membrane, cd_field field, size_t first_u, size_t first_v,
+                                       size_t n_u, size_t n_v, const double* values, size_t count);
+CD_API cd_status cd_membrane_read_f32(const cd_membrane* membrane, cd_field field, size_t first_u, size_t first_v,
+                                      size_t n_u, size_t n_v, float* out_values, size_t count);
+CD_API cd_status cd_membrane_read_f64(const cd_membrane* membrane, cd_field field, size_t first_u, size_t first_v,
+                                      size_t n_u, size_t n_v, double* out_values, size_t count);
+
+/* Where a field lies in the membrane's own memory, in the membrane's precision, to read without a copy: the value of
+ * (u, v, component) is at byte *out_data + u * u_stride + v * v_stride + component * component_stride. Position,
+ * velocity, force and target only. The pointer is good until the field is switched off or the membrane released; the
+ * numbers change with every write and step. Do not write through it.
+ * Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_UNSUPPORTED. */
+CD_API cd_status cd_membrane_view(const cd_membrane* membrane, cd_field field, const void** out_data,
+                                  size_t* out_u_stride, size_t* out_v_stride, size_t* out_component_stride);
+
+/* ---- acting on it ------------------------------------------------------------------------------------------------ */
+
+/* Adds impulse [N s], one number per component, spread over the nodes that are less than `radius` springs away from
+ * the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which
+ * are scaled to sum to 1; radius 0: all on the nearest node. A node's velocity changes by its share / its mass; pinned,
+ * driven and absent nodes take none of it, and their shares are lost. u in [0, nu], v in [0, nv], radius >= 0.
+ * Errors: CD_ERROR_RANGE for count; CD_ERROR_VALUE. */
+CD_API cd_status cd_membrane_impulse(cd_membrane* membrane, double u, double v, double radius, const double* impulse,
+                                     size_t count);
+
+/* Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
+ * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
+ * writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
+ * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY. */
+CD_API cd_status cd_membrane_attach(cd_membrane* membrane, size_t u, size_t v, double stiffness, double damping,
+                                    const double* target, size_t count);
+CD_API cd_status cd_membrane_detach(cd_membrane* membrane, size_t u, size_t v);
+CD_API cd_status cd_membrane_get_attachment(const cd_membrane* membrane, size_t u, size_t v, double* out_stiffness,
+                                            double* out_damping);
+
+/* ---- time ------------------------------------------------------------------------------------------------------- */
+
+/* Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
+ * count * nodes * components, with CD_SOLVER_COUPLED to the iterations too.
+ * Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives
+ * the first bad one, the membrane can be read, and steps again after cd_membrane_reset, a load, or once finite
+ * positions and velocities have been written; CD_ERROR_TOLERANCE if a coupled solve ended short of its tolerance: all
+ * steps are made, and good to the residual that cd_membrane_get_convergence tells. */
+CD_API cd_status cd_membrane_step(cd_membrane* membrane, double dt, size_t count);
+
+/* The longest dt at which CD_METHOD_SYMPLECTIC_EULER is sure to stay bounded, whatever method is set: the largest dt
+ * with 4 M - 2 dt C - dt^2 K positive definite, by a bound on K that is exact in the limit of many nodes for uniform
+ * sheets, and a safe lower bound otherwise. INFINITY if nothing can swing. */
+CD_API cd_status cd_membrane_stable_dt(const cd_membrane* membrane, double* out_dt);
+
+/* Simulated time [s] and steps made since create, reset or load. */
+CD_API cd_status cd_membrane_get_time(const cd_membrane* membrane, double* out_time);
+CD_API cd_status cd_membrane_get_steps(const cd_membrane* membrane, uint64_t* out_steps);
+
+/* How many factorizations the membrane has made: one at the first implicit step and one at the first after each change
+ * of dt, lambda, method, solver or a parameter. Not part of the saved state. */
+CD_API cd_status cd_membrane_get_factorizations(const cd_membrane* membrane, uint64_t* out_count);
+
+/* ---- measuring --------------------------------------------------------------------------------------------------- */
+
+/* Energies [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend and attachments. Gravity:
+ * -sum m g x of the free nodes. lambda = 1/2 keeps their sum. */
+CD_API cd_status cd_membrane_get_energy(const cd_membrane* membrane, double* out_kinetic, double* out_elastic,
+                                        double* out_gravity);
+
+/* Momentum of the free nodes [kg m/s], one number per component.
+ * Errors: CD_ERROR_RANGE if count is not the number of components. */
+CD_API cd_status cd_membrane_get_momentum(const cd_membrane* membrane, double* out_momentum, size_t count);
+
+/* Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's normal, each cell the
+ * mean of its two triangulations, cells with an absent node left out. Of a drum-head whose rim lies in a plane through
+ * the origin it is the volume under it; of a closed surface, what it encloses. 3 components only.
+ * Errors: CD_ERROR_UNSUPPORTED. */
+CD_API cd_status cd_membrane_get_volume(const cd_membrane* membrane, double* out_volume);
+
+/* Positions at n places on the sheet, bilinear between nodes: at[j] = {u, v}, u in [0, nu] (ring: to nu + 1), v
+ * likewise; out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE. */
+CD_API cd_status cd_membrane_sample(const cd_membrane* membrane, const double* at, size_t n, double* out_positions,
+                                    size_t out_count);
+
+/* Bytes the membrane holds from its allocator. */
+CD_API cd_status cd_membrane_get_memory(const cd_membrane* membrane, size_t* out_bytes);
+
+/* A 64-bit hash of everything cd_membrane_save would write. Equal on every machine, compiler and vector width. */
+CD_API cd_status cd_membrane_hash(const cd_membrane* membrane, uint64_t* out_hash);
+
+/* ---- drawing ----------------------------------------------------------------------------------------------------- */
+
+/* Writes a vertex for every node, in node order, into the caller's buffer: vertex i at byte i * stride, its position
+ * as 3 floats at position_offset and its unit normal, smooth across the sheet, as 3 floats at normal_offset. A normal
+ * points along x_u x x_v and is zero where the sheet has no area. Components that are not there are written as 0; a
+ * membrane of 1 component is drawn as the height z over the unit square, x = u / nu, y = v / nv (a direction without a
+ * spring: 0; a ring: u / (nu + 1)). normal_offset SIZE_MAX: no normals. Bytes between are left alone; any offset and
+ * stride will do, aligned or not, that keeps the vertices apart. Absent nodes get their vertex too, with a zero normal.
+ * Errors: CD_ERROR_RANGE if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or the
+ * two overlap. */
+CD_API cd_status cd_membrane_write_vertices(const cd_membrane* membrane, void* buffer, size_t size, size_t stride,
+                                            size_t position_offset, size_t normal_offset);
+
+/* How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, 3 per cell of which
+ * three are there. */
+CD_API cd_status cd_membrane_get_index_count(const cd_membrane* membrane, size_t* out_count);
+
+/* Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte order), counter-
+ * clockwise seen from where the normal points. `size` is that of the buffer in bytes. They change with CD_MASK and
+ * cd_membrane_set_ring only. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
+ * CD_ERROR_UNSUPPORTED if the nodes are too many for the width. */
+CD_API cd_status cd_membrane_write_indices(const cd_membrane* membrane, void* buffer, size_t size, size_t index_size);
+
+/* ---- keeping ----------------------------------------------------------------------------------------------------- */
+
+/* The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
+ * on every machine, versioned, with a checksum. save needs size >= cd_membrane_save_size and tells what it wrote.
+ * load needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are
+ * damaged, cut short, of another version or kind are refused and change nothing.
+ * Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
+CD_API cd_status cd_membrane_save_size(const cd_membrane* membrane, size_t* out_size);
+CD_API cd_status cd_membrane_save(const cd_membrane* membrane, void* buffer, size_t size, size_t* out_written);
+CD_API cd_status cd_membrane_load(cd_membrane* membrane, const void* bytes, size_t size);
+
+/* Makes `membrane` what `source` is, as save and load would, without the bytes: the two must agree in shape and
+ * precision. Allocates only if they differ in the fields switched on. Errors: CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
+CD_API cd_status cd_membrane_copy_state(cd_membrane* membrane, const cd_membrane* source);
+
+/* Positions, velocities, time and steps back to 0. Parameters, fields and pins stay; targets too. */
+CD_API cd_status cd_membrane_reset(cd_membrane* membrane);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,264 @@
+// The membrane's parameters and memory.
+#include "model/membrane.hh"
+
+#include "base/status.hh"
+
+namespace cd {
+
+// ---- what the totals come to ----------------------------------------------------------------------------------------
+
+static bool has_half_ends(const Membrane& m, Direction d) {
+    return m.mass_rule == CD_MASS_HALF_ENDS && m.springs[d] > 0 && !m.ring[d];
+}
+
+double line_weight(const Membrane& m, Direction d, size_t i) {
+    return has_half_ends(m, d) && (i == 0 || i == m.springs[d]) ? 0.5 : 1;
+}
+
+// The weights of all lines that are counted by their node along d.
+static double weight_across(const Membrane& m, Direction d) {
+    return double(has_half_ends(m, d) ? m.springs[d] : nodes_along(m, d));
+}
+
+static Direction other(Direction d) { return d == kU ? kV : kU; }
+
+double uniform_mass(const Membrane& m) { return m.mass / (weight_across(m, kU) * weight_across(m, kV)); }
+
+double uniform_stiffness(const Membrane& m, Direction d) {
+    return m.stiffness[d] * double(springs_along(m, d)) / weight_across(m, other(d));
+}
+
+double uniform_bend(const Membrane& m, Direction d) {
+    const double n = double(springs_along(m, d));
+    return m.bend * (n * n * n) / weight_across(m, other(d));
+}
+
+double uniform_twist(const Membrane& m) { return 2 * sqrt(uniform_bend(m, kU) * uniform_bend(m, kV)); }
+
+// ---- nodes, springs, cells ------------------------------------------------------------------------------------------
+
+namespace {
+
+struct Node {
+    size_t at[2];
+
+    Node moved(Direction d, size_t i) const { return d == kU ? Node{{i, at[1]}} : Node{{at[0], i}}; }
+};
+
+bool present(const Membrane& m, Node n) { return present(m, n.at[0], n.at[1]); }
+
+size_t last(const Membrane& m, Direction d) { return m.springs[d]; }
+size_t before(const Membrane& m, Direction d, size_t i) { return i > 0 ? i - 1 : last(m, d); }
+bool has_next(const Membrane& m, Direction d, size_t i) { return i < springs_along(m, d); }
+bool has_both(const Membrane& m, Direction d, size_t i) { return m.ring[d] || (i > 0 && i < last(m, d)); }
+
+bool on_edge(const Membrane& m, cd_edge edge, size_t u, size_t v) {
+    const Direction d = direction_of(edge);
+    return (d == kU ? u : v) == (edge == edge_of(d, true) ? last(m, d) : 0);
+}
+
+cd_node kind_by_edges(const Membrane& m, size_t u, size_t v) {
+    bool pinned = false, driven = false;
+    for (cd_edge edge = CD_EDGE_U_FIRST; edge <= CD_EDGE_V_LAST; ++edge) {
+        if (!on_edge(m, edge, u, v)) continue;
+        pinned |= m.edge[edge] == CD_NODE_PINNED;
+        driven |= m.edge[edge] == CD_NODE_DRIVEN;
+    }
+    return pinned ? CD_NODE_PINNED : driven ? CD_NODE_DRIVEN : CD_NODE_FREE;
+}
+
+// What sends no echo back from a matched edge [N s/m].
+double impedance(const Membrane& m, size_t u, size_t v) {
+    double sum = 0;
+    const Node n{{u, v}};
+    for (Direction d : {kU, kV}) {
+        if (m.springs[d] == 0) continue;
+        for (bool at_last : {false, true}) {
+            const cd_edge edge = edge_of(d, at_last);
+            if (m.edge[edge] != CD_NODE_MATCHED || !on_edge(m, edge, u, v)) continue;
+            const Node inside = n.moved(d, at_last ? n.at[d] - 1 : n.at[d] + 1), start = at_last ? inside : n;
+            sum += sqrt(stiffness_of(m, d, start.at[0], start.at[1]) * mass_of(m, inside.at[0], inside.at[1]));
+        }
+    }
+    return sum;
+}
+
+} // namespace
+
+cd_node kind_of(const Membrane& m, size_t u, size_t v) {
+    return m.pin ? cd_node(m.pin[node_at(m, u, v)]) : kind_by_edges(m, u, v);
+}
+
+double mass_of(const Membrane& m, size_t u, size_t v) {
+    if (m.node_mass) return m.node_mass[node_at(m, u, v)];
+    return uniform_mass(m) * (line_weight(m, kU, u) * line_weight(m, kV, v));
+}
+
+// Of a spring, were its nodes there.
+static double given_stiffness(const Membrane& m, Direction d, const Node& n) {
+    if (!has_next(m, d, n.at[d])) return 0;
+    return uniform_stiffness(m, d) * line_weight(m, other(d), n.at[other(d)]);
+}
+
+double stiffness_of(const Membrane& m, Direction d, size_t u, size_t v) {
+    const Node n{{u, v}};
+    if (!has_next(m, d, n.at[d]) || !present(m, n) || !present(m, n.moved(d, after(m, d, n.at[d])))) return 0;
+    return m.spring_stiffness[d] ? m.spring_stiffness[d][node_at(m, u, v)] : given_stiffness(m, d, n);
+}
+
+double bend_of(const Membrane& m, Direction d, size_t u, size_t v) {
+    const Node n{{u, v}};
+    const size_t i = n.at[d];
+    if (!(m.bend > 0) || !has_both(m, d, i) || !present(m, n) || !present(m, n.moved(d, before(m, d, i))) ||
+        !present(m, n.moved(d, after(m, d, i))))
+        return 0;
+    return uniform_bend(m, d) * line_weight(m, other(d), n.at[other(d)]);
+}
+
+double twist_of(const Membrane& m, size_t u, size_t v) {
+    if (!(m.bend > 0) || !has_next(m, kU, u) || !has_next(m, kV, v)) return 0;
+    const size_t next_u = after(m, kU, u), next_v = after(m, kV, v);
+    const bool whole = present(m, u, v) && present(m, next_u, v) && present(m, u, next_v) && present(m, next_u, next_v);
+    return whole ? uniform_twist(m) : 0;
+}
+
+double drag_of(const Membrane& m, size_t u, size_t v) {
+    return m.drag * mass_of(m, u, v) + impedance(m, u, v) + tie_damping_of(m, node_at(m, u, v));
+}
+
+// ---- memory ---------------------------------------------------------------------------------------------------------
+
+MembraneFeatures features(const Membrane& m) {
+    MembraneFeatures f{};
+    static_cast<BodyFeatures&>(f) = {m.method, bool(m.node_mass), bool(m.force), bool(m.target), m.bend > 0};
+    for (Direction d : {kU, kV}) {
+        f.spring_stiffness[d] = bool(m.spring_stiffness[d]);
+        f.ring[d] = m.ring[d] != 0;
+    }
+    f.pin = bool(m.pin);
+    f.mask = bool(m.mask);
+    f.pressure = m.pressure != 0;
+    f.solver = m.solver;
+    memcpy(f.edge, m.edge, sizeof f.edge);
+    return f;
+}
+
+bool set_features(Membrane& m, const MembraneFeatures& wanted) {
+    MembraneNeeds needs;
+    if (!needs_of(m, wanted, needs)) return false;
+    BodyChanges body(m, wanted, needs.coefficients, needs.scratch);
+    Change<double> along_u{m.spring_stiffness[kU], wanted.spring_stiffness[kU] ? m.nodes : 0};
+    Change<double> along_v{m.spring_stiffness[kV], wanted.spring_stiffness[kV] ? m.nodes : 0};
+    Change<double> pressed{m.pressed, wanted.pressure ? m.components * m.plane : 0};
+    Change<uint8_t> pin{m.pin, wanted.pin ? m.nodes : 0}, mask{m.mask, wanted.mask ? m.nodes : 0};
+
+    const auto all = [&](auto f) { return body.all(f) && f(along_u) && f(along_v) && f(pressed) && f(pin) && f(mask); };
+    const bool same_ring = wanted.ring[kU] == (m.ring[kU] != 0) && wanted.ring[kV] == (m.ring[kV] != 0);
+    const bool same_edges = memcmp(wanted.edge, m.edge, sizeof m.edge) == 0, same_pin = pin.keep();
+    if (wanted.method == m.method && wanted.solver == m.solver && same_ring && same_edges && keep_all(all)) return true;
+    if (!take_all(m.memory, all)) return false;
+    put_all(m.memory, all);
+    m.method = wanted.method;
+    m.solver = wanted.solver;
+    for (Direction d : {kU, kV}) m.ring[d] = wanted.ring[d];
+    memcpy(m.edge, wanted.edge, sizeof m.edge);
+    if (body.mass.is_new()) fill_uniform(m, CD_MASS);
+    if (along_u.is_new()) fill_uniform(m, CD_STIFFNESS_U);
+    if (along_v.is_new()) fill_uniform(m, CD_STIFFNESS_V);
+    if (mask.is_new()) memset(m.mask.data, 1, m.mask.bytes());
+    for (size_t i = 0; pin.is_new() && i < m.nodes; ++i)
+        m.pin[i] = uint8_t(kind_by_edges(m, i % m.columns, i / m.columns));
+    body.fill(m);
+    if (!same_edges || !same_pin) stop_pinned(m);
+    m.prepared_dt = 0;
+    return true;
+}
+
+void fill_uniform(Membrane& m, cd_field field) {
+    for (size_t v = 0, i = 0; v < m.rows; ++v)
+        for (size_t u = 0; u < m.columns; ++u, ++i) {
+            if (field == CD_MASS && m.node_mass)
+                m.node_mass[i] = uniform_mass(m) * (line_weight(m, kU, u) * line_weight(m, kV, v));
+            if (field == CD_STIFFNESS_U && m.spring_stiffness[kU])
+                m.spring_stiffness[kU][i] = given_stiffness(m, kU, {{u, v}});
+            if (field == CD_STIFFNESS_V && m.spring_stiffness[kV])
+                m.spring_stiffness[kV][i] = given_stiffness(m, kV, {{u, v}});
+        }
+}
+
+void stop_pinned(Membrane& m) {
+    for (size_t v = 0; v < m.rows; ++v)
+        for (size_t u = 0; u < m.columns; ++u)
+            if (kind_of(m, u, v) == CD_NODE_PINNED)
+                for (size_t k = 0; k < m.components; ++k) set_number(m, m.velocity, place(m, u, v, k), 0);
+}
+
+bool set_edge(Membrane& m, cd_edge edge, cd_node kind) {
+    MembraneFeatures wanted = features(m);
+    wanted.edge[edge] = kind;
+    if (!set_features(m, wanted)) return false;
+    for (size_t i = 0; m.pin && i < m.nodes; ++i) {
+        const size_t u = i % m.columns, v = i / m.columns;
+        if (on_edge(m, edge, u, v)) m.pin[i] = uint8_t(kind_by_edges(m, u, v));
+    }
+    stop_pinned(m);
+    m.prepared_dt = 0;
+    return true;
+}
+
+bool set_ring(Membrane& m, bool along_u, bool along_v) {
+    MembraneFeatures wanted = features(m);
+    const bool changes[2] = {wanted.ring[kU] != along_u, wanted.ring[kV] != along_v};
+    wanted.ring[kU] = along_u;
+    wanted.ring[kV] = along_v;
+    if (!set_features(m, wanted)) return false;
+    if (changes[kU] || changes[kV]) fill_uniform(m, CD_MASS);
+    if (changes[kU]) fill_uniform(m, CD_STIFFNESS_U);
+    if (changes[kV]) fill_uniform(m, CD_STIFFNESS_V);
+    return true;
+}
+
+// ---- life -----------------------------------------------------------------------------------------------------------
+
+// Rows start on cache lines, an odd number of them apart (rows whose numbers lie a multiple of 4096 bytes apart would
+// share one set of the cache), with room for the two columns on either side that a ring repeats.
+static bool row_pitch(size_t columns, size_t& out) {
+    constexpr size_t kPerLine = 8;
+    size_t room;
+    if (!add(columns, 4 + 2 * kPerLine, room)) return false;
+    const size_t lines = (columns + 4 + kPerLine - 1) / kPerLine;
+    out = (lines | 1) * kPerLine;
+    return true;
+}
+
+cd_status create_membrane(const char* function, size_t nu, size_t nv, size_t components, cd_precision precision,
+                          const cd_allocator& allocator, Membrane*& out) {
+    Membrane shape{};
+    shape.memory.allocator = allocator;
+    shape.kernels = &best_kernels();
+    shape.springs[kU] = nu;
+    shape.springs[kV] = nv;
+    shape.components = components;
+    shape.precision = precision;
+    // Everything that a membrane may ever hold is less than 40 planes of doubles for each component.
+    size_t all, state;
+    if (!add(nu, 1, shape.columns) || !add(nv, 1, shape.rows) || !row_pitch(shape.columns, shape.pitch) ||
+        !multiply(shape.rows, shape.pitch, shape.plane) || !multiply(shape.plane, components, state) ||
+        !multiply(state, 40 * sizeof(double), all))
+        return fail(CD_ERROR_SIZE, function, "nu %zu and nv %zu springs with %zu components do not fit in memory", nu,
+                    nv, components);
+    shape.nodes = shape.columns * shape.rows;
+    shape.lambda = 0.5;
+    shape.tolerance = 1e-6;
+    shape.most_iterations = 100;
+    shape.mass = 1;
+    shape.stiffness[kU] = shape.stiffness[kV] = 1;
+
+    out = make(shape, kMembraneTag, state * number_size(shape));
+    if (!out)
+        return fail(CD_ERROR_MEMORY, function, "no memory for nu %zu and nv %zu springs with %zu components", nu, nv,
+                    components);
+    return CD_OK;
+}
+
+} // namespace cd

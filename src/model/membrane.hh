@@ -1,0 +1,154 @@
+// The membrane: what it consists of, and what is done with it. The equations are those of model.md, sections 2 to 4.
+#pragma once
+
+#include "contdyn/membrane.h"
+#include "model/body.hh"
+
+namespace cd {
+
+// The two directions of a sheet, as indices.
+enum Direction { kU = 0, kV = 1 };
+
+struct MembraneSettings {
+    cd_solver solver;
+    int32_t ring[2];
+    cd_node edge[4]; // by cd_edge: what was set last
+    double tolerance;
+    size_t most_iterations;
+    double stiffness[2], bend, pressure;
+};
+
+struct Membrane : Body, MembraneSettings {
+    // shape. A number of component k at node (u, v) lies at k * plane + v * pitch + u of its array; fields of doubles and
+    // bytes lie densely, at v * columns + u.
+    size_t springs[2]; // nu, nv
+    size_t columns, rows, pitch, plane;
+
+    // fields of its own: a number per node (0 at the last node of a line without a ring); mask per node. pin is empty
+    // where only edges hold nodes.
+    Array<double> spring_stiffness[2];
+    Array<uint8_t> mask;
+
+    // what the last call of step did: see cd_membrane_get_convergence
+    size_t iterations;
+    double residual;
+
+    // what steps need, none of it state: see membrane_step.cpp
+    Array<double> pressed; // the force of the pressure, laid out like the positions
+    double stiffest; // the largest diagonal entry of the coupled system
+    bool separable;        // see membrane_step.cpp
+
+    // f(array, array of another membrane...) for each field, in the order in which they are kept; and for every array.
+    template <class F, class... M> static void each_field(F f, M&... m) {
+        f(m.pin...), f(m.mask...), f(m.node_mass...), f(m.spring_stiffness[kU]...), f(m.spring_stiffness[kV]...);
+        f(m.attach_stiffness...), f(m.attach_damping...);
+        f(m.position...), f(m.velocity...), f(m.force...), f(m.target...);
+    }
+    template <class F> static void each_array(F f, Membrane& m) {
+        each_field(f, m);
+        f(m.coefficients), f(m.scratch), f(m.pressed);
+    }
+};
+
+constexpr double kLeastTolerance = 1e-14, kMostTolerance = 0.5;
+constexpr uint64_t kMembraneTag = 0x314272626d4d6443; // "CdMmbrB1"
+
+struct MembraneFeatures : BodyFeatures {
+    bool spring_stiffness[2], pin, mask, ring[2], pressure;
+    cd_solver solver;
+    cd_node edge[4];
+};
+
+// ---- shape and parameters (membrane.cpp) ----------------------------------------------------------------------------
+
+inline Direction direction_of(cd_edge edge) { return edge < CD_EDGE_V_FIRST ? kU : kV; }
+inline cd_edge edge_of(Direction d, bool at_last) { return cd_edge(2 * d + (at_last ? 1 : 0)); }
+
+inline Layout layout_of(const Membrane& m) { return {m.components * m.rows, m.columns, m.pitch}; }
+inline size_t place(const Membrane& m, size_t u, size_t v, size_t component) {
+    return component * m.plane + v * m.pitch + u;
+}
+inline size_t node_at(const Membrane& m, size_t u, size_t v) { return v * m.columns + u; }
+inline size_t nodes_along(const Membrane& m, Direction d) { return d == kU ? m.columns : m.rows; }
+// springs of one line along d: a ring has one more
+inline size_t springs_along(const Membrane& m, Direction d) { return m.springs[d] + size_t(m.ring[d]); }
+// The node after number i of a line along d, round a ring; where there is none, that node itself.
+inline size_t after(const Membrane& m, Direction d, size_t i) { return i < m.springs[d] ? i + 1 : m.ring[d] ? 0 : i; }
+
+// The weight of an edge line: 1/2 at the two ends of direction d under CD_MASS_HALF_ENDS, 1 elsewhere.
+double line_weight(const Membrane& m, Direction d, size_t i);
+// The uniform values for weight 1: mass of a node, stiffness of a spring along d, bend at a node along d, twist of a cell.
+double uniform_mass(const Membrane& m);
+double uniform_stiffness(const Membrane& m, Direction d);
+double uniform_bend(const Membrane& m, Direction d);
+double uniform_twist(const Membrane& m);
+
+// What node (u, v) is, what it weighs, and how stiff the spring is that starts there along d: with every weight, mask
+// and field; 0 where there is no spring.
+cd_node kind_of(const Membrane& m, size_t u, size_t v); // CD_NODE_FREE, _PINNED or _DRIVEN
+inline bool held(const Membrane& m, size_t u, size_t v) { return kind_of(m, u, v) != CD_NODE_FREE; }
+inline bool present(const Membrane& m, size_t u, size_t v) { return !m.mask || m.mask[node_at(m, u, v)] != 0; }
+double mass_of(const Membrane& m, size_t u, size_t v);
+double stiffness_of(const Membrane& m, Direction d, size_t u, size_t v);
+// The bend along d at a node, 0 unless it and its two neighbours along d are there; the twist of the cell that starts at
+// a node, 0 unless its four nodes are there.
+double bend_of(const Membrane& m, Direction d, size_t u, size_t v);
+double twist_of(const Membrane& m, size_t u, size_t v);
+// What drags a node back beside the springs' damping [N s/m]: drag, matched edges, an attachment. What ties it [N/m].
+double drag_of(const Membrane& m, size_t u, size_t v);
+inline double tie_of(const Membrane& m, size_t u, size_t v) { return tie_of(m, node_at(m, u, v)); }
+
+// ---- life and features (membrane.cpp) -------------------------------------------------------------------------------
+
+cd_status create_membrane(const char* function, size_t nu, size_t nv, size_t components, cd_precision precision,
+                          const cd_allocator& allocator, Membrane*& out);
+MembraneFeatures features(const Membrane& m);
+// Takes the memory that the features need and releases what they do not; new fields are filled with uniform values.
+// False for want of memory: nothing has changed.
+bool set_features(Membrane& m, const MembraneFeatures& wanted);
+// Fills a field that is switched on with the uniform values of the totals.
+void fill_uniform(Membrane& m, cd_field field);
+// Stops the nodes that have become pinned.
+void stop_pinned(Membrane& m);
+// False for want of memory: nothing has changed.
+bool set_edge(Membrane& m, cd_edge edge, cd_node kind);
+bool set_ring(Membrane& m, bool along_u, bool along_v);
+
+// ---- fields (membrane_fields.cpp) -----------------------------------------------------------------------------------
+
+// Whether a number may stand in a field: finite, and in the ranges of membrane.h.
+bool valid_number(const Membrane& m, cd_field field, size_t u, size_t v, double value);
+
+// A component of the sheet's position between nodes, bilinear.
+double position_at(const Membrane& m, double u, double v, size_t component);
+
+// ---- time (membrane_step.cpp) ---------------------------------------------------------------------------------------
+
+// Numbers that steps with these features need beside the fields.
+struct MembraneNeeds {
+    size_t coefficients, scratch;
+};
+bool needs_of(const Membrane& m, const MembraneFeatures& f, MembraneNeeds& out); // false if too many to count
+
+struct MembraneOutcome {
+    uint64_t diverged_at; // number of the first step at which a number left the finite range, or 0
+    bool converged;       // of all coupled solves
+};
+MembraneOutcome step_membrane(Membrane& m, double dt, size_t count);
+double stable_dt(const Membrane& m); // membrane_limit.cpp
+
+// ---- measuring (membrane_measure.cpp) -------------------------------------------------------------------------------
+
+void energy(const Membrane& m, double& kinetic, double& elastic, double& gravity);
+void momentum(const Membrane& m, double* out);
+double volume(const Membrane& m); // of 3 components
+
+// ---- keeping (membrane_keep.cpp) ------------------------------------------------------------------------------------
+
+uint64_t hash(const Membrane& m);
+size_t save_size(const Membrane& m);
+void save(const Membrane& m, unsigned char* out);
+cd_status load(const char* function, Membrane& m, const unsigned char* bytes, size_t size);
+cd_status copy(const char* function, Membrane& m, const Membrane& source);
+
+} // namespace cd

@@ -1,0 +1,101 @@
+// What a membrane consists of, for model/keep.hh. The bytes hold pins and mask, numbers per node or spring, the state.
+#include "model/keep.hh"
+#include "model/membrane.hh"
+
+namespace cd {
+
+namespace {
+
+struct MembraneKeep {
+    using Object = Membrane;
+    using Settings = KeptSettings<MembraneSettings>;
+    static constexpr Kind kind = {2, "membrane", {"springs along u", "along v"}};
+
+    static Shape shape_of(const Membrane& m) { return {{m.springs[kU], m.springs[kV]}, m.components, m.precision}; }
+
+    static Settings settings_of(const Membrane& m) {
+        Settings s{keep_body(m), m};
+        if (m.spring_stiffness[kU]) s.fields |= 1u << CD_STIFFNESS_U;
+        if (m.spring_stiffness[kV]) s.fields |= 1u << CD_STIFFNESS_V;
+        if (m.pin) s.fields |= 1u << CD_PIN;
+        if (m.mask) s.fields |= 1u << CD_MASK;
+        return s;
+    }
+
+    static void apply(Membrane& m, const Settings& s) {
+        static_cast<BodySettings&>(m) = s.body;
+        static_cast<MembraneSettings&>(m) = s.own;
+    }
+
+    static MembraneFeatures features_of(const Settings& s) {
+        MembraneFeatures f{};
+        static_cast<BodyFeatures&>(f) = features_of_body(s, s.own.bend > 0);
+        f.spring_stiffness[kU] = s.on(CD_STIFFNESS_U);
+        f.spring_stiffness[kV] = s.on(CD_STIFFNESS_V);
+        f.pin = s.on(CD_PIN);
+        f.mask = s.on(CD_MASK);
+        for (Direction d : {kU, kV}) f.ring[d] = s.own.ring[d] != 0;
+        f.pressure = s.own.pressure != 0;
+        f.solver = s.own.solver;
+        memcpy(f.edge, s.own.edge, sizeof f.edge);
+        return f;
+    }
+
+    template <class W> static void walk_settings(W& w, Settings& s) { walk_body<MembraneKeep>(w, s); }
+    template <class W> static void walk_choices(W& w, MembraneSettings& s) {
+        walk(w, s.solver), walk(w, s.ring[kU]), walk(w, s.ring[kV]);
+        for (cd_node& kind : s.edge) walk(w, kind);
+    }
+    template <class W> static void walk_numbers(W& w, MembraneSettings& s) {
+        walk(w, s.stiffness[kU]), walk(w, s.stiffness[kV]), walk(w, s.bend), walk(w, s.pressure), walk(w, s.tolerance);
+        uint64_t most = s.most_iterations;
+        walk(w, most);
+        s.most_iterations = most < SIZE_MAX ? size_t(most) : SIZE_MAX;
+    }
+
+    static bool valid(const Membrane& m, const Settings& s) {
+        const MembraneSettings& own = s.own;
+        uint32_t optional = 0;
+        for (cd_field field : {CD_MASS, CD_FORCE, CD_TARGET, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_PIN, CD_MASK})
+            optional |= 1u << field;
+        bool good = valid_body(s) && (s.fields & ~optional) == 0;
+        good &= own.solver == CD_SOLVER_ALTERNATING || own.solver == CD_SOLVER_COUPLED;
+        good &= own.tolerance >= kLeastTolerance && own.tolerance <= kMostTolerance && own.most_iterations >= 1;
+        good &= valid_parameter(own.bend) && fabs(own.pressure) <= kMost && (own.pressure == 0 || m.components == 3);
+        for (Direction d : {kU, kV}) {
+            good &= valid_parameter(own.stiffness[d]);
+            good &= own.ring[d] == 0 || (own.ring[d] == 1 && nodes_along(m, d) >= 3);
+        }
+        for (cd_edge edge = CD_EDGE_U_FIRST; edge <= CD_EDGE_V_LAST; ++edge) {
+            const bool ring = own.ring[direction_of(edge)] != 0;
+            good &= own.edge[edge] >= CD_NODE_FREE && own.edge[edge] <= (ring ? CD_NODE_DRIVEN : CD_NODE_MATCHED);
+        }
+        return good;
+    }
+
+    static bool check_fields(Reader reader, const Membrane& m, const Settings& s) {
+        FieldCheck check{reader};
+        const size_t n = m.nodes;
+        if (s.on(CD_PIN)) check.numbers<uint8_t>(n, [](double pin, size_t) { return pin <= CD_NODE_DRIVEN; });
+        if (s.on(CD_MASK)) check.numbers<uint8_t>(n, [](double mask, size_t) { return mask <= 1; });
+        if (s.on(CD_MASS)) check.numbers<double>(n, valid_shared_mass);
+        if (s.on(CD_STIFFNESS_U)) check.numbers<double>(n, valid_shared);
+        if (s.on(CD_STIFFNESS_V)) check.numbers<double>(n, valid_shared);
+        check_ties_and_state(check, m, layout_of(m), s);
+        return check.all_good();
+    }
+};
+
+} // namespace
+
+uint64_t hash(const Membrane& m) { return hash_object<MembraneKeep>(m); }
+size_t save_size(const Membrane& m) { return saved_size<MembraneKeep>(m); }
+void save(const Membrane& m, unsigned char* out) { save_object<MembraneKeep>(m, out); }
+cd_status load(const char* function, Membrane& m, const unsigned char* bytes, size_t size) {
+    return load_object<MembraneKeep>(function, m, bytes, size);
+}
+cd_status copy(const char* function, Membrane& m, const Membrane& source) {
+    return copy_object<MembraneKeep>(function, m, source);
+}
+
+} // namespace cd

@@ -1,0 +1,116 @@
+// Energy, momentum and volume of a membrane.
+#include "base/sum.hh"
+#include "model/membrane.hh"
+
+namespace cd {
+
+namespace {
+
+template <class T> struct Measure {
+    const Membrane& m;
+    const T *x = numbers<T>(m.position), *v = numbers<T>(m.velocity), *target = numbers<T>(m.target);
+
+    double at(const T* data, size_t u, size_t v_, size_t k) const { return double(data[place(m, u, v_, k)]); }
+
+    // f(u, v) for every node that is there
+    template <class F> void each_node(F f) const {
+        for (size_t row = 0; row < m.rows; ++row)
+            for (size_t column = 0; column < m.columns; ++column)
+                if (present(m, column, row)) f(column, row);
+    }
+
+    // sum over components of term(component)^2
+    template <class Term> double squares(Term term) const {
+        double sum = 0;
+        for (size_t k = 0; k < m.components; ++k) sum += term(k) * term(k);
+        return sum;
+    }
+
+    // What hangs on node (i, j): springs and twist that start there, its bend, its attachment.
+    double elastic(size_t i, size_t j) const {
+        const size_t next_i = after(m, kU, i), next_j = after(m, kV, j);
+        const auto here = [&](size_t k) { return at(x, i, j, k); };
+        const auto right = [&](size_t k) { return at(x, next_i, j, k); };
+        const auto below = [&](size_t k) { return at(x, i, next_j, k); };
+        double sum = stiffness_of(m, kU, i, j) * squares([&](size_t k) { return right(k) - here(k); }) +
+                     stiffness_of(m, kV, i, j) * squares([&](size_t k) { return below(k) - here(k); });
+        if (m.bend > 0) {
+            const size_t last_i = i > 0 ? i - 1 : m.columns - 1, last_j = j > 0 ? j - 1 : m.rows - 1;
+            const auto curve = [&](auto ahead, size_t u, size_t w, size_t k) {
+                return (ahead(k) - here(k)) - (here(k) - at(x, u, w, k));
+            };
+            sum += bend_of(m, kU, i, j) * squares([&](size_t k) { return curve(right, last_i, j, k); }) +
+                   bend_of(m, kV, i, j) * squares([&](size_t k) { return curve(below, i, last_j, k); });
+            sum += twist_of(m, i, j) *
+                   squares([&](size_t k) { return (at(x, next_i, next_j, k) - below(k)) - (right(k) - here(k)); });
+        }
+        if (m.target) sum += tie_of(m, i, j) * squares([&](size_t k) { return here(k) - at(target, i, j, k); });
+        return 0.5 * sum;
+    }
+
+    void energy(Sum& kinetic, Sum& elastic_sum, Sum& gravity) const {
+        each_node([&](size_t i, size_t j) {
+            elastic_sum.add(elastic(i, j));
+            if (held(m, i, j)) return;
+            const double mass = mass_of(m, i, j);
+            kinetic.add(0.5 * mass * squares([&](size_t k) { return at(v, i, j, k); }));
+            double fall = 0;
+            for (size_t k = 0; k < m.components; ++k) fall += m.gravity[k] * at(x, i, j, k);
+            gravity.add(-mass * fall);
+        });
+    }
+
+    void momentum(double* out) const {
+        Sum sums[4];
+        each_node([&](size_t i, size_t j) {
+            for (size_t k = 0; k < m.components && !held(m, i, j); ++k) sums[k].add(mass_of(m, i, j) * at(v, i, j, k));
+        });
+        for (size_t k = 0; k < m.components; ++k) out[k] = sums[k].value();
+    }
+
+    struct Vector {
+        double x, y, z;
+    };
+    Vector node(size_t i, size_t j) const { return {at(x, i, j, 0), at(x, i, j, 1), at(x, i, j, 2)}; }
+
+    // det(p, q, r): six times the volume between the triangle and the origin
+    static double wedge(const Vector& p, const Vector& q, const Vector& r) {
+        return p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
+    }
+
+    double volume() const {
+        Sum sum;
+        for (size_t j = 0; j < springs_along(m, kV); ++j)
+            for (size_t i = 0; i < springs_along(m, kU); ++i) {
+                const size_t next_i = after(m, kU, i), next_j = after(m, kV, j);
+                if (!present(m, i, j) || !present(m, next_i, j) || !present(m, next_i, next_j) ||
+                    !present(m, i, next_j))
+                    continue;
+                const Vector a = node(i, j), b = node(next_i, j), c = node(next_i, next_j), d = node(i, next_j);
+                sum.add((wedge(a, b, c) + wedge(a, c, d) + wedge(a, b, d) + wedge(b, c, d)) / 12);
+            }
+        return sum.value();
+    }
+};
+
+} // namespace
+
+void energy(const Membrane& m, double& kinetic, double& elastic, double& gravity) {
+    Sum sums[3];
+    if (m.precision == CD_FLOAT64) Measure<double>{m}.energy(sums[0], sums[1], sums[2]);
+    else Measure<float>{m}.energy(sums[0], sums[1], sums[2]);
+    kinetic = sums[0].value();
+    elastic = sums[1].value();
+    gravity = sums[2].value();
+}
+
+void momentum(const Membrane& m, double* out) {
+    if (m.precision == CD_FLOAT64) Measure<double>{m}.momentum(out);
+    else Measure<float>{m}.momentum(out);
+}
+
+double volume(const Membrane& m) {
+    return m.precision == CD_FLOAT64 ? Measure<double>{m}.volume() : Measure<float>{m}.volume();
+}
+
+} // namespace cd

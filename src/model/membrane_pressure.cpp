@@ -1,0 +1,87 @@
+// The force of a pressure: its product with the gradient of the volume under the sheet. With the volume the mean over both
+// triangulations of every cell, a node a of the cell a, b, c, d gets a sixth of
+//      A(a, b, c, d) + A(a, b, d),    A(a, b, c, d) = (c - a) x (d - b) / 2,    A(a, b, d) = (b - a) x (d - a) / 2,
+// which is the gradient wherever the node's cells surround it, and adds up to the cell's area vector.
+#include <initializer_list>
+
+#include "model/membrane_work.hh"
+
+namespace cd {
+
+namespace {
+
+struct Vector {
+    double x[3];
+
+    friend Vector operator-(const Vector& a, const Vector& b) {
+        return {{a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]}};
+    }
+};
+
+Vector half_cross(const Vector& a, const Vector& b) {
+    return {{(a.x[1] * b.x[2] - a.x[2] * b.x[1]) / 2, (a.x[2] * b.x[0] - a.x[0] * b.x[2]) / 2,
+             (a.x[0] * b.x[1] - a.x[1] * b.x[0]) / 2}};
+}
+
+template <class T> struct Presser {
+    const Membrane& m;
+    const T* x = numbers<T>(m.position);
+
+    Vector place(size_t u, size_t v) const {
+        const size_t at = v * m.pitch + u;
+        return {{double(x[at]), double(x[at + m.plane]), double(x[at + 2 * m.plane])}};
+    }
+    // The neighbour one step away along d, round a ring; false if there is none.
+    bool step(Direction d, int by, size_t& u, size_t& v) const {
+        size_t& i = d == kU ? u : v;
+        const size_t n = nodes_along(m, d);
+        const bool over = by > 0 ? i + 1 == n : i == 0;
+        if (over && !m.ring[d]) return false;
+        i = by > 0 ? (over ? 0 : i + 1) : (over ? n : i) - 1;
+        return true;
+    }
+    // Adds the share of a cell to the node (u, v) of it, the cell's other nodes lying at by_u and by_v.
+    void add_cell(size_t u, size_t v, int by_u, int by_v, Vector& sum) const {
+        size_t b[2] = {u, v}, d[2] = {u, v};
+        if (!step(kU, by_u, b[0], b[1]) || !step(kV, by_v, d[0], d[1])) return;
+        if (by_u * by_v < 0) { // keep the order round the cell
+            for (int k = 0; k < 2; ++k) {
+                const size_t other = b[k];
+                b[k] = d[k];
+                d[k] = other;
+            }
+        }
+        size_t c[2] = {u, v};
+        step(kU, by_u, c[0], c[1]);
+        step(kV, by_v, c[0], c[1]);
+        if (!present(m, b[0], b[1]) || !present(m, c[0], c[1]) || !present(m, d[0], d[1])) return;
+        const Vector a = place(u, v), pb = place(b[0], b[1]), pc = place(c[0], c[1]), pd = place(d[0], d[1]);
+        const Vector cell = half_cross(pc - a, pd - pb), corner = half_cross(pb - a, pd - a);
+        for (int k = 0; k < 3; ++k) sum.x[k] += (cell.x[k] + corner.x[k]) / 6;
+    }
+    void row(size_t v) const {
+        for (size_t u = 0; u < m.columns; ++u) {
+            Vector sum{};
+            if (present(m, u, v))
+                for (int by_v : {-1, 1})
+                    for (int by_u : {-1, 1}) add_cell(u, v, by_u, by_v, sum);
+            for (size_t k = 0; k < 3; ++k) m.pressed[k * m.plane + v * m.pitch + u] = m.pressure * sum.x[k];
+        }
+    }
+};
+
+template <class T> void press_all(const Membrane& m) {
+    const Presser<T> presser{m};
+    in_parts(m.parallel, m.rows, m.columns, [&](size_t first, size_t count) {
+        for (size_t v = first; v < first + count; ++v) presser.row(v);
+    });
+}
+
+} // namespace
+
+void press(Membrane& m) {
+    if (m.precision == CD_FLOAT64) press_all<double>(m);
+    else press_all<float>(m);
+}
+
+} // namespace cd

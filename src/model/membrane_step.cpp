@@ -1,0 +1,234 @@
+// Steps of a membrane, one component after the other. Each stage (stages.hh) solves, for the change dw = w - v,
+//
+//      S dw = r,     S = M + h C + h^2 K,     r = h [f + M g - K (x + (h + damping) v)] - h (drag M + Z) v
+//
+// Separable sheets, alternating: B dw = r with B = (M' + A_u) M'^-1 (M' + A_v), M' = M (1 + h drag), A_d = h (h + damping)
+// K_d, rows then columns; of a plate A_d has the bend along d, and the twist is in r alone. B >= S where the directions
+// commute, which makes this stable for lambda >= 1/2; where they do not, it would blow up (a pinned corner is enough).
+// So for any other sheet the lines' answers only span a space, and w is the element of it that comes nearest to the
+// system in energy. Its residual is then orthogonal to w, and the energy's change over a step, which is w times what
+// the step got wrong, is that of the exact solve: none at lambda = 1/2, a loss above. The space is v, S_u r, S_v r and
+// S_v M S_u r + S_u M S_v r, with S_d = (M + A_d)^-1 and r what is left of the system after the best multiple of v.
+// With v in it the steps together act as conjugate gradients towards the static solution.
+// Coupled: conjugate gradients on the same r; then once more the best of v and its answer, for the same reason.
+#include <math.h>
+
+#include "model/membrane_work.hh"
+
+namespace cd {
+
+namespace {
+
+template <class T> struct Stepper {
+    Membrane& m;
+    Work& w;
+    double dt, h;
+    Convergence worst; // of all coupled solves
+
+    const SheetKernels& sheet() const { return m.kernels->sheet; }
+    const SheetStateKernels<T>& state() const { return sheet().of(T()); }
+    template <class Body> void rows(const Body& body) const { w.system.rows(body); }
+
+    // Makes a step. False if a number left the finite range.
+    bool step() {
+        if (m.pressure != 0) press(m);
+        bool finite = true;
+        const StageMoves moves(m, dt);
+        for (size_t k = 0; k < m.components; ++k) {
+            T *const x = numbers<T>(m.position) + k * m.plane, *const v = numbers<T>(m.velocity) + k * m.plane;
+            if (!w.implicit) {
+                const bool follows = m.method == CD_METHOD_SYMPLECTIC_EULER;
+                start<false>(k, x, v);
+                if (w.general) w.system.multiply(w.residual, w.inverse, w.residual);
+                finite &= move(state().move, {1, dt, follows ? 1.0 : 0.0, {w.residual}, {1}, 1}, x, v, x, v);
+            } else if (moves.count == 1) {
+                start<false>(k, x, v);
+                finite &= move(state().move, solve(moves.overshoot[0], moves.move[0]), x, v, x, v);
+            } else {
+                start<false>(k, x, v);
+                move(state().keep, solve(moves.overshoot[0], moves.move[0]), x, v, w.kept_x, w.kept_v);
+                start<true>(k, w.kept_x, w.kept_v);
+                finite &= move(state().move_kept, solve(moves.overshoot[1], moves.move[1]), w.kept_x, w.kept_v, x, v);
+            }
+        }
+        return finite;
+    }
+
+    template <class Move, class S, class D>
+    bool move(Move kernel, const SheetMove& by, const S* x, const S* v, D* to_x, D* to_v) const {
+        bool finite = true;
+        rows([&](size_t first, size_t count) {
+            if (!kernel(w.grid, by, x, v, to_x, to_v, first, count)) __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
+        });
+        return finite;
+    }
+
+    // w.residual = r for component k, where nodes move; of a separable sheet without planes divided by its masses.
+    // w.free_v too, if the solver wants it.
+    template <bool kKept, class S> void start(size_t k, const S* x, const S* v) const {
+        const double closing_rate = w.implicit ? 1 / (h + m.damping) : 1, v_share = w.implicit ? 1 : m.damping;
+        const SheetPush<T> push{h * m.gravity[k],
+                                h,
+                                h * m.drag,
+                                plane_of(m.force, k),
+                                plane_of(m.target, k),
+                                m.pressed ? m.pressed.data + k * m.plane : nullptr,
+                                w.tie};
+        rows([&](size_t first, size_t count) {
+            const auto kernel = [&] {
+                if constexpr (kKept) return state().gather_kept;
+                else return state().gather;
+            }();
+            kernel(w.grid, x, v, closing_rate, v_share, w.scaled, w.mass, w.free_v, first, count);
+        });
+        if (w.general) {
+            rows([&](size_t first, size_t count) {
+                if constexpr (kKept)
+                    state().push_general_kept(w.grid, w.system.sheet, push, x, v, w.residual, first, count);
+                else state().push_general(w.grid, w.system.sheet, push, x, v, w.residual, first, count);
+            });
+            w.system.pull(w.scaled, w.residual);
+            return;
+        }
+        const SeparableSheet uniform = separable_sheet();
+        const bool constant = !push.forces && !push.pressed && push.drag == 0 && !uniform.drag[0];
+        w.system.wrap(w.scaled);
+        rows([&](size_t first, size_t count) {
+            if constexpr (kKept) {
+                if (!constant) state().push_separable_kept(w.grid, uniform, push, v, w.residual, first, count);
+            } else {
+                if (!constant) state().push_separable(w.grid, uniform, push, v, w.residual, first, count);
+            }
+            sheet().pull_separable(w.grid, uniform, w.scaled, constant, push.gravity, w.residual, first, count);
+        });
+    }
+
+    const T* plane_of(const Array<char>& array, size_t k) const {
+        return array ? numbers<T>(array) + k * m.plane : nullptr;
+    }
+
+    SeparableSheet separable_sheet() const {
+        const DirectionRows &u = w.rows[kU], &v = w.rows[kV];
+        bool matched = false;
+        for (cd_node edge : m.edge) matched |= edge == CD_NODE_MATCHED;
+        return {{u.before, v.before},
+                {u.after, v.after},
+                {u.gain, v.gain},
+                {u.inverse_mass, v.inverse_mass},
+                {matched ? u.drag : nullptr, matched ? v.drag : nullptr}};
+    }
+
+    // How the solver moves the nodes, from w.residual.
+    SheetMove solve(double overshoot, double move) {
+        SheetMove by{1 + overshoot, move, 1, {w.residual}, {1}, 1};
+        if (w.coupled) solve_together(by);
+        else if (m.separable) alternate();
+        else alternate_nearest(by);
+        return by;
+    }
+
+    // w.residual = B^-1 r
+    void alternate() const {
+        if (w.general) w.system.multiply(w.residual, w.inverse, w.residual);
+        w.system.turn(w.residual, w.turned_plane);
+        w.shared[kU].solve(*m.kernels, m.parallel, w.turned, w.turned_plane, w.slope);
+        w.system.turn_back(w.turned_plane, w.residual);
+        w.shared[kV].solve(*m.kernels, m.parallel, w.grid, w.residual, w.slope);
+    }
+
+    // plane = S_d plane, nearly; with bend the product of two factors.
+    void solve_lines(Direction d, double* plane) const {
+        for (int f = 0; f < (w.bends ? 2 : 1); ++f) {
+            const LineFactors factors = w.line[f][d].factors();
+            double* const lines = d == kU ? w.turned_plane : plane;
+            const Grid& grid = d == kU ? w.turned : w.grid;
+            if (d == kU) w.system.turn(plane, lines);
+            in_parts(m.parallel, grid.columns, grid.rows, [&](size_t first, size_t count) {
+                sheet().solve_lines(grid, factors, lines, lines, first, count);
+            });
+            if (d == kU) w.system.turn_back(lines, plane);
+        }
+    }
+
+    // Takes the best multiple 1 - share of v out of w.residual; returns share. applied: scratch.
+    double take_out_velocity(double* applied) const {
+        const double energy = w.system.apply(w.free_v, applied), miss = w.system.dot(w.free_v, w.residual);
+        const double share = energy > 0 ? -miss / energy : 0;
+        if (share != 0) w.system.combine(1, w.residual, share, applied);
+        return share;
+    }
+
+    // Moves by the best of v and n answers, given the residual that is left beside (1 - share) v.
+    void move_by_nearest(SheetMove& by, double share, double* const* answers, int n, const double* residual) const {
+        double* planes[kMostDirections] = {w.free_v};
+        double rhs[kMostDirections] = {w.system.dot(w.free_v, residual)};
+        for (int k = 0; k < n; ++k) {
+            planes[k + 1] = answers[k];
+            rhs[k + 1] = w.system.dot(answers[k], residual);
+        }
+        w.system.project(planes, n + 1, rhs, by.factor);
+        by.factor[0] -= share;
+        by.changes = n + 1;
+        for (int k = 0; k <= n; ++k) by.change[k] = planes[k];
+    }
+
+    void alternate_nearest(SheetMove& by) const {
+        double *const both = w.answer[0], *const along_u = w.answer[1], *const along_v = w.answer[2];
+        const double share = take_out_velocity(w.scaled);
+        w.system.copy(w.residual, along_u);
+        solve_lines(kU, along_u);
+        w.system.copy(w.residual, along_v);
+        solve_lines(kV, along_v);
+        w.system.multiply(w.ground, along_u, both);
+        solve_lines(kV, both);
+        w.system.multiply(w.ground, along_v, w.scaled);
+        solve_lines(kU, w.scaled);
+        w.system.combine(1, both, 1, w.scaled);
+        move_by_nearest(by, share, w.answer, 3, w.residual);
+    }
+
+    void solve_together(SheetMove& by) {
+        const double share = take_out_velocity(w.gradient.applied);
+        const Goal goal{m.tolerance, m.stiffest, sqrt(w.system.dot(w.scaled, w.scaled)), m.most_iterations};
+        const Convergence reached =
+            solve_coupled(w.system, w.preconditioner, goal, w.gradient, w.residual, w.answer[0]);
+        if (reached.iterations > worst.iterations) worst.iterations = reached.iterations;
+        if (!(reached.residual <= worst.residual)) worst.residual = reached.residual;
+        worst.reached &= reached.reached;
+        move_by_nearest(by, share, w.answer, 1, w.gradient.start);
+    }
+};
+
+template <class T> MembraneOutcome step(Membrane& m, double dt, size_t count) {
+    Carver coefficients{m.coefficients.data}, scratch{m.scratch.data};
+    Work work(m, features(m), coefficients, scratch);
+    if (m.prepared_dt != dt) {
+        prepare(m, work, dt);
+        m.prepared_dt = dt;
+        if (work.implicit) ++m.factorizations;
+    }
+    Stepper<T> stepper{m, work, dt, stage_share(m, dt), {}};
+    uint64_t bad = 0;
+    for (size_t s = 0; s < count; ++s)
+        if (!stepper.step() && bad == 0) bad = m.clock.steps + s + 1;
+    m.iterations = stepper.worst.iterations;
+    m.residual = stepper.worst.residual;
+    return {bad, stepper.worst.reached};
+}
+
+} // namespace
+
+MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
+    MembraneOutcome outcome{};
+#if CD_WITH_FLOAT64
+    if (m.precision == CD_FLOAT64) outcome = step<double>(m, dt, count);
+#endif
+#if CD_WITH_FLOAT32
+    if (m.precision == CD_FLOAT32) outcome = step<float>(m, dt, count);
+#endif
+    m.clock.advance(dt, count);
+    m.diverged = outcome.diverged_at != 0;
+    return outcome;
+}
+
+} // namespace cd

@@ -1,0 +1,284 @@
+// The memory and the coefficients of a membrane's steps.
+#include "model/membrane_work.hh"
+
+#include <math.h>
+
+#include <initializer_list>
+
+namespace cd {
+
+namespace {
+
+// Whether only whole edges hold nodes, and nothing else tells one line from another.
+bool edges_only(const MembraneFeatures& f) {
+    const bool fields = f.node_mass || f.spring_stiffness[kU] || f.spring_stiffness[kV] || f.pin || f.mask || f.target;
+    const auto holds = [&](cd_edge e) { return f.edge[e] == CD_NODE_PINNED || f.edge[e] == CD_NODE_DRIVEN; };
+    const bool u = f.ring[kU] || (holds(CD_EDGE_U_FIRST) && holds(CD_EDGE_U_LAST));
+    const bool v = f.ring[kV] || (holds(CD_EDGE_V_FIRST) && holds(CD_EDGE_V_LAST));
+    return !fields && (!f.bend || (u && v));
+}
+
+Direction other(Direction d) { return d == kU ? kV : kU; }
+
+} // namespace
+
+Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, Carver& scratch)
+    : implicit(!steps_explicitly(f.method, m.lambda)),
+      coupled(!is_explicit(f.method) && f.solver == CD_SOLVER_COUPLED),
+      general(coupled || f.bend || f.node_mass || f.spring_stiffness[kU] || f.spring_stiffness[kV] || f.pin || f.mask ||
+              f.target),
+      bends(f.bend), rows{}, shared{SharedLines(m.columns, f.bend, f.ring[kU], coefficients),
+                                    SharedLines(m.rows, f.bend, f.ring[kV], coefficients)},
+      preconditioner{}, gradient{} {
+    coefficients.fits &= grid_of(m.columns, m.rows, grid) && grid_of(m.rows, m.columns, turned);
+    const auto plane = [&](Carver& carve, bool needed) { return needed ? carve.plane(grid) : nullptr; };
+    for (Direction d : {kU, kV}) {
+        const auto row = [&] { return coefficients.numbers(nodes_along(m, d)); };
+        rows[d] = {row(), row(), row(), row(), row(), reinterpret_cast<uint8_t*>(row())};
+    }
+    // There is room for implicit steps even where lambda is so small that they are explicit ones.
+    const bool solves = !is_explicit(f.method);
+
+    mass = plane(coefficients, general);
+    ground = plane(coefficients, general);
+    inverse = plane(coefficients, general);
+    tie = plane(coefficients, f.target);
+    twist = plane(coefficients, bends);
+    for (Direction d : {kU, kV}) {
+        spring[d] = plane(coefficients, general);
+        bend[d] = plane(coefficients, bends);
+    }
+    scaled = scratch.plane(grid);
+    residual = scratch.plane(grid);
+    const bool two_stages = f.method == CD_METHOD_STIFF_SECOND;
+    kept_x = plane(scratch, two_stages);
+    kept_v = plane(scratch, two_stages);
+
+    system = {&m.kernels->sheet, &m.parallel, grid, turned, {f.ring[kU], f.ring[kV]}, {}, nullptr};
+    GeneralSheet& sheet = system.sheet;
+    sheet = {mass, ground, {spring[kU], spring[kV]}, {bend[kU], bend[kV]}, twist, {}};
+    for (double*& moment : sheet.moment) moment = plane(scratch, bends);
+    size_t pairs = 0;
+    scratch.fits = scratch.fits && multiply(m.rows, kPairs, pairs);
+    sums = system.sums = general ? scratch.numbers(pairs) : nullptr;
+
+    const bool lines_differ = solves && !coupled && general && !edges_only(f);
+    for (int factor = 0; factor < (bends ? 2 : 1) && lines_differ; ++factor) {
+        line[factor][kU] = LineRows(coefficients, turned, f.ring[kU]);
+        line[factor][kV] = LineRows(coefficients, grid, f.ring[kV]);
+    }
+    turned_plane = solves && !coupled ? scratch.plane(turned) : nullptr;
+    const bool rods = solves && !coupled && (bends || f.ring[kU] || f.ring[kV]);
+    const size_t larger = grid.pitch * grid.rows > turned.pitch * turned.rows ? grid.pitch * grid.rows
+                                                                             : turned.pitch * turned.rows;
+    slope = rods ? scratch.numbers(larger) : nullptr;
+    free_v = plane(scratch, lines_differ || coupled);
+    answer[0] = plane(scratch, lines_differ || coupled);
+    answer[1] = plane(scratch, lines_differ);
+    answer[2] = plane(scratch, lines_differ);
+    if (!coupled) return;
+    gradient = GradientPlanes(system, scratch);
+    preconditioner.two = bends;
+    preconditioner.first.carve(system, bends, coefficients, scratch);
+    if (bends) preconditioner.second.carve(system, bends, coefficients, scratch);
+}
+
+bool needs_of(const Membrane& m, const MembraneFeatures& f, MembraneNeeds& out) {
+    Carver coefficients{nullptr}, scratch{nullptr};
+    const Work counted(m, f, coefficients, scratch);
+    out = {coefficients.taken, scratch.taken};
+    return coefficients.fits && scratch.fits;
+}
+
+// ---- coefficients ---------------------------------------------------------------------------------------------------
+
+namespace {
+
+// A line of a separable sheet along d, all its numbers divided by what they have in common.
+struct UniformLine {
+    const Membrane& m;
+    Direction d;
+    double h, sigma; // sigma: h (h + damping), of an explicit step h
+    const uint8_t* holds; // per node of the line: whether the whole cross line is held
+
+    size_t nodes() const { return nodes_along(m, d); }
+    bool held(size_t i) const { return holds[i] != 0; }
+    double weight(size_t i) const { return line_weight(m, d, i); }
+    double rate(double stiffness) const { return sigma * stiffness / uniform_mass(m); }
+
+    double spring(size_t i) const { return i < springs_along(m, d) ? rate(uniform_stiffness(m, d)) : 0; }
+    double bend(size_t i) const {
+        const bool end = !m.ring[d] && (i == 0 || i + 1 >= nodes());
+        return end ? 0 : rate(uniform_bend(m, d));
+    }
+    // A matched end's impedance over the node's mass [1/s].
+    double matched(size_t i) const {
+        const bool first = i == 0, last = i + 1 == nodes();
+        const cd_edge edges[2] = {d == kU ? CD_EDGE_U_FIRST : CD_EDGE_V_FIRST, d == kU ? CD_EDGE_U_LAST : CD_EDGE_V_LAST};
+        if (m.springs[d] == 0) return 0;
+        if (!(first && m.edge[edges[0]] == CD_NODE_MATCHED) && !(last && m.edge[edges[1]] == CD_NODE_MATCHED)) return 0;
+        const double inner = weight(first ? 1 : i - 1);
+        return sqrt(uniform_stiffness(m, d) / uniform_mass(m) * inner) / weight(i);
+    }
+    double ground(size_t i) const {
+        return held(i) ? double(INFINITY) : weight(i) * (1 + h * m.drag + h * matched(i));
+    }
+};
+
+// Which columns and rows are held as a whole; false if other nodes are held too.
+bool whole_lines(const Membrane& m, uint8_t* const* holds) {
+    for (size_t u = 0; u < m.columns; ++u) holds[kU][u] = 1;
+    for (size_t v = 0; v < m.rows; ++v) holds[kV][v] = 1;
+    for (size_t v = 0; v < m.rows; ++v)
+        for (size_t u = 0; u < m.columns; ++u)
+            if (!held(m, u, v)) holds[kU][u] = holds[kV][v] = 0;
+    for (size_t v = 0; v < m.rows; ++v)
+        for (size_t u = 0; u < m.columns; ++u)
+            if (held(m, u, v) && !holds[kU][u] && !holds[kV][v]) return false;
+    return true;
+}
+
+bool separates(const Membrane& m, uint8_t* const* holds) {
+    if (m.node_mass || m.spring_stiffness[kU] || m.spring_stiffness[kV]) return false;
+    for (size_t i = 0; i < m.mask.count; ++i)
+        if (!m.mask[i]) return false;
+    for (size_t i = 0; i < m.attach_stiffness.count; ++i)
+        if (m.attach_stiffness[i] > 0 || m.attach_damping[i] > 0) return false;
+    if (!whole_lines(m, holds)) return false;
+    for (Direction d : {kU, kV})
+        if (m.bend > 0 && !m.ring[d] && !(holds[d][0] && holds[d][nodes_along(m, d) - 1])) return false;
+    return true;
+}
+
+void prepare_rows(const Membrane& m, Work& w, double h, double sigma, uint8_t* const* holds) {
+    for (Direction d : {kU, kV}) {
+        const UniformLine line{m, d, h, sigma, holds[d]};
+        const size_t n = line.nodes();
+        const double resist = 1 + h * m.drag;
+        for (size_t i = 0; i < n; ++i) {
+            const double weight = line.weight(i), slowed = resist + h * line.matched(i);
+            const double gain = !w.implicit ? 1 : d == kU ? resist / slowed : 1 / slowed;
+            w.rows[d].after[i] = line.spring(i) / weight;
+            w.rows[d].before[i] = line.spring(i > 0 ? i - 1 : n - 1) / weight;
+            if (i == 0 && !m.ring[d]) w.rows[d].before[i] = 0;
+            w.rows[d].gain[i] = line.held(i) ? 0 : gain;
+            w.rows[d].inverse_mass[i] = d == kU ? 1 / weight : 1 / (weight * uniform_mass(m));
+            w.rows[d].drag[i] = h * line.matched(i);
+        }
+        if (w.implicit) w.shared[d].factor(line, m.bend > 0);
+    }
+}
+
+void prepare_planes(const Membrane& m, Work& w, double h, double sigma) {
+    for (size_t v = 0; v < m.rows; ++v)
+        for (size_t u = 0; u < m.columns; ++u) {
+            const size_t at = v * w.grid.pitch + u;
+            const bool moves = present(m, u, v) && !held(m, u, v);
+            const double mass = moves ? mass_of(m, u, v) : 0;
+            w.mass[at] = mass;
+            w.ground[at] = moves ? mass + h * drag_of(m, u, v) + (w.implicit ? h * h * tie_of(m, u, v) : 0) : 0;
+            if (w.inverse) w.inverse[at] = moves ? 1 / mass : 0;
+            if (w.tie) w.tie[at] = h * tie_of(m, u, v);
+            if (w.twist) w.twist[at] = sigma * twist_of(m, u, v);
+            for (Direction d : {kU, kV}) {
+                w.spring[d][at] = sigma * stiffness_of(m, d, u, v);
+                if (w.bends) w.bend[d][at] = sigma * bend_of(m, d, u, v);
+            }
+        }
+    w.system.wrap(w.spring[kU]);
+}
+
+// With bend the system is nearly (G + p L) (G + q L), G the root of its ground, with p + q the stretch over a node's root
+// mass and p q the bend. Where there are no such real numbers, both are the root of the bend. Springs of one of the
+// factors; `mass` is the sheet's mean, which keeps p and q alike from node to node where the bend counts.
+double factor_spring(const Membrane& m, double sigma, double mass, Direction d, int factor, size_t u, size_t v) {
+    const size_t next_u = d == kU ? after(m, kU, u) : u, next_v = d == kV ? after(m, kV, v) : v;
+    const bool there = (d == kU ? u : v) < springs_along(m, d) && present(m, u, v) && present(m, next_u, next_v);
+    if (!there) return 0;
+    const Direction o = other(d);
+    const double stretch = sigma * stiffness_of(m, d, u, v) / sqrt(mass);
+    const double bend = sigma * uniform_bend(m, d) * line_weight(m, o, o == kU ? u : v);
+    const double square = stretch * stretch - 4 * bend;
+    if (!(square > 0)) return sqrt(bend);
+    const double larger = (stretch + sqrt(square)) / 2;
+    return factor == 0 ? larger : bend / larger;
+}
+double factor_ground(const Work& w, size_t u, size_t v) {
+    const double ground = w.ground[v * w.grid.pitch + u];
+    return w.bends ? sqrt(ground) : ground;
+}
+double mean_mass(const Membrane& m, const Work& w) {
+    double sum = 0;
+    size_t moving = 0;
+    for (size_t v = 0; v < m.rows; ++v)
+        for (size_t u = 0; u < m.columns; ++u) {
+            sum += w.mass[v * w.grid.pitch + u];
+            moving += w.mass[v * w.grid.pitch + u] > 0;
+        }
+    return moving > 0 ? sum / double(moving) : 1;
+}
+
+void prepare_lines(const Membrane& m, Work& w, double sigma) {
+    const double mass = mean_mass(m, w);
+    const auto ground = [&](size_t v, size_t u) { return factor_ground(w, u, v); };
+    for (int f = 0; f < (w.bends ? 2 : 1); ++f) {
+        const auto spring = [&](Direction d, size_t v, size_t u) {
+            return w.bends ? factor_spring(m, sigma, mass, d, f, u, v) : w.spring[d][v * w.grid.pitch + u];
+        };
+        factor_lines(
+            w.grid, ground, [&](size_t v, size_t u) { return spring(kV, v, u); }, w.line[f][kV]);
+        factor_lines(
+            w.turned, [&](size_t u, size_t v) { return ground(v, u); },
+            [&](size_t u, size_t v) { return spring(kU, v, u); }, w.line[f][kU]);
+    }
+}
+
+void prepare_multigrid(const Membrane& m, Work& w, double sigma) {
+    const double mass = mean_mass(m, w);
+    Multigrid* const hierarchies[2] = {&w.preconditioner.first, &w.preconditioner.second};
+    for (int f = 0; f < (w.bends ? 2 : 1); ++f) {
+        const MultigridLevel& first = hierarchies[f]->level[0];
+        for (size_t v = 0; v < m.rows && w.bends; ++v)
+            for (size_t u = 0; u < m.columns; ++u) {
+                const size_t at = v * w.grid.pitch + u;
+                first.ground[at] = factor_ground(w, u, v);
+                for (Direction d : {kU, kV}) first.spring[d][at] = factor_spring(m, sigma, mass, d, f, u, v);
+            }
+        if (w.bends) w.system.wrap(first.spring[kU]);
+        hierarchies[f]->build();
+    }
+}
+
+// The largest diagonal entry of the system.
+double stiffest(const Membrane& m, const Work& w) {
+    double most = 0;
+    for (size_t v = 0; v < m.rows; ++v)
+        for (size_t u = 0; u < m.columns; ++u) {
+            const size_t at = v * w.grid.pitch + u;
+            double sum = w.ground[at] + 2 * (w.spring[kU][at] + w.spring[kV][at]);
+            if (w.bends) sum += 8 * (w.bend[kU][at] + w.bend[kV][at]) + 4 * w.twist[at];
+            most = fmax(most, sum);
+        }
+    return most;
+}
+
+} // namespace
+
+void prepare(Membrane& m, Work& w, double dt) {
+    const double h = stage_share(m, dt), sigma = w.implicit ? h * (h + m.damping) : h;
+    uint8_t* const holds[2] = {w.rows[kU].holds, w.rows[kV].holds};
+    m.separable = separates(m, holds);
+    if (m.separable) prepare_rows(m, w, h, sigma, holds);
+    if (w.general) prepare_planes(m, w, h, sigma);
+    if (m.separable && w.general && w.implicit)
+        for (size_t v = 0; v < m.rows; ++v)
+            for (size_t u = 0; u < m.columns; ++u)
+                w.inverse[v * w.grid.pitch + u] *= w.rows[kU].gain[u] * w.rows[kV].gain[v];
+    if (w.implicit && !w.coupled && !m.separable) prepare_lines(m, w, sigma);
+    if (w.implicit && w.coupled) {
+        prepare_multigrid(m, w, sigma);
+        m.stiffest = stiffest(m, w);
+    }
+}
+
+} // namespace cd

@@ -1,0 +1,52 @@
+// What steps of a membrane compute with: coefficients, made anew when dt or a parameter changes, and scratch for one
+// component at a time. Both are handed out from the membrane's two arrays in the order in which they are declared here.
+//
+// A sheet whose two directions separate (uniform masses and springs, nodes held by whole rows and columns, no mask, no
+// attachment; with bend, both ends of every line held or joined to a ring) has one factorization per direction. Of any
+// other sheet every line has its own, and there are planes of masses and springs.
+#pragma once
+
+#include "model/membrane.hh"
+#include "model/stages.hh"
+#include "solve/conjugate_gradients.hh"
+#include "solve/shared_lines.hh"
+
+namespace cd {
+
+// One direction of a separable sheet.
+struct DirectionRows {
+    double *before, *after, *gain, *inverse_mass, *drag;
+    uint8_t* holds; // whether the whole line across a node is held
+};
+
+struct Work {
+    bool implicit, coupled, general, bends;
+    Grid grid, turned;
+
+    DirectionRows rows[2];
+    SharedLines shared[2];
+    double *mass, *ground, *spring[2], *bend[2], *twist, *inverse, *tie; // planes; null where not needed
+    LineRows line[2][2];                                                // of both factors (with bend), along u and v
+    SheetSystem system;
+    Preconditioner preconditioner;
+
+    double *kept_x, *kept_v;          // between two stages
+    double *scaled, *residual;        // x / (h + damping) + v; what solvers start from
+    double *turned_plane, *free_v;    // free_v: v where nodes move, else 0
+    double *answer[3], *slope;
+    GradientPlanes gradient;
+    double* sums;
+
+    Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, Carver& scratch);
+};
+
+// True if such features leave the two directions separable, whatever single pins say.
+bool may_separate(const MembraneFeatures& f);
+
+// Makes the coefficients for steps of dt.
+void prepare(Membrane& m, Work& work, double dt);
+
+// The force of the pressure on every node, into m.pressed.
+void press(Membrane& m);
+
+} // namespace cd
