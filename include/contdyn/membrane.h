@@ -15,13 +15,21 @@
  *
  * Which solver? An implicit step has a two-dimensional system to solve.
  *   CD_SOLVER_ALTERNATING  rows, then columns (Kass 1997, section 9). Its cost is fixed, and it is stable at any
- *      stiffness and dt. Its price: motion that is fast along both directions for the step, with a = (w_u h)^2 and
- *      b = (w_v h)^2 both large, h = lambda dt, w the direction's angular frequency, feels the inertia of
- *      1 + a + b + a b instead of 1 + a + b: the sheet seems heavy. Take it where k / m dt^2 is at most about 1 for the
- *      motion that matters: drums, flags, soft cloth. Where it comes to rest does not depend on dt.
+ *      stiffness and dt. Its price: a motion with the angular frequencies w_u and w_v along the two directions moves as
+ *      if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both directions for the
+ *      step is slowed down, and the sheet seems sluggish. Take it where both w h are at most about 1 for the motion
+ *      that matters: drums, flags, soft cloth. Where it comes to rest does not depend on dt.
+ *      So it is on uniform sheets held by whole rows and columns, closed forms and all. On any other sheet (single
+ *      pins, a mask, attachments, masses or springs of their own, bend with free edges) the factored system would blow
+ *      up; there a step is the best, in energy, that the lines' answers, the present velocity and a motion of all nodes
+ *      alike can be combined to. It is a little slower, and not quite linear: sums of scenes move as sums only about.
  *   CD_SOLVER_COUPLED      the system itself, to a tolerance, by conjugate gradients with multigrid: several times the
- *      cost, and as stiff as it should be. Take it for stiff cloth that hangs, swings or is thrown as a whole.
- * With either, lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, whatever the tolerance.
+ *      cost, and as stiff as it should be. Take it for stiff cloth that hangs, swings or is thrown as a whole. It needs
+ *      many iterations where springs or masses vary at random by decades, and where a plate with free edges has much
+ *      more bend than stretch.
+ * lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance. On uniform sheets,
+ * alternating, the energy so kept counts the extra mass in what moves; in CD_FLOAT32 each rounding of a velocity is
+ * then a kick of so many times its energy: take CD_FLOAT64 or the coupled solver where (w_u h) (w_v h) is beyond 1e4.
  *
  * All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are stored
  * in. Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them, so that a
@@ -145,8 +153,9 @@ CD_API cd_status cd_membrane_get_pressure(const cd_membrane* membrane, double* o
 /* What holds an edge; a corner is pinned if either of its edges is, else driven if either is. Pinning stops the nodes;
  * driving leaves their velocity, which is then written through CD_VELOCITY. CD_NODE_MATCHED leaves the edge free, with
  * the impedance that sends no echo back to a wave that runs straight at it. Where CD_PIN is switched on, free, pinned
- * and driven are written to it along the edge. The getter tells what was set last, whatever was written to CD_PIN since.
- * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED in the direction of a ring; CD_ERROR_MEMORY. */
+ * and driven are written to it along the edge. The getter tells what was set last, whatever was written to CD_PIN
+ * since. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED in the direction of a ring; CD_ERROR_MEMORY.
+ * */
 CD_API cd_status cd_membrane_set_edge(cd_membrane* membrane, cd_edge edge, cd_node kind);
 CD_API cd_status cd_membrane_get_edge(const cd_membrane* membrane, cd_edge edge, cd_node* out_kind);
 
@@ -167,8 +176,8 @@ CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_
  *  CD_STIFFNESS_V   spring        N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u, v + 1)
  *  CD_PIN           node          -       CD_NODE_FREE, CD_NODE_PINNED or CD_NODE_DRIVEN; whole edges need it not, see
  *                                         cd_membrane_set_edge
- *  CD_MASK          node          -       1: there; 0: absent, with all that touches it: it stands still where it is and
- *                                         counts for nothing
+ *  CD_MASK          node          -       1: there; 0: absent, with all that touches it: it stands still where it is
+ *                                         and counts for nothing
  * Position and velocity are always there. The others cost memory and time only once they are switched on; CD_MASS, the
  * stiffnesses, CD_TARGET, CD_PIN and CD_MASK make the sheet one whose lines differ, with factors for each of them. */
 
@@ -277,23 +286,26 @@ CD_API cd_status cd_membrane_hash(const cd_membrane* membrane, uint64_t* out_has
 
 /* Writes a vertex for every node, in node order, into the caller's buffer: vertex i at byte i * stride, its position
  * as 3 floats at position_offset and its unit normal, smooth across the sheet, as 3 floats at normal_offset. A normal
- * points along x_u x x_v and is zero where the sheet has no area. Components that are not there are written as 0; a
- * membrane of 1 component is drawn as the height z over the unit square, x = u / nu, y = v / nv (a direction without a
- * spring: 0; a ring: u / (nu + 1)). normal_offset SIZE_MAX: no normals. Bytes between are left alone; any offset and
- * stride will do, aligned or not, that keeps the vertices apart. Absent nodes get their vertex too, with a zero normal.
+ * points along x_u x x_v and is zero where the sheet has no area or is not finite. Components that are not there are
+ * written as 0, and a fourth is not drawn; a membrane of 1 component is drawn as the height z over the unit square,
+ * x = u / nu, y = v / nv (a direction without a spring: 0; a ring: u / (nu + 1), and for the normals the sheet goes on
+ * beyond its ends). normal_offset SIZE_MAX: no normals. Bytes between are left alone; any offset and stride will do,
+ * aligned or not, that keeps the vertices apart. Absent nodes get their vertex too, with a zero normal.
  * Errors: CD_ERROR_RANGE if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or the
  * two overlap. */
 CD_API cd_status cd_membrane_write_vertices(const cd_membrane* membrane, void* buffer, size_t size, size_t stride,
                                             size_t position_offset, size_t normal_offset);
 
 /* How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, 3 per cell of which
- * three are there. */
+ * three are there. Cells that close a ring are among them, but not of 1 component: they would reach back across the
+ * unit square. */
 CD_API cd_status cd_membrane_get_index_count(const cd_membrane* membrane, size_t* out_count);
 
 /* Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte order), counter-
- * clockwise seen from where the normal points. `size` is that of the buffer in bytes. They change with CD_MASK and
- * cd_membrane_set_ring only. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
- * CD_ERROR_UNSUPPORTED if the nodes are too many for the width. */
+ * clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size` is that of
+ * the buffer in bytes. The numbers change with CD_MASK and cd_membrane_set_ring only. 65535 with 2 bytes and 2^32 - 1
+ * with 4, which graphics cards may take for a restart, are never written. Errors: CD_ERROR_VALUE for another
+ * index_size; CD_ERROR_RANGE if size is too small; CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes. */
 CD_API cd_status cd_membrane_write_indices(const cd_membrane* membrane, void* buffer, size_t size, size_t index_size);
 
 /* ---- keeping ----------------------------------------------------------------------------------------------------- */

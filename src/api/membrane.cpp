@@ -1,5 +1,5 @@
-// membrane.h: life, method, parameters, time, measuring, keeping. Fields and acting are in membrane_fields.cpp, drawing in
-// membrane_draw.cpp.
+// membrane.h: life, method, parameters, time, measuring, keeping. Fields and acting are in membrane_fields.cpp, drawing
+// in membrane_draw.cpp.
 #include "api/membrane_handle.hh"
 
 using namespace cd;

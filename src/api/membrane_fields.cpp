@@ -65,7 +65,7 @@ struct Rectangle {
 
     void written(Membrane& m) const {
         if (!is_state(field)) m.prepared_dt = 0;
-        if (field == CD_PIN) stop_pinned(m);
+        if (field == CD_PIN || field == CD_MASK) stop_nodes(m);
     }
 };
 

@@ -96,7 +96,7 @@ inline cd_status get_gravity(const char* function, const Body& b, double* out_gr
     return CD_OK;
 }
 
-// ---- fields: an object says by is_field, is_always_on and switch_own what it has ---------------------------------------
+// ---- fields: an object says by is_field, is_always_on and switch_own what it has ------------------------------------
 
 template <class X> cd_status switch_field(const char* function, X& x, cd_field field, bool on) {
     auto wanted = features(x);

@@ -9,8 +9,9 @@ namespace CD_ISA {
 
 #if CD_WITH_MEMBRANE
 template <class T> constexpr SheetStateKernels<T> state_kernels() {
-    return {gather<T>,      push_separable<T, T>,      push_general<T, T>,      move_nodes<T, T>,     move_nodes<T, double>,
-            gather<double>, push_separable<double, T>, push_general<double, T>, move_nodes<double, T>};
+    return {
+        gather<T>,      push_separable<T, T>,      push_general<T, T>,      move_nodes<T, T>,     move_nodes<T, double>,
+        gather<double>, push_separable<double, T>, push_general<double, T>, move_nodes<double, T>};
 }
 #endif
 
@@ -30,8 +31,8 @@ const Kernels kernels = {
     {},
 #endif
 #if CD_WITH_MEMBRANE
-    {pull_separable, pull_general, apply, moments, energies, solve_lines, filter_lines, smooth_lines, transpose, combine, multiply,
-     wrap, dot, aggregate, spread,
+    {pull_separable, pull_general, apply, moments, energies, solve_lines, filter_lines, smooth_lines, transpose,
+     combine, multiply, wrap, dot, aggregate, spread,
 #if CD_WITH_FLOAT32
      state_kernels<float>(),
 #else

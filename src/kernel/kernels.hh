@@ -22,14 +22,13 @@ template <class T> struct LineKernels {
 
 // Of the state of a sheet; those on double planes begin stages between two others.
 template <class T> struct SheetStateKernels {
-    void (*gather)(const Grid&, const T*, const T*, double, double, double*, const double*, double*, size_t, size_t);
+    void (*gather)(const Grid&, const SheetGather&, const T*, const T*, size_t, size_t);
     void (*push_separable)(const Grid&, const SeparableSheet&, const SheetPush<T>&, const T*, double*, size_t, size_t);
     void (*push_general)(const Grid&, const GeneralSheet&, const SheetPush<T>&, const T*, const T*, double*, size_t,
                          size_t);
     bool (*move)(const Grid&, const SheetMove&, const T*, const T*, T*, T*, size_t, size_t);
     bool (*keep)(const Grid&, const SheetMove&, const T*, const T*, double*, double*, size_t, size_t);
-    void (*gather_kept)(const Grid&, const double*, const double*, double, double, double*, const double*, double*,
-                        size_t, size_t);
+    void (*gather_kept)(const Grid&, const SheetGather&, const double*, const double*, size_t, size_t);
     void (*push_separable_kept)(const Grid&, const SeparableSheet&, const SheetPush<T>&, const double*, double*, size_t,
                                 size_t);
     void (*push_general_kept)(const Grid&, const GeneralSheet&, const SheetPush<T>&, const double*, const double*,

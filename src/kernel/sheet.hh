@@ -1,6 +1,6 @@
-// What the kernels of sheets share. They work on planes: one number per node of a lattice in rows of columns, in double,
-// whatever the state is stored in. A plane has room for the two columns that lie beyond each end of a row; they hold
-// what lies there round the ring, and where there is no ring, springs of stiffness 0 lead there.
+// What the kernels of sheets share. They work on planes: one number per node of a lattice in rows of columns, in
+// double, whatever the state is stored in. A plane has room for the two columns that lie beyond each end of a row; they
+// hold what lies there round the ring, and where there is no ring, springs of stiffness 0 lead there.
 //
 // Kernels take the part [first, first + count) of the rows (of the columns where lines run down the columns), so that
 // parts can go to different threads; sums come out as one number per row, to be added in order.
@@ -31,28 +31,29 @@ struct SeparableSheet {
 
 // Any sheet. Planes; mass is 0 where nodes are held or absent, and so are the springs from one such node to another.
 struct GeneralSheet {
-    const double *mass, *ground;      // ground: mass and what else resists there
-    const double* spring[2];          // of the spring that starts at a node along u and along v
-    const double *bend[2], *twist;    // null: no bend. Of a node along u and v, of the cell that starts at a node
-    double* moment[3];                // scratch for bend
+    const double *mass, *ground;   // ground: mass and what else resists there
+    const double* spring[2];       // of the spring that starts at a node along u and along v
+    const double *bend[2], *twist; // null: no bend. Of a node along u and v, of the cell that starts at a node
+    double* moment[3];             // scratch for bend
 };
 
 // What acts on a sheet beside its springs.
 template <class T> struct SheetPush {
-    double gravity;              // h g
-    double force;                // h, of force and pressed
-    double drag;                 // h drag, of separable sheets
-    const T *forces, *target;    // null: none
-    const double* pressed;       // null: none
-    const double* tie;           // h times the stiffness that ties to the target
+    double gravity;           // h g
+    double force;             // h, of force and pressed
+    double drag;              // h drag, of separable sheets
+    const T *forces, *target; // null: none
+    const double* pressed;    // null: none
+    const double* tie;        // h times the stiffness that ties to the target
+    bool whole;               // of general sheets: what there is in all, S v included, and not what changes v
 };
 
 // Where a node starts from and what it is moved by: dw = sum of factor[k] change[k], w = v + dw,
 //     v <- v + overshoot dw,    x <- x + move (v + follow dw).
 struct SheetMove {
     double overshoot, move, follow;
-    const double* change[4];
-    double factor[4];
+    const double* change[5];
+    double factor[5];
     int changes;
 };
 
@@ -60,9 +61,15 @@ namespace CD_ISA {
 
 // ---- the state (sheet_state.cpp) ---- S is what a stage starts from: the state's type, or double between stages.
 
-// x_scaled = closing_rate x + v_share v with its beyond; v_free: v where mass > 0, else 0, if not null.
-template <class S> void gather(const Grid& grid, const S* x, const S* v, double closing_rate, double v_share,
-                               double* x_scaled, const double* mass, double* v_free, size_t first, size_t count);
+// What the springs of a stage look at: x_scaled = closing_rate x + share v, the share that of free or of held nodes
+// (mass 0; without masses all count as free). v_free, if not null: v where nodes are free, else 0.
+struct SheetGather {
+    double closing_rate, free_share, held_share;
+    const double* mass;
+    double *x_scaled, *v_free;
+};
+template <class S>
+void gather(const Grid& grid, const SheetGather& how, const S* x, const S* v, size_t first, size_t count);
 // out = what acts on the nodes beside springs: on a separable sheet [m/s], else [kg m/s].
 template <class S, class T> void push_separable(const Grid& grid, const SeparableSheet& sheet, const SheetPush<T>& push,
                                                 const S* v, double* out, size_t first, size_t count);
@@ -84,8 +91,8 @@ void pull_general(const Grid& grid, const GeneralSheet& sheet, const double* x, 
 void apply(const Grid& grid, const GeneralSheet& sheet, const double* z, double* out, double* energy, size_t first,
            size_t count);
 void moments(const Grid& grid, const GeneralSheet& sheet, const double* x, size_t first, size_t count);
-// sums[row][pair] = z_a S z_b for a <= b of n planes, pairs in the order 00 01 02 03 11 12 ...
-constexpr int kMostDirections = 4, kPairs = 10;
+// sums[row][pair] = z_a S z_b for a <= b of n planes, pairs in the order 00 01 02 ... 11 12 ...
+constexpr int kMostDirections = 5, kPairs = 15;
 void energies(const Grid& grid, const GeneralSheet& sheet, const double* const* z, int n, double* sums, size_t first,
               size_t count);
 
@@ -95,7 +102,8 @@ void energies(const Grid& grid, const GeneralSheet& sheet, const double* const* 
 // pull_i x_{i+1}.
 struct LineFactors {
     const double *pull, *gain;
-    const double *around, *closing; // of rings, else null: the response to a pull of the closing spring, and its strength
+    const double *around,
+        *closing; // of rings, else null: the response to a pull of the closing spring, and its strength
 };
 void solve_lines(const Grid& grid, const LineFactors& factors, const double* b, double* x, size_t first, size_t count);
 // Lines that share one factorization (solve/spring_line.hh): x becomes the answer where it was each node's own wish.

@@ -1,5 +1,6 @@
 // Lines run down the columns. They are worked on side by side in strips: a strip's row follows the row before it, so
 // that memory is read in order, and a strip is narrow enough for its last row to stay in the nearest cache.
+#include "kernel/lines.hh"
 #include "kernel/sheet.hh"
 
 namespace cd {
@@ -8,6 +9,12 @@ namespace CD_ISA {
 namespace {
 
 constexpr size_t kStrip = 128;
+
+// Stores a number on its way through a line, every 16th node without what is too small: see Limits.
+template <class L> inline void store_on_way(L sum, size_t row, double* to) {
+    if (row % kSettleEvery == 0) sum = settled(sum, Limits<double>::least);
+    sum.store(to);
+}
 
 template <class Strip> void in_strips(size_t first, size_t count, const Strip& strip) {
     for (size_t done = 0; done < count; done += kStrip)
@@ -18,12 +25,12 @@ template <class Strip> void in_strips(size_t first, size_t count, const Strip& s
 struct Forward {
     const double *b, *pull; // pull: of the row before; null in the first row
     double* x;
-    size_t pitch;
+    size_t pitch, row;
 
     template <int N> void bundle(size_t u) const {
         using L = Lanes<N>;
         const L sum = L::load(b + u);
-        (pull ? sum + L::load(pull + u) * L::load(x + u - pitch) : sum).store(x + u);
+        store_on_way(pull ? sum + L::load(pull + u) * L::load(x + u - pitch) : sum, row, x + u);
     }
 };
 
@@ -31,42 +38,43 @@ struct Forward {
 struct Backward {
     const double *gain, *pull;
     double* x;
-    size_t pitch;
+    size_t pitch, row;
     bool last;
 
     template <int N> void bundle(size_t u) const {
         using L = Lanes<N>;
         const L own = L::load(gain + u) * L::load(x + u);
-        (last ? own : own + L::load(pull + u) * L::load(x + u + pitch)).store(x + u);
+        store_on_way(last ? own : own + L::load(pull + u) * L::load(x + u + pitch), row, x + u);
     }
 };
 
 // 1 in the lanes of the colour's columns, else 0.
-template <int N> Lanes<N> coloured(size_t u, int colour) {
-    double mine[N];
-    for (int k = 0; k < N; ++k) mine[k] = (u + size_t(k)) % 2 == size_t(colour) ? 1 : 0;
-    return Lanes<N>::load(mine);
+template <int N> inline Lanes<N> coloured(size_t u, int colour) {
+    static constexpr double kAlternate[] = {1, 0, 1, 0, 1, 0, 1, 0, 1};
+    static_assert(N < 9, "as many as there are");
+    return Lanes<N>::load(kAlternate + ((u + size_t(colour)) & 1));
 }
 
 // The same for the columns of one colour, whose neighbours keep still.
 struct ForwardBeside {
     const double *b, *pull, *cross;
     double* x;
-    size_t pitch;
+    size_t pitch, row;
     int colour;
 
     template <int N> void bundle(size_t u) const {
         using L = Lanes<N>;
-        L sum = L::load(b + u) + (L::load(cross + u) * L::load(x + u + 1) + L::load(cross + u - 1) * L::load(x + u - 1));
+        L sum =
+            L::load(b + u) + (L::load(cross + u) * L::load(x + u + 1) + L::load(cross + u - 1) * L::load(x + u - 1));
         if (pull) sum = sum + L::load(pull + u) * L::load(x + u - pitch);
-        select(coloured<N>(u, colour), sum, L::load(x + u)).store(x + u);
+        store_on_way(select(coloured<N>(u, colour), sum, L::load(x + u)), row, x + u);
     }
 };
 
 struct BackwardBeside {
     const double *gain, *pull;
     double* x;
-    size_t pitch;
+    size_t pitch, row;
     bool last;
     int colour;
 
@@ -75,7 +83,7 @@ struct BackwardBeside {
         const L old = L::load(x + u);
         L sum = L::load(gain + u) * old;
         if (!last) sum = sum + L::load(pull + u) * L::load(x + u + pitch);
-        select(coloured<N>(u, colour), sum, old).store(x + u);
+        store_on_way(select(coloured<N>(u, colour), sum, old), row, x + u);
     }
 };
 
@@ -102,23 +110,22 @@ struct Close {
 struct SharedForward {
     double carry;
     double* x;
-    size_t pitch;
+    size_t pitch, row;
 
     template <int N> void bundle(size_t u) const {
         using L = Lanes<N>;
-        settled(between(L::load(x + u), L::load(x + u - pitch), L{}, carry), kLeast).store(x + u);
+        store_on_way(between(L::load(x + u), L::load(x + u - pitch), L{}, carry), row, x + u);
     }
-    static constexpr double kLeast = 0x1p-500;
 };
 
 struct SharedBackward {
     double pull;
     double* x;
-    size_t pitch;
+    size_t pitch, row;
 
     template <int N> void bundle(size_t u) const {
         using L = Lanes<N>;
-        between(L::load(x + u), L::load(x + u + pitch), L{}, pull).store(x + u);
+        store_on_way(between(L::load(x + u), L::load(x + u + pitch), L{}, pull), row, x + u);
     }
 };
 
@@ -128,12 +135,12 @@ void solve_lines(const Grid& grid, const LineFactors& factors, const double* b, 
     in_strips(first, count, [&](size_t from, size_t columns) {
         for (size_t r = 0; r < grid.rows; ++r) {
             const size_t row = r * grid.pitch;
-            Forward step{b + row, r > 0 ? factors.pull + row - grid.pitch : nullptr, x + row, grid.pitch};
+            Forward step{b + row, r > 0 ? factors.pull + row - grid.pitch : nullptr, x + row, grid.pitch, r};
             for_each_bundle(from, columns, step);
         }
         for (size_t r = grid.rows; r-- > 0;) {
             const size_t row = r * grid.pitch;
-            Backward step{factors.gain + row, factors.pull + row, x + row, grid.pitch, r + 1 == grid.rows};
+            Backward step{factors.gain + row, factors.pull + row, x + row, grid.pitch, r, r + 1 == grid.rows};
             for_each_bundle(from, columns, step);
         }
         Close close{grid, factors, x, -1};
@@ -146,14 +153,14 @@ void smooth_lines(const Grid& grid, const LineFactors& factors, const double* cr
     in_strips(first, count, [&](size_t from, size_t columns) {
         for (size_t r = 0; r < grid.rows; ++r) {
             const size_t row = r * grid.pitch;
-            ForwardBeside step{b + row,     r > 0 ? factors.pull + row - grid.pitch : nullptr, cross + row, x + row,
-                               grid.pitch, colour};
+            const double* const pull = r > 0 ? factors.pull + row - grid.pitch : nullptr;
+            ForwardBeside step{b + row, pull, cross + row, x + row, grid.pitch, r, colour};
             for_each_bundle(from, columns, step);
         }
         for (size_t r = grid.rows; r-- > 0;) {
             const size_t row = r * grid.pitch;
-            BackwardBeside step{factors.gain + row, factors.pull + row,  x + row,
-                                grid.pitch,         r + 1 == grid.rows, colour};
+            const bool last = r + 1 == grid.rows;
+            BackwardBeside step{factors.gain + row, factors.pull + row, x + row, grid.pitch, r, last, colour};
             for_each_bundle(from, columns, step);
         }
         Close close{grid, factors, x, colour};
@@ -164,11 +171,11 @@ void smooth_lines(const Grid& grid, const LineFactors& factors, const double* cr
 void filter_lines(const Grid& grid, const double* carry, const double* pull, double* x, size_t first, size_t count) {
     in_strips(first, count, [&](size_t from, size_t columns) {
         for (size_t r = 1; r < grid.rows; ++r) {
-            SharedForward step{carry[r], x + r * grid.pitch, grid.pitch};
+            SharedForward step{carry[r], x + r * grid.pitch, grid.pitch, r};
             for_each_bundle(from, columns, step);
         }
         for (size_t r = grid.rows; r-- > 1;) {
-            SharedBackward step{pull[r - 1], x + (r - 1) * grid.pitch, grid.pitch};
+            SharedBackward step{pull[r - 1], x + (r - 1) * grid.pitch, grid.pitch, r - 1};
             for_each_bundle(from, columns, step);
         }
     });

@@ -76,29 +76,32 @@ void dot(const Grid& grid, const double* a, const double* b, double* sums, size_
 
 void aggregate(const Grid& coarse, const Grid& fine, const double* from, const double* minus, double* to, size_t first,
                size_t count) {
-    const auto at = [&](size_t r, size_t u) {
-        const size_t i = r * fine.pitch + u;
-        return u < fine.columns && r < fine.rows ? from[i] - minus[i] : 0.0;
-    };
     const size_t across = fine.columns == coarse.columns ? 1 : 2, down = fine.rows == coarse.rows ? 1 : 2;
-    for (size_t r = first; r < first + count; ++r)
-        for (size_t u = 0; u < coarse.columns; ++u) {
-            double sum = at(r * down, u * across);
-            if (across == 2) sum += at(r * down, u * across + 1);
-            if (down == 2) sum += at(r * down + 1, u * across);
-            if (down == 2 && across == 2) sum += at(r * down + 1, u * across + 1);
-            to[r * coarse.pitch + u] = sum;
+    for (size_t r = first; r < first + count; ++r) {
+        double* const sums = to + r * coarse.pitch;
+        for (size_t u = 0; u < coarse.columns; ++u) sums[u] = 0;
+        for (size_t v = r * down; v < (r + 1) * down && v < fine.rows; ++v) {
+            const double *const a = from + v * fine.pitch, *const b = minus + v * fine.pitch;
+            const size_t pairs = across == 2 ? fine.columns / 2 : 0;
+            for (size_t u = 0; u < pairs; ++u) sums[u] += (a[2 * u] - b[2 * u]) + (a[2 * u + 1] - b[2 * u + 1]);
+            for (size_t u = pairs * across; u < fine.columns; ++u) sums[u / across] += a[u] - b[u];
         }
+    }
 }
 
 void spread(const Grid& coarse, const Grid& fine, const double* from, const double* gain, double* to, size_t first,
             size_t count) {
     const size_t across = fine.columns == coarse.columns ? 1 : 2, down = fine.rows == coarse.rows ? 1 : 2;
-    for (size_t r = first * down; r < (first + count) * down && r < fine.rows; ++r)
-        for (size_t u = 0; u < fine.columns; ++u) {
-            const size_t at = r * fine.pitch + u;
-            to[at] += gain[at] > 0 ? from[(r / down) * coarse.pitch + u / across] : 0;
+    for (size_t r = first * down; r < (first + count) * down && r < fine.rows; ++r) {
+        const double *const add = from + (r / down) * coarse.pitch, *const moves = gain + r * fine.pitch;
+        double* const sums = to + r * fine.pitch;
+        const size_t pairs = across == 2 ? fine.columns / 2 : 0;
+        for (size_t u = 0; u < pairs; ++u) {
+            sums[2 * u] += moves[2 * u] > 0 ? add[u] : 0;
+            sums[2 * u + 1] += moves[2 * u + 1] > 0 ? add[u] : 0;
         }
+        for (size_t u = pairs * across; u < fine.columns; ++u) sums[u] += moves[u] > 0 ? add[u / across] : 0;
+    }
 }
 
 } // namespace CD_ISA

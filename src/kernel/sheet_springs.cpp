@@ -11,7 +11,8 @@ struct Rows {
     const double *here, *above, *below;
 
     Rows(const Grid& grid, const double* plane, size_t row)
-        : here(plane + row * grid.pitch), above(plane + grid.above(row) * grid.pitch),
+        : here(plane + row * grid.pitch),
+          above(plane + grid.above(row) * grid.pitch),
           below(plane + grid.below(row) * grid.pitch) {}
 };
 
@@ -48,8 +49,8 @@ struct Separable {
         const L here = at<N>(x.here, u);
         const L along_u = L::load(sheet.after[0] + u) * (after<N>(x.here, u) - here) -
                           L::load(sheet.before[0] + u) * (here - before<N>(x.here, u));
-        const L along_v = sheet.after[1][row] * (at<N>(x.below, u) - here) -
-                          sheet.before[1][row] * (here - at<N>(x.above, u));
+        const L along_v =
+            sheet.after[1][row] * (at<N>(x.below, u) - here) - sheet.before[1][row] * (here - at<N>(x.above, u));
         const L push = constant ? L::splat(gravity) : L::load(to);
         (sheet.gain[1][row] * (L::load(sheet.gain[0] + u) * (push + (along_u + along_v)))).store(to);
     }
@@ -72,8 +73,8 @@ struct General {
     // That of the bends, from their moments.
     template <int N> Lanes<N> bends(const Grid& grid, size_t r, size_t u) const {
         const Rows m_u(grid, sheet.moment[0], r), m_v(grid, sheet.moment[1], r), m_t(grid, sheet.moment[2], r);
-        const Lanes<N> twisted = (at<N>(m_t.here, u) - before<N>(m_t.here, u)) -
-                                 (at<N>(m_t.above, u) - before<N>(m_t.above, u));
+        const Lanes<N> twisted =
+            (at<N>(m_t.here, u) - before<N>(m_t.here, u)) - (at<N>(m_t.above, u) - before<N>(m_t.above, u));
         return Lanes<N>{} - ((turn_u<N>(m_u, u) + turn_v<N>(m_v, u)) + twisted);
     }
 };

@@ -7,19 +7,18 @@ namespace CD_ISA {
 namespace {
 
 template <class S> struct Gather {
+    const SheetGather& how;
     const S *x, *v;
-    double closing_rate, v_share;
-    double* x_scaled;
-    const double* mass;
-    double* v_free;
     size_t row; // where it starts
 
     template <int N> void bundle(size_t u) const {
         using L = Lanes<N>;
         const size_t at = row + u;
         const L here = L::load(v + at);
-        (closing_rate * L::load(x + at) + v_share * here).store(x_scaled + at);
-        if (v_free) select(L::load(mass + at), here, L{}).store(v_free + at);
+        L moving = how.free_share * here;
+        if (how.mass) moving = select(L::load(how.mass + at), moving, how.held_share * here);
+        (how.closing_rate * L::load(x + at) + moving).store(how.x_scaled + at);
+        if (how.v_free) select(L::load(how.mass + at), here, L{}).store(how.v_free + at);
     }
 };
 
@@ -62,7 +61,8 @@ template <class S, class T> struct PushGeneral {
         if (push.forces) sum = sum + push.force * L::load(push.forces + at);
         if (push.pressed) sum = sum + push.force * L::load(push.pressed + at);
         if (push.target) sum = sum + L::load(push.tie + at) * (L::load(push.target + at) - L::load(x + at));
-        (sum - (L::load(sheet.ground + at) - mass) * L::load(v + at)).store(out + at);
+        const L inertia = push.whole ? mass : mass - L::load(sheet.ground + at);
+        (sum + inertia * L::load(v + at)).store(out + at);
     }
 };
 
@@ -79,7 +79,8 @@ template <class S, class T> struct Mover {
         const L from = L::load(v + at);
         L change = move.factor[0] * L::load(move.change[0] + at), probe{};
         for (int k = 1; k < move.changes; ++k) change = change + move.factor[k] * L::load(move.change[k] + at);
-        const L new_v = from + move.overshoot * change, new_x = L::load(x + at) + move.move * (from + move.follow * change);
+        const L new_v = from + move.overshoot * change,
+                new_x = L::load(x + at) + move.move * (from + move.follow * change);
         store_settled(new_v, to_v + at, probe);
         store_settled(new_x, to_x + at, probe);
         finite &= !probe.any_nan();
@@ -88,10 +89,10 @@ template <class S, class T> struct Mover {
 
 } // namespace
 
-template <class S> void gather(const Grid& grid, const S* x, const S* v, double closing_rate, double v_share,
-                               double* x_scaled, const double* mass, double* v_free, size_t first, size_t count) {
+template <class S>
+void gather(const Grid& grid, const SheetGather& how, const S* x, const S* v, size_t first, size_t count) {
     for (size_t r = first; r < first + count; ++r) {
-        Gather<S> bundles{x, v, closing_rate, v_share, x_scaled, mass, v_free, r * grid.pitch};
+        Gather<S> bundles{how, x, v, r * grid.pitch};
         for_each_bundle(0, grid.columns, bundles);
     }
 }
@@ -124,13 +125,11 @@ template <class S, class T> bool move_nodes(const Grid& grid, const SheetMove& m
     return finite;
 }
 
-#define CD_STARTS_AT(S)                                                                                              \
-    template void gather(const Grid&, const S*, const S*, double, double, double*, const double*, double*, size_t,    \
-                         size_t);
+#define CD_STARTS_AT(S) template void gather(const Grid&, const SheetGather&, const S*, const S*, size_t, size_t);
 #define CD_STATE(S, T)                                                                                               \
-    template void push_separable(const Grid&, const SeparableSheet&, const SheetPush<T>&, const S*, double*, size_t,  \
+    template void push_separable(const Grid&, const SeparableSheet&, const SheetPush<T>&, const S*, double*, size_t, \
                                  size_t);                                                                            \
-    template void push_general(const Grid&, const GeneralSheet&, const SheetPush<T>&, const S*, const S*, double*,    \
+    template void push_general(const Grid&, const GeneralSheet&, const SheetPush<T>&, const S*, const S*, double*,   \
                                size_t, size_t);                                                                      \
     template bool move_nodes(const Grid&, const SheetMove&, const S*, const S*, T*, T*, size_t, size_t);
 CD_STARTS_AT(double)

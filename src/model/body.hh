@@ -17,7 +17,7 @@ struct Body : Object, BodySettings {
     // fields, empty where switched off: per node
     Array<double> node_mass, attach_stiffness, attach_damping;
     Array<uint8_t> pin;
-    // and per node and component, in the object's precision, in a layout of its own; position and velocity are always there
+    // and per node and component, in the object's precision and layout; position and velocity are always there
     Array<char> position, velocity, force, target;
 };
 

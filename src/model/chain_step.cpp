@@ -1,22 +1,12 @@
-// Steps of a chain. Every implicit method is one or two stages of one form; with h the stage's share of dt and
-// C = drag M + Z + damping K,
-//
-//      (M + h C + h^2 K) w = M v + h [f + M g - K x],     v = w + overshoot (w - v_old),     x += move w
-//
-//   lambda   h = lambda dt: w = v + lambda dv, overshoot 1 / lambda - 1, move dt         (model.md, section 2)
-//   stiff    h = gamma dt, gamma = 1 - 1/sqrt(2): a backward Euler step of h carried on to 1 + sqrt(2) times its
-//            length, then another. SDIRK2 written so: with the state Y_1 after the first stage, the second starts from
-//            Y + (1 - gamma) / gamma (Y_1 - Y), and (1 - gamma) / gamma = 1 + sqrt(2).
-//
-// Z holds matched ends and attachments. The springs enter the solvers with the stiffness h (h + damping) k_i and the
-// wish that w_{i+1} - w_i be -(x_{i+1} - x_i) / (h + damping). lambda = 0 is forward Euler, and so, to every digit, is
-// a lambda below 1e-100.
+// Steps of a chain, in the stages of stages.hh. The springs enter the solvers with the stiffness h (h + damping) k_i
+// and the wish that w_{i+1} - w_i be -(x_{i+1} - x_i) / (h + damping).
 #include "model/chain.hh"
 
 #include <math.h>
 
 #include "base/parallel.hh"
 #include "kernel/kernels.hh"
+#include "model/stages.hh"
 #include "solve/ring_closure.hh"
 #include "solve/rod_line.hh"
 #include "solve/spring_line.hh"
@@ -25,16 +15,7 @@ namespace cd {
 
 namespace {
 
-constexpr double kSqrt2 = 1.4142135623730951;
-
-bool steps_explicitly(const Chain& c) {
-    return is_explicit(c.method) || (c.method == CD_METHOD_IMPLICIT && c.lambda < 1e-100);
-}
 bool is_rod(const Chain& c) { return has_bend(c) || c.ring; }
-
-double stage_share(const Chain& c, double dt) {
-    return steps_explicitly(c) ? dt : c.method == CD_METHOD_STIFF_SECOND ? (1 - kSqrt2 / 2) * dt : c.lambda * dt;
-}
 
 // The system of one stage, for the solvers to factor.
 struct StageSystem {
@@ -123,9 +104,9 @@ struct Stages {
 
     Stages(const Chain& c, double dt) {
         const double h = stage_share(c, dt);
-        count = c.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
-        stage[0] = count == 1 ? make_stage(c, h, 1 / c.lambda - 1, dt) : make_stage(c, h, kSqrt2, (1 + kSqrt2) * h);
-        stage[1] = make_stage(c, h, 0, h);
+        const StageMoves moves(c, dt);
+        count = moves.count;
+        for (int s = 0; s < count; ++s) stage[s] = make_stage(c, h, moves.overshoot[s], moves.move[s]);
     }
 
     // Runs solve(stage, start, scratch row for the answer, whether to keep it there).

@@ -13,8 +13,8 @@
 //   valid(x, s)                   whether an object of this shape may have them
 //   check_fields(reader, x, s)    whether what follows them in the bytes is what the fields need, each number valid
 //   features_of(s), apply(x, s)
-// and Object::each_field(f, x...), which makes f(x.field...) for each field in the order of the bytes; those per node and
-// component are Array<char>.
+// and Object::each_field(f, x...), which makes f(x.field...) for each field in the order of the bytes; those per node
+// and component are Array<char>.
 #pragma once
 
 #include "base/archive.hh"

@@ -169,7 +169,7 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
     for (size_t i = 0; pin.is_new() && i < m.nodes; ++i)
         m.pin[i] = uint8_t(kind_by_edges(m, i % m.columns, i / m.columns));
     body.fill(m);
-    if (!same_edges || !same_pin) stop_pinned(m);
+    if (!same_edges || !same_pin) stop_nodes(m);
     m.prepared_dt = 0;
     return true;
 }
@@ -186,10 +186,10 @@ void fill_uniform(Membrane& m, cd_field field) {
         }
 }
 
-void stop_pinned(Membrane& m) {
+void stop_nodes(Membrane& m) {
     for (size_t v = 0; v < m.rows; ++v)
         for (size_t u = 0; u < m.columns; ++u)
-            if (kind_of(m, u, v) == CD_NODE_PINNED)
+            if (kind_of(m, u, v) == CD_NODE_PINNED || !present(m, u, v))
                 for (size_t k = 0; k < m.components; ++k) set_number(m, m.velocity, place(m, u, v, k), 0);
 }
 
@@ -201,7 +201,7 @@ bool set_edge(Membrane& m, cd_edge edge, cd_node kind) {
         const size_t u = i % m.columns, v = i / m.columns;
         if (on_edge(m, edge, u, v)) m.pin[i] = uint8_t(kind_by_edges(m, u, v));
     }
-    stop_pinned(m);
+    stop_nodes(m);
     m.prepared_dt = 0;
     return true;
 }

@@ -19,8 +19,8 @@ struct MembraneSettings {
 };
 
 struct Membrane : Body, MembraneSettings {
-    // shape. A number of component k at node (u, v) lies at k * plane + v * pitch + u of its array; fields of doubles and
-    // bytes lie densely, at v * columns + u.
+    // shape. A number of component k at node (u, v) lies at k * plane + v * pitch + u of its array; fields of doubles
+    // and bytes lie densely, at v * columns + u.
     size_t springs[2]; // nu, nv
     size_t columns, rows, pitch, plane;
 
@@ -35,7 +35,8 @@ struct Membrane : Body, MembraneSettings {
 
     // what steps need, none of it state: see membrane_step.cpp
     Array<double> pressed; // the force of the pressure, laid out like the positions
-    double stiffest; // the largest diagonal entry of the coupled system
+    double stiffest; // the largest diagonal entry of the system, where there is one
+    bool whole;      // see membrane_step.cpp
     bool separable;        // see membrane_step.cpp
 
     // f(array, array of another membrane...) for each field, in the order in which they are kept; and for every array.
@@ -77,7 +78,7 @@ inline size_t after(const Membrane& m, Direction d, size_t i) { return i < m.spr
 
 // The weight of an edge line: 1/2 at the two ends of direction d under CD_MASS_HALF_ENDS, 1 elsewhere.
 double line_weight(const Membrane& m, Direction d, size_t i);
-// The uniform values for weight 1: mass of a node, stiffness of a spring along d, bend at a node along d, twist of a cell.
+// The uniform values for weight 1: mass of a node, stiffness of a spring along d, bend at a node along d, a cell's twist.
 double uniform_mass(const Membrane& m);
 double uniform_stiffness(const Membrane& m, Direction d);
 double uniform_bend(const Membrane& m, Direction d);
@@ -90,8 +91,8 @@ inline bool held(const Membrane& m, size_t u, size_t v) { return kind_of(m, u, v
 inline bool present(const Membrane& m, size_t u, size_t v) { return !m.mask || m.mask[node_at(m, u, v)] != 0; }
 double mass_of(const Membrane& m, size_t u, size_t v);
 double stiffness_of(const Membrane& m, Direction d, size_t u, size_t v);
-// The bend along d at a node, 0 unless it and its two neighbours along d are there; the twist of the cell that starts at
-// a node, 0 unless its four nodes are there.
+// The bend along d at a node, 0 unless it and its two neighbours along d are there; the twist of the cell that starts
+// at a node, 0 unless its four nodes are there.
 double bend_of(const Membrane& m, Direction d, size_t u, size_t v);
 double twist_of(const Membrane& m, size_t u, size_t v);
 // What drags a node back beside the springs' damping [N s/m]: drag, matched edges, an attachment. What ties it [N/m].
@@ -108,8 +109,8 @@ MembraneFeatures features(const Membrane& m);
 bool set_features(Membrane& m, const MembraneFeatures& wanted);
 // Fills a field that is switched on with the uniform values of the totals.
 void fill_uniform(Membrane& m, cd_field field);
-// Stops the nodes that have become pinned.
-void stop_pinned(Membrane& m);
+// Stops the nodes that have become pinned or absent.
+void stop_nodes(Membrane& m);
 // False for want of memory: nothing has changed.
 bool set_edge(Membrane& m, cd_edge edge, cd_node kind);
 bool set_ring(Membrane& m, bool along_u, bool along_v);
@@ -142,6 +143,16 @@ double stable_dt(const Membrane& m); // membrane_limit.cpp
 void energy(const Membrane& m, double& kinetic, double& elastic, double& gravity);
 void momentum(const Membrane& m, double* out);
 double volume(const Membrane& m); // of 3 components
+
+// ---- drawing (membrane_draw.cpp) ------------------------------------------------------------------------------------
+
+// Where the floats of a vertex lie, in bytes; normal_offset SIZE_MAX: it has no normal.
+struct VertexFormat {
+    size_t stride, position_offset, normal_offset;
+};
+void write_vertices(const Membrane& m, unsigned char* out, const VertexFormat& format);
+size_t index_count(const Membrane& m);
+void write_indices(const Membrane& m, unsigned char* out, size_t index_size); // 2 or 4
 
 // ---- keeping (membrane_keep.cpp) ------------------------------------------------------------------------------------
 

@@ -11,7 +11,7 @@ bool valid_number(const Membrane& m, cd_field field, size_t u, size_t v, double 
     case CD_PIN: return value == CD_NODE_FREE || value == CD_NODE_PINNED || value == CD_NODE_DRIVEN;
     case CD_MASK: return value == 0 || value == 1;
     case CD_VELOCITY:
-        if (value != 0 && kind_of(m, u, v) == CD_NODE_PINNED) return false;
+        if (value != 0 && (kind_of(m, u, v) == CD_NODE_PINNED || !present(m, u, v))) return false;
         [[fallthrough]];
     default: return fabs(value) <= most_of(m);
     }

@@ -1,5 +1,5 @@
-// The force of a pressure: its product with the gradient of the volume under the sheet. With the volume the mean over both
-// triangulations of every cell, a node a of the cell a, b, c, d gets a sixth of
+// The force of a pressure: its product with the gradient of the volume under the sheet. With the volume the mean over
+// both triangulations of every cell, a node a of the cell a, b, c, d gets a sixth of
 //      A(a, b, c, d) + A(a, b, d),    A(a, b, c, d) = (c - a) x (d - b) / 2,    A(a, b, d) = (b - a) x (d - a) / 2,
 // which is the gradient wherever the node's cells surround it, and adds up to the cell's area vector.
 #include <initializer_list>

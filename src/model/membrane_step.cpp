@@ -2,15 +2,19 @@
 //
 //      S dw = r,     S = M + h C + h^2 K,     r = h [f + M g - K (x + (h + damping) v)] - h (drag M + Z) v
 //
-// Separable sheets, alternating: B dw = r with B = (M' + A_u) M'^-1 (M' + A_v), M' = M (1 + h drag), A_d = h (h + damping)
-// K_d, rows then columns; of a plate A_d has the bend along d, and the twist is in r alone. B >= S where the directions
-// commute, which makes this stable for lambda >= 1/2; where they do not, it would blow up (a pinned corner is enough).
-// So for any other sheet the lines' answers only span a space, and w is the element of it that comes nearest to the
-// system in energy. Its residual is then orthogonal to w, and the energy's change over a step, which is w times what
-// the step got wrong, is that of the exact solve: none at lambda = 1/2, a loss above. The space is v, S_u r, S_v r and
-// S_v M S_u r + S_u M S_v r, with S_d = (M + A_d)^-1 and r what is left of the system after the best multiple of v.
-// With v in it the steps together act as conjugate gradients towards the static solution.
-// Coupled: conjugate gradients on the same r; then once more the best of v and its answer, for the same reason.
+// Separable sheets, alternating: B dw = r with B = (M' + A_u) M'^-1 (M' + A_v), M' = M (1 + h drag), A_d = h (h +
+// damping) K_d, rows then columns; of a plate A_d has the bend along d, and the twist is in r alone. B >= S where the
+// directions commute, which makes this stable for lambda >= 1/2; where they do not, it would blow up (a pinned corner
+// is enough). So for any other sheet the lines' answers only span a space, and w is the element of it that comes
+// nearest to the system in energy. Its residual is then orthogonal to w, and the energy's change over a step, which is
+// w times what the step got wrong, is that of the exact solve: none at lambda = 1/2, a loss above. The space is v, a
+// motion of all nodes alike (so that momentum is kept), S_u r, S_v r and S_v M S_u r + S_u M S_v r, with S_d = (M +
+// A_d)^-1 and r what is left of the system after the best multiple of v. With v in it the steps together act as
+// conjugate gradients towards the static solution.
+// Where springs are stiff, r starts from the whole of S w = b and v is taken out of that: of a stiff spring's velocity
+// most cancels, and what is left would be lost in r's rounding. Where they are soft the change is all there is to lose.
+// Coupled: conjugate gradients on the same r; then once more the best of v, all alike and its answer, for the same
+// reasons.
 #include <math.h>
 
 #include "model/membrane_work.hh"
@@ -67,19 +71,21 @@ template <class T> struct Stepper {
     // w.free_v too, if the solver wants it.
     template <bool kKept, class S> void start(size_t k, const S* x, const S* v) const {
         const double closing_rate = w.implicit ? 1 / (h + m.damping) : 1, v_share = w.implicit ? 1 : m.damping;
+        const SheetGather look{closing_rate, m.whole ? 0 : v_share, v_share, w.mass, w.scaled, w.free_v};
         const SheetPush<T> push{h * m.gravity[k],
                                 h,
                                 h * m.drag,
                                 plane_of(m.force, k),
                                 plane_of(m.target, k),
                                 m.pressed ? m.pressed.data + k * m.plane : nullptr,
-                                w.tie};
+                                w.tie,
+                                m.whole};
         rows([&](size_t first, size_t count) {
             const auto kernel = [&] {
                 if constexpr (kKept) return state().gather_kept;
                 else return state().gather;
             }();
-            kernel(w.grid, x, v, closing_rate, v_share, w.scaled, w.mass, w.free_v, first, count);
+            kernel(w.grid, look, x, v, first, count);
         });
         if (w.general) {
             rows([&](size_t first, size_t count) {
@@ -152,24 +158,25 @@ template <class T> struct Stepper {
 
     // Takes the best multiple 1 - share of v out of w.residual; returns share. applied: scratch.
     double take_out_velocity(double* applied) const {
-        const double energy = w.system.apply(w.free_v, applied), miss = w.system.dot(w.free_v, w.residual);
-        const double share = energy > 0 ? -miss / energy : 0;
-        if (share != 0) w.system.combine(1, w.residual, share, applied);
-        return share;
+        const double energy = w.system.apply(w.free_v, applied), match = w.system.dot(w.free_v, w.residual);
+        const double part = energy > 0 ? match / energy : 0; // of v: of all of it, or of its change
+        if (part != 0 || !m.whole) w.system.combine(1, w.residual, -part, applied);
+        return m.whole ? 1 - part : -part;
     }
 
-    // Moves by the best of v and n answers, given the residual that is left beside (1 - share) v.
+    // Moves by the best of v, of a motion of all nodes alike, and of n answers, given the residual that is left beside
+    // (1 - share) v. It keeps the momentum of a free sheet, whatever the answers are.
     void move_by_nearest(SheetMove& by, double share, double* const* answers, int n, const double* residual) const {
-        double* planes[kMostDirections] = {w.free_v};
-        double rhs[kMostDirections] = {w.system.dot(w.free_v, residual)};
-        for (int k = 0; k < n; ++k) {
-            planes[k + 1] = answers[k];
-            rhs[k + 1] = w.system.dot(answers[k], residual);
+        double* planes[kMostDirections] = {w.free_v, w.one};
+        for (int k = 0; k < n; ++k) planes[k + 2] = answers[k];
+        double rhs[kMostDirections];
+        by.changes = n + 2;
+        for (int k = 0; k < by.changes; ++k) {
+            rhs[k] = w.system.dot(planes[k], residual);
+            by.change[k] = planes[k];
         }
-        w.system.project(planes, n + 1, rhs, by.factor);
+        w.system.project(planes, by.changes, rhs, by.factor);
         by.factor[0] -= share;
-        by.changes = n + 1;
-        for (int k = 0; k <= n; ++k) by.change[k] = planes[k];
     }
 
     void alternate_nearest(SheetMove& by) const {

@@ -9,13 +9,16 @@ namespace cd {
 
 namespace {
 
+// Has springs along both directions, and so, with bend, twist.
+bool is_wide(const Membrane& m) { return m.springs[kU] > 0 && m.springs[kV] > 0; }
+
 // Whether only whole edges hold nodes, and nothing else tells one line from another.
-bool edges_only(const MembraneFeatures& f) {
+bool edges_only(const Membrane& m, const MembraneFeatures& f) {
     const bool fields = f.node_mass || f.spring_stiffness[kU] || f.spring_stiffness[kV] || f.pin || f.mask || f.target;
     const auto holds = [&](cd_edge e) { return f.edge[e] == CD_NODE_PINNED || f.edge[e] == CD_NODE_DRIVEN; };
     const bool u = f.ring[kU] || (holds(CD_EDGE_U_FIRST) && holds(CD_EDGE_U_LAST));
     const bool v = f.ring[kV] || (holds(CD_EDGE_V_FIRST) && holds(CD_EDGE_V_LAST));
-    return !fields && (!f.bend || (u && v));
+    return !fields && (!f.bend || !is_wide(m) || (u && v));
 }
 
 Direction other(Direction d) { return d == kU ? kV : kU; }
@@ -27,9 +30,12 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
       coupled(!is_explicit(f.method) && f.solver == CD_SOLVER_COUPLED),
       general(coupled || f.bend || f.node_mass || f.spring_stiffness[kU] || f.spring_stiffness[kV] || f.pin || f.mask ||
               f.target),
-      bends(f.bend), rows{}, shared{SharedLines(m.columns, f.bend, f.ring[kU], coefficients),
-                                    SharedLines(m.rows, f.bend, f.ring[kV], coefficients)},
-      preconditioner{}, gradient{} {
+      bends(f.bend),
+      rows{},
+      shared{SharedLines(m.columns, f.bend, f.ring[kU], coefficients),
+             SharedLines(m.rows, f.bend, f.ring[kV], coefficients)},
+      preconditioner{},
+      gradient{} {
     coefficients.fits &= grid_of(m.columns, m.rows, grid) && grid_of(m.rows, m.columns, turned);
     const auto plane = [&](Carver& carve, bool needed) { return needed ? carve.plane(grid) : nullptr; };
     for (Direction d : {kU, kV}) {
@@ -62,15 +68,16 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
     scratch.fits = scratch.fits && multiply(m.rows, kPairs, pairs);
     sums = system.sums = general ? scratch.numbers(pairs) : nullptr;
 
-    const bool lines_differ = solves && !coupled && general && !edges_only(f);
+    const bool lines_differ = solves && !coupled && general && !edges_only(m, f);
+    one = plane(coefficients, lines_differ || coupled);
     for (int factor = 0; factor < (bends ? 2 : 1) && lines_differ; ++factor) {
         line[factor][kU] = LineRows(coefficients, turned, f.ring[kU]);
         line[factor][kV] = LineRows(coefficients, grid, f.ring[kV]);
     }
     turned_plane = solves && !coupled ? scratch.plane(turned) : nullptr;
     const bool rods = solves && !coupled && (bends || f.ring[kU] || f.ring[kV]);
-    const size_t larger = grid.pitch * grid.rows > turned.pitch * turned.rows ? grid.pitch * grid.rows
-                                                                             : turned.pitch * turned.rows;
+    const size_t larger =
+        grid.pitch * grid.rows > turned.pitch * turned.rows ? grid.pitch * grid.rows : turned.pitch * turned.rows;
     slope = rods ? scratch.numbers(larger) : nullptr;
     free_v = plane(scratch, lines_differ || coupled);
     answer[0] = plane(scratch, lines_differ || coupled);
@@ -98,7 +105,7 @@ namespace {
 struct UniformLine {
     const Membrane& m;
     Direction d;
-    double h, sigma; // sigma: h (h + damping), of an explicit step h
+    double h, sigma;      // sigma: h (h + damping), of an explicit step h
     const uint8_t* holds; // per node of the line: whether the whole cross line is held
 
     size_t nodes() const { return nodes_along(m, d); }
@@ -114,15 +121,14 @@ struct UniformLine {
     // A matched end's impedance over the node's mass [1/s].
     double matched(size_t i) const {
         const bool first = i == 0, last = i + 1 == nodes();
-        const cd_edge edges[2] = {d == kU ? CD_EDGE_U_FIRST : CD_EDGE_V_FIRST, d == kU ? CD_EDGE_U_LAST : CD_EDGE_V_LAST};
+        const cd_edge edges[2] = {d == kU ? CD_EDGE_U_FIRST : CD_EDGE_V_FIRST,
+                                  d == kU ? CD_EDGE_U_LAST : CD_EDGE_V_LAST};
         if (m.springs[d] == 0) return 0;
         if (!(first && m.edge[edges[0]] == CD_NODE_MATCHED) && !(last && m.edge[edges[1]] == CD_NODE_MATCHED)) return 0;
         const double inner = weight(first ? 1 : i - 1);
         return sqrt(uniform_stiffness(m, d) / uniform_mass(m) * inner) / weight(i);
     }
-    double ground(size_t i) const {
-        return held(i) ? double(INFINITY) : weight(i) * (1 + h * m.drag + h * matched(i));
-    }
+    double ground(size_t i) const { return held(i) ? double(INFINITY) : weight(i) * (1 + h * m.drag + h * matched(i)); }
 };
 
 // Which columns and rows are held as a whole; false if other nodes are held too.
@@ -146,7 +152,7 @@ bool separates(const Membrane& m, uint8_t* const* holds) {
         if (m.attach_stiffness[i] > 0 || m.attach_damping[i] > 0) return false;
     if (!whole_lines(m, holds)) return false;
     for (Direction d : {kU, kV})
-        if (m.bend > 0 && !m.ring[d] && !(holds[d][0] && holds[d][nodes_along(m, d) - 1])) return false;
+        if (m.bend > 0 && is_wide(m) && !m.ring[d] && !(holds[d][0] && holds[d][nodes_along(m, d) - 1])) return false;
     return true;
 }
 
@@ -177,7 +183,8 @@ void prepare_planes(const Membrane& m, Work& w, double h, double sigma) {
             const double mass = moves ? mass_of(m, u, v) : 0;
             w.mass[at] = mass;
             w.ground[at] = moves ? mass + h * drag_of(m, u, v) + (w.implicit ? h * h * tie_of(m, u, v) : 0) : 0;
-            if (w.inverse) w.inverse[at] = moves ? 1 / mass : 0;
+            w.inverse[at] = moves ? 1 / mass : 0;
+            if (w.one) w.one[at] = moves ? 1 : 0;
             if (w.tie) w.tie[at] = h * tie_of(m, u, v);
             if (w.twist) w.twist[at] = sigma * twist_of(m, u, v);
             for (Direction d : {kU, kV}) {
@@ -188,9 +195,9 @@ void prepare_planes(const Membrane& m, Work& w, double h, double sigma) {
     w.system.wrap(w.spring[kU]);
 }
 
-// With bend the system is nearly (G + p L) (G + q L), G the root of its ground, with p + q the stretch over a node's root
-// mass and p q the bend. Where there are no such real numbers, both are the root of the bend. Springs of one of the
-// factors; `mass` is the sheet's mean, which keeps p and q alike from node to node where the bend counts.
+// With bend the system is nearly (G + p L) (G + q L), G the root of its ground, with p + q the stretch over a node's
+// root mass and p q the bend. Where there are no such real numbers, both are the root of the bend. Springs of one of
+// the factors; `mass` is the sheet's mean, which keeps p and q alike from node to node where the bend counts.
 double factor_spring(const Membrane& m, double sigma, double mass, Direction d, int factor, size_t u, size_t v) {
     const size_t next_u = d == kU ? after(m, kU, u) : u, next_v = d == kV ? after(m, kV, v) : v;
     const bool there = (d == kU ? u : v) < springs_along(m, d) && present(m, u, v) && present(m, next_u, next_v);
@@ -249,17 +256,19 @@ void prepare_multigrid(const Membrane& m, Work& w, double sigma) {
     }
 }
 
-// The largest diagonal entry of the system.
-double stiffest(const Membrane& m, const Work& w) {
-    double most = 0;
+// The largest diagonal entry of the system, and whether it is larger than the least mass.
+void measure(Membrane& m, const Work& w) {
+    double lightest = INFINITY;
+    m.stiffest = 0;
     for (size_t v = 0; v < m.rows; ++v)
         for (size_t u = 0; u < m.columns; ++u) {
             const size_t at = v * w.grid.pitch + u;
             double sum = w.ground[at] + 2 * (w.spring[kU][at] + w.spring[kV][at]);
             if (w.bends) sum += 8 * (w.bend[kU][at] + w.bend[kV][at]) + 4 * w.twist[at];
-            most = fmax(most, sum);
+            m.stiffest = fmax(m.stiffest, sum);
+            if (w.mass[at] > 0) lightest = fmin(lightest, w.mass[at]);
         }
-    return most;
+    m.whole = m.stiffest > 2 * lightest && (m.method != CD_METHOD_IMPLICIT || m.lambda >= 0.5);
 }
 
 } // namespace
@@ -275,10 +284,9 @@ void prepare(Membrane& m, Work& w, double dt) {
             for (size_t u = 0; u < m.columns; ++u)
                 w.inverse[v * w.grid.pitch + u] *= w.rows[kU].gain[u] * w.rows[kV].gain[v];
     if (w.implicit && !w.coupled && !m.separable) prepare_lines(m, w, sigma);
-    if (w.implicit && w.coupled) {
-        prepare_multigrid(m, w, sigma);
-        m.stiffest = stiffest(m, w);
-    }
+    if (w.implicit && w.coupled) prepare_multigrid(m, w, sigma);
+    m.whole = false;
+    if (w.implicit && (w.coupled || !m.separable)) measure(m, w);
 }
 
 } // namespace cd

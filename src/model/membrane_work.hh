@@ -2,8 +2,8 @@
 // component at a time. Both are handed out from the membrane's two arrays in the order in which they are declared here.
 //
 // A sheet whose two directions separate (uniform masses and springs, nodes held by whole rows and columns, no mask, no
-// attachment; with bend, both ends of every line held or joined to a ring) has one factorization per direction. Of any
-// other sheet every line has its own, and there are planes of masses and springs.
+// attachment; with bend, both ends of every line held or joined to a ring, or a single line) has one factorization per
+// direction. Of any other sheet every line has its own, and there are planes of masses and springs.
 #pragma once
 
 #include "model/membrane.hh"
@@ -25,23 +25,20 @@ struct Work {
 
     DirectionRows rows[2];
     SharedLines shared[2];
-    double *mass, *ground, *spring[2], *bend[2], *twist, *inverse, *tie; // planes; null where not needed
-    LineRows line[2][2];                                                // of both factors (with bend), along u and v
+    double *mass, *ground, *spring[2], *bend[2], *twist, *inverse, *tie, *one; // planes; null where not needed
+    LineRows line[2][2]; // of both factors (with bend), along u and v
     SheetSystem system;
     Preconditioner preconditioner;
 
-    double *kept_x, *kept_v;          // between two stages
-    double *scaled, *residual;        // x / (h + damping) + v; what solvers start from
-    double *turned_plane, *free_v;    // free_v: v where nodes move, else 0
+    double *kept_x, *kept_v;       // between two stages
+    double *scaled, *residual;     // x / (h + damping) + v; what solvers start from
+    double *turned_plane, *free_v; // free_v: v where nodes move, else 0
     double *answer[3], *slope;
     GradientPlanes gradient;
     double* sums;
 
     Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, Carver& scratch);
 };
-
-// True if such features leave the two directions separable, whatever single pins say.
-bool may_separate(const MembraneFeatures& f);
 
 // Makes the coefficients for steps of dt.
 void prepare(Membrane& m, Work& work, double dt);

@@ -1,5 +1,5 @@
-// The stages that a step of a chain or membrane consists of. Every implicit method is one or two stages of one form; with
-// h the stage's share of dt and C = drag M + Z + damping K,
+// The stages that a step of a chain or membrane consists of. Every implicit method is one or two stages of one form;
+// with h the stage's share of dt and C = drag M + Z + damping K,
 //
 //      (M + h C + h^2 K) w = M v + h [f + M g - K x],     v = w + overshoot (w - v_old),     x += move w
 //
@@ -37,7 +37,7 @@ struct StageMoves {
         else *this = {1, {1 / b.lambda - 1, 0}, {dt, 0}};
     }
 
-  private:
+private:
     StageMoves(int n, const double (&o)[2], const double (&m)[2]) : count(n), overshoot{o[0], o[1]}, move{m[0], m[1]} {}
 };
 

@@ -23,7 +23,9 @@ struct GradientPlanes {
 
     GradientPlanes() = default;
     GradientPlanes(const SheetSystem& system, Carver& carve)
-        : start(carve.plane(system.grid)), direction(carve.plane(system.grid)), steep(carve.plane(system.grid)),
+        : start(carve.plane(system.grid)),
+          direction(carve.plane(system.grid)),
+          steep(carve.plane(system.grid)),
           applied(carve.plane(system.grid)) {}
 };
 

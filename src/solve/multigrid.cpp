@@ -1,5 +1,7 @@
 #include "solve/multigrid.hh"
 
+#include <string.h>
+
 namespace cd {
 
 namespace {
@@ -25,8 +27,8 @@ void factor_level(MultigridLevel& at) {
         grid, [&](size_t v, size_t u) { return ground(0, v, u); }, [&](size_t v, size_t u) { return spring(1, v, u); },
         at.along[1]);
     factor_lines(
-        turned, [&](size_t u, size_t v) { return ground(1, v, u); }, [&](size_t u, size_t v) { return spring(0, v, u); },
-        at.along[0]);
+        turned, [&](size_t u, size_t v) { return ground(1, v, u); },
+        [&](size_t u, size_t v) { return spring(0, v, u); }, at.along[0]);
     at.system.turn(sheet.spring[1], at.turned_spring);
     if (at.system.ring[1]) { // a turned row's beyond
         const size_t n = turned.columns;
@@ -146,7 +148,12 @@ void Multigrid::descend(size_t l, const double* b, double* x) const {
     const MultigridLevel& at = level[l];
     const SheetSystem& system = at.system;
     system.turn(b, at.turned_b);
-    for (size_t i = 0; i < system.turned.rows * system.turned.pitch; ++i) at.turned_x[i] = 0;
+    const Grid& turned = system.turned;
+    const auto wrap_turned = [&] {
+        if (system.ring[1]) system.kernels->wrap(turned, at.turned_x, 0, turned.rows);
+    };
+    memset(at.turned_x, 0, turned.rows * turned.pitch * sizeof(double));
+    wrap_turned();
     smooth_u(at, 0);
     smooth_u(at, 1);
     system.turn_back(at.turned_x, x);
@@ -169,7 +176,7 @@ void Multigrid::descend(size_t l, const double* b, double* x) const {
     smooth_v(at, b, 1, x);
     smooth_v(at, b, 0, x);
     system.turn(x, at.turned_x);
-    if (system.ring[1]) system.kernels->wrap(system.turned, at.turned_x, 0, system.turned.rows);
+    wrap_turned();
     smooth_u(at, 1);
     smooth_u(at, 0);
     system.turn_back(at.turned_x, x);

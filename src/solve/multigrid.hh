@@ -14,11 +14,11 @@
 namespace cd {
 
 struct MultigridLevel {
-    SheetSystem system;            // its sheet: ground and springs of the level, mass > 0 where it moves
-    double *ground, *spring[2];    // what system.sheet reads; null where that is the caller's
-    double* turned_spring;         // springs along v, turned
-    LineRows along[2];             // factors of the lines along u (turned) and v, neighbours as ground
-    double *x, *b;                 // not of the first level, unless it is its own
+    SheetSystem system;         // its sheet: ground and springs of the level, mass > 0 where it moves
+    double *ground, *spring[2]; // what system.sheet reads; null where that is the caller's
+    double* turned_spring;      // springs along v, turned
+    LineRows along[2];          // factors of the lines along u (turned) and v, neighbours as ground
+    double *x, *b;              // not of the first level, unless it is its own
     double *residual, *turned_x, *turned_b;
 };
 
@@ -26,14 +26,15 @@ struct Multigrid {
     MultigridLevel* level;
     size_t levels;
 
-    // Takes memory for the system's levels. own: the first level has ground and springs of its own, for the caller to fill.
+    // Takes memory for the system's levels. own: the first level has ground and springs of its own, for the caller to
+    // fill.
     void carve(const SheetSystem& system, bool own, Carver& coefficients, Carver& scratch);
     // Builds all levels from the first one's ground (0 where nothing moves) and springs.
     void build();
     // x = S^-1 b, nearly. Planes of the first level.
     void cycle(const double* b, double* x) const { descend(0, b, x); }
 
-  private:
+private:
     void descend(size_t l, const double* b, double* x) const;
 };
 

@@ -16,8 +16,8 @@ inline bool grid_of(size_t columns, size_t rows, Grid& out) {
     return true;
 }
 
-// Hands out runs of numbers, or, from null, counts how many there would be. A plane starts a cache line into its run, so
-// that what lies beyond its first row is its own.
+// Hands out runs of numbers, or, from null, counts how many there would be. A plane starts a cache line into its run,
+// so that what lies beyond its first row is its own.
 struct Carver {
     double* next;
     size_t taken = 0;

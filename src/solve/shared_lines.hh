@@ -21,24 +21,26 @@ struct SharedLines {
 
     SharedLines(size_t nodes, bool bend, bool ring, Carver& carve);
 
-    // System: double ground(i), spring(i), bend(i), of a ring as many springs as nodes; constraints: 3 with bend, else 1.
+    // System: double ground(i), spring(i), bend(i), of a ring as many springs as nodes; constraints: 3 with bend, else
+    // 1.
     template <class System> void factor(const System& system, bool bend) {
         if (!is_rod) {
             factor_spring_line(nodes, system, carry, pull, [](size_t, double) {});
             return;
         }
         factor_rod_line(nodes, system, rod);
-        for (size_t i = 0; i < nodes; ++i) pin[i] = system.ground(i) - system.ground(i) == 0 ? CD_NODE_FREE : CD_NODE_PINNED;
+        for (size_t i = 0; i < nodes; ++i)
+            pin[i] = system.ground(i) - system.ground(i) == 0 ? CD_NODE_FREE : CD_NODE_PINNED;
         if (!ring) return;
         *closure = {};
         const double stiffness[3] = {system.spring(nodes - 1), system.bend(nodes - 1), system.bend(0)};
-        factor_ring(nodes, system, rod, bend ? 3 : 1, stiffness, response, response[3],
-                    *closure);
+        factor_ring(nodes, system, rod, bend ? 3 : 1, stiffness, response, response[3], *closure);
     }
 
-    // plane: in, what each node would do alone; out, the answer. Lines run down the columns of grid. slope: scratch of a
-    // rod's, a plane.
-    void solve(const Kernels& kernels, const cd_parallel& parallel, const Grid& grid, double* plane, double* slope) const;
+    // plane: in, what each node would do alone; out, the answer. Lines run down the columns of grid. slope: scratch of
+    // a rod's, a plane.
+    void solve(const Kernels& kernels, const cd_parallel& parallel, const Grid& grid, double* plane,
+               double* slope) const;
 };
 
 } // namespace cd

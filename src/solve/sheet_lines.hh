@@ -13,7 +13,9 @@ struct LineRows {
 
     LineRows() = default;
     LineRows(Carver& carve, const Grid& grid, bool ring)
-        : pull(carve.plane(grid)), gain(carve.plane(grid)), around(ring ? carve.plane(grid) : nullptr),
+        : pull(carve.plane(grid)),
+          gain(carve.plane(grid)),
+          around(ring ? carve.plane(grid) : nullptr),
           closing(ring ? carve.numbers(grid.columns) : nullptr) {}
     LineFactors factors() const { return {pull, gain, around, closing}; }
 };

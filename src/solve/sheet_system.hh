@@ -34,8 +34,8 @@ struct SheetSystem {
     void turn(const double* from, double* to) const;      // to the turned layout
     void turn_back(const double* from, double* to) const; // from it
 
-    // The w in the span of n <= 4 wrapped planes that comes nearest to S w = b in energy: the residual is then orthogonal
-    // to it. rhs: the planes times b. Planes that add nothing new to those before them get the factor 0.
+    // The w in the span of n <= kMostDirections planes that comes nearest to S w = b in energy: the residual is then
+    // orthogonal to it. rhs: the planes times b. Planes that add nothing new to those before them get the factor 0.
     void project(double* const* planes, int n, const double* rhs, double* factors) const;
 };
 
