@@ -1,0 +1,61 @@
+/* Printed by test_membrane_golden.c: scene, method, solver, {float32, float64}. */
+{0, 0, 0, {0x800bbd483f67c44a, 0x2c4d86941f96e144}}, /* drum */
+{0, 1, 0, {0x12703e5684a333d0, 0x4241c5d8158f445f}}, /* drum */
+{0, 2, 0, {0x84615db7e7cd7535, 0x4a7bf171052085e1}}, /* drum */
+{0, 3, 0, {0xa7a4463f4cad5c7a, 0x4be95e5f2adc83f9}}, /* drum */
+{0, 0, 1, {0x97e07150f226f258, 0x67e8ff90ec2c85c3}}, /* drum */
+{0, 3, 1, {0x9c118ff0b3d09929, 0x7a504091e5d39ce8}}, /* drum */
+{1, 0, 0, {0xb046f38353bde6f4, 0x3fa0f41a08dd4a60}}, /* curtain */
+{1, 1, 0, {0x0eed559c3549a2ea, 0x13de0283d04fb96f}}, /* curtain */
+{1, 2, 0, {0xf69971f077716d25, 0x5ef85df938b0aaa9}}, /* curtain */
+{1, 3, 0, {0xbfee793fdb934e65, 0x31d39c3ee3353d0f}}, /* curtain */
+{1, 0, 1, {0xadaf6f5325ae25a8, 0x89fa7a56662dc643}}, /* curtain */
+{1, 3, 1, {0xbcf41fc9774468e8, 0x82db002c8037a453}}, /* curtain */
+{2, 0, 0, {0xc88c35d792a5e0a1, 0xbd69f39f71ae0fcd}}, /* flag */
+{2, 1, 0, {0xe5a88bd0d32c7faa, 0xe3d2df33f8ec01ab}}, /* flag */
+{2, 2, 0, {0xeec52f2840e0bac0, 0x75ab4c5d80670fc9}}, /* flag */
+{2, 3, 0, {0x3cd2410beb61bb08, 0x71c8b76095346323}}, /* flag */
+{2, 0, 1, {0xb687817956ed46b7, 0x1b9b98c56a44b263}}, /* flag */
+{2, 3, 1, {0x971590fef1c7d01a, 0x2869a0c8cdf27500}}, /* flag */
+{3, 0, 0, {0x0f433898917ba58d, 0xb0ca4e5beb7fa124}}, /* plate */
+{3, 1, 0, {0xea85fea299701f04, 0xe5dc292e76cd287a}}, /* plate */
+{3, 2, 0, {0x85ead6767913d304, 0x67efd6c8c1531f3f}}, /* plate */
+{3, 3, 0, {0x0edcabb5674cd899, 0x30cc693a4b405d12}}, /* plate */
+{3, 0, 1, {0xbb8aee28be501bd9, 0xa670f15c7a23be57}}, /* plate */
+{3, 3, 1, {0x55afa0f429205b46, 0x3ecb430e450182c4}}, /* plate */
+{4, 0, 0, {0x0031f91666abe52f, 0x73fd452a09457785}}, /* tube */
+{4, 1, 0, {0xa3ed2edc69e7b6f7, 0x0c4f61c0a2297fea}}, /* tube */
+{4, 2, 0, {0x346313534836d27c, 0x9caf93e0ad468686}}, /* tube */
+{4, 3, 0, {0x31143eca0409760c, 0x0a06193e05a08fb5}}, /* tube */
+{4, 0, 1, {0x90e4474e39b801a4, 0xccd12828ca06b1a1}}, /* tube */
+{4, 3, 1, {0xc4dc688506f57838, 0x7f4383a1302492fd}}, /* tube */
+{5, 0, 0, {0x128a8930ab03d4ee, 0x0111f07d7e55c626}}, /* torus */
+{5, 1, 0, {0xb860b65a2d1b5315, 0xa021bf6a1c12d05f}}, /* torus */
+{5, 2, 0, {0x33578f39606f4740, 0x67a3c5bc3ccca816}}, /* torus */
+{5, 3, 0, {0x909b6e95678b21b8, 0xd59aac492df35cee}}, /* torus */
+{5, 0, 1, {0xf2a09f2614062dfc, 0x6eb7b04bf10a4e18}}, /* torus */
+{5, 3, 1, {0x016433d611255177, 0x9b17bdb63885c6f9}}, /* torus */
+{6, 0, 0, {0xe12da42e5710d808, 0x178044f2a04f9fdb}}, /* torn */
+{6, 1, 0, {0xf7b37db4bf1ac208, 0xc7d50b82f46a1ee8}}, /* torn */
+{6, 2, 0, {0x2facb238a92423b2, 0x69519bcab3000889}}, /* torn */
+{6, 3, 0, {0x83d4a6e6f053fa3c, 0x9173c7f407d35d05}}, /* torn */
+{6, 0, 1, {0x90ac55ccacd6ad36, 0xb963461b9cc5642e}}, /* torn */
+{6, 3, 1, {0x2c06663143fdb803, 0x8f6445bb99a7e0c1}}, /* torn */
+{7, 0, 0, {0x298627ce53f03b45, 0x9c83b27a3afd3ee0}}, /* tied */
+{7, 1, 0, {0x7a24da4792344fdd, 0xca02ad651d64dbb6}}, /* tied */
+{7, 2, 0, {0x3a7a7e355a386344, 0x5a19a91e55a393aa}}, /* tied */
+{7, 3, 0, {0xf923d91ffa68589d, 0xf8f03315454dfd75}}, /* tied */
+{7, 0, 1, {0xb9432015831b7060, 0x9f3fd3ec5f01eb90}}, /* tied */
+{7, 3, 1, {0x6396af62d428a4d0, 0x9bd83bb1c4375f2a}}, /* tied */
+{8, 0, 0, {0x25d040aa58a87fbb, 0xd5c6bafda37388f8}}, /* everything */
+{8, 1, 0, {0x490dcc1be8dc514d, 0x959255ca769e7c6a}}, /* everything */
+{8, 2, 0, {0xfaa5963fe1954b6c, 0xcc06191467aa458d}}, /* everything */
+{8, 3, 0, {0xbda52e90e73c8919, 0xbd1bc6d23b5ce070}}, /* everything */
+{8, 0, 1, {0xda751377dca2b687, 0x690cd31f27108728}}, /* everything */
+{8, 3, 1, {0x326f5640c5474341, 0x18fc33979396bec0}}, /* everything */
+{9, 0, 0, {0x29710faddaa28afe, 0x06c64f174b97a45b}}, /* everything, tube */
+{9, 1, 0, {0x3fa276cc5686af48, 0x55d00c94b41f3444}}, /* everything, tube */
+{9, 2, 0, {0x69155d28f7651b48, 0x1dfdc2716d08fbaa}}, /* everything, tube */
+{9, 3, 0, {0x60423648b4cfe606, 0x4409e73a255c002f}}, /* everything, tube */
+{9, 0, 1, {0xd3f519bbca4ecef7, 0x99e9a11a97e212b3}}, /* everything, tube */
+{9, 3, 1, {0xc4b69cbca0456522, 0xcabdd683712ea99e}}, /* everything, tube */
