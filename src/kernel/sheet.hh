@@ -59,6 +59,12 @@ struct SheetMove {
 
 namespace CD_ISA {
 
+// As for_each_bundle, for rows: what is left of a row at its end is taken one by one, which keeps the kernels small.
+template <class F> inline void along_row(size_t first, size_t count, F& f) {
+    for (; count >= size_t(kWidest); first += kWidest, count -= kWidest) f.template bundle<kWidest>(first);
+    for (; count > 0; ++first, --count) f.template bundle<1>(first);
+}
+
 // ---- the state (sheet_state.cpp) ---- S is what a stage starts from: the state's type, or double between stages.
 
 // What the springs of a stage look at: x_scaled = closing_rate x + share v, the share that of free or of held nodes

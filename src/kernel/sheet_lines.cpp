@@ -136,15 +136,15 @@ void solve_lines(const Grid& grid, const LineFactors& factors, const double* b, 
         for (size_t r = 0; r < grid.rows; ++r) {
             const size_t row = r * grid.pitch;
             Forward step{b + row, r > 0 ? factors.pull + row - grid.pitch : nullptr, x + row, grid.pitch, r};
-            for_each_bundle(from, columns, step);
+            along_row(from, columns, step);
         }
         for (size_t r = grid.rows; r-- > 0;) {
             const size_t row = r * grid.pitch;
             Backward step{factors.gain + row, factors.pull + row, x + row, grid.pitch, r, r + 1 == grid.rows};
-            for_each_bundle(from, columns, step);
+            along_row(from, columns, step);
         }
         Close close{grid, factors, x, -1};
-        if (factors.around) for_each_bundle(from, columns, close);
+        if (factors.around) along_row(from, columns, close);
     });
 }
 
@@ -155,16 +155,16 @@ void smooth_lines(const Grid& grid, const LineFactors& factors, const double* cr
             const size_t row = r * grid.pitch;
             const double* const pull = r > 0 ? factors.pull + row - grid.pitch : nullptr;
             ForwardBeside step{b + row, pull, cross + row, x + row, grid.pitch, r, colour};
-            for_each_bundle(from, columns, step);
+            along_row(from, columns, step);
         }
         for (size_t r = grid.rows; r-- > 0;) {
             const size_t row = r * grid.pitch;
             const bool last = r + 1 == grid.rows;
             BackwardBeside step{factors.gain + row, factors.pull + row, x + row, grid.pitch, r, last, colour};
-            for_each_bundle(from, columns, step);
+            along_row(from, columns, step);
         }
         Close close{grid, factors, x, colour};
-        if (factors.around) for_each_bundle(from, columns, close);
+        if (factors.around) along_row(from, columns, close);
     });
 }
 
@@ -172,11 +172,11 @@ void filter_lines(const Grid& grid, const double* carry, const double* pull, dou
     in_strips(first, count, [&](size_t from, size_t columns) {
         for (size_t r = 1; r < grid.rows; ++r) {
             SharedForward step{carry[r], x + r * grid.pitch, grid.pitch, r};
-            for_each_bundle(from, columns, step);
+            along_row(from, columns, step);
         }
         for (size_t r = grid.rows; r-- > 1;) {
             SharedBackward step{pull[r - 1], x + (r - 1) * grid.pitch, grid.pitch, r - 1};
-            for_each_bundle(from, columns, step);
+            along_row(from, columns, step);
         }
     });
 }

@@ -47,14 +47,14 @@ void transpose(const Grid& grid, const double* from, double* to, size_t to_pitch
 void combine(const Grid& grid, double alpha, double* a, double beta, const double* b, size_t first, size_t count) {
     for (size_t r = first; r < first + count; ++r) {
         Combine bundles{alpha, beta, a + r * grid.pitch, b + r * grid.pitch};
-        for_each_bundle(0, grid.columns, bundles);
+        along_row(0, grid.columns, bundles);
     }
 }
 
 void multiply(const Grid& grid, const double* a, const double* b, double* out, size_t first, size_t count) {
     for (size_t r = first; r < first + count; ++r) {
         Multiply bundles{a + r * grid.pitch, b + r * grid.pitch, out + r * grid.pitch};
-        for_each_bundle(0, grid.columns, bundles);
+        along_row(0, grid.columns, bundles);
     }
 }
 

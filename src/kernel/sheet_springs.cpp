@@ -169,7 +169,7 @@ void pull_separable(const Grid& grid, const SeparableSheet& sheet, const double*
                     double* out, size_t first, size_t count) {
     for (size_t r = first; r < first + count; ++r) {
         Separable bundles{grid, sheet, constant, gravity, out, Rows(grid, x, r), r};
-        for_each_bundle(0, grid.columns, bundles);
+        along_row(0, grid.columns, bundles);
     }
 }
 
@@ -177,7 +177,7 @@ void pull_general(const Grid& grid, const GeneralSheet& sheet, const double* x, 
                   size_t count) {
     for (size_t r = first; r < first + count; ++r) {
         Puller bundles{grid, general_row(grid, sheet, x, r), out, r};
-        for_each_bundle(0, grid.columns, bundles);
+        along_row(0, grid.columns, bundles);
     }
 }
 
@@ -190,7 +190,7 @@ void apply(const Grid& grid, const GeneralSheet& sheet, const double* z, double*
 void moments(const Grid& grid, const GeneralSheet& sheet, const double* x, size_t first, size_t count) {
     for (size_t r = first; r < first + count; ++r) {
         Bender bundles{sheet, Rows(grid, x, r), r * grid.pitch};
-        for_each_bundle(0, grid.columns, bundles);
+        along_row(0, grid.columns, bundles);
     }
 }
 

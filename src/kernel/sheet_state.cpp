@@ -93,7 +93,7 @@ template <class S>
 void gather(const Grid& grid, const SheetGather& how, const S* x, const S* v, size_t first, size_t count) {
     for (size_t r = first; r < first + count; ++r) {
         Gather<S> bundles{how, x, v, r * grid.pitch};
-        for_each_bundle(0, grid.columns, bundles);
+        along_row(0, grid.columns, bundles);
     }
 }
 
@@ -102,7 +102,7 @@ template <class S, class T> void push_separable(const Grid& grid, const Separabl
     for (size_t r = first; r < first + count; ++r) {
         const double drag = sheet.drag[1] ? push.drag + sheet.drag[1][r] : push.drag;
         PushSeparable<S, T> bundles{sheet, push, v, out, r * grid.pitch, sheet.inverse_mass[1][r], drag};
-        for_each_bundle(0, grid.columns, bundles);
+        along_row(0, grid.columns, bundles);
     }
 }
 
@@ -110,7 +110,7 @@ template <class S, class T> void push_general(const Grid& grid, const GeneralShe
                                               const S* x, const S* v, double* out, size_t first, size_t count) {
     for (size_t r = first; r < first + count; ++r) {
         PushGeneral<S, T> bundles{sheet, push, x, v, out, r * grid.pitch};
-        for_each_bundle(0, grid.columns, bundles);
+        along_row(0, grid.columns, bundles);
     }
 }
 
@@ -119,7 +119,7 @@ template <class S, class T> bool move_nodes(const Grid& grid, const SheetMove& m
     bool finite = true;
     for (size_t r = first; r < first + count; ++r) {
         Mover<S, T> bundles{move, x, v, to_x, to_v, r * grid.pitch};
-        for_each_bundle(0, grid.columns, bundles);
+        along_row(0, grid.columns, bundles);
         finite &= bundles.finite;
     }
     return finite;

@@ -78,7 +78,7 @@ inline size_t after(const Membrane& m, Direction d, size_t i) { return i < m.spr
 
 // The weight of an edge line: 1/2 at the two ends of direction d under CD_MASS_HALF_ENDS, 1 elsewhere.
 double line_weight(const Membrane& m, Direction d, size_t i);
-// The uniform values for weight 1: mass of a node, stiffness of a spring along d, bend at a node along d, a cell's twist.
+// The uniform values for weight 1: mass of a node, stiffness of a spring and bend at a node along d, twist of a cell.
 double uniform_mass(const Membrane& m);
 double uniform_stiffness(const Membrane& m, Direction d);
 double uniform_bend(const Membrane& m, Direction d);
