@@ -111,7 +111,7 @@ CD_API cd_status cd_membrane_set_parallel(cd_membrane* membrane, const cd_parall
 /* Mass [kg], > 0. CD_MASS_EQUAL: mass / ((nu + 1) (nv + 1)) per node. CD_MASS_HALF_ENDS: an edge line counts half, in
  * its masses and in the springs and bends along it: mass / (nu nv) per node inside, half of it on an edge, a quarter at
  * a corner. In a direction that is a ring or has no spring the rules agree, and in what follows its nu + 1 and nu (or
- * nv + 1 and nv) are both the number of its nodes. */
+ * nv + 1 and nv) are both the number of its nodes. The rule deals out mass and stiffness anew. */
 CD_API cd_status cd_membrane_set_mass(cd_membrane* membrane, double mass);
 CD_API cd_status cd_membrane_get_mass(const cd_membrane* membrane, double* out_mass);
 CD_API cd_status cd_membrane_set_mass_rule(cd_membrane* membrane, cd_mass_rule rule);
@@ -154,14 +154,13 @@ CD_API cd_status cd_membrane_get_pressure(const cd_membrane* membrane, double* o
  * driving leaves their velocity, which is then written through CD_VELOCITY. CD_NODE_MATCHED leaves the edge free, with
  * the impedance that sends no echo back to a wave that runs straight at it. Where CD_PIN is switched on, free, pinned
  * and driven are written to it along the edge. The getter tells what was set last, whatever was written to CD_PIN
- * since. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED in the direction of a ring; CD_ERROR_MEMORY.
- * */
+ * since. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED in the direction of a ring; CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_set_edge(cd_membrane* membrane, cd_edge edge, cd_node kind);
 CD_API cd_status cd_membrane_get_edge(const cd_membrane* membrane, cd_edge edge, cd_node* out_kind);
 
-/* Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and a
- * per-spring stiffness field of that direction gets the uniform values. A ring needs 3 nodes. Errors: CD_ERROR_VALUE
- * for anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge; CD_ERROR_MEMORY. */
+/* Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and
+ * the fields of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors: CD_ERROR_VALUE for
+ * anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge; CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_set_ring(cd_membrane* membrane, int32_t along_u, int32_t along_v);
 CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_along_u, int32_t* out_along_v);
 
@@ -215,7 +214,7 @@ CD_API cd_status cd_membrane_view(const cd_membrane* membrane, cd_field field, c
 
 /* Adds impulse [N s], one number per component, spread over the nodes that are less than `radius` springs away from
  * the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which
- * are scaled to sum to 1; radius 0: all on the nearest node. A node's velocity changes by its share / its mass; pinned,
+ * are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass; pinned,
  * driven and absent nodes take none of it, and their shares are lost. u in [0, nu], v in [0, nv], radius >= 0.
  * Errors: CD_ERROR_RANGE for count; CD_ERROR_VALUE. */
 CD_API cd_status cd_membrane_impulse(cd_membrane* membrane, double u, double v, double radius, const double* impulse,

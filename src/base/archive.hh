@@ -1,4 +1,4 @@
-// An object as a row of numbers: one walk over them counts, hashes, writes or reads it (model/chain_keep.cpp).
+// An object as a row of numbers: one walk over them counts, hashes, writes or reads it (model/keep.hh).
 #pragma once
 
 #include <stddef.h>

@@ -1,5 +1,5 @@
 // What the sweeps along lines share: a line is one component of one strand, `nodes` numbers `pitch` apart, with its
-// neighbours side by side in memory. Steps reach the sweeps as stages of one form (model/chain_step.cpp).
+// neighbours side by side in memory. Steps reach the sweeps as stages of one form (model/stages.hh).
 //
 // T is what the state is stored in; sweeps compute in double. In float32 the sums along a line would lose what a stiff
 // chain's mean motion is made of (measured: 2e-3 of the position after 1000 steps, against 1e-5), and every constant of

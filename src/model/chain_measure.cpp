@@ -56,16 +56,14 @@ template <class T> struct Measure {
 
 void energy(const Chain& c, double& kinetic, double& elastic, double& gravity) {
     Sum sums[3];
-    if (c.precision == CD_FLOAT64) Measure<double>{c}.energy(sums[0], sums[1], sums[2]);
-    else Measure<float>{c}.energy(sums[0], sums[1], sums[2]);
+    by_precision(c, [&](auto zero) { Measure<decltype(zero)>{c}.energy(sums[0], sums[1], sums[2]); });
     kinetic = sums[0].value();
     elastic = sums[1].value();
     gravity = sums[2].value();
 }
 
 void momentum(const Chain& c, double* out) {
-    if (c.precision == CD_FLOAT64) Measure<double>{c}.momentum(out);
-    else Measure<float>{c}.momentum(out);
+    by_precision(c, [&](auto zero) { Measure<decltype(zero)>{c}.momentum(out); });
 }
 
 } // namespace cd

@@ -69,14 +69,12 @@ BodyFeatures features_of_body(const KeptBody& s, bool bend) {
 void check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s) {
     const size_t state = layout.rows * layout.width;
     if (s.on(CD_TARGET)) check.numbers<double>(2 * b.nodes, [](double tie, size_t) { return valid_parameter(tie); });
-    const auto check_state = [&](auto zero) {
+    by_precision(b, [&](auto zero) {
         using T = decltype(zero);
         check.numbers<T>(2 * state, [](double, size_t) { return true; }); // a state that diverged can be saved too
         check.numbers<T>((s.on(CD_FORCE) + s.on(CD_TARGET)) * state,
                          [](double value, size_t) { return isfinite(value) != 0; });
-    };
-    if (b.precision == CD_FLOAT64) check_state(0.0);
-    else check_state(0.0f);
+    });
 }
 
 } // namespace cd

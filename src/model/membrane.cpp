@@ -2,6 +2,7 @@
 #include "model/membrane.hh"
 
 #include "base/status.hh"
+#include "solve/planes.hh"
 
 namespace cd {
 
@@ -208,28 +209,15 @@ bool set_edge(Membrane& m, cd_edge edge, cd_node kind) {
 
 bool set_ring(Membrane& m, bool along_u, bool along_v) {
     MembraneFeatures wanted = features(m);
-    const bool changes[2] = {wanted.ring[kU] != along_u, wanted.ring[kV] != along_v};
+    if (wanted.ring[kU] == along_u && wanted.ring[kV] == along_v) return true;
     wanted.ring[kU] = along_u;
     wanted.ring[kV] = along_v;
     if (!set_features(m, wanted)) return false;
-    if (changes[kU] || changes[kV]) fill_uniform(m, CD_MASS);
-    if (changes[kU]) fill_uniform(m, CD_STIFFNESS_U);
-    if (changes[kV]) fill_uniform(m, CD_STIFFNESS_V);
+    for (cd_field field : {CD_MASS, CD_STIFFNESS_U, CD_STIFFNESS_V}) fill_uniform(m, field);
     return true;
 }
 
 // ---- life -----------------------------------------------------------------------------------------------------------
-
-// Rows start on cache lines, an odd number of them apart (rows whose numbers lie a multiple of 4096 bytes apart would
-// share one set of the cache), with room for the two columns on either side that a ring repeats.
-static bool row_pitch(size_t columns, size_t& out) {
-    constexpr size_t kPerLine = 8;
-    size_t room;
-    if (!add(columns, 4 + 2 * kPerLine, room)) return false;
-    const size_t lines = (columns + 4 + kPerLine - 1) / kPerLine;
-    out = (lines | 1) * kPerLine;
-    return true;
-}
 
 cd_status create_membrane(const char* function, size_t nu, size_t nv, size_t components, cd_precision precision,
                           const cd_allocator& allocator, Membrane*& out) {
@@ -242,8 +230,9 @@ cd_status create_membrane(const char* function, size_t nu, size_t nv, size_t com
     shape.precision = precision;
     // Everything that a membrane may ever hold is less than 40 planes of doubles for each component.
     size_t all, state;
-    if (!add(nu, 1, shape.columns) || !add(nv, 1, shape.rows) || !row_pitch(shape.columns, shape.pitch) ||
-        !multiply(shape.rows, shape.pitch, shape.plane) || !multiply(shape.plane, components, state) ||
+    Grid grid{}; // that of the planes which steps work on
+    if (!add(nu, 1, shape.columns) || !add(nv, 1, shape.rows) || !grid_of(shape.columns, shape.rows, grid) ||
+        !multiply(shape.rows, shape.pitch = grid.pitch, shape.plane) || !multiply(shape.plane, components, state) ||
         !multiply(state, 40 * sizeof(double), all))
         return fail(CD_ERROR_SIZE, function, "nu %zu and nv %zu springs with %zu components do not fit in memory", nu,
                     nv, components);

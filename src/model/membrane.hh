@@ -35,8 +35,8 @@ struct Membrane : Body, MembraneSettings {
 
     // what steps need, none of it state: see membrane_step.cpp
     Array<double> pressed; // the force of the pressure, laid out like the positions
-    double stiffest; // the largest diagonal entry of the system, where there is one
-    bool whole;      // see membrane_step.cpp
+    double stiffest;       // the largest diagonal entry of the system, where there is one
+    bool whole;            // see membrane_step.cpp
     bool separable;        // see membrane_step.cpp
 
     // f(array, array of another membrane...) for each field, in the order in which they are kept; and for every array.

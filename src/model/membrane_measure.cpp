@@ -97,20 +97,18 @@ template <class T> struct Measure {
 
 void energy(const Membrane& m, double& kinetic, double& elastic, double& gravity) {
     Sum sums[3];
-    if (m.precision == CD_FLOAT64) Measure<double>{m}.energy(sums[0], sums[1], sums[2]);
-    else Measure<float>{m}.energy(sums[0], sums[1], sums[2]);
+    by_precision(m, [&](auto zero) { Measure<decltype(zero)>{m}.energy(sums[0], sums[1], sums[2]); });
     kinetic = sums[0].value();
     elastic = sums[1].value();
     gravity = sums[2].value();
 }
 
 void momentum(const Membrane& m, double* out) {
-    if (m.precision == CD_FLOAT64) Measure<double>{m}.momentum(out);
-    else Measure<float>{m}.momentum(out);
+    by_precision(m, [&](auto zero) { Measure<decltype(zero)>{m}.momentum(out); });
 }
 
 double volume(const Membrane& m) {
-    return m.precision == CD_FLOAT64 ? Measure<double>{m}.volume() : Measure<float>{m}.volume();
+    return by_precision(m, [&](auto zero) { return Measure<decltype(zero)>{m}.volume(); });
 }
 
 } // namespace cd

@@ -114,9 +114,10 @@ struct UniformLine {
     double rate(double stiffness) const { return sigma * stiffness / uniform_mass(m); }
 
     double spring(size_t i) const { return i < springs_along(m, d) ? rate(uniform_stiffness(m, d)) : 0; }
+    // The twist, where there is any, is counted as bend of both directions: see membrane_step.cpp.
     double bend(size_t i) const {
         const bool end = !m.ring[d] && (i == 0 || i + 1 >= nodes());
-        return end ? 0 : rate(uniform_bend(m, d));
+        return end ? 0 : rate(is_wide(m) ? 2 * uniform_bend(m, d) : uniform_bend(m, d));
     }
     // A matched end's impedance over the node's mass [1/s].
     double matched(size_t i) const {

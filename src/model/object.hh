@@ -65,6 +65,9 @@ inline double most_of(const Object& o) {
     return o.precision == CD_FLOAT64 ? 1.7976931348623157e308 : 3.4028234663852886e38;
 }
 
+// f(0.0) or f(0.0f), by the object's precision.
+template <class F> auto by_precision(const Object& o, F f) { return o.precision == CD_FLOAT64 ? f(0.0) : f(0.0f); }
+
 template <class T> T* numbers(const Array<char>& array) { return reinterpret_cast<T*>(array.data); }
 
 inline double get_number(const Object& o, const Array<char>& array, size_t at) {
@@ -86,8 +89,7 @@ template <class T, class F> void each_number(const Layout& layout, T* data, F f)
         for (size_t i = 0; i < layout.width; ++i) f(data[row * layout.pitch + i]);
 }
 template <class F> void each_number(const Object& o, const Layout& layout, const Array<char>& array, F f) {
-    if (o.precision == CD_FLOAT64) each_number(layout, numbers<double>(array), f);
-    else each_number(layout, numbers<float>(array), f);
+    by_precision(o, [&](auto zero) { each_number(layout, numbers<decltype(zero)>(array), f); });
 }
 
 // X: an object with position and velocity, and a layout_of.

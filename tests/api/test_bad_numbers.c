@@ -1,8 +1,6 @@
 /* Numbers that are no numbers, out of range, or none of an enumeration's: every argument of chain.h that is passed by
  * value or as an array of numbers, but for the fields (test_bad_fields.c). */
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "check.h"
 #include "heap.h"
@@ -27,56 +25,36 @@ static int tear_down(void** state) {
     return 0;
 }
 
-struct bad {
-    double value;
-    const char* shown; /* in the message */
-};
-
-static const struct bad not_finite[] = {{NAN, "nan"}, {INFINITY, "inf"}, {-INFINITY, "-inf"}};
-static const struct bad negative[] = {{-1, "-1"}, {-0x1p-1000, ""}};
-static const struct bad not_positive[] = {{0, "0"}, {-0.0, "0"}, {-2.5, "-2.5"}};
-static const struct bad too_large[] = {{1.0625e60, "1.0625e+60"}, {1e300, "1e+300"}};
-static const struct bad too_small[] = {{0.5e-60, "5e-61"}, {0x1p-1074, ""}};
-static const struct bad not_a_share[] = {{-0.25, "-0.25"}, {1.5, "1.5"}, {1e9, "1e+09"}};
-static const struct bad not_a_step[] = {{1e-31, "1e-31"}, {1e31, "1e+31"}, {-0.125, "-0.125"}};
-
-/* call(bad value) for each bad value in the table */
-#define refuses_each(call, argument, table)                                                                            \
-    for (size_t i_ = 0; i_ < COUNT(table); ++i_) {                                                                     \
-        const double bad = (table)[i_].value;                                                                          \
-        refuses(chain, call, CD_ERROR_VALUE, text_of("%s|%s", argument, (table)[i_].shown));                           \
-    }
-
 static void no_parameter_takes_a_number_outside_its_range(void** state) {
     (void)state;
-    refuses_each(cd_chain_set_lambda(chain, bad), "lambda", not_finite);
-    refuses_each(cd_chain_set_lambda(chain, bad), "lambda", not_a_share);
-    refuses_each(cd_chain_set_mass(chain, bad), "mass", not_finite);
-    refuses_each(cd_chain_set_mass(chain, bad), "mass", not_positive);
-    refuses_each(cd_chain_set_mass(chain, bad), "mass", too_large);
-    refuses_each(cd_chain_set_mass(chain, bad), "mass", too_small);
-    refuses_each(cd_chain_set_stiffness(chain, bad), "stiffness", not_finite);
-    refuses_each(cd_chain_set_stiffness(chain, bad), "stiffness", negative);
-    refuses_each(cd_chain_set_stiffness(chain, bad), "stiffness", too_large);
-    refuses_each(cd_chain_set_bend(chain, bad), "bend", not_finite);
-    refuses_each(cd_chain_set_bend(chain, bad), "bend", negative);
-    refuses_each(cd_chain_set_bend(chain, bad), "bend", too_large);
-    refuses_each(cd_chain_set_drag(chain, bad), "drag", not_finite);
-    refuses_each(cd_chain_set_drag(chain, bad), "drag", negative);
-    refuses_each(cd_chain_set_drag(chain, bad), "drag", too_large);
-    refuses_each(cd_chain_set_stiffness_damping(chain, bad), "seconds", not_finite);
-    refuses_each(cd_chain_set_stiffness_damping(chain, bad), "seconds", negative);
-    refuses_each(cd_chain_set_stiffness_damping(chain, bad), "seconds", too_large);
-    refuses_each(cd_chain_step(chain, bad, 1), "dt", not_finite);
-    refuses_each(cd_chain_step(chain, bad, 1), "dt", not_positive);
-    refuses_each(cd_chain_step(chain, bad, 1), "dt", not_a_step);
-    refuses_each(cd_chain_step(chain, bad, 0), "dt", not_finite);
-    refuses_each(cd_chain_attach(chain, 2, bad, 1, NULL, COMPONENTS), "stiffness", not_finite);
-    refuses_each(cd_chain_attach(chain, 2, bad, 1, NULL, COMPONENTS), "stiffness", negative);
-    refuses_each(cd_chain_attach(chain, 2, bad, 1, NULL, COMPONENTS), "stiffness", too_large);
-    refuses_each(cd_chain_attach(chain, 2, 1, bad, NULL, COMPONENTS), "damping", not_finite);
-    refuses_each(cd_chain_attach(chain, 2, 1, bad, NULL, COMPONENTS), "damping", negative);
-    refuses_each(cd_chain_attach(chain, 2, 1, bad, NULL, COMPONENTS), "damping", too_large);
+    refuses_each(chain, cd_chain_set_lambda(chain, bad), "lambda", not_finite);
+    refuses_each(chain, cd_chain_set_lambda(chain, bad), "lambda", not_a_share);
+    refuses_each(chain, cd_chain_set_mass(chain, bad), "mass", not_finite);
+    refuses_each(chain, cd_chain_set_mass(chain, bad), "mass", not_positive);
+    refuses_each(chain, cd_chain_set_mass(chain, bad), "mass", too_large);
+    refuses_each(chain, cd_chain_set_mass(chain, bad), "mass", too_small);
+    refuses_each(chain, cd_chain_set_stiffness(chain, bad), "stiffness", not_finite);
+    refuses_each(chain, cd_chain_set_stiffness(chain, bad), "stiffness", negative);
+    refuses_each(chain, cd_chain_set_stiffness(chain, bad), "stiffness", too_large);
+    refuses_each(chain, cd_chain_set_bend(chain, bad), "bend", not_finite);
+    refuses_each(chain, cd_chain_set_bend(chain, bad), "bend", negative);
+    refuses_each(chain, cd_chain_set_bend(chain, bad), "bend", too_large);
+    refuses_each(chain, cd_chain_set_drag(chain, bad), "drag", not_finite);
+    refuses_each(chain, cd_chain_set_drag(chain, bad), "drag", negative);
+    refuses_each(chain, cd_chain_set_drag(chain, bad), "drag", too_large);
+    refuses_each(chain, cd_chain_set_stiffness_damping(chain, bad), "seconds", not_finite);
+    refuses_each(chain, cd_chain_set_stiffness_damping(chain, bad), "seconds", negative);
+    refuses_each(chain, cd_chain_set_stiffness_damping(chain, bad), "seconds", too_large);
+    refuses_each(chain, cd_chain_step(chain, bad, 1), "dt", not_finite);
+    refuses_each(chain, cd_chain_step(chain, bad, 1), "dt", not_positive);
+    refuses_each(chain, cd_chain_step(chain, bad, 1), "dt", not_a_step);
+    refuses_each(chain, cd_chain_step(chain, bad, 0), "dt", not_finite);
+    refuses_each(chain, cd_chain_attach(chain, 2, bad, 1, NULL, COMPONENTS), "stiffness", not_finite);
+    refuses_each(chain, cd_chain_attach(chain, 2, bad, 1, NULL, COMPONENTS), "stiffness", negative);
+    refuses_each(chain, cd_chain_attach(chain, 2, bad, 1, NULL, COMPONENTS), "stiffness", too_large);
+    refuses_each(chain, cd_chain_attach(chain, 2, 1, bad, NULL, COMPONENTS), "damping", not_finite);
+    refuses_each(chain, cd_chain_attach(chain, 2, 1, bad, NULL, COMPONENTS), "damping", negative);
+    refuses_each(chain, cd_chain_attach(chain, 2, 1, bad, NULL, COMPONENTS), "damping", too_large);
 }
 
 static void the_extremes_of_the_header_are_taken(void** state) {
@@ -236,50 +214,12 @@ static void what_the_chain_cannot_do_is_said_to_be_unsupported(void** state) {
     cd_chain_destroy(ring);
 }
 
-/* A by-value argument of this type is told apart by these statuses. */
-static const struct {
-    const char* type;
-    cd_status statuses[4];
-} kinds[] = {
-    {"double", {CD_ERROR_VALUE}},
-    {"const double*", {CD_ERROR_VALUE}},
-    {"int32_t", {CD_ERROR_VALUE}},
-    {"size_t", {CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_SIZE}},
-    {"cd_precision", {CD_ERROR_ENUM}},
-    {"cd_method", {CD_ERROR_ENUM}},
-    {"cd_mass_rule", {CD_ERROR_ENUM}},
-    {"cd_end", {CD_ERROR_ENUM}},
-    {"cd_node", {CD_ERROR_ENUM}},
-};
-
 /* Any count of steps is good; the sizes of save and load are tried in test_keep.c. */
 static const char* const elsewhere[] = {"cd_chain_step count", "cd_chain_save size", "cd_chain_load size"};
 
 static void every_number_in_the_header_was_tried(void** state) {
     (void)state;
-    static struct prototype functions[100];
-    const size_t count = read_prototypes("chain.h", functions, COUNT(functions));
-    size_t missing = 0;
-    for (size_t i = 0; i < count; ++i) {
-        bool of_a_field = false;
-        for (size_t j = 0; j < functions[i].count; ++j)
-            if (strcmp(functions[i].parameters[j].type, "cd_field") == 0) of_a_field = true;
-        for (size_t j = 0; j < functions[i].count && !of_a_field; ++j) {
-            const struct parameter* parameter = &functions[i].parameters[j];
-            bool tried = strchr(parameter->type, '*') && strcmp(parameter->type, "const double*") != 0;
-            char name[128];
-            snprintf(name, sizeof name, "%s %s", functions[i].name, parameter->name);
-            for (size_t k = 0; k < COUNT(elsewhere); ++k)
-                if (strcmp(elsewhere[k], name) == 0) tried = true;
-            for (size_t k = 0; k < COUNT(kinds); ++k)
-                for (size_t s = 0; s < 4 && kinds[k].statuses[s] && strcmp(kinds[k].type, parameter->type) == 0; ++s)
-                    if (was_refused(functions[i].name, kinds[k].statuses[s], parameter->name)) tried = true;
-            if (tried) continue;
-            print_error("%s: nothing bad was tried for %s %s\n", functions[i].name, parameter->type, parameter->name);
-            ++missing;
-        }
-    }
-    assert_int_equal(missing, 0);
+    all_numbers_were_tried("chain", elsewhere, COUNT(elsewhere));
 }
 
 int main(void) {

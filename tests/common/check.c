@@ -19,22 +19,41 @@ void check_ok(cd_status status, const char* call, const char* file, int line) {
     stop(file, line);
 }
 
-uint64_t hash_of(const cd_chain* chain) {
+uint64_t hash_of_chain(const void* object) {
     uint64_t hash = 0;
-    ok(cd_chain_hash(chain, &hash));
+    ok(cd_chain_hash(object, &hash));
     return hash;
+}
+
+uint64_t hash_of_membrane(const void* object) {
+    uint64_t hash = 0;
+    ok(cd_membrane_hash(object, &hash));
+    return hash;
+}
+
+uint64_t hash_of_nothing(const void* object) {
+    assert_null(object);
+    return 0;
 }
 
 static size_t name_length(const char* call) { return strcspn(call, "( \n"); }
 
-void refusal_begin(const cd_chain* chain, const char* call) {
-    hash_before = chain ? hash_of(chain) : 0;
+void refusal_begin(const void* object, hash_function* hash, const char* call) {
+    hash_before = hash(object);
     memset(&out, 0xA5, sizeof out);
     memcpy(&out_before, &out, sizeof out);
     /* a message of another function, so that one left over from before is not taken for this call's */
     if (strncmp(call, "cd_chain_get_steps(", 19) == 0) cd_chain_get_time(NULL, NULL);
     else cd_chain_get_steps(NULL, NULL);
 }
+
+const struct bad_number not_finite[NOT_FINITE] = {{NAN, "nan"}, {INFINITY, "inf"}, {-INFINITY, "-inf"}};
+const struct bad_number negative[NEGATIVE] = {{-1, "-1"}, {-0x1p-1000, ""}};
+const struct bad_number not_positive[NOT_POSITIVE] = {{0, "0"}, {-0.0, "0"}, {-2.5, "-2.5"}};
+const struct bad_number too_large[TOO_LARGE] = {{1.0625e60, "1.0625e+60"}, {1e300, "1e+300"}};
+const struct bad_number too_small[TOO_SMALL] = {{0.5e-60, "5e-61"}, {0x1p-1074, ""}};
+const struct bad_number not_a_share[NOT_A_SHARE] = {{-0.25, "-0.25"}, {1.5, "1.5"}, {1e9, "1e+09"}};
+const struct bad_number not_a_step[NOT_A_STEP] = {{1e-31, "1e-31"}, {1e31, "1e+31"}, {-0.125, "-0.125"}};
 
 static bool is_name_character(char c) {
     return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -51,8 +70,8 @@ static bool holds(const char* message, const char* piece, size_t length) {
     return false;
 }
 
-void refusal_end(const cd_chain* chain, cd_status got, cd_status wanted, const char* call, const char* text,
-                 const char* file, int line) {
+void refusal_end(const void* object, hash_function* hash, cd_status got, cd_status wanted, const char* call,
+                 const char* text, const char* file, int line) {
     const char* message = cd_error_message();
     if (got != wanted) {
         print_error("%s\n    gives %s, not %s; the last message is: %s\n", call, cd_status_name(got),
@@ -75,8 +94,8 @@ void refusal_end(const cd_chain* chain, cd_status got, cd_status wanted, const c
         print_error("%s\n    says \"%s\": not the function and then, each, %s\n", call, message, text);
         stop(file, line);
     }
-    if (chain && hash_of(chain) != hash_before) {
-        print_error("%s\n    is refused, and yet it changes the chain\n", call);
+    if (hash(object) != hash_before) {
+        print_error("%s\n    is refused, and yet it changes the object\n", call);
         stop(file, line);
     }
     if (memcmp(&out, &out_before, sizeof out) != 0) {

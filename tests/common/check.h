@@ -3,7 +3,7 @@
  *   ok(cd_chain_set_mass(chain, 2.0));
  *   refuses(chain, cd_chain_set_mass(chain, NAN), CD_ERROR_VALUE, "mass|nan");
  *
- * A refused call returns the status, leaves the chain's hash as it was, leaves every byte of `out` alone (point the
+ * A refused call returns the status, leaves the object's hash as it was, leaves every byte of `out` alone (point the
  * call's outputs into it), and sets a message that names the function and holds every piece of the text between bars.
  * The first piece is the argument's name; after a ~ the message may do without it. What was refused is remembered: see
  * refusals.h. */
@@ -23,30 +23,52 @@ struct outputs {
     int32_t i32;
     const void* pointer;
     cd_chain* chain;
+    cd_membrane* membrane;
     unsigned char bytes[64];
 };
 extern struct outputs out;
 
 void check_ok(cd_status status, const char* call, const char* file, int line);
-void refusal_begin(const cd_chain* chain, const char* call);
-void refusal_end(const cd_chain* chain, cd_status got, cd_status wanted, const char* call, const char* text,
-                 const char* file, int line);
+typedef uint64_t hash_function(const void* object);
+void refusal_begin(const void* object, hash_function* hash, const char* call);
+void refusal_end(const void* object, hash_function* hash, cd_status got, cd_status wanted, const char* call,
+                 const char* text, const char* file, int line);
 
 #define ok(call) check_ok((call), #call, __FILE__, __LINE__)
 
-#define refuses(chain, call, status, text)                                                                             \
+#define refuses(object, call, status, text)                                                                            \
     do {                                                                                                               \
-        refusal_begin((chain), #call);                                                                                 \
+        refusal_begin((object), hash_function_of(object), #call);                                                      \
         const cd_status refused_ = (call);                                                                             \
-        refusal_end((chain), refused_, (status), #call, (text), __FILE__, __LINE__);                                   \
+        refusal_end((object), hash_function_of(object), refused_, (status), #call, (text), __FILE__, __LINE__);        \
     } while (0)
+
+/* Numbers that are out of some range, and how a message shows them. */
+struct bad_number {
+    double value;
+    const char* shown;
+};
+enum { NOT_FINITE = 3, NEGATIVE = 2, NOT_POSITIVE = 3, TOO_LARGE = 2, TOO_SMALL = 2, NOT_A_SHARE = 3, NOT_A_STEP = 3 };
+extern const struct bad_number not_finite[NOT_FINITE], negative[NEGATIVE], not_positive[NOT_POSITIVE],
+    too_large[TOO_LARGE], too_small[TOO_SMALL], not_a_share[NOT_A_SHARE], not_a_step[NOT_A_STEP];
+
+/* A call with `bad` among its arguments, for each bad number in the table. */
+#define refuses_each(object, call, argument, table)                                                                    \
+    for (size_t i_ = 0; i_ < COUNT(table); ++i_) {                                                                     \
+        const double bad = (table)[i_].value;                                                                          \
+        refuses((object), call, CD_ERROR_VALUE, text_of("%s|%s", argument, (table)[i_].shown));                        \
+    }
 
 /* Text by printf's rules, good for the next 8 calls; name_and_size gives "name|18446744073709551615". */
 const char* text_of(const char* format, ...) __attribute__((format(printf, 1, 2)));
 const char* name_and_size(const char* name, size_t value);
 
-/* The state's hash; fails the test if there is none. */
-uint64_t hash_of(const cd_chain* chain);
+/* The hash of a chain's or a membrane's state; fails the test if there is none. Of NULL: 0. */
+#define hash_of(object) (hash_function_of(object)(object))
+#define hash_function_of(object)                                                                                       \
+    _Generic((object), cd_chain*: hash_of_chain, const cd_chain*: hash_of_chain, cd_membrane*: hash_of_membrane,       \
+             const cd_membrane*: hash_of_membrane, void*: hash_of_nothing)
+hash_function hash_of_chain, hash_of_membrane, hash_of_nothing;
 
 /* The same numbers, bit for bit (0 and -0 differ, a NaN equals itself). */
 #define assert_same_bits(a, b, count) assert_memory_equal((a), (b), (count) * sizeof *(a))

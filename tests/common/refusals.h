@@ -28,6 +28,14 @@ size_t read_prototypes(const char* header, struct prototype* out_prototypes, siz
 /* Was a call of `function` refused with `status`, by a message whose first piece is `argument`? */
 bool was_refused(const char* function, cd_status status, const char* argument);
 
+/* Each fails the test if something bad is still to be tried for an argument in include/contdyn/<object>.h: null for
+ * every pointer and a dead and a foreign one for the object itself; a bad number for every number and array of numbers;
+ * a bad field, range or value where there is a field. Arguments in `but`, such as "cd_chain_attach target", may be null
+ * or are tried in another program. */
+void all_pointers_were_tried(const char* object, const char* const* but, size_t count);
+void all_numbers_were_tried(const char* object, const char* const* but, size_t count);
+void all_field_arguments_were_tried(const char* object);
+
 /* Remembers one; called by refuses(). */
 void remember_refusal(const char* function, cd_status status, const char* text);
 

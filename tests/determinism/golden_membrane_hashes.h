@@ -17,10 +17,10 @@
 {2, 3, 0, {0x3cd2410beb61bb08, 0x71c8b76095346323}}, /* flag */
 {2, 0, 1, {0xb687817956ed46b7, 0x1b9b98c56a44b263}}, /* flag */
 {2, 3, 1, {0x971590fef1c7d01a, 0x2869a0c8cdf27500}}, /* flag */
-{3, 0, 0, {0x0f433898917ba58d, 0xb0ca4e5beb7fa124}}, /* plate */
+{3, 0, 0, {0x04d2792853ab7b57, 0x97f58f67dcdb32d8}}, /* plate */
 {3, 1, 0, {0xea85fea299701f04, 0xe5dc292e76cd287a}}, /* plate */
 {3, 2, 0, {0x85ead6767913d304, 0x67efd6c8c1531f3f}}, /* plate */
-{3, 3, 0, {0x0edcabb5674cd899, 0x30cc693a4b405d12}}, /* plate */
+{3, 3, 0, {0x2a84ce77ee889810, 0xd5a82982fcf1fec9}}, /* plate */
 {3, 0, 1, {0xbb8aee28be501bd9, 0xa670f15c7a23be57}}, /* plate */
 {3, 3, 1, {0x55afa0f429205b46, 0x3ecb430e450182c4}}, /* plate */
 {4, 0, 0, {0x0031f91666abe52f, 0x73fd452a09457785}}, /* tube */
@@ -35,27 +35,27 @@
 {5, 3, 0, {0x909b6e95678b21b8, 0xd59aac492df35cee}}, /* torus */
 {5, 0, 1, {0xf2a09f2614062dfc, 0x6eb7b04bf10a4e18}}, /* torus */
 {5, 3, 1, {0x016433d611255177, 0x9b17bdb63885c6f9}}, /* torus */
-{6, 0, 0, {0xe12da42e5710d808, 0x178044f2a04f9fdb}}, /* torn */
-{6, 1, 0, {0xf7b37db4bf1ac208, 0xc7d50b82f46a1ee8}}, /* torn */
-{6, 2, 0, {0x2facb238a92423b2, 0x69519bcab3000889}}, /* torn */
-{6, 3, 0, {0x83d4a6e6f053fa3c, 0x9173c7f407d35d05}}, /* torn */
-{6, 0, 1, {0x90ac55ccacd6ad36, 0xb963461b9cc5642e}}, /* torn */
-{6, 3, 1, {0x2c06663143fdb803, 0x8f6445bb99a7e0c1}}, /* torn */
+{6, 0, 0, {0x52abf360e5e1f6e2, 0x1a21559c24d46469}}, /* torn */
+{6, 1, 0, {0xc3ecc9c6c2b19db0, 0x0548acff8057e509}}, /* torn */
+{6, 2, 0, {0x096c7eac64bc1cfa, 0x1dbf5909b5f7e258}}, /* torn */
+{6, 3, 0, {0xf7b00c8328af8a98, 0x67f6e82191a113d0}}, /* torn */
+{6, 0, 1, {0xebfa7a864019019e, 0xc9c1bac0b45a16ae}}, /* torn */
+{6, 3, 1, {0x486914f5d826ee19, 0xec78fd0ffa3b567a}}, /* torn */
 {7, 0, 0, {0x298627ce53f03b45, 0x9c83b27a3afd3ee0}}, /* tied */
 {7, 1, 0, {0x7a24da4792344fdd, 0xca02ad651d64dbb6}}, /* tied */
 {7, 2, 0, {0x3a7a7e355a386344, 0x5a19a91e55a393aa}}, /* tied */
 {7, 3, 0, {0xf923d91ffa68589d, 0xf8f03315454dfd75}}, /* tied */
 {7, 0, 1, {0xb9432015831b7060, 0x9f3fd3ec5f01eb90}}, /* tied */
 {7, 3, 1, {0x6396af62d428a4d0, 0x9bd83bb1c4375f2a}}, /* tied */
-{8, 0, 0, {0x25d040aa58a87fbb, 0xd5c6bafda37388f8}}, /* everything */
-{8, 1, 0, {0x490dcc1be8dc514d, 0x959255ca769e7c6a}}, /* everything */
-{8, 2, 0, {0xfaa5963fe1954b6c, 0xcc06191467aa458d}}, /* everything */
-{8, 3, 0, {0xbda52e90e73c8919, 0xbd1bc6d23b5ce070}}, /* everything */
-{8, 0, 1, {0xda751377dca2b687, 0x690cd31f27108728}}, /* everything */
-{8, 3, 1, {0x326f5640c5474341, 0x18fc33979396bec0}}, /* everything */
-{9, 0, 0, {0x29710faddaa28afe, 0x06c64f174b97a45b}}, /* everything, tube */
-{9, 1, 0, {0x3fa276cc5686af48, 0x55d00c94b41f3444}}, /* everything, tube */
-{9, 2, 0, {0x69155d28f7651b48, 0x1dfdc2716d08fbaa}}, /* everything, tube */
-{9, 3, 0, {0x60423648b4cfe606, 0x4409e73a255c002f}}, /* everything, tube */
-{9, 0, 1, {0xd3f519bbca4ecef7, 0x99e9a11a97e212b3}}, /* everything, tube */
-{9, 3, 1, {0xc4b69cbca0456522, 0xcabdd683712ea99e}}, /* everything, tube */
+{8, 0, 0, {0x2ffe0619e282e2c8, 0x3c82548acf23e46c}}, /* everything */
+{8, 1, 0, {0x3af754ebc287b48f, 0xeece48ebe1d451f5}}, /* everything */
+{8, 2, 0, {0x1ad83564a8a1bd2e, 0xd6b1437bc8be1c74}}, /* everything */
+{8, 3, 0, {0x8b6cbd35ec388059, 0xef78e592e6c7ba93}}, /* everything */
+{8, 0, 1, {0x966b5c90b99aedbc, 0x8df55ee89a2e5420}}, /* everything */
+{8, 3, 1, {0x686bdfb652a5b995, 0xfd2c6cbcf0ffbed2}}, /* everything */
+{9, 0, 0, {0xe8a5ff0b91679182, 0x15393da55946ca2d}}, /* everything, tube */
+{9, 1, 0, {0x08a93167d0329b7a, 0x34cf84c253419d23}}, /* everything, tube */
+{9, 2, 0, {0x66cfafd6b74572f5, 0xaacea143fc5fdf12}}, /* everything, tube */
+{9, 3, 0, {0x3d0fe91e35e3c78f, 0x13e574cf65ab894a}}, /* everything, tube */
+{9, 0, 1, {0xa4ef117df485c60e, 0x3aa02685528d926d}}, /* everything, tube */
+{9, 3, 1, {0xf5289829d0c361ab, 0xb0aa63d2596dfa77}}, /* everything, tube */

@@ -6,7 +6,7 @@ unset DESTDIR
 
 here=$SOURCE/tests/install
 prefix=$WORK/moved
-expected="contdyn $VERSION: last node at 0.000000 -1.000000"
+expected="contdyn $VERSION: rope down to 0.000000 -1.000000, curtain down to -1.000000"
 
 fail() {
     printf '%s: %s\n' "$(basename "$0" .sh)" "$*" >&2

@@ -1,4 +1,4 @@
-// The rope of consumer.c, from C++.
+// The rope and the curtain of consumer.c, from C++.
 #include <contdyn/contdyn.h>
 
 #include <cstdio>
@@ -12,7 +12,26 @@ static void check(cd_status status) {
 
 struct Release {
     void operator()(cd_chain* chain) const { cd_chain_destroy(chain); }
+    void operator()(cd_membrane* membrane) const { cd_membrane_destroy(membrane); }
 };
+
+static double curtain() {
+    cd_membrane* created = nullptr;
+    check(cd_membrane_create(8, 12, 1, CD_FLOAT64, nullptr, &created));
+    const std::unique_ptr<cd_membrane, Release> membrane(created);
+
+    const double gravity = -9.81;
+    check(cd_membrane_set_mass(membrane.get(), 2.0));
+    check(cd_membrane_set_stiffness(membrane.get(), 1.0, 9.81));
+    check(cd_membrane_set_gravity(membrane.get(), &gravity, 1));
+    check(cd_membrane_set_edge(membrane.get(), CD_EDGE_V_FIRST, CD_NODE_PINNED));
+    check(cd_membrane_set_lambda(membrane.get(), 1.0));
+    check(cd_membrane_step(membrane.get(), 100.0, 20));
+
+    double corner = 0;
+    check(cd_membrane_read_f64(membrane.get(), CD_POSITION, 8, 12, 1, 1, &corner, 1));
+    return corner;
+}
 
 int main() {
     const std::size_t springs = 16;
@@ -30,5 +49,6 @@ int main() {
 
     std::vector<double> last(2);
     check(cd_chain_read_f64(chain.get(), CD_POSITION, 0, 1, springs, 1, last.data(), last.size()));
-    std::printf("contdyn %s: last node at %.6f %.6f\n", cd_version_string(), last[0] + 0.0, last[1]);
+    std::printf("contdyn %s: rope down to %.6f %.6f, curtain down to %.6f\n", cd_version_string(), last[0] + 0.0,
+                last[1], curtain());
 }

@@ -15,10 +15,11 @@ Study smooth_wave(const Report& report, std::size_t springs) {
     study.key = "chain.wave.n" + std::to_string(springs);
     study.title = "n = " + std::to_string(springs) + " springs";
     study.time = 1;
-    Problem& problem = study.problem;
+    Problem problem;
     problem.springs = springs;
     problem.pin_first = problem.pin_last = true;
     problem.position = gaussian_bump(springs);
+    study.make = runners_of(problem);
     SineModes modes(springs, 1, problem.position, 200);
     study.exact = modes.at(study.time);
 
@@ -32,7 +33,7 @@ Study smooth_wave(const Report& report, std::size_t springs) {
         std::size_t affordable = std::size_t(std::fmin(node_steps / double(springs), report.by_extent(1e5, 3e5, 2e6)));
         for (cd_precision precision : precisions()) {
             if (how.textbook && precision != precisions().front()) continue;
-            study.curves.push_back({way, precision,
+            study.curves.push_back({&how, precision,
                                     points_between(how.is_explicit() ? limit : 8, std::max(4 * limit, affordable),
                                                    [&](std::size_t steps) {
                                                        return modes.expected_error(how, study.time, steps);

@@ -1,19 +1,10 @@
 #include "chain_runner.hpp"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 
 #include "textbook.hpp"
 
 namespace report {
-
-void check(cd_status status) {
-    if (status == CD_OK) return;
-    std::fprintf(stderr, "contdyn_report: %s: %s\n", cd_status_name(status), cd_error_message());
-    std::exit(1);
-}
 
 Chain::Chain(std::size_t springs, std::size_t components, cd_precision precision, std::size_t strands)
     : strands_(strands), springs_(springs), components_(components) {
@@ -38,43 +29,10 @@ std::uint64_t Chain::hash() const {
     return hash;
 }
 
-std::vector<cd_precision> precisions() {
-    std::vector<cd_precision> there;
-    for (cd_precision precision : {CD_FLOAT64, CD_FLOAT32}) {
-        cd_chain* probe = nullptr;
-        if (cd_chain_create(1, 1, 1, precision, nullptr, &probe) == CD_OK) there.push_back(precision);
-        cd_chain_destroy(probe);
-    }
-    return there;
-}
-
-const char* name_of(cd_precision precision) { return precision == CD_FLOAT32 ? "float32" : "float64"; }
-
-const Method& method(Way way) {
-    static const Method kMethods[] = {
-        {"forward_euler", "forward Euler", CD_METHOD_FORWARD_EULER, 0, false, {4, Marker::triangle}},
-        {"symplectic_euler", "symplectic Euler", CD_METHOD_SYMPLECTIC_EULER, 0, false, {2, Marker::square}},
-        {"implicit_half", "λ = 1/2", CD_METHOD_IMPLICIT, 0.5, false, {1, Marker::circle}},
-        {"implicit_one", "λ = 1", CD_METHOD_IMPLICIT, 1, false, {5, Marker::diamond}},
-        {"stiff_second", "stiff second order", CD_METHOD_STIFF_SECOND, 0, false, {3, Marker::wedge}},
-        {"textbook_symplectic", "textbook symplectic Euler", CD_METHOD_SYMPLECTIC_EULER, 0, true,
-         {0, Marker::plus, Dash::dotted}},
-        {"textbook_half", "textbook λ = 1/2", CD_METHOD_IMPLICIT, 0.5, true, {0, Marker::cross, Dash::dotted}},
-        {"textbook_one", "textbook λ = 1", CD_METHOD_IMPLICIT, 1, true, {0, Marker::diamond, Dash::dotted, true}},
-    };
-    return kMethods[int(way)];
-}
-
 const std::vector<Way>& library_ways() {
     static const std::vector<Way> kWays = {Way::forward_euler, Way::symplectic_euler, Way::half, Way::backward,
                                            Way::stiff_second};
     return kWays;
-}
-
-Style style_of(const Method& method, cd_precision precision) {
-    Style style = method.style;
-    if (precision == CD_FLOAT32) style.hollow = true, style.dash = Dash::dashed;
-    return style;
 }
 
 namespace {
@@ -160,16 +118,7 @@ public:
     std::vector<double> positions() const override { return {chain_.x.begin(), chain_.x.end()}; }
     std::vector<double> velocities() const override { return {chain_.v.begin(), chain_.v.end()}; }
 
-    std::uint64_t hash() const override {  // FNV-1a of positions and velocities
-        std::uint64_t hash = 0xcbf29ce484222325u;
-        for (const std::vector<Real>* values : {&chain_.x, &chain_.v})
-            for (Real value : *values) {
-                unsigned char bytes[sizeof(Real)];
-                std::memcpy(bytes, &value, sizeof value);
-                for (unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
-            }
-        return hash;
-    }
+    std::uint64_t hash() const override { return hash_of(chain_.v, hash_of(chain_.x, kHashStart)); }
 
 private:
     Problem problem_;
@@ -183,6 +132,10 @@ std::unique_ptr<Runner> make_runner(const Problem& problem, const Method& method
     if (!method.textbook) return std::make_unique<LibraryRunner>(problem, method, precision);
     if (precision == CD_FLOAT32) return std::make_unique<TextbookRunner<float>>(problem, method);
     return std::make_unique<TextbookRunner<double>>(problem, method);
+}
+
+MakeRunner runners_of(const Problem& problem) {
+    return [problem](const Method& how, cd_precision precision) { return make_runner(problem, how, precision); };
 }
 
 double stable_dt(const Problem& problem) {

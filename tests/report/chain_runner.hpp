@@ -1,21 +1,15 @@
-// One chain problem, run by the library or by the textbook, behind the same four verbs.
+// A chain, and the problems of one component that the library and the textbook both run.
 #ifndef REPORT_CHAIN_RUNNER_HPP
 #define REPORT_CHAIN_RUNNER_HPP
-
-#include <contdyn/contdyn.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
-#include "plot.hpp"
+#include "runner.hpp"
 
 namespace report {
-
-// Ends the program with the library's message: for calls that cannot fail unless the library is broken.
-void check(cd_status status);
 
 class Chain {
 public:
@@ -34,28 +28,8 @@ private:
     cd_chain* chain_ = nullptr;
 };
 
-// The precisions that this build of the library has.
-std::vector<cd_precision> precisions();
-const char* name_of(cd_precision precision);
-
-// A way to step. Textbook: plain loops and Numerical Recipes' elimination in place of the library.
-struct Method {
-    std::string key, name;
-    cd_method method;
-    double lambda;
-    bool textbook;
-    Style style;
-
-    bool is_explicit() const { return method == CD_METHOD_FORWARD_EULER || method == CD_METHOD_SYMPLECTIC_EULER; }
-};
-
-enum class Way { forward_euler, symplectic_euler, half, backward, stiff_second, textbook_symplectic, textbook_half,
-                 textbook_backward };
-const Method& method(Way way);
+// The library's ways to step a chain.
 const std::vector<Way>& library_ways();
-
-// A method's style with float32 drawn hollow and dashed.
-Style style_of(const Method& method, cd_precision precision);
 
 struct Problem {
     std::size_t springs = 1;
@@ -70,17 +44,8 @@ struct Problem {
     double stiffness_of_spring() const { return stiffness * double(springs); }
 };
 
-class Runner {
-public:
-    virtual ~Runner() = default;
-    virtual void reset() = 0;                                // the initial state; the next step factors anew
-    virtual bool step(double dt, std::size_t count) = 0;     // false: left the finite range
-    virtual std::vector<double> positions() const = 0;
-    virtual std::vector<double> velocities() const = 0;
-    virtual std::uint64_t hash() const = 0;
-};
-
 std::unique_ptr<Runner> make_runner(const Problem& problem, const Method& method, cd_precision precision);
+MakeRunner runners_of(const Problem& problem);
 
 // The longest stable step of the symplectic Euler method, from the library.
 double stable_dt(const Problem& problem);

@@ -19,8 +19,8 @@ namespace {
 const char* const kUsage =
     "usage: contdyn_report [--out DIR] [--only PART[,PART...]] [--short | --full] [--csv]\n"
     "  --out DIR     where to write index.html and the CSV files; default: report\n"
-    "  --only PARTS  of: chain\n"
-    "  --short       coarse, a few seconds; default: a minute or two; --full: nothing scaled up, a quarter of an hour\n"
+    "  --only PARTS  of: chain,membrane\n"
+    "  --short       coarse, half a minute; default: three or four minutes; --full: nothing scaled up, hours\n"
     "  --csv         no page\n";
 
 struct Part {
@@ -30,6 +30,9 @@ struct Part {
 const std::vector<Part> kParts = {
 #ifdef REPORT_CHAIN
     {"chain", report::report_chain},
+#endif
+#ifdef REPORT_MEMBRANE
+    {"membrane", report::report_membrane},
 #endif
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 namespace report {
 namespace {
@@ -24,18 +23,23 @@ Matrix power(Matrix base, std::size_t exponent) {
     return result;
 }
 
-// z = omega dt. x - i v/omega turns by i z; the amplifications G are oracles.md's and that of SDIRK2.
-Matrix one_step(const Method& method, double z) {
-    if (method.method == CD_METHOD_SYMPLECTIC_EULER) return {1 - z * z, z, -z, 1};
-    std::complex<double> w(0, z), g;
-    if (method.method == CD_METHOD_STIFF_SECOND) {
-        const double gamma = 1 - std::sqrt(0.5);
-        g = (1.0 + (1 - 2 * gamma) * w) / ((1.0 - gamma * w) * (1.0 - gamma * w));
-    } else {
-        double lambda = method.method == CD_METHOD_FORWARD_EULER ? 0 : method.lambda;
-        g = (1.0 + (1 - lambda) * w) / (1.0 - lambda * w);
-    }
-    return {g.real(), g.imag(), -g.imag(), g.real()};
+// dw = -dt w^2 (x + h v) / D in each stage of h = lambda dt, with a = (h w_u)^2, b = (h w_v)^2: coupled D = 1 + a + b,
+// alternating D = (1 + a)(1 + b).
+Matrix implicit_step(const Method& method, double lambda, double u, double v) {
+    const double squared = u * u + v * v, z = std::sqrt(squared), a = lambda * lambda * u * u, b = lambda * lambda * v * v;
+    const double d = method.solver == CD_SOLVER_COUPLED ? 1 + a + b : (1 + a) * (1 + b), pull = squared / d;
+    return {1 - lambda * pull, z * (1 - lambda * lambda * pull), -z / d, 1 - lambda * pull};
+}
+
+// u = omega_u dt, v = omega_v dt.
+Matrix one_step(const Method& method, double u, double v) {
+    const double squared = u * u + v * v, z = std::sqrt(squared);
+    if (method.method == CD_METHOD_FORWARD_EULER) return {1, z, -z, 1};
+    if (method.method == CD_METHOD_SYMPLECTIC_EULER) return {1 - squared, z, -z, 1};
+    if (method.method != CD_METHOD_STIFF_SECOND) return implicit_step(method, method.lambda, u, v);
+    const double gamma = 1 - std::sqrt(0.5), on = (1 - gamma) / gamma;  // a backward step of gamma dt, drawn out
+    const Matrix b = implicit_step(method, 1, gamma * u, gamma * v);
+    return b * Matrix{1 + on * (b.a - 1), on * b.b, on * b.c, 1 + on * (b.d - 1)};
 }
 
 }  // namespace
@@ -72,7 +76,7 @@ std::vector<double> SineModes::at(double t, std::size_t stride) const {
 
 std::vector<double> SineModes::stepped(const Method& method, double dt, std::size_t steps, std::size_t stride) const {
     std::vector<double> amplitude = amplitude_;
-    for (std::size_t j = 0; j < amplitude.size(); ++j) amplitude[j] *= mode_after(method, omega_[j], dt, steps);
+    for (std::size_t j = 0; j < amplitude.size(); ++j) amplitude[j] *= mode_after(method, omega_[j], 0, dt, steps);
     return sum(amplitude, stride);
 }
 
@@ -81,8 +85,15 @@ double SineModes::expected_error(const Method& method, double t, std::size_t ste
     return relative_error(stepped(method, t / double(steps), steps, stride), at(t, stride));
 }
 
-double mode_after(const Method& method, double omega, double dt, std::size_t steps) {
-    return power(one_step(method, omega * dt), steps).a;
+double mode_after(const Method& method, double omega_u, double omega_v, double dt, std::size_t steps) {
+    return power(one_step(method, omega_u * dt, omega_v * dt), steps).a;
+}
+
+double frequency_of(const Method& method, double omega_u, double omega_v, double dt) {
+    const Matrix m = one_step(method, omega_u * dt, omega_v * dt);
+    const double half_trace = (m.a + m.d) / 2, determinant = m.a * m.d - m.b * m.c;
+    const double under = determinant - half_trace * half_trace;
+    return under > 0 ? std::atan2(std::sqrt(under), half_trace) / dt : NAN;
 }
 
 std::size_t fewest_steps(const std::function<double(std::size_t)>& error, double tolerance, std::size_t most) {

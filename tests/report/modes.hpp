@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "chain_runner.hpp"
+#include "method.hpp"
 
 namespace report {
 
@@ -26,6 +26,11 @@ public:
     // The error a method makes, in exact arithmetic, with `steps` steps over [0, t], taken over some 500 nodes.
     double expected_error(const Method& method, double t, std::size_t steps) const;
 
+    // By j = mode - 1; and the shape of a mode at node i.
+    const std::vector<double>& amplitude() const { return amplitude_; }
+    const std::vector<double>& omega() const { return omega_; }
+    double shape(std::size_t j, std::size_t i) const { return sine_[i * (j + 1) % (2 * springs_)]; }
+
 private:
     std::size_t springs_;
     std::vector<double> sine_;                  // sin(pi k / n), k = 0 .. 2n-1
@@ -34,8 +39,12 @@ private:
     std::vector<double> sum(const std::vector<double>& amplitude, std::size_t stride) const;
 };
 
-// What a method, in exact arithmetic, makes of a mode of amplitude 1 released from rest: its amplitude after `steps`.
-double mode_after(const Method& method, double omega, double dt, std::size_t steps);
+// What a method, in exact arithmetic, makes of a mode of amplitude 1 released from rest: its amplitude after `steps`. The
+// mode's angular frequency is sqrt(omega_u^2 + omega_v^2), from the two directions of a sheet, or from one.
+double mode_after(const Method& method, double omega_u, double omega_v, double dt, std::size_t steps);
+
+// The angular frequency it moves at, from the eigenvalues of a step; NaN where it does not swing.
+double frequency_of(const Method& method, double omega_u, double omega_v, double dt);
 
 // The fewest steps for which `error` stays within the tolerance, to 1%; most + 1 if more than `most` are needed.
 std::size_t fewest_steps(const std::function<double(std::size_t)>& error, double tolerance, std::size_t most);

@@ -11,10 +11,10 @@ const char* const kStyle = R"css(
 :root{color-scheme:light dark;
 --bg:#fcfcfa;--card:#f3f2ee;--fg:#1c1b1a;--muted:#5d5b57;--grid:#dcdad4;--minor:#efede8;
 --heat:#d9601a;--hot:#1c1b1a;--link:#0a62a8;
---c0:#6b6965;--c1:#0a6fb5;--c2:#d1520a;--c3:#0b8a63;--c4:#a8468c;--c5:#b88400;--c6:#2b9ac4}
+--c0:#6b6965;--c1:#0a6fb5;--c2:#d1520a;--c3:#0b8a63;--c4:#a8468c;--c5:#b88400;--c6:#2b9ac4;--c7:#24221f;--c8:#8a5a2b}
 @media (prefers-color-scheme:dark){:root{--bg:#151617;--card:#1f2123;--fg:#e9e7e2;--muted:#a5a39d;--grid:#383a3d;
 --minor:#242628;--heat:#c2571a;--hot:#fff;--link:#7cc0f5;
---c0:#a9a69f;--c1:#58b1f2;--c2:#ff8f52;--c3:#3ecb9c;--c4:#e290cc;--c5:#edc244;--c6:#8ad6f5}}
+--c0:#a9a69f;--c1:#58b1f2;--c2:#ff8f52;--c3:#3ecb9c;--c4:#e290cc;--c5:#edc244;--c6:#8ad6f5;--c7:#f4f1ea;--c8:#c99b6d}}
 *{box-sizing:border-box}
 body{margin:0 auto;padding:24px 20px 60px;max-width:1120px;background:var(--bg);color:var(--fg);
 font:16px/1.55 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
@@ -31,7 +31,7 @@ margin:1.4em 0;padding:0;list-style:none}
 .heads b{display:block;font-size:1.55rem;line-height:1.25;font-weight:650}
 .heads span{font-size:.9rem;color:var(--muted);display:block;line-height:1.4;margin-top:.2em}
 figure{margin:1.6em 0}
-.panels{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,400px),1fr));gap:18px 24px;align-items:start}
+.panels{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,var(--panel,400px)),1fr));gap:18px 24px;align-items:start}
 .panels svg{width:100%;height:auto;display:block}
 figcaption,.caption{max-width:80ch;font-size:.93rem;color:var(--muted);margin:.7em 0 0}
 figcaption b,.caption b{color:var(--fg);font-weight:600}
@@ -76,9 +76,10 @@ void Page::section(const std::string& id, const std::string& title) { parts_.pus
 
 void Page::paragraph(const std::string& text) { parts_.back().body += "<p>" + escape(text) + "</p>\n"; }
 
-void Page::figure(const std::vector<std::string>& panels, const std::string& legend_html, const std::string& caption) {
+void Page::figure(const std::vector<std::string>& panels, const std::string& legend_html, const std::string& caption,
+                  int panel_width) {
     std::string& body = parts_.back().body;
-    body += "<figure>\n<div class=\"panels\">\n";
+    body += "<figure>\n<div class=\"panels\" style=\"--panel:" + std::to_string(panel_width) + "px\">\n";
     for (const std::string& panel : panels) body += "<div>" + panel + "</div>\n";
     body += "</div>\n" + legend_html + "<figcaption>" +
             caption_html("Figure " + std::to_string(++figures_) + ".", caption) + "</figcaption>\n</figure>\n";

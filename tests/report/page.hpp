@@ -21,8 +21,10 @@ public:
     // Plain text; one paragraph.
     void paragraph(const std::string& text);
 
-    // Panels (SVG) side by side where there is room; the legend (HTML) below them; the caption says what is seen.
-    void figure(const std::vector<std::string>& panels, const std::string& legend_html, const std::string& caption);
+    // Panels (SVG), each at least so wide, side by side where there is room; the legend (HTML) below them; the caption
+    // says what is seen.
+    void figure(const std::vector<std::string>& panels, const std::string& legend_html, const std::string& caption,
+                int panel_width = 400);
 
     void table(const Table& table, const std::string& caption);
 

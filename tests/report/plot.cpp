@@ -1,39 +1,17 @@
 #include "plot.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <set>
 
 #include "format.hpp"
+#include "svg.hpp"
 
 namespace report {
 namespace {
 
-std::string px(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2f", value);
-    return text;
-}
-
-std::string colour(int index) { return "var(--c" + std::to_string(index) + ")"; }
-
-std::string attribute(const char* name, const std::string& value) {
-    return std::string(" ") + name + "=\"" + value + "\"";
-}
-
-std::string text_at(double x, double y, const char* kind, const char* anchor, const std::string& text) {
-    return "<text" + attribute("class", kind) + attribute("x", px(x)) + attribute("y", px(y)) +
-           attribute("text-anchor", anchor) + ">" + escape(text) + "</text>\n";
-}
-
 std::string line_at(const char* kind, double x0, double y0, double x1, double y1) {
     return "<line" + attribute("class", kind) + attribute("x1", px(x0)) + attribute("y1", px(y0)) +
            attribute("x2", px(x1)) + attribute("y2", px(y1)) + "/>\n";
-}
-
-std::string open_svg(double width, double height, const std::string& title) {
-    return "<svg" + attribute("viewBox", "0 0 " + px(width) + " " + px(height)) + attribute("role", "img") +
-           attribute("aria-label", escape(title)) + attribute("style", "max-width:" + px(width * 1.25) + "px") + ">\n";
 }
 
 std::string dash_of(Dash dash) {

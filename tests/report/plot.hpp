@@ -1,12 +1,13 @@
-// Pictures as inline SVG: plots with linear or logarithmic axes, heat maps, and scenes of polylines.
+// Pictures as inline SVG: plots with linear or logarithmic axes, heat maps, scenes of polylines, and surfaces.
 //
-// Colours are the CSS variables --c0 .. --c6 (and --fg, --muted, --grid) that page.cpp defines for light and dark. They
+// Colours are the CSS variables --c0 .. --c8 (and --fg, --muted, --grid) that page.cpp defines for light and dark. They
 // are told apart by colour-blind readers too, and a series is never told by its colour alone: it also has its marker
 // and its dash. Everything scales with the page: each picture is a viewBox that its column stretches.
 #ifndef REPORT_PLOT_HPP
 #define REPORT_PLOT_HPP
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -90,9 +91,22 @@ struct Picture {
     double width = 450;
 };
 
+// A surface of triangles seen from afar and lit from the upper left. Its colours are its own, alike in light and dark.
+struct Surface {
+    std::string title;
+    std::vector<float> vertices;           // x, y, z and the unit normal of each; z points up
+    std::vector<std::uint32_t> triangles;  // vertex numbers
+    std::vector<double> tint;              // of each vertex, -1 (blue) to 1 (orange); empty: cloth with two sides
+    std::vector<std::uint32_t> pins;       // vertices with a dot
+    double azimuth, elevation;             // from where it is seen, in degrees; azimuth 0: along y
+    double x0, y0, x1, y1;                 // the window, to the right and up in the plane of sight
+    double width = 450;
+};
+
 std::string render(const Plot& plot);
 std::string render(const HeatMap& map);
 std::string render(const Picture& picture);
+std::string render(const Surface& surface);  // surface.cpp
 
 // An HTML list of the series' strokes, markers and names; series without a name or with one seen before are left out.
 std::string legend(const std::vector<Series>& series);

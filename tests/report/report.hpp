@@ -10,7 +10,7 @@
 
 namespace report {
 
-// How much to run: a few seconds for tests, a minute or two, or everything without extrapolation.
+// How much to run: little, for tests; minutes; or everything without extrapolation.
 enum class Extent { brief, standard, full };
 
 class Report {
@@ -49,6 +49,7 @@ private:
 
 // The parts, in the order of the page. A further object adds its own line here and in main.cpp.
 void report_chain(Report& report);
+void report_membrane(Report& report);
 
 }  // namespace report
 

@@ -1,16 +1,11 @@
 // report_check CHECK FIRST SECOND: looks at what two runs of the report's short form wrote into FIRST and SECOND.
-// Never at a time.
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <functional>
-#include <map>
 #include <set>
 #include <sstream>
-#include <string>
-#include <vector>
 
-namespace {
+#include "check.hpp"
 
 std::string first, second;
 int failures = 0;
@@ -28,8 +23,6 @@ std::string read(const std::string& path) {
     expect(file.good() && !text.str().empty(), "cannot read " + path + ", or it is empty");
     return text.str();
 }
-
-using Row = std::map<std::string, std::string>;
 
 double real(const Row& row, const std::string& column) {
     auto cell = row.find(column);
@@ -60,22 +53,10 @@ std::vector<Row> rows_of(const std::string& name) {
     return rows;
 }
 
-// ---- the checks -----------------------------------------------------------------------------------------------------
-
-void outcomes_repeat() {
-    for (const char* name : {"outcomes.csv", "chain_figure2.csv", "chain_crossing.csv", "chain_extremes.csv",
-                             "chain_hanging_frames.csv", "scene_rope.csv"})
-        expect(read(first + "/" + name) == read(second + "/" + name), std::string(name) + " differs between two runs");
-    expect(rows_of("outcomes.csv").size() > 100, "fewer than 100 outcomes are hashed");
-}
-
-// Exponent of error ~ dt^p by least squares over the five finest steps.
-void errors_fall_at_their_order() {
-    const std::map<std::string, double> orders = {{"forward_euler", 1}, {"symplectic_euler", 1}, {"implicit_half", 2},
-                                                  {"implicit_one", 1}, {"stiff_second", 2}, {"textbook_half", 2}};
+void expect_orders(const std::string& file, const std::string& study, const std::map<std::string, double>& orders) {
     std::map<std::string, std::map<double, double>> errors;  // by method and dt
-    for (const Row& row : rows_of("chain_work_precision.csv"))
-        if (row.at("case") == "chain.wave.n100" && row.at("precision") == "float64" && real(row, "error") > 1e-9)
+    for (const Row& row : rows_of(file))
+        if (row.at("case") == study && row.at("precision") == "float64" && real(row, "error") > 1e-9)
             errors[row.at("method")][real(row, "dt_s")] = real(row, "error");
     for (const auto& [method, order] : orders) {
         double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
@@ -85,71 +66,18 @@ void errors_fall_at_their_order() {
             n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
         }
         double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-        expect(n == 5 && std::fabs(slope - order) < 0.1, method + " is of order " + std::to_string(slope));
+        expect(n == 5 && std::fabs(slope - order) < 0.1, study + ": " + method + " is of order " + std::to_string(slope));
     }
 }
 
-void stiff_chains_agree_and_the_textbook_does_not() {
-    for (const Row& row : rows_of("chain_extremes.csv")) {
-        double stiffness = real(row, "stiffness_over_mass");
-        double position = real(row, "position_error"), velocity = real(row, "velocity_error");
-        bool one_step = row.at("steps") == "1";
-        std::string what = row.at("method") + " at " + row.at("stiffness_over_mass") + " after " + row.at("steps");
-        if (row.at("textbook") == "0") {
-            expect(position < (one_step ? 1e-5 : 1e-4), what + ": position");
-            // lambda = 1/2 keeps as motion what rounding puts into stiff springs
-            if (one_step || row.at("method") != "implicit_half")
-                expect(velocity < (one_step ? 3e-5 : 1e-3), what + ": velocity");
-        } else if (stiffness >= 1e16) {
-            expect(!(position < 0.1), what + " works, so that this comparison shows nothing");
-        }
-    }
-}
+namespace {
 
-void explicit_steps_need_many_on_a_stiff_chain() {
-    double explicit_steps = 0, implicit_steps = 0;
-    for (const Row& row : rows_of("chain_stiff_cheapest.csv"))
-        if (real(row, "tolerance") == 0.01)
-            explicit_steps = real(row, "explicit_steps"), implicit_steps = real(row, "implicit_steps");
-    expect(implicit_steps > 0 && implicit_steps < 200, "no implicit run of under 200 steps reaches 1%");
-    expect(explicit_steps > 1000 * implicit_steps, "explicit steps are not a thousand times as many");
-}
-
-void the_hanging_rope_stretches_as_it_should() {
-    for (const Row& row : rows_of("chain_hanging.csv")) {
-        double of_exact = real(row, "mean_stretch") / real(row, "exact_stretch");
-        const std::string& method = row.at("method");
-        if (method == "implicit_one" || method == "one_step_of_1e4_s")
-            expect(std::fabs(of_exact - 1) < 2e-3, method + " hangs at the wrong length, n = " + row.at("springs"));
-        if (method == "position_based" && row.at("springs") == "1000")
-            expect(of_exact > 5, "the position-based rope is not too soft, so that this comparison shows nothing");
-    }
-}
-
-void figure_2_is_exact() {
-    double sum = 0;
-    for (const Row& row : rows_of("chain_figure2.csv")) {
-        double exact = real(row, "exact");
-        sum += exact;
-        expect(std::fabs(real(row, "both_passes") - exact) <= 1e-10 * exact, "node " + row.at("node_from_impulse"));
-        if (real(row, "node_from_impulse") < 0)
-            expect(real(row, "forward_pass") == 0, "the forward pass runs backward");
-    }
-    expect(std::fabs(sum - 1) < 1e-4, "the exact filter does not sum to 1");
-}
-
-void a_disturbance_crosses_as_claimed() {
-    std::set<std::string> seen;
-    for (const Row& row : rows_of("chain_crossing.csv")) {
-        const std::string& method = row.at("method");
-        double n = real(row, "springs"), steps = real(row, "steps_to_cross");
-        seen.insert(method);
-        if (method == "forward_euler") expect(std::fabs(steps - 2 * n) <= 1, "forward Euler does not need 2n steps");
-        else if (method == "symplectic_euler")
-            expect(std::fabs(steps - n) <= 1, "symplectic Euler does not need n steps");
-        else expect(steps == 1, method + " does not cross in one step");
-    }
-    expect(seen.size() == 5, "a method is missing");
+void outcomes_repeat() {
+    for (const char* name : {"outcomes.csv", "chain_figure2.csv", "chain_crossing.csv", "chain_extremes.csv",
+                             "chain_hanging_frames.csv", "scene_rope.csv", "membrane_blow_ups.csv",
+                             "membrane_frequencies.csv", "membrane_iterations.csv", "membrane_load.csv"})
+        expect(read(first + "/" + name) == read(second + "/" + name), std::string(name) + " differs between two runs");
+    expect(rows_of("outcomes.csv").size() > 500, "fewer than 500 outcomes are hashed");
 }
 
 // Every tag closed in order, every number in the drawings finite, nothing fetched from elsewhere.
@@ -174,8 +102,8 @@ void the_page_is_well_formed() {
         }
     }
     expect(open.empty(), "a tag is not closed");
-    expect(used["svg"] > 12 && used["table"] >= 5 && used["figure"] > 8, "figures or tables are missing");
-    expect(used["section"] == 7, "a section is missing");
+    expect(used["svg"] > 40 && used["table"] >= 9 && used["figure"] > 18, "figures or tables are missing");
+    expect(used["section"] == 14, "a section is missing");
     expect(used["script"] == 0, "the page needs a script");
     for (const char* bad :
          {"=\"nan", "=\"inf", "=\"-nan", "=\"-inf", " nan ", ">nan", "href=\"http", "src=", "url(http"})
@@ -200,28 +128,24 @@ void the_summary_has_stable_keys() {
         return found;
     };
     std::vector<std::string> here = keys(text), there = keys(again);
-    expect(here.size() > 30, "fewer than 30 main figures");
+    expect(here.size() > 100, "fewer than 100 main figures");
     expect(std::set<std::string>(here.begin(), here.end()).size() == here.size(), "a key comes twice");
     for (const char* key :
          {"chain.growth.exponent.implicit_half.float64", "chain.hanging.n1000.implicit_one.stretch",
-          "chain.figure2.largest_relative_error", "chain.extremes.library.worst_position_error_after_1_step"})
+          "chain.figure2.largest_relative_error", "chain.extremes.library.worst_position_error_after_1_step",
+          "membrane.drum.n64.at_1_percent.explicit_over_implicit", "membrane.stiff_pair.error_at_64_steps.coupled_half",
+          "membrane.growth.exponent.alternating_half.float64", "membrane.iterations.most_but_for_random_springs",
+          "membrane.sluggish.coupled_over_alternating_frequency.at_3", "membrane.safe.library_greatest_growth_of_speed"})
         expect(std::set<std::string>(here.begin(), here.end()).count(key) == 1, std::string("no key ") + key);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::map<std::string, std::function<void()>> checks = {
-        {"outcomes_repeat", outcomes_repeat},
-        {"errors_fall_at_their_order", errors_fall_at_their_order},
-        {"stiff_chains_agree_and_the_textbook_does_not", stiff_chains_agree_and_the_textbook_does_not},
-        {"explicit_steps_need_many_on_a_stiff_chain", explicit_steps_need_many_on_a_stiff_chain},
-        {"the_hanging_rope_stretches_as_it_should", the_hanging_rope_stretches_as_it_should},
-        {"figure_2_is_exact", figure_2_is_exact},
-        {"a_disturbance_crosses_as_claimed", a_disturbance_crosses_as_claimed},
-        {"the_page_is_well_formed", the_page_is_well_formed},
-        {"the_summary_has_stable_keys", the_summary_has_stable_keys},
-    };
+    Checks checks = {{"outcomes_repeat", outcomes_repeat},
+                     {"the_page_is_well_formed", the_page_is_well_formed},
+                     {"the_summary_has_stable_keys", the_summary_has_stable_keys}};
+    for (const Checks& more : {chain_checks(), membrane_checks()}) checks.insert(more.begin(), more.end());
     if (argc != 4 || checks.count(argv[1]) == 0) {
         std::fprintf(stderr, "usage: report_check CHECK FIRST SECOND\n");
         return 2;

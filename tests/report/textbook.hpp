@@ -8,6 +8,21 @@
 
 namespace report {
 
+// Numerical Recipes' elimination of n equations with lower a, diagonal b, upper c and right side r; gamma is scratch.
+template <class Real>
+void tridag(const std::vector<Real>& a, const std::vector<Real>& b, const std::vector<Real>& c,
+            const std::vector<Real>& r, std::vector<Real>& u, std::vector<Real>& gamma) {
+    const std::size_t n = b.size();
+    Real bet = b[0];
+    u[0] = r[0] / bet;
+    for (std::size_t j = 1; j < n; ++j) {
+        gamma[j] = c[j - 1] / bet;
+        bet = b[j] - a[j] * gamma[j];
+        u[j] = (r[j] - a[j] * u[j - 1]) / bet;
+    }
+    for (std::size_t j = n - 1; j-- > 0;) u[j] -= gamma[j + 1] * u[j + 1];
+}
+
 template <class Real>
 struct TextbookChain {
     std::size_t nodes;
@@ -42,7 +57,7 @@ struct TextbookChain {
         }
         if (pin_first) hold_row(0);
         if (pin_last) hold_row(nodes - 1);
-        tridag(lower_, diagonal_, upper_, force_, change_);
+        tridag(lower_, diagonal_, upper_, force_, change_, gamma_);
         for (std::size_t i = 0; i < nodes; ++i) {
             x[i] += dt * (v[i] + lambda * change_[i]);
             v[i] += change_[i];
@@ -72,18 +87,6 @@ private:
     void hold_row(std::size_t i) {
         lower_[i] = upper_[i] = force_[i] = 0;
         diagonal_[i] = 1;
-    }
-
-    void tridag(const std::vector<Real>& a, const std::vector<Real>& b, const std::vector<Real>& c,
-                const std::vector<Real>& r, std::vector<Real>& u) {
-        Real bet = b[0];
-        u[0] = r[0] / bet;
-        for (std::size_t j = 1; j < nodes; ++j) {
-            gamma_[j] = c[j - 1] / bet;
-            bet = b[j] - a[j] * gamma_[j];
-            u[j] = (r[j] - a[j] * u[j - 1]) / bet;
-        }
-        for (std::size_t j = nodes - 1; j-- > 0;) u[j] -= gamma_[j + 1] * u[j + 1];
     }
 };
 

@@ -25,7 +25,7 @@ struct Job {
 };
 
 // Runs every job once untimed, unless that has been done, then in turns: as many rounds as fit `budget` seconds a job,
-// at least `least` and at most `most`.
+// at least `least` and at most `most`; of a run so long that it averages by itself, one.
 inline void time_in_turns(std::vector<Job>& jobs, double budget, std::size_t least, std::size_t most) {
     auto timed = [](Job& job) {
         job.prepare();
@@ -36,7 +36,8 @@ inline void time_in_turns(std::vector<Job>& jobs, double budget, std::size_t lea
     std::vector<std::size_t> rounds;
     for (Job& job : jobs) {
         double first = std::max(job.first > 0 ? job.first : timed(job), 1e-7);
-        rounds.push_back(std::min(most, std::max(least, std::size_t(std::min(budget / first, 1e6)))));
+        const std::size_t wanted = first > 0.3 ? 1 : least;
+        rounds.push_back(std::min(most, std::max(wanted, std::size_t(std::min(budget / first, 1e6)))));
     }
     for (std::size_t round = 0; round < most; ++round)
         for (std::size_t i = 0; i < jobs.size(); ++i)

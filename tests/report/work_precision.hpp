@@ -1,4 +1,4 @@
-// Error against run time for one chain problem: run every method with every step size, time them in turns, find the
+// Error against run time for one problem: run every method with every step size, time them in turns, find the
 // cheapest way to each error.
 #ifndef REPORT_WORK_PRECISION_HPP
 #define REPORT_WORK_PRECISION_HPP
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "chain_runner.hpp"
 #include "report.hpp"
+#include "runner.hpp"
 
 namespace report {
 
@@ -20,18 +20,17 @@ struct Point {
 };
 
 struct Curve {
-    Way way;
+    const Method* how;
     cd_precision precision;
     std::vector<Point> points;  // by steps, ascending
 
-    const Method& how() const { return method(way); }
-    std::string name() const { return how().name + ", " + name_of(precision); }
+    std::string name() const { return how->name + ", " + name_of(precision); }
 };
 
 struct Study {
     std::string key;            // in the CSV and the summary
     std::string title;          // over the plot
-    Problem problem;
+    MakeRunner make;            // of the problem
     double time;                // simulated [s]
     std::vector<double> exact;  // positions then
     std::vector<Curve> curves;  // points with their steps; the rest is filled by measure
@@ -45,6 +44,9 @@ std::vector<Point> points_between(std::size_t least, std::size_t most,
 
 void measure(Report& report, Study& study);
 
+// The point of so many steps, in the widest precision; null if there is none.
+const Point* find_point(const Study& study, Way way, std::size_t steps);
+
 struct Best {
     const Curve* curve = nullptr;
     const Point* point = nullptr;
@@ -55,6 +57,7 @@ struct Best {
 
 enum class Kind { explicit_steps, implicit_steps, textbook };
 
+// A run counts if all with shorter steps are about as good.
 Best cheapest(const Study& study, double tolerance, Kind kind);
 
 // "implicit, 3.1x cheaper": which of the two pays, and how much.

@@ -1,0 +1,262 @@
+/* Every allocation of every call on a membrane that may allocate, refused in turn, once and for good. */
+#include <string.h>
+
+#include "check.h"
+#include "cloth.h"
+#include "heap.h"
+
+enum { NU = 7, NV = 6, COMPONENTS = 3 };
+
+static const double target[COMPONENTS] = {1, 2, 3};
+
+/* Calls on a membrane; `source` is another with everything on, and `bytes` is what it saves. */
+static cd_membrane* source;
+static unsigned char bytes[1 << 16];
+static size_t size;
+
+static cd_status stiff(cd_membrane* m) { return cd_membrane_set_method(m, CD_METHOD_STIFF_SECOND); }
+static cd_status explicit_method(cd_membrane* m) { return cd_membrane_set_method(m, CD_METHOD_SYMPLECTIC_EULER); }
+static cd_status coupled(cd_membrane* m) { return cd_membrane_set_solver(m, CD_SOLVER_COUPLED); }
+static cd_status alternating(cd_membrane* m) { return cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING); }
+static cd_status bend(cd_membrane* m) { return cd_membrane_set_bend(m, 0.01); }
+static cd_status no_bend(cd_membrane* m) { return cd_membrane_set_bend(m, 0); }
+static cd_status pressure(cd_membrane* m) { return cd_membrane_set_pressure(m, 0.5); }
+static cd_status no_pressure(cd_membrane* m) { return cd_membrane_set_pressure(m, 0); }
+static cd_status ring(cd_membrane* m) { return cd_membrane_set_ring(m, 0, 1); }
+static cd_status no_ring(cd_membrane* m) { return cd_membrane_set_ring(m, 0, 0); }
+static cd_status edge(cd_membrane* m) { return cd_membrane_set_edge(m, CD_EDGE_U_FIRST, CD_NODE_PINNED); }
+static cd_status matched(cd_membrane* m) { return cd_membrane_set_edge(m, CD_EDGE_U_LAST, CD_NODE_MATCHED); }
+static cd_status force(cd_membrane* m) { return cd_membrane_enable_field(m, CD_FORCE); }
+static cd_status mass(cd_membrane* m) { return cd_membrane_enable_field(m, CD_MASS); }
+static cd_status along_u(cd_membrane* m) { return cd_membrane_enable_field(m, CD_STIFFNESS_U); }
+static cd_status along_v(cd_membrane* m) { return cd_membrane_enable_field(m, CD_STIFFNESS_V); }
+static cd_status pins(cd_membrane* m) { return cd_membrane_enable_field(m, CD_PIN); }
+static cd_status masks(cd_membrane* m) { return cd_membrane_enable_field(m, CD_MASK); }
+static cd_status targets(cd_membrane* m) { return cd_membrane_enable_field(m, CD_TARGET); }
+static cd_status no_mass(cd_membrane* m) { return cd_membrane_disable_field(m, CD_MASS); }
+static cd_status no_pins(cd_membrane* m) { return cd_membrane_disable_field(m, CD_PIN); }
+static cd_status attach(cd_membrane* m) { return cd_membrane_attach(m, 2, 2, 5, 1, target, COMPONENTS); }
+static cd_status load(cd_membrane* m) { return cd_membrane_load(m, bytes, size); }
+static cd_status copy(cd_membrane* m) { return cd_membrane_copy_state(m, source); }
+static cd_status step(cd_membrane* m) { return cd_membrane_step(m, 0.001, 3); }
+static cd_status reset(cd_membrane* m) { return cd_membrane_reset(m); }
+static cd_status impulse(cd_membrane* m) { return cd_membrane_impulse(m, 3, 2, 2.5, target, COMPONENTS); }
+
+static const struct call {
+    const char* name;
+    cd_status (*make)(cd_membrane*);
+    int never; /* never allocates, in any scene */
+} calls[] = {{"set_method", stiff, 0},         {"set_method explicit", explicit_method, 0},
+             {"set_solver coupled", coupled, 0}, {"set_solver alternating", alternating, 0},
+             {"set_bend", bend, 0},            {"set_bend 0", no_bend, 0},
+             {"set_pressure", pressure, 0},    {"set_pressure 0", no_pressure, 0},
+             {"set_ring", ring, 0},            {"set_ring 0", no_ring, 0},
+             {"set_edge", edge, 0},            {"set_edge matched", matched, 0},
+             {"enable force", force, 0},       {"enable mass", mass, 0},
+             {"enable stiffness u", along_u, 0}, {"enable stiffness v", along_v, 0},
+             {"enable pin", pins, 0},          {"enable mask", masks, 0},
+             {"enable target", targets, 0},    {"disable mass", no_mass, 0},
+             {"disable pin", no_pins, 0},      {"attach", attach, 0},
+             {"load", load, 0},                {"copy_state", copy, 0},
+             {"step", step, 1},                {"reset", reset, 1},
+             {"impulse", impulse, 1}};
+
+/* As it is: nothing on. */
+static void nothing(cd_membrane* m) { cloth_lay_out(m, 0.1); }
+
+/* Explicit: no factorization is held. */
+static void unfactored(cd_membrane* m) {
+    nothing(m);
+    ok(cd_membrane_set_method(m, CD_METHOD_FORWARD_EULER));
+}
+
+static const struct cloth_scene beginnings[] = {{"nothing", nothing}, {"unfactored", unfactored},
+                                                {"drum", cloth_drum}, {"flag", cloth_flag},
+                                                {"plate", cloth_plate}, {"tube", cloth_tube},
+                                                {"torn", cloth_torn}, {"everything", cloth_everything_tube}};
+
+static int set_up(void** state) {
+    (void)state;
+    source = cloth(NU, NV, COMPONENTS, CD_FLOAT64);
+    cloth_everything(source);
+    ok(cd_membrane_step(source, 0.001, 3));
+    ok(cd_membrane_save(source, bytes, sizeof bytes, &size));
+    return 0;
+}
+
+static int tear_down(void** state) {
+    (void)state;
+    cd_membrane_destroy(source);
+    return 0;
+}
+
+static cd_membrane* begin(struct heap* heap, const struct cloth_scene* beginning) {
+    const cd_allocator allocator = heap_allocator(heap);
+    cd_membrane* m = cloth_from(&allocator, NU, NV, COMPONENTS, CD_FLOAT64);
+    beginning->build(m);
+    ok(cd_membrane_step(m, 0.001, 2));
+    return m;
+}
+
+static void assert_accounts_for(const cd_membrane* m, const struct heap* heap) {
+    size_t held;
+    ok(cd_membrane_get_memory(m, &held));
+    assert_int_equal(held, heap->live_bytes);
+    assert_int_equal(heap->mistakes, 0);
+}
+
+/* The hash after the call and some steps, when memory does not run out; and how often the call asks for it. */
+static uint64_t undisturbed(const struct cloth_scene* beginning, const struct call* call, cd_status* out_status,
+                            size_t* out_asked) {
+    struct heap heap = {0};
+    cd_membrane* m = begin(&heap, beginning);
+    heap_fail(&heap, 0, false);
+    *out_status = call->make(m);
+    *out_asked = heap.asked;
+    assert_accounts_for(m, &heap);
+    ok(cd_membrane_step(m, 0.001, 4));
+    const uint64_t hash = hash_of(m);
+    cd_membrane_destroy(m);
+    heap_free(&heap);
+    return hash;
+}
+
+static void a_refused_allocation_changes_nothing_and_the_membrane_still_works(void** state) {
+    (void)state;
+    size_t refused = 0;
+    for (size_t b = 0; b < COUNT(beginnings); ++b) {
+        for (size_t i = 0; i < COUNT(calls); ++i) {
+            cd_status wanted;
+            size_t asked;
+            const uint64_t after = undisturbed(&beginnings[b], &calls[i], &wanted, &asked);
+            if (calls[i].never) assert_int_equal(asked, 0);
+            for (int for_good = 0; for_good <= 1; ++for_good) {
+                for (size_t at = 1; at <= asked; ++at) {
+                    struct heap heap = {0};
+                    cd_membrane* m = begin(&heap, &beginnings[b]);
+                    const uint64_t before = hash_of(m);
+                    const size_t live = heap.live_bytes, blocks = heap.live_blocks;
+                    heap_fail(&heap, at, for_good);
+                    const cd_status status = calls[i].make(m);
+                    if (status != CD_ERROR_MEMORY)
+                        fail_msg("%s, %s, request %zu refused: %s", beginnings[b].name, calls[i].name, at,
+                                 cd_status_name(status));
+                    assert_true(heap.refused > 0);
+                    ++refused;
+                    assert_non_null(strstr(cd_error_message(), "cd_membrane_"));
+                    assert_int_equal(hash_of(m), before);
+                    assert_int_equal(heap.live_bytes, live);
+                    assert_int_equal(heap.live_blocks, blocks);
+                    assert_accounts_for(m, &heap);
+                    heap_fail(&heap, 0, false); /* memory is back: the same call now does what it always did */
+                    assert_int_equal(calls[i].make(m), wanted);
+                    ok(cd_membrane_step(m, 0.001, 4));
+                    assert_int_equal(hash_of(m), after);
+                    assert_accounts_for(m, &heap);
+                    cd_membrane_destroy(m);
+                    heap_free(&heap);
+                }
+            }
+        }
+    }
+    assert_true(refused > 100);
+}
+
+static void a_membrane_steps_on_as_before_after_a_refused_call(void** state) {
+    (void)state;
+    for (size_t b = 0; b < COUNT(beginnings); ++b) {
+        struct heap heap = {0}, calm = {0};
+        cd_membrane* m = begin(&heap, &beginnings[b]);
+        cd_membrane* undisturbed_one = begin(&calm, &beginnings[b]);
+        for (size_t i = 0; i < COUNT(calls); ++i) {
+            if (calls[i].never) continue;
+            cd_membrane* copy_of = cloth(NU, NV, COMPONENTS, CD_FLOAT64);
+            ok(cd_membrane_copy_state(copy_of, m));
+            heap_fail(&heap, 1, true);
+            const cd_status status = calls[i].make(m);
+            const size_t asked = heap.asked;
+            heap_fail(&heap, 0, false);
+            assert_int_equal(status == CD_ERROR_MEMORY, asked > 0);
+            if (status == CD_OK) ok(cd_membrane_copy_state(m, copy_of)); /* needed none: take it back */
+            cd_membrane_destroy(copy_of);
+        }
+        ok(cd_membrane_step(m, 0.001, 20));
+        ok(cd_membrane_step(undisturbed_one, 0.001, 20));
+        assert_int_equal(hash_of(m), hash_of(undisturbed_one));
+        cd_membrane_destroy(m);
+        cd_membrane_destroy(undisturbed_one);
+        heap_free(&heap);
+        heap_free(&calm);
+    }
+}
+
+static void a_create_that_runs_out_of_memory_gives_all_of_it_back(void** state) {
+    (void)state;
+    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+        struct heap heap = {0};
+        const cd_allocator allocator = heap_allocator(&heap);
+        cd_membrane* m = NULL;
+        heap_fail(&heap, 0, false);
+        ok(cd_membrane_create(NU, NV, COMPONENTS, precision, &allocator, &m));
+        const size_t asked = heap.asked;
+        assert_true(asked > 0);
+        assert_accounts_for(m, &heap);
+        cd_membrane_destroy(m);
+        for (int for_good = 0; for_good <= 1; ++for_good) {
+            for (size_t at = 1; at <= asked; ++at) {
+                heap_fail(&heap, at, for_good);
+                refuses(NULL, cd_membrane_create(NU, NV, COMPONENTS, precision, &allocator, &out.membrane),
+                        CD_ERROR_MEMORY, "");
+                assert_int_equal(heap.live_bytes, 0);
+                assert_int_equal(heap.live_blocks, 0);
+            }
+        }
+        heap_fail(&heap, asked + 1, true);
+        ok(cd_membrane_create(NU, NV, COMPONENTS, precision, &allocator, &m));
+        cd_membrane_destroy(m);
+        heap_free(&heap);
+    }
+}
+
+static void the_memory_told_is_the_memory_held(void** state) {
+    (void)state;
+    for (size_t scene = 0; scene < CLOTHS; ++scene) {
+        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+            struct heap heap = {0};
+            const cd_allocator allocator = heap_allocator(&heap);
+            cd_membrane* m = cloth_from(&allocator, 5 + scene, 14 - scene, 1 + scene % 4, precision);
+            assert_accounts_for(m, &heap);
+            cloths[scene].build(m);
+            assert_accounts_for(m, &heap);
+            for (cd_method method = CD_METHOD_STIFF_SECOND; method >= CD_METHOD_IMPLICIT; --method) {
+                for (cd_solver solver = CD_SOLVER_COUPLED; solver >= CD_SOLVER_ALTERNATING; --solver) {
+                    ok(cd_membrane_set_method(m, method));
+                    ok(cd_membrane_set_solver(m, solver));
+                    assert_accounts_for(m, &heap);
+                    ok(cd_membrane_step(m, 0.0001, 2));
+                    assert_accounts_for(m, &heap);
+                }
+            }
+            for (int on = 1; on >= 0; --on) {
+                for (cd_field field = CD_FORCE; field <= CD_MASK; ++field) {
+                    if (field == CD_STIFFNESS || field == CD_BEND) continue;
+                    ok(on ? cd_membrane_enable_field(m, field) : cd_membrane_disable_field(m, field));
+                    assert_accounts_for(m, &heap);
+                    ok(cd_membrane_step(m, 0.0001, 1));
+                }
+            }
+            cd_membrane_destroy(m);
+            heap_free(&heap);
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_refused_allocation_changes_nothing_and_the_membrane_still_works),
+        cmocka_unit_test(a_membrane_steps_on_as_before_after_a_refused_call),
+        cmocka_unit_test(a_create_that_runs_out_of_memory_gives_all_of_it_back),
+        cmocka_unit_test(the_memory_told_is_the_memory_held),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

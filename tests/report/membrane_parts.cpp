@@ -1,0 +1,15 @@
+#include "membrane_parts.hpp"
+
+namespace report {
+
+void report_membrane(Report& report) {
+    report_membrane_precision(report);
+    report_membrane_stiff(report);
+    report_membrane_sluggish(report);
+    report_membrane_growth(report);
+    report_membrane_cost(report);
+    report_membrane_iterations(report);
+    report_membrane_scenes(report);
+}
+
+}  // namespace report
