@@ -4,18 +4,18 @@
 //
 // Separable sheets, alternating: B dw = r, rows then columns, with
 //      B = (M' + A_u) M'^-1 (M' + A_v),     M' = M (1 + h drag),     A_d = h (h + damping) K_d.
-// Of a plate with twist A_d has the bend along d twice: with both ends of every line held or joined, the twist is at most
-// as stiff as the two bends together, 2 |x_uv|^2 <= |x_uu|^2 + |x_vv|^2 in the mean. So B >= S, which makes steps stable
-// for lambda >= 1/2. (With the bends once and the twist in r alone, B - h^2 K has modes of no mass, and with drag of a
-// negative one: a hinged plate then grows without bound.)
+// Of a plate with twist A_d has the bend along d twice: with both ends of every line held or joined, the twist is at
+// most as stiff as the two bends together, 2 |x_uv|^2 <= |x_uu|^2 + |x_vv|^2 in the mean. So B >= S, which makes steps
+// stable for lambda >= 1/2. (With the bends once and the twist in r alone, B - h^2 K has modes of no mass, and with
+// drag of a negative one: a hinged plate then grows without bound.)
 //
-// B >= S needs directions that commute. Where they do not, the factored system blows up; a pinned corner is enough. So on
-// any other sheet the lines' answers only span a space, and w is the element of it that comes nearest to the system in
-// energy. Its residual is then orthogonal to w, and the energy's change over a step, which is w times what the step got
-// wrong, is that of the exact solve: none at lambda = 1/2, a loss above. The space is v, a motion of all nodes alike (so
-// that momentum is kept), S_u r, S_v r and S_v M S_u r + S_u M S_v r, with S_d = (M + A_d)^-1 and r what is left of the
-// system after the best multiple of v. With v in it the steps together act as conjugate gradients towards the static
-// solution.
+// B >= S needs directions that commute. Where they do not, the factored system blows up; a pinned corner is enough. So
+// on any other sheet the lines' answers only span a space, and w is the element of it that comes nearest to the system
+// in energy. Its residual is then orthogonal to w, and the energy's change over a step, which is w times what the step
+// got wrong, is that of the exact solve: none at lambda = 1/2, a loss above. The space is v, a motion of all nodes
+// alike (so that momentum is kept; of the heaviest part, where a sheet is in parts), S_u r, S_v r and S_v M S_u r + S_u
+// M S_v r, with S_d = (M + A_d)^-1 and r what is left of the system after the best multiple of v. With v in it the
+// steps together act as conjugate gradients towards the static solution.
 //
 // Coupled: conjugate gradients on the same r; then once more the best of v, all alike and its answer, for the same
 // reasons.

@@ -185,7 +185,6 @@ void prepare_planes(const Membrane& m, Work& w, double h, double sigma) {
             w.mass[at] = mass;
             w.ground[at] = moves ? mass + h * drag_of(m, u, v) + (w.implicit ? h * h * tie_of(m, u, v) : 0) : 0;
             w.inverse[at] = moves ? 1 / mass : 0;
-            if (w.one) w.one[at] = moves ? 1 : 0;
             if (w.tie) w.tie[at] = h * tie_of(m, u, v);
             if (w.twist) w.twist[at] = sigma * twist_of(m, u, v);
             for (Direction d : {kU, kV}) {
@@ -224,6 +223,52 @@ double mean_mass(const Membrane& m, const Work& w) {
             moving += w.mass[v * w.grid.pitch + u] > 0;
         }
     return moving > 0 ? sum / double(moving) : 1;
+}
+
+// w.one: 1 on the heaviest part of what springs and bend hold together, else 0. Parts must not feel each other's motion.
+void prepare_one(const Membrane& m, Work& w) {
+    const auto place = [&](size_t u, size_t v) { return v * w.grid.pitch + u; };
+    // Every node points to one of its part, in the end to the part's first one, which gathers its mass (from 1 on, as 0
+    // marks what does not move).
+    double* const points = w.scaled;
+    const auto first_of = [&](size_t at) {
+        while (size_t(points[at]) - 1 != at) {
+            const size_t next = size_t(points[at]) - 1;
+            points[at] = points[next];
+            at = next;
+        }
+        return at;
+    };
+    const auto join = [&](size_t a, size_t b) {
+        if (!(points[a] > 0) || !(points[b] > 0)) return;
+        a = first_of(a), b = first_of(b);
+        if (a < b) points[b] = double(a + 1);
+        else points[a] = double(b + 1);
+    };
+    for (size_t v = 0; v < m.rows; ++v)
+        for (size_t u = 0; u < m.columns; ++u) {
+            points[place(u, v)] = w.mass[place(u, v)] > 0 ? double(place(u, v) + 1) : 0;
+            w.one[place(u, v)] = 0;
+        }
+    for (size_t v = 0; v < m.rows; ++v)
+        for (size_t u = 0; u < m.columns; ++u) {
+            const size_t at = place(u, v);
+            if (w.spring[kU][at] > 0 || w.bends) join(at, place(after(m, kU, u), v));
+            if (w.spring[kV][at] > 0 || w.bends) join(at, place(u, after(m, kV, v)));
+        }
+    size_t heaviest = 0;
+    for (size_t v = 0; v < m.rows; ++v)
+        for (size_t u = 0; u < m.columns; ++u) {
+            if (!(points[place(u, v)] > 0)) continue;
+            const size_t first = first_of(place(u, v));
+            w.one[first] += w.mass[place(u, v)];
+            if (w.one[first] > w.one[heaviest]) heaviest = first;
+        }
+    for (size_t v = 0; v < m.rows; ++v)
+        for (size_t u = 0; u < m.columns; ++u) {
+            const size_t at = place(u, v);
+            w.one[at] = points[at] > 0 && first_of(at) == heaviest ? 1 : 0;
+        }
 }
 
 void prepare_lines(const Membrane& m, Work& w, double sigma) {
@@ -287,7 +332,10 @@ void prepare(Membrane& m, Work& w, double dt) {
     if (w.implicit && !w.coupled && !m.separable) prepare_lines(m, w, sigma);
     if (w.implicit && w.coupled) prepare_multigrid(m, w, sigma);
     m.whole = false;
-    if (w.implicit && (w.coupled || !m.separable)) measure(m, w);
+    if (w.implicit && (w.coupled || !m.separable)) {
+        measure(m, w);
+        prepare_one(m, w);
+    }
 }
 
 } // namespace cd

@@ -313,7 +313,7 @@ static void setting_a_total_writes_its_field_anew(void** state) {
     cd_membrane_destroy(m);
 }
 
-static void a_ring_deals_the_totals_of_its_direction_out_anew(void** state) {
+static void a_ring_deals_the_totals_out_anew(void** state) {
     (void)state;
     cd_membrane* m = cloth(NU, NV, 1, CD_FLOAT64);
     ok(cd_membrane_set_mass(m, 24));
@@ -325,7 +325,7 @@ static void a_ring_deals_the_totals_of_its_direction_out_anew(void** state) {
     assert_true(sheet_get(m, CD_MASS, 2, 1) == 1);
     for (size_t u = 0; u < COLUMNS; ++u)
         for (size_t v = 0; v < ROWS; ++v) assert_true(sheet_get(m, CD_STIFFNESS_U, u, v) == 1.5);
-    assert_true(sheet_get(m, CD_STIFFNESS_V, 2, 1) == 9); /* the other direction keeps its own */
+    assert_true(sheet_get(m, CD_STIFFNESS_V, 2, 1) != 9);
     sheet_set(m, CD_STIFFNESS_U, 2, 1, 9);
     ok(cd_membrane_set_ring(m, 1, 0)); /* one already: nothing happens */
     assert_true(sheet_get(m, CD_STIFFNESS_U, 2, 1) == 9);
@@ -363,7 +363,7 @@ int main(void) {
         cmocka_unit_test(switching_on_what_is_on_keeps_its_values),
         cmocka_unit_test(a_field_switched_off_gives_its_memory_back_and_its_values_up),
         cmocka_unit_test(setting_a_total_writes_its_field_anew),
-        cmocka_unit_test(a_ring_deals_the_totals_of_its_direction_out_anew),
+        cmocka_unit_test(a_ring_deals_the_totals_out_anew),
         cmocka_unit_test(what_is_not_there_leaves_no_trace_in_the_hash),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

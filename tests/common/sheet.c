@@ -161,9 +161,10 @@ long double sheet_omega_max(const struct sheet* s) {
     return sheet_omega(&mode);
 }
 
-/* The rate of change a of an implicit stage of length h is (1 + h c + h^2 w^2) a = -w^2 (x + h v) - c v; factored, with
- * m = 1 + h drag and a_d = h (h + damping) w_d^2, the bracket becomes (m + a_u) (m + a_v) / m; of a sheet that can twist
- * each a_d counts the bend twice. Then x += s (v + h a) and v += s a: once with s = dt, or, stiff second order, h = g dt, with s = (1 - g) dt and then with s = g dt. */
+/* The rate of change a of an implicit stage of length h is (1 + h c + h^2 w^2) a = -w^2 (x + h v) - c v. Factored, with
+ * m = 1 + h drag and a_d = h (h + damping) w_d^2, the bracket becomes (m + a_u) (m + a_v) / m; a sheet that can twist
+ * counts the bend twice in each a_d. Then x += s (v + h a) and v += s a: once with s = dt, or, stiff second order,
+ * h = g dt, with s = (1 - g) dt and then with s = g dt. */
 struct matrix2 sheet_step_matrix(const struct sheet* sheet, const struct sheet_mode* mode, const struct time_step* step,
                                  cd_solver solver, long double dt) {
     const long double omega = sheet_omega(mode), w2 = omega * omega, c = sheet->drag + sheet->damping * w2;

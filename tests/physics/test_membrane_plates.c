@@ -106,49 +106,52 @@ static void a_clamped_square_plate_swings_at_35_985(void** state) {
     }
 }
 
-/* Drag, and the mode for which the directions' h^2 omega^2 multiply to about the mass with its drag: there the twist,
- * which is on the right side alone, weighs most. lambda 1/2 without drag still has a kept energy there; with drag none
- * that would hold back a factored step whose factors hold the drag. */
-static void plates_with_drag_lose_energy_at_any_step(void** state) {
+/* Started at rest no plate ever holds more energy than then: from far below the step that mode (4, 4) can take to far
+ * above, with drag from none to much. The twist joins the directions, so that no factor of one of them holds it. */
+static void plates_never_gain_energy_at_any_step_and_drag(void** state) {
     (void)state;
     static const struct time_step ways[] = {{"lambda 1/2", CD_METHOD_IMPLICIT, 0.5, 0, 0},
                                             {"lambda 0.6", CD_METHOD_IMPLICIT, 0.6, 0, 0},
                                             {"lambda 1", CD_METHOD_IMPLICIT, 1, 0, 0},
                                             {"stiff second", CD_METHOD_STIFF_SECOND, 0, 0, 0}};
     enum { N = 13 };
+    double worst = 0;
     for (int solver = 0; solver < 2; ++solver)
         for (size_t w = 0; w < COUNT(ways); ++w)
-            for (double reach = 0.5; reach < 200; reach *= 1.3)
-                for (double drag = 0.01; drag < 2000; drag *= 10) {
+            for (double reach = 0.5; reach < 200; reach *= 1.5)
+                for (double drag = 0.001; drag < 2000; drag *= 10) {
                     struct sheet s = {.ends = {SHEET_FIXED, SHEET_FIXED}, .nodes = {N, N}, .mass = 1, .bend = 1};
                     const struct sheet_mode mode = sheet_mode(&s, 4, 4);
                     const double dt = reach / (double)sheet_omega(&mode);
-                    double x[N * N], v[N * N];
+                    double x[N * N];
                     uint64_t seed = 9;
-                    s.drag = drag / dt;
+                    s.drag = drag < 0.005 ? 0 : drag / dt;
                     for (size_t i = 0; i < N * N; ++i) {
                         const int rim = i % N == 0 || i % N == N - 1 || i / N == 0 || i / N == N - 1;
-                        x[i] = rim ? 0 : random_number(&seed), v[i] = rim ? 0 : random_number(&seed) / dt;
+                        x[i] = rim ? 0 : random_number(&seed);
                     }
                     cd_membrane* m = sheet_membrane(&s, 1, CD_FLOAT64);
                     sheet_set_time_step(m, &ways[w]);
                     ok(cd_membrane_set_solver(m, solver));
                     sheet_write(m, CD_POSITION, x);
-                    sheet_write(m, CD_VELOCITY, v);
-                    sheet_step(m, dt, 10);
-                    const double before = sheet_swing_energy(m);
-                    sheet_step(m, dt, 200);
-                    const double after = sheet_swing_energy(m);
-                    if (!(after <= 10 * before))
-                        print_message("hinged plate, %s, %s, omega_44 dt = %.3g, drag dt = %g: energy x %.3g\n",
-                                      solver_names[solver], ways[w].name, reach, drag, after / before);
-                    assert_true(after <= 10 * before);
+                    const double start = sheet_swing_energy(m);
+                    double highest = 0;
+                    for (int call = 0; call < (solver ? 4 : 20); ++call) {
+                        sheet_step(m, dt, 10);
+                        highest = fmax(highest, sheet_swing_energy(m) / start);
+                    }
+                    if (!(highest <= 1 + 1e-9))
+                        print_message("hinged plate, %s, %s, omega_44 dt = %.3g, drag dt = %g: energy x %.9g\n",
+                                      solver_names[solver], ways[w].name, reach, s.drag * dt, highest);
+                    worst = fmax(worst, highest);
                     cd_membrane_destroy(m);
                 }
+    assert_true(worst <= 1 + 1e-9);
 }
 
-/* Without drag, and with the mode where that product is 1 to the last digit. */
-static void an_undamped_plate_is_bounded_where_twist_weighs_most(void** state) {
+/* Where (h omega_u) (h omega_v) is 1 the twist weighs as much as mass and factors together: a mode that would be
+ * without any mass, were the twist on the right side alone, and run away. */
+static void a_plate_does_not_run_away_where_twist_weighs_most(void** state) {
     (void)state;
     enum { N = 13 };
     const struct sheet s = {.ends = {SHEET_FIXED, SHEET_FIXED}, .nodes = {N, N}, .mass = 1, .bend = 1};
@@ -162,10 +165,7 @@ static void an_undamped_plate_is_bounded_where_twist_weighs_most(void** state) {
         sheet_write(m, CD_POSITION, x);
         const double start = sheet_swing_energy(m);
         sheet_step(m, dt, 1000);
-        const double end = sheet_swing_energy(m);
-        print_message("hinged plate, %s, omega dt = 4: energy x %.3g after 1000 steps\n", solver_names[solver],
-                      end / start);
-        assert_true(end <= 10 * start);
+        assert_true(sheet_swing_energy(m) <= (1 + 1e-9) * start);
         cd_membrane_destroy(m);
     }
 }
@@ -174,8 +174,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hinged_plates_swing_at_their_frequencies_to_second_order),
         cmocka_unit_test(a_clamped_square_plate_swings_at_35_985),
-        cmocka_unit_test(plates_with_drag_lose_energy_at_any_step),
-        cmocka_unit_test(an_undamped_plate_is_bounded_where_twist_weighs_most),
+        cmocka_unit_test(plates_never_gain_energy_at_any_step_and_drag),
+        cmocka_unit_test(a_plate_does_not_run_away_where_twist_weighs_most),
     };
     return cmocka_run_group_tests_name("membrane plates", tests, NULL, NULL);
 }

@@ -246,6 +246,27 @@ static void a_driven_edge_is_a_pinned_one_seen_in_motion(void** state) {
     assert_true(worst <= 1e-10);
 }
 
+/* What moves a driven edge is outside: neither its momentum nor its kinetic energy is the sheet's. */
+static void a_driven_edge_counts_in_no_momentum_and_kinetic_energy(void** state) {
+    (void)state;
+    cd_membrane* m = NULL;
+    double v[NODES], momentum, kinetic, sum = 0, energy = 0;
+    uint64_t seed = 6;
+    ok(cd_membrane_create(COLUMNS - 1, ROWS - 1, 1, CD_FLOAT64, NULL, &m));
+    ok(cd_membrane_set_mass(m, NODES));
+    ok(cd_membrane_set_edge(m, CD_EDGE_V_LAST, CD_NODE_DRIVEN));
+    for (size_t i = 0; i < NODES; ++i) {
+        v[i] = random_number(&seed);
+        if (i < NODES - COLUMNS) sum += v[i], energy += v[i] * v[i] / 2;
+    }
+    sheet_write(m, CD_VELOCITY, v);
+    ok(cd_membrane_get_momentum(m, &momentum, 1));
+    ok(cd_membrane_get_energy(m, &kinetic, NULL, NULL));
+    assert_near(momentum, sum, 1e-13, 1);
+    assert_near(kinetic, energy, 1e-13, 1);
+    cd_membrane_destroy(m);
+}
+
 /* An edge that moves as sin(w t), the one across fixed: sin(w (1 - s)) / sin(w) sin(w t), of second order. */
 static void a_driven_edge_makes_a_standing_wave(void** state) {
     (void)state;
@@ -344,6 +365,7 @@ int main(void) {
         cmocka_unit_test(a_plane_wave_leaves_through_a_matched_edge_and_returns_from_others),
         cmocka_unit_test(four_matched_edges_let_a_drop_leave),
         cmocka_unit_test(a_driven_edge_is_a_pinned_one_seen_in_motion),
+        cmocka_unit_test(a_driven_edge_counts_in_no_momentum_and_kinetic_energy),
         cmocka_unit_test(a_driven_edge_makes_a_standing_wave),
         cmocka_unit_test(a_travelling_wave_keeps_its_shape_round_a_torus),
     };

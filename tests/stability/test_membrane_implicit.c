@@ -14,39 +14,53 @@ static const struct time_step ways[] = {{"lambda 1/2", CD_METHOD_IMPLICIT, 0.5, 
                                         {"lambda 1", CD_METHOD_IMPLICIT, 1, 0, 0},
                                         {"stiff second", CD_METHOD_STIFF_SECOND, 0, 0, 0}};
 
+/* The sheet with its bend alone. */
+static struct grid* bend_of(cd_membrane* m) {
+    double along_u, along_v;
+    ok(cd_membrane_get_stiffness(m, &along_u, &along_v));
+    ok(cd_membrane_set_stiffness(m, 0, 0));
+    struct grid* bend = grid_of(m);
+    ok(cd_membrane_set_stiffness(m, along_u, along_v));
+    return bend;
+}
+
 /* The energy that a step cannot raise. B (w - v) = b - S v with B = S + R is, for constant R, the step with the true
- * system of a sheet whose mass is M + R: factoring leaves R = A_u M'^-1 A_v - h (h + damping) K_twist, with
- * A_d = h (h + damping) K_d and M' = M (1 + h drag). So 1/2 v (M + R) v + E stands for the energy where both directions
- * are factored, and the energy itself everywhere else. */
+ * system of a sheet whose mass is M + R: factoring leaves R = A_u M'^-1 A_v + b_u + b_v - t, with M' = M (1 + h drag),
+ * t and b_d the twist and the bends times h (h + damping), and in A_d the bends counted twice. So 1/2 v (M + R) v + E
+ * stands for the energy where both directions are factored, and the energy itself everywhere else. */
 static double kept_energy(cd_membrane* m, const struct time_step* way, double dt, int factored) {
     double energy = sheet_swing_energy(m);
     if (!factored) return energy;
-    struct grid* g = grid_of(m);
+    struct grid *g = grid_of(m), *bend = bend_of(m);
     const size_t n = g->nodes, each = g->components;
     const long double h = (way->method == CD_METHOD_STIFF_SECOND ? 1 - sqrtl(0.5L) : way->lambda) * dt;
     const long double h2 = h * (h + g->damping);
     double* v = calloc(n * each, sizeof *v);
-    long double* one = calloc(n, sizeof *one);
-    long double* part = calloc(n, sizeof *part);
-    long double* twist = calloc(n, sizeof *twist);
-    assert_true(v && one && part && twist);
+    enum { ONE, ALONG_V, BEND_U, BEND_V, TWIST, BOTH, AGAIN, PARTS };
+    long double* part[PARTS];
+    for (int k = 0; k < PARTS; ++k) assert_non_null(part[k] = calloc(n, sizeof **part));
+    assert_non_null(v);
     sheet_read(m, CD_VELOCITY, v);
     for (size_t c = 0; c < each; ++c) {
-        for (size_t i = 0; i < n; ++i) one[i] = v[i * each + c];
-        grid_stiffness(g, GRID_TWIST, one, twist);
-        grid_stiffness(g, GRID_ALONG_V, one, part);
-        for (size_t i = 0; i < n; ++i) part[i] *= h2 / (g->mass[i] * (1 + h * g->drag));
-        long double* both = calloc(n, sizeof *both);
-        assert_non_null(both);
-        grid_stiffness(g, GRID_ALONG_U, part, both);
-        for (size_t i = 0; i < n; ++i) energy += (double)(one[i] * (h2 * both[i] - h2 * twist[i]) / 2);
-        free(both);
+        for (size_t i = 0; i < n; ++i) part[ONE][i] = v[i * each + c];
+        grid_stiffness(g, GRID_TWIST, part[ONE], part[TWIST]);
+        grid_stiffness(g, GRID_ALONG_V, part[ONE], part[ALONG_V]);
+        grid_stiffness(bend, GRID_ALONG_U, part[ONE], part[BEND_U]);
+        grid_stiffness(bend, GRID_ALONG_V, part[ONE], part[BEND_V]);
+        for (size_t i = 0; i < n; ++i)
+            part[ALONG_V][i] = h2 * (part[ALONG_V][i] + part[BEND_V][i]) / (g->mass[i] * (1 + h * g->drag));
+        grid_stiffness(g, GRID_ALONG_U, part[ALONG_V], part[BOTH]);
+        grid_stiffness(bend, GRID_ALONG_U, part[ALONG_V], part[AGAIN]);
+        for (size_t i = 0; i < n; ++i) {
+            const long double left =
+                part[BOTH][i] + part[AGAIN][i] + part[BEND_U][i] + part[BEND_V][i] - part[TWIST][i];
+            energy += (double)(part[ONE][i] * h2 * left / 2);
+        }
     }
+    for (int k = 0; k < PARTS; ++k) free(part[k]);
     free(v);
-    free(one);
-    free(part);
-    free(twist);
     grid_destroy(g);
+    grid_destroy(bend);
     return energy;
 }
 
