@@ -27,9 +27,11 @@
  *      cost, and as stiff as it should be. Take it for stiff cloth that hangs, swings or is thrown as a whole. It needs
  *      many iterations where springs or masses vary at random by decades, and where a plate with free edges has much
  *      more bend than stretch.
- * lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance. On uniform sheets,
- * alternating, the energy so kept counts the extra mass in what moves; in CD_FLOAT32 each rounding of a velocity is
- * then a kick of so many times its energy: take CD_FLOAT64 or the coupled solver where (w_u h) (w_v h) is beyond 1e4.
+ * lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance; the momentum of a free
+ * sheet is kept too (of one torn into parts, that of the heaviest part; the others' as well as the solver reaches). On
+ * uniform sheets, alternating, the energy so kept counts the extra mass in what moves; in CD_FLOAT32 each rounding of a
+ * velocity is then a kick of so many times its energy: take CD_FLOAT64 or the coupled solver where (w_u h) (w_v h) is
+ * beyond 1e4. Plates with stiffness damping are first order in time under the alternating solver, all else is second.
  *
  * All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are stored
  * in. Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them, so that a
@@ -154,7 +156,8 @@ CD_API cd_status cd_membrane_get_pressure(const cd_membrane* membrane, double* o
  * driving leaves their velocity, which is then written through CD_VELOCITY. CD_NODE_MATCHED leaves the edge free, with
  * the impedance that sends no echo back to a wave that runs straight at it. Where CD_PIN is switched on, free, pinned
  * and driven are written to it along the edge. The getter tells what was set last, whatever was written to CD_PIN
- * since. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED in the direction of a ring; CD_ERROR_MEMORY. */
+ * since.
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED in the direction of a ring; CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_set_edge(cd_membrane* membrane, cd_edge edge, cd_node kind);
 CD_API cd_status cd_membrane_get_edge(const cd_membrane* membrane, cd_edge edge, cd_node* out_kind);
 
@@ -214,8 +217,8 @@ CD_API cd_status cd_membrane_view(const cd_membrane* membrane, cd_field field, c
 
 /* Adds impulse [N s], one number per component, spread over the nodes that are less than `radius` springs away from
  * the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which
- * are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass; pinned,
- * driven and absent nodes take none of it, and their shares are lost. u in [0, nu], v in [0, nv], radius >= 0.
+ * are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass;
+ * pinned, driven and absent nodes take none of it, and their shares are lost. u in [0, nu], v in [0, nv], radius >= 0.
  * Errors: CD_ERROR_RANGE for count; CD_ERROR_VALUE. */
 CD_API cd_status cd_membrane_impulse(cd_membrane* membrane, double u, double v, double radius, const double* impulse,
                                      size_t count);

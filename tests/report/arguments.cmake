@@ -1,7 +1,8 @@
 # cmake -DPROGRAM=... -DFOLDER=... -P arguments.cmake: --csv writes no page; arguments that mean nothing are refused.
 
 file(REMOVE_RECURSE ${FOLDER})
-execute_process(COMMAND ${PROGRAM} --short --only chain --csv --out ${FOLDER} RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+execute_process(COMMAND ${PROGRAM} --short --only chain --csv --out ${FOLDER}
+  RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
 if(NOT status EQUAL 0 OR EXISTS ${FOLDER}/index.html OR NOT EXISTS ${FOLDER}/chain_growth.csv OR
     EXISTS ${FOLDER}/membrane_growth.csv)
   message(FATAL_ERROR "--csv: status ${status}, or a page was written, or a CSV file is missing or too many")

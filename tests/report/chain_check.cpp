@@ -7,8 +7,12 @@ namespace {
 
 void errors_fall_at_their_order() {
     expect_orders("chain_work_precision.csv", "chain.wave.n100",
-                  {{"forward_euler", 1}, {"symplectic_euler", 1}, {"implicit_half", 2}, {"implicit_one", 1},
-                   {"stiff_second", 2}, {"textbook_half", 2}});
+                  {{"forward_euler", 1},
+                   {"symplectic_euler", 1},
+                   {"implicit_half", 2},
+                   {"implicit_one", 1},
+                   {"stiff_second", 2},
+                   {"textbook_half", 2}});
 }
 
 void stiff_chains_agree_and_the_textbook_does_not() {

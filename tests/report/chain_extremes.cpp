@@ -137,7 +137,7 @@ Outcome outcome_of(double spring, const Method& how, cd_precision precision, std
 }
 
 std::string short_name(double spring) {
-    return std::isinf(spring) ? "∞" : power_of_ten(int(std::lround(std::log10(spring))));
+    return std::isinf(spring) ? "∞" : nearest_power_of_ten(spring);
 }
 
 }  // namespace

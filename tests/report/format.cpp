@@ -39,6 +39,8 @@ std::string power_of_ten(int exponent) {
     return "10" + superscript(exponent);
 }
 
+std::string nearest_power_of_ten(double value) { return power_of_ten(int(std::lround(std::log10(value)))); }
+
 std::string count(double value) {
     std::string digits = rounded(std::fabs(value), 0), text;
     for (std::size_t i = 0; i < digits.size(); ++i) {

@@ -24,6 +24,7 @@ std::string percent(double fraction, int significant = 2);
 
 // 10 with a superscript exponent; 1 and 10 are written out.
 std::string power_of_ten(int exponent);
+std::string nearest_power_of_ten(double value);
 
 // For CSV and for `key: value` lines: shortest text that reads back as the same number.
 std::string plain(double value);

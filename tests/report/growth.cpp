@@ -36,7 +36,8 @@ void measure_size(Report& report, const Sized& sized, std::vector<Growth>& growt
     for (Growth& growth : growths) {
         const Method& how = *growth.how;
         auto expected = [&](std::size_t steps) { return sized.expected_error(how, steps); };
-        std::size_t steps = how.is_explicit() ? sized.limit : fewest_steps(expected, 0.999 * kGrowthTolerance, 1u << 22);
+        std::size_t steps =
+            how.is_explicit() ? sized.limit : fewest_steps(expected, 0.999 * kGrowthTolerance, 1u << 22);
         std::size_t timed = std::min(steps, sized.affordable(how));
         growth.costs.push_back({sized.size, sized.nodes, steps, timed, 0, 0, NAN});
         runners.push_back(sized.make(how, growth.precision));
@@ -68,8 +69,11 @@ std::string crossing(const Growth& explicit_steps, const Growth& implicit) {
 }
 
 GrowthView view(Report& report, const std::vector<Growth>& growths, const GrowthNames& names) {
-    GrowthView view{{}, {}, Csv(names.size + ",method,precision,textbook,steps,timed_steps,seconds,error,ns_per_node_step"),
-                    {}, false};
+    GrowthView view{{},
+                    {},
+                    Csv(names.size + ",method,precision,textbook,steps,timed_steps,seconds,error,ns_per_node_step"),
+                    {},
+                    false};
     Plot total, per_node;
     total.title = "cost of one second";
     total.x = {names.label, Scale::log};

@@ -17,8 +17,8 @@ const double kGrowthTolerance = 0.01;
 struct Sized {
     std::size_t size, nodes;
     MakeRunner make;
-    std::vector<double> exact;  // positions in the end
-    std::size_t limit;          // the fewest stable explicit steps
+    std::vector<double> exact;                                         // positions in the end
+    std::size_t limit;                                                 // the fewest stable explicit steps
     std::function<double(const Method&, std::size_t)> expected_error;  // with so many steps, in exact arithmetic
     std::function<std::size_t(const Method&)> affordable;              // the most steps that may be timed
 };
@@ -51,9 +51,9 @@ void measure_size(Report& report, const Sized& sized, std::vector<Growth>& growt
 std::string crossing(const Growth& explicit_steps, const Growth& implicit);
 
 struct GrowthNames {
-    std::string key, size, label;           // "chain.growth"; in the CSV's head; of the axis
-    std::size_t explicit_power;             // expected; of implicit steps it is one less
-    std::vector<std::size_t> at;            // sizes whose time per node and step is told
+    std::string key, size, label;  // "chain.growth"; in the CSV's head; of the axis
+    std::size_t explicit_power;    // expected; of implicit steps it is one less
+    std::vector<std::size_t> at;   // sizes whose time per node and step is told
 };
 
 struct GrowthView {

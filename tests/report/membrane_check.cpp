@@ -12,7 +12,8 @@ void drum_errors_fall_at_their_order() {
     for (const Row& row : rows_of("membrane_work_precision.csv"))
         if (row.at("precision") == "float64") errors[row.at("method")][row.at("steps")] = real(row, "error");
     for (const auto& [steps, error] : errors["textbook_half"])
-        expect(std::fabs(errors["alternating_half"][steps] / error - 1) < 1e-6, "not the textbook's: " + steps + " steps");
+        expect(std::fabs(errors["alternating_half"][steps] / error - 1) < 1e-6,
+               "not the textbook's: " + steps + " steps");
     expect(errors["textbook_half"].size() > 3, "the textbook was hardly run");
     expect(std::fabs(errors["coupled_half"]["64"] / errors["alternating_half"]["64"] - 1) < 0.1,
            "the two solvers disagree on a slow drum");
@@ -28,7 +29,8 @@ void stiff_sheets_need_few_coupled_steps() {
                 if (row.at("case") == study && row.at("precision") == precision && row.at("method") == "coupled_half")
                     for (int i = 0; i < 2; ++i)
                         if (row.at("steps") == (i == 0 ? "64" : "128")) error[i] = real(row, "error");
-            expect(error[0] > 0 && error[0] < 0.03, study + ", " + precision + ": 64 coupled steps do not come within 3%");
+            expect(error[0] > 0 && error[0] < 0.03,
+                   study + ", " + precision + ": 64 coupled steps do not come within 3%");
             expect(std::fabs(error[0] / error[1] - 4) < 0.8, study + ", " + precision + ": not of second order");
         }
     for (const Row& row : rows_of("membrane_stiff_cheapest.csv"))

@@ -18,6 +18,10 @@ struct Kind {
     cd_precision precision;
     double stiffness;
 
+    std::string name() const {
+        return method(way).name +
+               (stiffness > 1 ? ", stiffness over mass " + nearest_power_of_ten(stiffness) : std::string());
+    }
     std::string key() const {
         return method(way).key + ".c" + std::to_string(components) + "." + name_of(precision) +
                (method(way).solver == CD_SOLVER_COUPLED ? ".k" + plain(stiffness) : "");
@@ -52,7 +56,8 @@ Measured make(const Kind& kind, std::size_t n, const std::vector<double>& veloci
         SheetProblem problem;
         problem.nu = problem.nv = n;
         problem.edges = Edges::held;
-        made.textbook = std::make_unique<TextbookSheet<double>>(n + 1, n + 1, problem.mass_of_node(), problem.spring_along_u());
+        made.textbook =
+            std::make_unique<TextbookSheet<double>>(n + 1, n + 1, problem.mass_of_node(), problem.spring_along_u());
         for (std::size_t v = 0; v < n; ++v) made.textbook->along_v[v] = problem.spring_along_v(v);
         for (std::size_t k = 0; k < problem.nodes(); ++k)
             made.textbook->held[k] = problem.is_held(k % (n + 1), k / (n + 1));
@@ -85,16 +90,17 @@ void report_membrane_cost(Report& report) {
     report.page.section("membrane-cost", "Membrane: what a node and step costs");
     report.page.paragraph(
         "A square sheet with all edges held, mass and stiffness 1 if nothing else is said, from random velocities, 60 "
-        "steps a second (explicit methods: nine tenths of their limit), on one core. Of a sheet with 3 components a node "
-        "has three numbers to move. Coupled is solved to a residual of 10⁻⁶, to which a random state takes the most "
-        "iterations. The textbook has one component in float64.");
+        "steps a second (explicit methods: nine tenths of their limit), on one core. Of a sheet with 3 components a "
+        "node has three numbers to move. Coupled is solved to a residual of 10⁻⁶, to which a random state takes the "
+        "most iterations. The textbook has one component in float64.");
     std::vector<std::size_t> sides = {256, 1024};
     if (report.extent == Extent::brief) sides = {32, 64};
     Csv csv("side,method,components,precision,stiffness_over_mass,ns_per_node_step,iterations,bytes_per_node");
     Table table{{"method", "components", "precision"}, {}, {2}};
     std::vector<std::vector<std::string>> rows(kinds().size());
     for (std::size_t n : sides) {
-        table.head.insert(table.head.end(), {"ns per node and step, " + count(double(n)) + "²", "iterations", "bytes a node"});
+        table.head.insert(table.head.end(),
+                          {"ns per node and step, " + count(double(n)) + "²", "iterations", "bytes a node"});
         const double nodes = double((n + 1) * (n + 1));
         std::vector<Measured> measured;
         std::vector<Job> jobs;
@@ -112,7 +118,8 @@ void report_membrane_cost(Report& report) {
             double dt = kFrame;
             if (how.is_explicit() && it->sheet) check(cd_membrane_stable_dt(it->sheet->get(), &dt));
             if (how.is_explicit()) dt = it->sheet ? 0.9 * dt : 0.6 / double(n);
-            jobs.push_back({[] {}, [=] {
+            jobs.push_back({[] {},
+                            [=] {
                                 if (it->sheet) return check(cd_membrane_step(it->sheet->get(), dt, it->steps));
                                 for (std::size_t s = 0; s < it->steps; ++s)
                                     how.is_explicit() ? it->textbook->explicit_step(dt, true)
@@ -131,11 +138,12 @@ void report_membrane_cost(Report& report) {
             }
             const double bytes = double(it.bytes) / nodes;
             if (rows[i].empty())
-                rows[i] = {how.name + (kind.stiffness > 1 ? ", stiffness over mass " + power_of_ten(4) : ""),
-                           std::to_string(kind.components), name_of(kind.precision)};
-            rows[i].insert(rows[i].end(), {number(it.nanoseconds, 3), it.iterations ? std::to_string(it.iterations) : "",
-                                           it.bytes ? number(bytes, 3) : ""});
-            csv.row(n, how.key, kind.components, name_of(kind.precision), kind.stiffness, it.nanoseconds, it.iterations, bytes);
+                rows[i] = {kind.name(), std::to_string(kind.components), name_of(kind.precision)};
+            rows[i].insert(rows[i].end(),
+                           {number(it.nanoseconds, 3), it.iterations ? std::to_string(it.iterations) : "",
+                            it.bytes ? number(bytes, 3) : ""});
+            csv.row(n, how.key, kind.components, name_of(kind.precision), kind.stiffness, it.nanoseconds, it.iterations,
+                    bytes);
             const std::string key = ".n" + std::to_string(n) + "." + kind.key();
             report.summary("membrane.cost.ns_per_node_step" + key, it.nanoseconds, "ns");
             if (it.bytes) report.summary("membrane.cost.bytes_per_node" + key, bytes, "bytes");
@@ -144,8 +152,9 @@ void report_membrane_cost(Report& report) {
         report.progress("membrane cost: n = " + std::to_string(n));
     }
     table.rows = rows;
-    report.page.table(table, "Time and memory of a node. Coupled steps cost by the iteration, and those by how much the "
-                             "step stiffens the sheet.");
+    report.page.table(table,
+                      "Time and memory of a node. Coupled steps cost by the iteration, and those by how much the step "
+                      "stiffens the sheet.");
     report.save("membrane_cost.csv", csv);
 }
 

@@ -33,7 +33,8 @@ void cut_round(Sheet& sheet, std::size_t n, double) {
     std::vector<double> mask;
     for (std::size_t v = 0; v <= n; ++v)
         for (std::size_t u = 0; u <= n; ++u)
-            mask.push_back(std::hypot(double(u) - 0.5 * double(n), double(v) - 0.5 * double(n)) <= 0.5 * double(n) + 0.01);
+            mask.push_back(std::hypot(double(u) - 0.5 * double(n), double(v) - 0.5 * double(n)) <=
+                           0.5 * double(n) + 0.01);
     sheet.enable(CD_MASK);
     sheet.write(CD_MASK, mask);
 }
@@ -41,19 +42,19 @@ void cut_round(Sheet& sheet, std::size_t n, double) {
 void scatter_springs(Sheet& sheet, std::size_t n, double stiffness) {
     for (cd_field field : {CD_STIFFNESS_U, CD_STIFFNESS_V}) {
         sheet.enable(field);
-        sheet.write(field, at_random(n * (n + 1), [=](double share) { return stiffness * std::pow(10, 6 * share - 6); }));
+        sheet.write(field,
+                    at_random(n * (n + 1), [=](double share) { return stiffness * std::pow(10, 6 * share - 6); }));
     }
 }
 
 void nothing(Sheet&, std::size_t, double) {}
 
 const std::vector<SheetKind>& sheet_kinds() {
-    static const std::vector<SheetKind> kKinds = {
-        {"uniform", "uniform, free", 1, nothing},
-        {"corners", "two corners pinned", 1, pin_corners},
-        {"round", "cut round", 1, cut_round},
-        {"anisotropic", "stiffer along u, 10⁴ times", 1e4, nothing},
-        {"random", "springs at random, 10⁶ apart", 1, scatter_springs}};
+    static const std::vector<SheetKind> kKinds = {{"uniform", "uniform, free", 1, nothing},
+                                                  {"corners", "two corners pinned", 1, pin_corners},
+                                                  {"round", "cut round", 1, cut_round},
+                                                  {"anisotropic", "stiffer along u, 10⁴ times", 1e4, nothing},
+                                                  {"random", "springs at random, 10⁶ apart", 1, scatter_springs}};
     return kKinds;
 }
 
@@ -89,9 +90,10 @@ void report_membrane_iterations(Report& report) {
     report.page.section("membrane-iterations", "Membrane: iterations of the coupled solver");
     report.page.paragraph(
         "One step of λ = 1/2 at 60 a second from random velocities, to a residual of 10⁻⁶, in " +
-        std::string(name_of(precisions().front())) + ". Stiffness over mass is that of the sheet as a whole [1/s²]; "
-        "between two nodes it is the square of the side times as much. Conjugate gradients, preconditioned by one "
-        "multigrid cycle; at most 100 iterations, the default.");
+        std::string(name_of(precisions().front())) +
+        ". Stiffness over mass is that of the sheet as a whole [1/s²]; between two nodes it is the square of the side "
+        "times as much. Conjugate gradients, preconditioned by one multigrid cycle; at most 100 iterations, the "
+        "default.");
     std::vector<std::size_t> sides = {32, 64, 128, 256, 512};
     std::vector<double> stiffnesses = {1, 1e2, 1e4, 1e6, 1e8};
     if (report.extent == Extent::brief) sides = {32, 64}, stiffnesses = {1, 1e4, 1e8};
@@ -105,7 +107,7 @@ void report_membrane_iterations(Report& report) {
         map.y_label = "springs a side";
         map.x_label = "stiffness over mass, 1/s²";
         map.cell_width = 58, map.row_label_width = 60;
-        for (double stiffness : stiffnesses) map.columns.push_back(power_of_ten(int(std::lround(std::log10(stiffness)))));
+        for (double stiffness : stiffnesses) map.columns.push_back(nearest_power_of_ten(stiffness));
         for (std::size_t n : sides) {
             map.rows.push_back(std::to_string(n));
             for (double stiffness : stiffnesses) {
@@ -117,8 +119,9 @@ void report_membrane_iterations(Report& report) {
                 if (found.reached && kind.key != "random") most = std::max(most, found.iterations);
                 if (!found.reached) ++unreached, worst_residual = std::fmax(worst_residual, found.residual);
                 if ((n == sides.back() || n == 64) && (stiffness == 1 || stiffness == 1e4 || stiffness == 1e8))
-                    report.summary("membrane.iterations." + kind.key + ".n" + std::to_string(n) + ".k" + plain(stiffness),
-                                   double(found.iterations), "iterations");
+                    report.summary(
+                        "membrane.iterations." + kind.key + ".n" + std::to_string(n) + ".k" + plain(stiffness),
+                        double(found.iterations), "iterations");
             }
         }
         panels.push_back(render(map));
@@ -126,12 +129,14 @@ void report_membrane_iterations(Report& report) {
     }
     report.page.figure(panels, "",
                        "Sheets of one kind, however held, cut or stretched, take at most " + std::to_string(most) +
-                       " iterations. " +
-                       (unreached ? std::to_string(unreached) + " of the solves with springs at random ended short of "
-                                    "their tolerance, with a residual of up to " + number(worst_residual, 2) +
-                                    "; the step then says so."
-                                  : std::string("Springs at random over six decades are the hardest; all solves "
-                                                "reached their tolerance.")));
+                           " iterations. " +
+                           (unreached ? std::to_string(unreached) +
+                                            " of the solves with springs at random ended short of their tolerance, "
+                                            "with a residual of up to " +
+                                            number(worst_residual, 2) + "; the step then says so."
+                                      : std::string("Springs at random over six decades are the hardest; all solves "
+                                                    "reached their tolerance.")),
+                       320);
     report.save("membrane_iterations.csv", csv);
     report.summary("membrane.iterations.most_but_for_random_springs", double(most), "iterations");
     report.summary("membrane.iterations.short_of_tolerance", double(unreached), "solves");

@@ -1,5 +1,6 @@
-// Exact motions of sheets of one component: a drum by its modes, and the slowest modes of a sheet on a soft spring. Exact
-// for the lattice, not for its continuum limit, so that what is measured against them is the error of the time steps.
+// Exact motions of sheets of one component: a drum by its modes, and the slowest modes of a sheet on a soft spring.
+// Exact for the lattice, not for its continuum limit, so that what is measured against them is the error of the time
+// steps.
 #ifndef REPORT_MEMBRANE_MODES_HPP
 #define REPORT_MEMBRANE_MODES_HPP
 

@@ -19,11 +19,11 @@ struct Choice {
 
 std::vector<Choice> choices(std::size_t n) {
     if (n < 100)
-        return {{Way::forward_euler, false, 0.1},         {Way::symplectic_euler, true, 0.1},
-                {Way::alternating_half, true, 0.1},       {Way::alternating_backward, false, 0.1},
-                {Way::alternating_stiff, true, 0.1},      {Way::coupled_half, true, 0.5},
-                {Way::coupled_backward, false, 0.2},      {Way::coupled_stiff, false, 0.4},
-                {Way::textbook_symplectic, false, 0.1},   {Way::textbook_half, false, 0.1}};
+        return {{Way::forward_euler, false, 0.1},       {Way::symplectic_euler, true, 0.1},
+                {Way::alternating_half, true, 0.1},     {Way::alternating_backward, false, 0.1},
+                {Way::alternating_stiff, true, 0.1},    {Way::coupled_half, true, 0.5},
+                {Way::coupled_backward, false, 0.2},    {Way::coupled_stiff, false, 0.4},
+                {Way::textbook_symplectic, false, 0.1}, {Way::textbook_half, false, 0.1}};
     return {{Way::symplectic_euler, true, 0.2},     {Way::alternating_half, true, 0.2},
             {Way::alternating_stiff, false, 0.2},   {Way::coupled_half, false, 1.6},
             {Way::textbook_symplectic, false, 0.2}, {Way::textbook_half, false, 0.2}};
@@ -51,12 +51,11 @@ Study drum_study(const Report& report, std::size_t n) {
         const std::size_t affordable = std::size_t(seconds / (guess(how) * double(problem.nodes())));
         for (cd_precision precision : precisions()) {
             if (!choice.narrow && precision != precisions().front()) continue;
-            study.curves.push_back({&how, precision,
-                                    points_between(how.is_explicit() ? limit : 8,
-                                                   how.is_explicit() ? std::max(4 * limit, affordable) : affordable,
-                                                   [&](std::size_t steps) {
-                                                       return modes.expected_error(how, study.time, steps);
-                                                   })});
+            study.curves.push_back(
+                {&how, precision,
+                 points_between(how.is_explicit() ? limit : 8,
+                                how.is_explicit() ? std::max(4 * limit, affordable) : affordable,
+                                [&](std::size_t steps) { return modes.expected_error(how, study.time, steps); })});
         }
     }
     return study;
@@ -72,9 +71,9 @@ std::string compared(Report& report, const Study& study) {
     report.summary(study.key + ".error_at_64_steps.alternating_half", alternating->error * 100, "%");
     report.summary(study.key + ".error_at_64_steps.coupled_half", coupled->error * 100, "%");
     report.summary(study.key + ".coupled_over_alternating", ratio, "times the time");
-    return "On a drum the coupled solve gains nothing: 64 steps of λ = 1/2 err by " +
-           percent(coupled->error, 3) + " coupled and by " + percent(alternating->error, 3) + " alternating, which is " +
-           number(ratio, 2) + " times cheaper.";
+    return "On a drum the coupled solve gains nothing: 64 steps of λ = 1/2 err by " + percent(coupled->error, 3) +
+           " coupled and by " + percent(alternating->error, 3) + " alternating, which is " + number(ratio, 2) +
+           " times cheaper.";
 }
 
 void headline(Report& report, const Study& study) {
@@ -82,9 +81,9 @@ void headline(Report& report, const Study& study) {
                explicit_steps = cheapest(study, 1e-2, Kind::explicit_steps);
     if (!implicit || !explicit_steps || !textbook) return;
     const Best best = implicit.seconds() < explicit_steps.seconds() ? implicit : explicit_steps;
-    report.page.headline(si(best.seconds(), "s", 2),
-                         "simulates one second of a drum of " + study.title + " to 1% (" + best.curve->name() +
-                             "); the textbook takes " + si(textbook.seconds(), "s", 2));
+    report.page.headline(si(best.seconds(), "s", 2), "simulates one second of a drum of " + study.title + " to 1% (" +
+                                                         best.curve->name() + "); the textbook takes " +
+                                                         si(textbook.seconds(), "s", 2));
 }
 
 }  // namespace
@@ -93,11 +92,11 @@ void report_membrane_precision(Report& report) {
     report.page.section("membrane-precision", "Membrane: error against run time");
     report.page.paragraph(
         "A drum: a square sheet with all edges held, mass and stiffness 1, let go from rest as a bump of standard "
-        "deviation 1/12 off its middle and simulated for 1 s, in which a wave crosses it once. The error is the greatest "
-        "over all nodes, relative to the greatest displacement, against the exact motion of the same lattice by its 32 "
-        "× 32 lowest modes, of which the bump is made: the error of the time steps alone. Alternating solves rows, then "
-        "columns; coupled solves the whole system to a residual of 10⁻⁶. The textbook is the notes' section 9 in plain "
-        "loops with Numerical Recipes' elimination.");
+        "deviation 1/12 off its middle and simulated for 1 s, in which a wave crosses it once. The error is the "
+        "greatest over all nodes, relative to the greatest displacement, against the exact motion of the same lattice "
+        "by its 32 × 32 lowest modes, of which the bump is made: the error of the time steps alone. Alternating solves "
+        "rows, then columns; coupled solves the whole system to a residual of 10⁻⁶. The textbook is the notes' section "
+        "9 in plain loops with Numerical Recipes' elimination.");
     WorkTables tables;
     std::vector<std::string> panels, findings;
     std::vector<Series> series;
@@ -116,11 +115,13 @@ void report_membrane_precision(Report& report) {
         if (n == sizes.back()) headline(report, study);
     }
     report.page.figure(panels, legend(series),
-                       "Cheapest to 1%: " + list_words(findings) + ". Left and down is better. Symplectic Euler's error "
-                       "is of first order in the step. " + comparison + " The textbook's steps are the library's "
-                       "alternating ones, and err alike.");
-    report.page.table(tables.table, "The drum: the cheapest run that reaches each error. Explicit steps may not be longer "
-                                    "than their stability limit, however little accuracy is asked for.");
+                       "Cheapest to 1%: " + list_words(findings) +
+                           ". Left and down is better. Symplectic Euler's error is of first order in the step. " +
+                           comparison +
+                           " The textbook's steps are the library's alternating ones, and err alike.");
+    report.page.table(tables.table,
+                      "The drum: the cheapest run that reaches each error. Explicit steps may not be longer than their "
+                      "stability limit, however little accuracy is asked for.");
     report.save("membrane_work_precision.csv", tables.points);
     report.save("membrane_cheapest.csv", tables.cheapest);
 }

@@ -59,7 +59,8 @@ void set_up(const SheetProblem& problem, Sheet& sheet) {
     if (problem.seam > 0) {
         sheet.enable(CD_STIFFNESS_V);
         const std::vector<double> row(problem.nu + 1, problem.spring_along_v(problem.nv / 2));
-        check(cd_membrane_write_f64(membrane, CD_STIFFNESS_V, 0, problem.nv / 2, row.size(), 1, row.data(), row.size()));
+        check(
+            cd_membrane_write_f64(membrane, CD_STIFFNESS_V, 0, problem.nv / 2, row.size(), 1, row.data(), row.size()));
     }
     const double origin = 0;
     if (problem.tie > 0) check(cd_membrane_attach(membrane, 0, 0, problem.tie, 0, &origin, 1));
@@ -98,16 +99,15 @@ private:
     Sheet sheet_;
 };
 
-template <class Real>
-class TextbookRunner : public Runner {
+template <class Real> class TextbookRunner : public Runner {
 public:
     TextbookRunner(const SheetProblem& problem, const Method& method)
-        : problem_(problem), method_(method),
+        : problem_(problem),
+          method_(method),
           sheet_(problem.nu + 1, problem.nv + 1, Real(problem.mass_of_node()), Real(problem.spring_along_u())) {
         for (std::size_t v = 0; v < problem.nv; ++v) sheet_.along_v[v] = Real(problem.spring_along_v(v));
         for (std::size_t v = 0; v <= problem.nv; ++v)
-            for (std::size_t u = 0; u <= problem.nu; ++u)
-                sheet_.held[v * (problem.nu + 1) + u] = problem.is_held(u, v);
+            for (std::size_t u = 0; u <= problem.nu; ++u) sheet_.held[v * (problem.nu + 1) + u] = problem.is_held(u, v);
         sheet_.tie = Real(problem.tie);
         reset();
     }
@@ -121,10 +121,8 @@ public:
 
     bool step(double dt, std::size_t count) override {
         for (std::size_t i = 0; i < count; ++i) {
-            if (method_.is_explicit())
-                sheet_.explicit_step(Real(dt), method_.method == CD_METHOD_SYMPLECTIC_EULER);
-            else
-                sheet_.implicit_step(Real(dt), Real(method_.lambda));
+            if (method_.is_explicit()) sheet_.explicit_step(Real(dt), method_.method == CD_METHOD_SYMPLECTIC_EULER);
+            else sheet_.implicit_step(Real(dt), Real(method_.lambda));
         }
         for (Real x : sheet_.x)
             if (!std::isfinite(x)) return false;

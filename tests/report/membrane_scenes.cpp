@@ -57,11 +57,13 @@ void drums(Report& report) {
         panels.push_back(drum_picture(hit, si(moment, "s", 2) + " after a hit", 0.14));
     }
     report.outcome("membrane.scene.drum", hex(hit.hash()));
-    report.page.figure(panels, "",
-                       "A drum of " + std::to_string(n) + " × " + std::to_string(n) + " springs: a mode, and what a hit "
-                       "at a point becomes. Orange is up, blue is down; stiffness and mass are 1, 200 steps a second of "
-                       "λ = 1/2, alternating. The ring runs outwards, and inside it the drum has not come back yet: in "
-                       "two dimensions a wave leaves a wake.", 220);
+    report.page.figure(
+        panels, "",
+        "A drum of " + std::to_string(n) + " × " + std::to_string(n) +
+            " springs: a mode, and what a hit at a point becomes. Orange is up, blue is down; stiffness and mass are "
+            "1, 200 steps a second of λ = 1/2, alternating. The ring runs outwards, and inside it the drum has not "
+            "come back yet: in two dimensions a wave leaves a wake.",
+        220);
 }
 
 // A cloth of 3 components, in the plane z = 0 at first, held at the corners of its edge y = 0.
@@ -123,14 +125,16 @@ void cloth(Report& report) {
     double fastest = 0;
     for (double v : cloth.sheet.read(CD_VELOCITY)) fastest = std::fmax(fastest, std::fabs(v));
     report.outcome("membrane.scene.cloth at rest", hex(cloth.sheet.hash()));
-    report.page.figure(panels, "",
-                       "A cloth falls from the horizontal, held at two corners, and comes to rest. " +
-                       std::to_string(Cloth::kSide) + " × " + std::to_string(Cloth::kSide) +
-                       " springs, 3 components, 120 steps a second of λ = 1/2, coupled, in at most " +
-                       std::to_string(iterations) + " iterations. The notes' springs have no rest length: forces along "
-                       "its two sides hold the cloth out to its width, and it hangs as a soft one. A single backward "
-                       "Euler step of 10 000 s finds where it comes to rest (greatest speed left: " + number(fastest, 1) +
-                       " m/s). Triangles and normals are the library's own.", 220);
+    report.page.figure(
+        panels, "",
+        "A cloth falls from the horizontal, held at two corners, and comes to rest. " + std::to_string(Cloth::kSide) +
+            " × " + std::to_string(Cloth::kSide) +
+            " springs, 3 components, 120 steps a second of λ = 1/2, coupled, in at most " + std::to_string(iterations) +
+            " iterations. The notes' springs have no rest length: forces along its two sides hold the cloth out to its "
+            "width, and it hangs as a soft one. A single backward Euler step of 10 000 s finds where it comes to rest "
+            "(greatest speed left: " +
+            number(fastest, 1) + " m/s). Triangles and normals are the library's own.",
+        220);
 }
 
 }  // namespace

@@ -102,9 +102,9 @@ void add_curves(const Report& report, Case& of, const std::vector<Way>& ways) {
             const std::size_t most = how.solver == CD_SOLVER_COUPLED ? report.by_extent<std::size_t>(128, 600, 4096)
                                                                      : report.by_extent<std::size_t>(512, 4096, 65536);
             auto expected = [&](std::size_t steps) { return of.expected_error(how, steps); };
-            of.study.curves.push_back({&how, precision,
-                                       points_between(how.is_explicit() ? limit : 8, how.is_explicit() ? limit : most,
-                                                      expected)});
+            of.study.curves.push_back(
+                {&how, precision,
+                 points_between(how.is_explicit() ? limit : 8, how.is_explicit() ? limit : most, expected)});
         }
 }
 
@@ -126,21 +126,23 @@ std::string errors_at_64(Report& report, const Study& study) {
 void report_membrane_stiff(Report& report) {
     const std::size_t n = report.by_extent<std::size_t>(10, 20, 32);
     Case one = plate(n), pair = two_plates(n), threads = ruled(n);
-    add_curves(report, one, {Way::symplectic_euler, Way::alternating_half, Way::alternating_backward,
-                             Way::alternating_stiff, Way::coupled_half, Way::coupled_backward, Way::coupled_stiff,
-                             Way::textbook_symplectic, Way::textbook_half});
+    add_curves(
+        report, one,
+        {Way::symplectic_euler, Way::alternating_half, Way::alternating_backward, Way::alternating_stiff,
+         Way::coupled_half, Way::coupled_backward, Way::coupled_stiff, Way::textbook_symplectic, Way::textbook_half});
     for (Case* of : {&pair, &threads})
-        add_curves(report, *of, {Way::symplectic_euler, Way::alternating_half, Way::alternating_stiff,
-                                 Way::coupled_half, Way::textbook_symplectic, Way::textbook_half});
+        add_curves(report, *of,
+                   {Way::symplectic_euler, Way::alternating_half, Way::alternating_stiff, Way::coupled_half,
+                    Way::textbook_symplectic, Way::textbook_half});
     const std::string side = std::to_string(n) + " × " + std::to_string(n);
     report.page.section("membrane-stiff", "Membrane: stiff, with a slow motion of interest");
     report.page.paragraph(
         "Stiffness over mass 10⁸, as of cloth or tin that must not stretch; its own waves cross it in " +
         si(1 / std::sqrt(kStiffness), "s") + ", nobody wants to see them, yet an explicit step must be shorter than " +
         si(stable_dt(one.problem), "s") + " to survive them. A square plate of " + side +
-        " springs is let go at rest from a soft spring at one corner and swings as a whole; two such plates, joined by a "
-        "soft seam, swing and move against each other; a sheet that is stiff along u carries a wave along v, where its "
-        "stiffness over mass is 1. The error is the greatest over all nodes after 1 s, relative to the greatest "
+        " springs is let go at rest from a soft spring at one corner and swings as a whole; two such plates, joined by "
+        "a soft seam, swing and move against each other; a sheet that is stiff along u carries a wave along v, where "
+        "its stiffness over mass is 1. The error is the greatest over all nodes after 1 s, relative to the greatest "
         "displacement, against the slow modes, found by inverse iteration in extended precision (what a plate's own "
         "waves have of the motion is below 10⁻⁵), and for the wave against the chain's modes.");
     WorkTables tables;
@@ -152,8 +154,8 @@ void report_membrane_stiff(Report& report) {
         panels.push_back(draw(of->study, "run time of 1 simulated second", series));
         const Best implicit = cheapest(of->study, 1e-2, Kind::implicit_steps),
                    explicit_steps = cheapest(of->study, 1e-2, Kind::explicit_steps);
-        findings.push_back(of->study.title + ": " + (implicit ? implicit.curve->name() + ", " : "") +
-                           verdict(implicit, explicit_steps));
+        findings.push_back(of->study.title + " (" + (implicit ? implicit.curve->how->name + ": " : "") +
+                           verdict(implicit, explicit_steps) + ")");
         if (of == &pair && implicit && explicit_steps)
             report.page.headline(number(explicit_steps.seconds() / implicit.seconds(), 2) + "×",
                                  "cheaper than explicit steps on stiff plates with a soft seam, at 1% error, by " +
@@ -164,14 +166,16 @@ void report_membrane_stiff(Report& report) {
     const Point* few = find_point(pair.study, Way::textbook_half, 16);
     report.page.figure(
         panels, legend(series),
-        "Cheapest to 1%: " + list_words(findings) + ". With 64 steps λ = 1/2 errs on one plate by " +
-            errors[0] + ", on the pair by " + errors[1] +
-            ", with stiff threads by " + errors[2] + ". The textbook's two factors fit a sheet "
-            "whose rows and columns are all alike but for one soft seam; with 16 steps on the pair they err by " +
-            percent(few->error) + ", and on other sheets they blow up (see below). The explicit runs stand at the one "
-            "step that their stability allows.");
-    report.page.table(tables.table, "Stiff sheets: the cheapest run that reaches each error. A run counts if all with "
-                                    "shorter steps are as good: none is taken for its luck.");
+        "Cheapest to 1%: " + list_words(findings) + ". With 64 steps λ = 1/2 errs on one plate by " + errors[0] +
+            ", on the pair by " + errors[1] + ", with stiff threads by " + errors[2] +
+            ". The textbook's two factors fit a sheet whose rows and columns are all alike but for one soft seam; with "
+            "16 steps on the pair they err by " +
+            percent(few->error) +
+            ", and on other sheets they blow up (see below). The explicit runs stand at the one step that their "
+            "stability allows.");
+    report.page.table(tables.table,
+                      "Stiff sheets: the cheapest run that reaches each error. A run counts if all with shorter steps "
+                      "are as good: none is taken for its luck.");
     report.save("membrane_stiff_work_precision.csv", tables.points);
     report.save("membrane_stiff_cheapest.csv", tables.cheapest);
     report.summary("membrane.stiff.stable_dt", stable_dt(one.problem), "s");

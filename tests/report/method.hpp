@@ -30,9 +30,22 @@ struct Method {
     bool is_explicit() const { return method == CD_METHOD_FORWARD_EULER || method == CD_METHOD_SYMPLECTIC_EULER; }
 };
 
-enum class Way { forward_euler, symplectic_euler, half, backward, stiff_second, textbook_symplectic, textbook_half,
-                 textbook_backward, alternating_half, alternating_backward, alternating_stiff, coupled_half,
-                 coupled_backward, coupled_stiff };
+enum class Way {
+    forward_euler,
+    symplectic_euler,
+    half,
+    backward,
+    stiff_second,
+    textbook_symplectic,
+    textbook_half,
+    textbook_backward,
+    alternating_half,
+    alternating_backward,
+    alternating_stiff,
+    coupled_half,
+    coupled_backward,
+    coupled_stiff
+};
 const Method& method(Way way);
 
 // A method's style with float32 drawn hollow and dashed.

@@ -26,7 +26,8 @@ Matrix power(Matrix base, std::size_t exponent) {
 // dw = -dt w^2 (x + h v) / D in each stage of h = lambda dt, with a = (h w_u)^2, b = (h w_v)^2: coupled D = 1 + a + b,
 // alternating D = (1 + a)(1 + b).
 Matrix implicit_step(const Method& method, double lambda, double u, double v) {
-    const double squared = u * u + v * v, z = std::sqrt(squared), a = lambda * lambda * u * u, b = lambda * lambda * v * v;
+    const double squared = u * u + v * v, z = std::sqrt(squared);
+    const double a = lambda * lambda * u * u, b = lambda * lambda * v * v;
     const double d = method.solver == CD_SOLVER_COUPLED ? 1 + a + b : (1 + a) * (1 + b), pull = squared / d;
     return {1 - lambda * pull, z * (1 - lambda * lambda * pull), -z / d, 1 - lambda * pull};
 }

@@ -39,8 +39,8 @@ private:
     std::vector<double> sum(const std::vector<double>& amplitude, std::size_t stride) const;
 };
 
-// What a method, in exact arithmetic, makes of a mode of amplitude 1 released from rest: its amplitude after `steps`. The
-// mode's angular frequency is sqrt(omega_u^2 + omega_v^2), from the two directions of a sheet, or from one.
+// What a method, in exact arithmetic, makes of a mode of amplitude 1 released from rest: its amplitude after `steps`.
+// The mode's angular frequency is sqrt(omega_u^2 + omega_v^2), from the two directions of a sheet, or from one.
 double mode_after(const Method& method, double omega_u, double omega_v, double dt, std::size_t steps);
 
 // The angular frequency it moves at, from the eigenvalues of a step; NaN where it does not swing.

@@ -31,7 +31,8 @@ margin:1.4em 0;padding:0;list-style:none}
 .heads b{display:block;font-size:1.55rem;line-height:1.25;font-weight:650}
 .heads span{font-size:.9rem;color:var(--muted);display:block;line-height:1.4;margin-top:.2em}
 figure{margin:1.6em 0}
-.panels{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,var(--panel,400px)),1fr));gap:18px 24px;align-items:start}
+.panels{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,var(--panel,400px)),1fr));gap:18px 24px;
+align-items:start}
 .panels svg{width:100%;height:auto;display:block}
 figcaption,.caption{max-width:80ch;font-size:.93rem;color:var(--muted);margin:.7em 0 0}
 figcaption b,.caption b{color:var(--fg);font-weight:600}

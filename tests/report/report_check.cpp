@@ -66,7 +66,8 @@ void expect_orders(const std::string& file, const std::string& study, const std:
             n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
         }
         double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-        expect(n == 5 && std::fabs(slope - order) < 0.1, study + ": " + method + " is of order " + std::to_string(slope));
+        expect(n == 5 && std::fabs(slope - order) < 0.1,
+               study + ": " + method + " is of order " + std::to_string(slope));
     }
 }
 
@@ -135,7 +136,8 @@ void the_summary_has_stable_keys() {
           "chain.figure2.largest_relative_error", "chain.extremes.library.worst_position_error_after_1_step",
           "membrane.drum.n64.at_1_percent.explicit_over_implicit", "membrane.stiff_pair.error_at_64_steps.coupled_half",
           "membrane.growth.exponent.alternating_half.float64", "membrane.iterations.most_but_for_random_springs",
-          "membrane.sluggish.coupled_over_alternating_frequency.at_3", "membrane.safe.library_greatest_growth_of_speed"})
+          "membrane.sluggish.coupled_over_alternating_frequency.at_3",
+          "membrane.safe.library_greatest_growth_of_speed"})
         expect(std::set<std::string>(here.begin(), here.end()).count(key) == 1, std::string("no key ") + key);
 }
 

@@ -15,12 +15,12 @@ namespace report {
 class Runner {
 public:
     virtual ~Runner() = default;
-    virtual void reset() = 0;                            // the initial state; the next step factors anew
-    virtual bool step(double dt, std::size_t count) = 0; // false: left the finite range, or short of the tolerance
+    virtual void reset() = 0;                             // the initial state; the next step factors anew
+    virtual bool step(double dt, std::size_t count) = 0;  // false: left the finite range, or short of the tolerance
     virtual std::vector<double> positions() const = 0;
     virtual std::vector<double> velocities() const = 0;
     virtual std::uint64_t hash() const = 0;
-    virtual std::size_t iterations() const { return 0; } // the most that a solve of the last call of step took
+    virtual std::size_t iterations() const { return 0; }  // the most that a solve of the last call of step took
 };
 
 using MakeRunner = std::function<std::unique_ptr<Runner>(const Method&, cd_precision)>;

@@ -69,7 +69,8 @@ std::string render(const Surface& surface) {
         for (std::size_t c = 0; c < 3; ++c) nearness[t] += dot(vector(surface.triangles[3 * t + c], 0), eye.towards);
     std::vector<std::size_t> order(nearness.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return nearness[a] < nearness[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return nearness[a] < nearness[b]; });
 
     std::string svg = open_svg(surface.width, height, surface.title) + text_at(2, 15, "title", "start", surface.title);
     svg += "<g style=\"fill:currentColor;stroke:currentColor;stroke-width:.7;stroke-linejoin:round\">\n";
@@ -90,8 +91,9 @@ std::string render(const Surface& surface) {
         const double size = std::sqrt(dot(normal, normal));
         const bool behind = dot(normal, eye.towards) < 0;
         const double bright = size > 0 ? std::fmax(0, dot(normal, eye.light) / size * (behind ? -1 : 1)) : 0;
-        const Vector base = surface.tint.empty() ? (behind ? kBack : kFront)
-                                                 : mixed(kMiddle, tint < 0 ? kLow : kHigh, std::fmin(1, std::fabs(tint)));
+        const Vector base = surface.tint.empty()
+                                ? (behind ? kBack : kFront)
+                                : mixed(kMiddle, tint < 0 ? kLow : kHigh, std::fmin(1, std::fabs(tint)));
         const Vector shaded = scaled(base, 0.5 + 0.62 * bright);
         const std::string colour = hex_colour(mixed(shaded, {255, 255, 255}, 0.22 * std::pow(bright, 24)));
         if (colour != last) flush();

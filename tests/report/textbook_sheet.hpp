@@ -1,5 +1,5 @@
-// A sheet as the notes have it, in plain loops: the operator of section 9 in two factors, rows and then columns, each line
-// by Numerical Recipes' elimination.
+// A sheet as the notes have it, in plain loops: the operator of section 9 in two factors, rows and then columns, each
+// line by Numerical Recipes' elimination.
 #ifndef REPORT_TEXTBOOK_SHEET_HPP
 #define REPORT_TEXTBOOK_SHEET_HPP
 
@@ -7,8 +7,7 @@
 
 namespace report {
 
-template <class Real>
-struct TextbookSheet {
+template <class Real> struct TextbookSheet {
     std::size_t columns, rows;
     Real mass, along_u;         // per node, per spring
     std::vector<Real> along_v;  // of the springs after each row
@@ -17,8 +16,16 @@ struct TextbookSheet {
     Real tie = 0;  // from node (0, 0) to the origin
 
     TextbookSheet(std::size_t column_count, std::size_t row_count, Real node_mass, Real spring_u)
-        : columns(column_count), rows(row_count), mass(node_mass), along_u(spring_u), along_v(rows - 1),
-          x(columns * rows), v(columns * rows), held(columns * rows), there_(columns * rows), force_(columns * rows) {}
+        : columns(column_count),
+          rows(row_count),
+          mass(node_mass),
+          along_u(spring_u),
+          along_v(rows - 1),
+          x(columns * rows),
+          v(columns * rows),
+          held(columns * rows),
+          there_(columns * rows),
+          force_(columns * rows) {}
 
     void explicit_step(Real dt, bool symplectic) {
         find_force(0);
@@ -64,7 +71,7 @@ private:
             if (held[k]) force_[k] = 0;
     }
 
-    // One line of n nodes from `first` on, joined by spring_: force_ becomes the answer. The tie is that of node (0, 0).
+    // One line of n nodes from `first` on, joined by spring_: force_ becomes the answer. The tie is node (0, 0)'s.
     void solve_line(std::size_t first, std::size_t stride, std::size_t n, Real scaled_tie) {
         for (std::vector<Real>* line : {&lower_, &diagonal_, &upper_, &right_, &change_, &gamma_}) line->resize(n);
         for (std::size_t i = 0; i < n; ++i) {
