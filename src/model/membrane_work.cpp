@@ -225,7 +225,8 @@ double mean_mass(const Membrane& m, const Work& w) {
     return moving > 0 ? sum / double(moving) : 1;
 }
 
-// w.one: 1 on the heaviest part of what springs and bend hold together, else 0. Parts must not feel each other's motion.
+// w.one: 1 on the heaviest part of what springs and bend hold together, else 0. Parts must not feel each other's
+// motion.
 void prepare_one(const Membrane& m, Work& w) {
     const auto place = [&](size_t u, size_t v) { return v * w.grid.pitch + u; };
     // Every node points to one of its part, in the end to the part's first one, which gathers its mass (from 1 on, as 0
