@@ -23,10 +23,11 @@
  *      pins, a mask, attachments, masses or springs of their own, bend with free edges) the factored system would blow
  *      up; there a step is the best, in energy, that the lines' answers, the present velocity and a motion of all nodes
  *      alike can be combined to. It is a little slower, and not quite linear: sums of scenes move as sums only about.
- *   CD_SOLVER_COUPLED      the system itself, to a tolerance, by conjugate gradients with multigrid: several times the
- *      cost, and as stiff as it should be. Take it for stiff cloth that hangs, swings or is thrown as a whole. It needs
- *      many iterations where springs or masses vary at random by decades, and where a plate with free edges has much
- *      more bend than stretch.
+ *   CD_SOLVER_COUPLED      the system itself, to a tolerance, by conjugate gradients with multigrid: tens of times the
+ *      cost, and as stiff as it should be. Take it for stiff cloth that hangs, bears loads, is driven or thrown, and
+ *      for stiff parts that move against each other, of which alternating finds the common motion only. It needs many
+ *      iterations where springs or masses vary at random by decades, and where a plate with free edges has much more
+ *      bend than stretch.
  * lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance; the momentum of a free
  * sheet is kept too (of one torn into parts, that of the heaviest part; the others' as well as the solver reaches). On
  * uniform sheets, alternating, the energy so kept counts the extra mass in what moves; in CD_FLOAT32 each rounding of a

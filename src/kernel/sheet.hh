@@ -48,6 +48,25 @@ template <class T> struct SheetPush {
     bool whole;               // of general sheets: what there is in all, S v included, and not what changes v
 };
 
+// What the springs of a stage look at: x_scaled = closing_rate x + share v, the share that of free or of held nodes
+// (mass 0; without masses all count as free). v_free, if not null: v where nodes are free, else 0.
+struct SheetGather {
+    double closing_rate, free_share, held_share;
+    const double* mass;
+    double *x_scaled, *v_free;
+};
+
+// Factors of the lines' systems (solve/sheet_lines.hh): forward y_i = b_i + pull_{i-1} y_{i-1}, back x_i = gain_i y_i +
+// pull_i x_{i+1}.
+struct LineFactors {
+    const double *pull, *gain;
+    const double *around,
+        *closing; // of rings, else null: the response to a pull of the closing spring, and its strength
+};
+
+// The most planes whose energies with each other can be asked for, and how many those are.
+constexpr int kMostDirections = 5, kPairs = 15;
+
 // Where a node starts from and what it is moved by: dw = sum of factor[k] change[k], w = v + dw,
 //     v <- v + overshoot dw,    x <- x + move (v + follow dw).
 struct SheetMove {
@@ -67,13 +86,6 @@ template <class F> inline void along_row(size_t first, size_t count, F& f) {
 
 // ---- the state (sheet_state.cpp) ---- S is what a stage starts from: the state's type, or double between stages.
 
-// What the springs of a stage look at: x_scaled = closing_rate x + share v, the share that of free or of held nodes
-// (mass 0; without masses all count as free). v_free, if not null: v where nodes are free, else 0.
-struct SheetGather {
-    double closing_rate, free_share, held_share;
-    const double* mass;
-    double *x_scaled, *v_free;
-};
 template <class S>
 void gather(const Grid& grid, const SheetGather& how, const S* x, const S* v, size_t first, size_t count);
 // out = what acts on the nodes beside springs: on a separable sheet [m/s], else [kg m/s].
@@ -98,19 +110,11 @@ void apply(const Grid& grid, const GeneralSheet& sheet, const double* z, double*
            size_t count);
 void moments(const Grid& grid, const GeneralSheet& sheet, const double* x, size_t first, size_t count);
 // sums[row][pair] = z_a S z_b for a <= b of n planes, pairs in the order 00 01 02 ... 11 12 ...
-constexpr int kMostDirections = 5, kPairs = 15;
 void energies(const Grid& grid, const GeneralSheet& sheet, const double* const* z, int n, double* sums, size_t first,
               size_t count);
 
 // ---- lines down the columns (sheet_lines.cpp) ----
 
-// Factors of the lines' systems (solve/sheet_lines.hh): forward y_i = b_i + pull_{i-1} y_{i-1}, back x_i = gain_i y_i +
-// pull_i x_{i+1}.
-struct LineFactors {
-    const double *pull, *gain;
-    const double *around,
-        *closing; // of rings, else null: the response to a pull of the closing spring, and its strength
-};
 void solve_lines(const Grid& grid, const LineFactors& factors, const double* b, double* x, size_t first, size_t count);
 // Lines that share one factorization (solve/spring_line.hh): x becomes the answer where it was each node's own wish.
 void filter_lines(const Grid& grid, const double* carry, const double* pull, double* x, size_t first, size_t count);

@@ -14,7 +14,7 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
 
     // The residual that the iteration carries along drifts away from the true one by rounding. Where it claims success
     // the true one decides; if that has not halved since it was last asked, it will not get better.
-    constexpr double kRounding = 0x1p-50;
+    constexpr double kRounding = 0x1p-50, kNothing = 0x1p-400; // a sheet at rest but for this has no squares to add up
     Convergence out{0, 1, false};
     double true_before = norm, curvature = 0;
     while (out.iterations < goal.most_iterations) {
@@ -34,7 +34,7 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
         system.combine(1, x, length, direction);
         system.combine(1, r, -length, applied);
         // what the residual is measured by: at least so much that rounding does not show
-        const double rounding = kRounding * goal.stiffest * (goal.size + sqrt(system.dot(x, x)));
+        const double rounding = kRounding * goal.stiffest * (goal.size + sqrt(system.dot(x, x)) + kNothing);
         const double whole = norm + rounding / goal.relative;
         out.residual = sqrt(system.dot(r, r)) / whole;
         if (out.residual > goal.relative) continue;
