@@ -47,7 +47,7 @@ cd_status cd_membrane_write_indices(const cd_membrane* membrane, void* buffer, s
     CD_OPEN(membrane, m);
     if (index_size != 2 && index_size != 4)
         return fail(CD_ERROR_VALUE, __func__, "index_size is %zu, must be 2 or 4", index_size);
-    if (m.nodes > (index_size == 2 ? UINT16_MAX : UINT32_MAX))
+    if (m.nodes > most_vertices(index_size))
         return fail(CD_ERROR_UNSUPPORTED, __func__, "index_size is %zu, too small for %zu vertices", index_size,
                     m.nodes);
     const size_t needed = index_count(m) * index_size; // less than the membrane's own memory: see create_membrane

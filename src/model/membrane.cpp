@@ -21,8 +21,6 @@ static double weight_across(const Membrane& m, Direction d) {
     return double(has_half_ends(m, d) ? m.springs[d] : nodes_along(m, d));
 }
 
-static Direction other(Direction d) { return d == kU ? kV : kU; }
-
 double uniform_mass(const Membrane& m) { return m.mass / (weight_across(m, kU) * weight_across(m, kV)); }
 
 double uniform_stiffness(const Membrane& m, Direction d) {
@@ -35,6 +33,12 @@ double uniform_bend(const Membrane& m, Direction d) {
 }
 
 double uniform_twist(const Membrane& m) { return 2 * sqrt(uniform_bend(m, kU) * uniform_bend(m, kV)); }
+
+size_t inside_matched(const Membrane& m, Direction d, size_t i) {
+    const auto matched = [&](bool at_last) { return m.edge[edge_of(d, at_last)] == CD_NODE_MATCHED; };
+    if (m.springs[d] == 0) return i;
+    return i == 0 && matched(false) ? 1 : i == m.springs[d] && matched(true) ? i - 1 : i;
+}
 
 // ---- nodes, springs, cells ------------------------------------------------------------------------------------------
 
@@ -49,7 +53,6 @@ struct Node {
 bool present(const Membrane& m, Node n) { return present(m, n.at[0], n.at[1]); }
 
 size_t last(const Membrane& m, Direction d) { return m.springs[d]; }
-size_t before(const Membrane& m, Direction d, size_t i) { return i > 0 ? i - 1 : last(m, d); }
 bool has_next(const Membrane& m, Direction d, size_t i) { return i < springs_along(m, d); }
 bool has_both(const Membrane& m, Direction d, size_t i) { return m.ring[d] || (i > 0 && i < last(m, d)); }
 
@@ -73,13 +76,9 @@ double impedance(const Membrane& m, size_t u, size_t v) {
     double sum = 0;
     const Node n{{u, v}};
     for (Direction d : {kU, kV}) {
-        if (m.springs[d] == 0) continue;
-        for (bool at_last : {false, true}) {
-            const cd_edge edge = edge_of(d, at_last);
-            if (m.edge[edge] != CD_NODE_MATCHED || !on_edge(m, edge, u, v)) continue;
-            const Node inside = n.moved(d, at_last ? n.at[d] - 1 : n.at[d] + 1), start = at_last ? inside : n;
-            sum += sqrt(stiffness_of(m, d, start.at[0], start.at[1]) * mass_of(m, inside.at[0], inside.at[1]));
-        }
+        const Node inside = n.moved(d, inside_matched(m, d, n.at[d])), start = inside.at[d] < n.at[d] ? inside : n;
+        if (inside.at[d] == n.at[d]) continue;
+        sum += sqrt(stiffness_of(m, d, start.at[0], start.at[1]) * mass_of(m, inside.at[0], inside.at[1]));
     }
     return sum;
 }
@@ -228,12 +227,13 @@ cd_status create_membrane(const char* function, size_t nu, size_t nv, size_t com
     shape.springs[kV] = nv;
     shape.components = components;
     shape.precision = precision;
-    // Everything that a membrane may ever hold is less than 40 planes of doubles for each component.
+    // With everything switched on, a sheet of many rows and columns holds less than 80 planes of doubles for each
+    // component. What narrow ones need beyond that is counted where it is taken.
     size_t all, state;
     Grid grid{}; // that of the planes which steps work on
     if (!add(nu, 1, shape.columns) || !add(nv, 1, shape.rows) || !grid_of(shape.columns, shape.rows, grid) ||
         !multiply(shape.rows, shape.pitch = grid.pitch, shape.plane) || !multiply(shape.plane, components, state) ||
-        !multiply(state, 40 * sizeof(double), all))
+        !multiply(state, 80 * sizeof(double), all))
         return fail(CD_ERROR_SIZE, function, "nu %zu and nv %zu springs with %zu components do not fit in memory", nu,
                     nv, components);
     shape.nodes = shape.columns * shape.rows;

@@ -3,6 +3,7 @@
 
 #include "contdyn/membrane.h"
 #include "model/body.hh"
+#include "model/draw.hh"
 
 namespace cd {
 
@@ -38,6 +39,7 @@ struct Membrane : Body, MembraneSettings {
     double stiffest;       // the largest diagonal entry of the system, where there is one
     bool whole;            // see membrane_step.cpp
     bool separable;        // see membrane_step.cpp
+    size_t parts;          // see membrane_parts.cpp
 
     // f(array, array of another membrane...) for each field, in the order in which they are kept; and for every array.
     template <class F, class... M> static void each_field(F f, M&... m) {
@@ -62,6 +64,7 @@ struct MembraneFeatures : BodyFeatures {
 
 // ---- shape and parameters (membrane.cpp) ----------------------------------------------------------------------------
 
+inline Direction other(Direction d) { return d == kU ? kV : kU; }
 inline Direction direction_of(cd_edge edge) { return edge < CD_EDGE_V_FIRST ? kU : kV; }
 inline cd_edge edge_of(Direction d, bool at_last) { return cd_edge(2 * d + (at_last ? 1 : 0)); }
 
@@ -73,8 +76,12 @@ inline size_t node_at(const Membrane& m, size_t u, size_t v) { return v * m.colu
 inline size_t nodes_along(const Membrane& m, Direction d) { return d == kU ? m.columns : m.rows; }
 // springs of one line along d: a ring has one more
 inline size_t springs_along(const Membrane& m, Direction d) { return m.springs[d] + size_t(m.ring[d]); }
-// The node after number i of a line along d, round a ring; where there is none, that node itself.
+// The node after number i of a line along d, round a ring; where there is none, that node itself. The one before it,
+// where there is none the last one, at which no spring, bend or cell starts.
 inline size_t after(const Membrane& m, Direction d, size_t i) { return i < m.springs[d] ? i + 1 : m.ring[d] ? 0 : i; }
+inline size_t before(const Membrane& m, Direction d, size_t i) { return i > 0 ? i - 1 : m.springs[d]; }
+// The neighbour of node i of a line along d if i is a matched end of it, else i itself.
+size_t inside_matched(const Membrane& m, Direction d, size_t i);
 
 // The weight of an edge line: 1/2 at the two ends of direction d under CD_MASS_HALF_ENDS, 1 elsewhere.
 double line_weight(const Membrane& m, Direction d, size_t i);
@@ -146,10 +153,6 @@ double volume(const Membrane& m); // of 3 components
 
 // ---- drawing (membrane_draw.cpp) ------------------------------------------------------------------------------------
 
-// Where the floats of a vertex lie, in bytes; normal_offset SIZE_MAX: it has no normal.
-struct VertexFormat {
-    size_t stride, position_offset, normal_offset;
-};
 void write_vertices(const Membrane& m, unsigned char* out, const VertexFormat& format);
 size_t index_count(const Membrane& m);
 void write_indices(const Membrane& m, unsigned char* out, size_t index_size); // 2 or 4

@@ -6,18 +6,12 @@
 // and is cut into a, b, c and a, c, d. Its area vector is (c - a) x (d - b) / 2 however it is cut; of a cell with three
 // of its nodes there it is that of the triangle. A node's normal is the sum over its cells, made a unit vector. A
 // component of the sum that rounding alone could have made counts as 0: a sheet that lies in a line has no normals.
+#include "model/draw.hh"
 #include "model/membrane.hh"
 
 namespace cd {
 
 namespace {
-
-struct Vector {
-    double x = 0, y = 0, z = 0;
-};
-Vector operator+(const Vector& p, const Vector& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-Vector operator-(const Vector& p, const Vector& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-Vector operator*(const Vector& p, double by) { return {p.x * by, p.y * by, p.z * by}; }
 
 // The sum of twice the area vectors of some cells, and of the sizes of all products in it.
 struct Area {
@@ -41,8 +35,8 @@ Vector direction(const Area& area) {
     const double of_two = fabs(n.x) > fabs(n.y) ? fabs(n.x) : fabs(n.y);
     const double most = of_two > fabs(n.z) ? of_two : fabs(n.z);
     if (most == 0) return {};
-    const Vector even{n.x / most, n.y / most, n.z / most}; // whose squares stay in double's range
-    return even * (1 / sqrt(even.x * even.x + even.y * even.y + even.z * even.z));
+    const Vector even = n / most; // whose squares stay in double's range
+    return even * (1 / length(even));
 }
 
 // Powers of two: positions are multiplied by `before`, then subtracted, and the difference is multiplied by `after`.
@@ -149,10 +143,6 @@ template <class T> struct Drawer {
                       {size[0][c] + size[0][c + 1], size[1][c] + size[1][c + 1], size[2][c] + size[2][c + 1]}};
     }
 
-    static void put(const Vector& vector, unsigned char* out) {
-        const float three[3] = {float(vector.x), float(vector.y), float(vector.z)};
-        memcpy(out, three, sizeof three);
-    }
     static Node node(size_t u, size_t v) { return {{ptrdiff_t(u), ptrdiff_t(v)}}; }
     void write_positions(unsigned char* out, size_t stride) const {
         for (size_t v = 0; v < m.rows; ++v)
@@ -179,47 +169,25 @@ template <class T> struct Drawer {
 // Cells along d that are drawn: over the unit square those that close a ring would reach back across it.
 size_t cells_along(const Membrane& m, Direction d) { return m.components == 1 ? m.springs[d] : springs_along(m, d); }
 
-// f(the numbers of its nodes that are there, how many) for each cell.
-template <class F> void each_cell(const Membrane& m, F f) {
-    for (size_t j = 0; j < cells_along(m, kV); ++j)
-        for (size_t i = 0; i < cells_along(m, kU); ++i) {
-            const size_t right = after(m, kU, i), above = after(m, kV, j);
-            size_t there[4];
-            int corners = 0;
-            for (size_t n : {node_at(m, i, j), node_at(m, right, j), node_at(m, right, above), node_at(m, i, above)})
-                if (!m.mask || m.mask[n] != 0) there[corners++] = n;
-            f(there, corners);
-        }
-}
+DrawnLattice drawn(const Membrane& m) { return {m.columns, m.rows, {cells_along(m, kU), cells_along(m, kV)}}; }
 
-template <class Index> void write_triangles(const Membrane& m, unsigned char* out) {
-    each_cell(m, [&](const size_t* corner, int corners) {
-        for (int last = 2; last < corners; ++last)
-            for (size_t n : {corner[0], corner[last - 1], corner[last]}) {
-                const Index index = Index(n);
-                memcpy(out, &index, sizeof index);
-                out += sizeof index;
-            }
-    });
+auto is_there(const Membrane& m) {
+    return [&m](size_t node) { return !m.mask || m.mask[node] != 0; };
 }
 
 } // namespace
 
 void write_vertices(const Membrane& m, unsigned char* out, const VertexFormat& format) {
-    if (m.precision == CD_FLOAT64) Drawer<double>(m).write(out, format);
-    else Drawer<float>(m).write(out, format);
+    by_precision(m, [&](auto zero) { Drawer<decltype(zero)>(m).write(out, format); });
 }
 
 size_t index_count(const Membrane& m) {
-    if (!m.mask) return 6 * cells_along(m, kU) * cells_along(m, kV);
-    size_t triangles = 0;
-    each_cell(m, [&](const size_t*, int corners) { triangles += corners > 2 ? size_t(corners - 2) : 0; });
-    return 3 * triangles;
+    const DrawnLattice lattice = drawn(m);
+    return m.mask ? index_count(lattice, is_there(m)) : 6 * lattice.cells[kU] * lattice.cells[kV];
 }
 
 void write_indices(const Membrane& m, unsigned char* out, size_t index_size) {
-    if (index_size == 2) write_triangles<uint16_t>(m, out);
-    else write_triangles<uint32_t>(m, out);
+    write_indices(drawn(m), is_there(m), out, index_size);
 }
 
 } // namespace cd

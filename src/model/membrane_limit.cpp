@@ -17,15 +17,13 @@ struct Bound {
     const Membrane& m;
 
     bool moves(size_t u, size_t v) const { return present(m, u, v) && !held(m, u, v); }
-    size_t before(size_t i, size_t n) const { return (i > 0 ? i : n) - 1; }
-    size_t after(size_t i, size_t n) const { return i + 1 < n ? i + 1 : 0; }
 
     // The part of K's bound at a node that comes from one spring, to the node (u, v).
     double spring(double stiffness, size_t u, size_t v) const { return (moves(u, v) ? 2 : 1) * stiffness; }
 
     double diagonal(size_t u, size_t v) const {
-        const size_t left = before(u, m.columns), right = after(u, m.columns);
-        const size_t above = before(v, m.rows), below = after(v, m.rows);
+        const size_t left = before(m, kU, u), right = after(m, kU, u);
+        const size_t above = before(m, kV, v), below = after(m, kV, v);
         double sum = spring(stiffness_of(m, kU, u, v), right, v) + spring(stiffness_of(m, kU, left, v), left, v) +
                      spring(stiffness_of(m, kV, u, v), u, below) + spring(stiffness_of(m, kV, u, above), u, above);
         if (!(m.bend > 0)) return sum;

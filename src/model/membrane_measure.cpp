@@ -1,6 +1,7 @@
 // Energy, momentum and volume of a membrane.
 #include "base/sum.hh"
 #include "model/membrane.hh"
+#include "model/vector.hh"
 
 namespace cd {
 
@@ -35,7 +36,7 @@ template <class T> struct Measure {
         double sum = stiffness_of(m, kU, i, j) * squares([&](size_t k) { return right(k) - here(k); }) +
                      stiffness_of(m, kV, i, j) * squares([&](size_t k) { return below(k) - here(k); });
         if (m.bend > 0) {
-            const size_t last_i = i > 0 ? i - 1 : m.columns - 1, last_j = j > 0 ? j - 1 : m.rows - 1;
+            const size_t last_i = before(m, kU, i), last_j = before(m, kV, j);
             const auto curve = [&](auto ahead, size_t u, size_t w, size_t k) {
                 return (ahead(k) - here(k)) - (here(k) - at(x, u, w, k));
             };
@@ -68,15 +69,10 @@ template <class T> struct Measure {
         for (size_t k = 0; k < m.components; ++k) out[k] = sums[k].value();
     }
 
-    struct Vector {
-        double x, y, z;
-    };
     Vector node(size_t i, size_t j) const { return {at(x, i, j, 0), at(x, i, j, 1), at(x, i, j, 2)}; }
 
     // det(p, q, r): six times the volume between the triangle and the origin
-    static double wedge(const Vector& p, const Vector& q, const Vector& r) {
-        return p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
-    }
+    static double wedge(const Vector& p, const Vector& q, const Vector& r) { return dot(p, cross(q, r)); }
 
     double volume() const {
         Sum sum;

@@ -5,23 +5,11 @@
 #include <initializer_list>
 
 #include "model/membrane_work.hh"
+#include "model/vector.hh"
 
 namespace cd {
 
 namespace {
-
-struct Vector {
-    double x[3];
-
-    friend Vector operator-(const Vector& a, const Vector& b) {
-        return {{a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]}};
-    }
-};
-
-Vector half_cross(const Vector& a, const Vector& b) {
-    return {{(a.x[1] * b.x[2] - a.x[2] * b.x[1]) / 2, (a.x[2] * b.x[0] - a.x[0] * b.x[2]) / 2,
-             (a.x[0] * b.x[1] - a.x[1] * b.x[0]) / 2}};
-}
 
 template <class T> struct Presser {
     const Membrane& m;
@@ -29,15 +17,13 @@ template <class T> struct Presser {
 
     Vector place(size_t u, size_t v) const {
         const size_t at = v * m.pitch + u;
-        return {{double(x[at]), double(x[at + m.plane]), double(x[at + 2 * m.plane])}};
+        return {double(x[at]), double(x[at + m.plane]), double(x[at + 2 * m.plane])};
     }
     // The neighbour one step away along d, round a ring; false if there is none.
     bool step(Direction d, int by, size_t& u, size_t& v) const {
         size_t& i = d == kU ? u : v;
-        const size_t n = nodes_along(m, d);
-        const bool over = by > 0 ? i + 1 == n : i == 0;
-        if (over && !m.ring[d]) return false;
-        i = by > 0 ? (over ? 0 : i + 1) : (over ? n : i) - 1;
+        if (!m.ring[d] && i == (by > 0 ? m.springs[d] : 0)) return false;
+        i = by > 0 ? after(m, d, i) : before(m, d, i);
         return true;
     }
     // Adds the share of a cell to the node (u, v) of it, the cell's other nodes lying at by_u and by_v.
@@ -56,16 +42,18 @@ template <class T> struct Presser {
         step(kV, by_v, c[0], c[1]);
         if (!present(m, b[0], b[1]) || !present(m, c[0], c[1]) || !present(m, d[0], d[1])) return;
         const Vector a = place(u, v), pb = place(b[0], b[1]), pc = place(c[0], c[1]), pd = place(d[0], d[1]);
-        const Vector cell = half_cross(pc - a, pd - pb), corner = half_cross(pb - a, pd - a);
-        for (int k = 0; k < 3; ++k) sum.x[k] += (cell.x[k] + corner.x[k]) / 6;
+        sum = sum + (cross(pc - a, pd - pb) / 2 + cross(pb - a, pd - a) / 2) / 6;
     }
     void row(size_t v) const {
         for (size_t u = 0; u < m.columns; ++u) {
-            Vector sum{};
+            Vector sum;
             if (present(m, u, v))
                 for (int by_v : {-1, 1})
                     for (int by_u : {-1, 1}) add_cell(u, v, by_u, by_v, sum);
-            for (size_t k = 0; k < 3; ++k) m.pressed[k * m.plane + v * m.pitch + u] = m.pressure * sum.x[k];
+            double* const out = m.pressed.data + v * m.pitch + u;
+            out[0] = m.pressure * sum.x;
+            out[m.plane] = m.pressure * sum.y;
+            out[2 * m.plane] = m.pressure * sum.z;
         }
     }
 };
@@ -80,8 +68,7 @@ template <class T> void press_all(const Membrane& m) {
 } // namespace
 
 void press(Membrane& m) {
-    if (m.precision == CD_FLOAT64) press_all<double>(m);
-    else press_all<float>(m);
+    by_precision(m, [&](auto zero) { press_all<decltype(zero)>(m); });
 }
 
 } // namespace cd

@@ -13,8 +13,8 @@
 // on any other sheet the lines' answers only span a space, and w is the element of it that comes nearest to the system
 // in energy. Its residual is then orthogonal to w, and the energy's change over a step, which is w times what the step
 // got wrong, is that of the exact solve: none at lambda = 1/2, a loss above. The space is v, a motion of all nodes
-// alike (so that momentum is kept; of the heaviest part, where a sheet is in parts), S_u r, S_v r and S_v M S_u r + S_u
-// M S_v r, with S_d = (M + A_d)^-1 and r what is left of the system after the best multiple of v. With v in it the
+// alike (so that momentum is kept; of each part on its own, where a sheet is in parts), S_u r, S_v r and S_v M S_u r +
+// S_u M S_v r, with S_d = (M + A_d)^-1 and r what is left of the system after the best multiple of v. With v in it the
 // steps together act as conjugate gradients towards the static solution.
 //
 // Coupled: conjugate gradients on the same r; then once more the best of v, all alike and its answer, for the same
@@ -173,18 +173,24 @@ template <class T> struct Stepper {
     }
 
     // Moves by the best of v, of a motion of all nodes alike, and of n answers, given the residual that is left beside
-    // (1 - share) v. It keeps the momentum of a free sheet, whatever the answers are.
+    // (1 - share) v. It keeps the momentum of a free sheet, and of each part of it, whatever the answers are.
     void move_by_nearest(SheetMove& by, double share, double* const* answers, int n, const double* residual) const {
-        double* planes[kMostDirections] = {w.free_v, w.one};
-        for (int k = 0; k < n; ++k) planes[k + 2] = answers[k];
-        double rhs[kMostDirections];
-        by.changes = n + 2;
-        for (int k = 0; k < by.changes; ++k) {
+        double *planes[kMostDirections] = {w.free_v}, rhs[kMostDirections];
+        int count = 1;
+        if (m.parts < 2) planes[count++] = w.one;
+        for (int k = 0; k < n; ++k) planes[count++] = answers[k];
+        if (m.parts > 1) separate_parts(m, w, planes, count, share, residual);
+        for (int k = 0; k < count; ++k) {
             rhs[k] = w.system.dot(planes[k], residual);
             by.change[k] = planes[k];
         }
-        w.system.project(planes, by.changes, rhs, by.factor);
+        w.system.project(planes, count, rhs, by.factor);
         by.factor[0] -= share;
+        if (m.parts > 1) {
+            by.change[count] = w.one;
+            by.factor[count++] = 1;
+        }
+        by.changes = count;
     }
 
     void alternate_nearest(SheetMove& by) const {

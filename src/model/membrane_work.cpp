@@ -21,8 +21,6 @@ bool edges_only(const Membrane& m, const MembraneFeatures& f) {
     return !fields && (!f.bend || !is_wide(m) || (u && v));
 }
 
-Direction other(Direction d) { return d == kU ? kV : kU; }
-
 } // namespace
 
 Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, Carver& scratch)
@@ -34,6 +32,7 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
       rows{},
       shared{SharedLines(m.columns, f.bend, f.ring[kU], coefficients),
              SharedLines(m.rows, f.bend, f.ring[kV], coefficients)},
+      parts{},
       preconditioner{},
       gradient{} {
     coefficients.fits &= grid_of(m.columns, m.rows, grid) && grid_of(m.rows, m.columns, turned);
@@ -66,10 +65,11 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
     for (double*& moment : sheet.moment) moment = plane(scratch, bends);
     size_t pairs = 0;
     scratch.fits = scratch.fits && multiply(m.rows, kPairs, pairs);
-    sums = system.sums = general ? scratch.numbers(pairs) : nullptr;
+    system.sums = general ? scratch.numbers(pairs) : nullptr;
 
     const bool lines_differ = solves && !coupled && general && !edges_only(m, f);
     one = plane(coefficients, lines_differ || coupled);
+    if (lines_differ || coupled) parts = SheetParts(m, grid, coefficients, scratch);
     for (int factor = 0; factor < (bends ? 2 : 1) && lines_differ; ++factor) {
         line[factor][kU] = LineRows(coefficients, turned, f.ring[kU]);
         line[factor][kV] = LineRows(coefficients, grid, f.ring[kV]);
@@ -89,6 +89,12 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
     preconditioner.first.carve(system, bends, coefficients, scratch);
     if (bends) preconditioner.second.carve(system, bends, coefficients, scratch);
 }
+
+SheetParts::SheetParts(const Membrane& m, const Grid& grid, Carver& coefficients, Carver& scratch)
+    : of(reinterpret_cast<size_t*>(coefficients.plane(grid))),
+      pull(coefficients.plane(grid)),
+      energy(coefficients.numbers(m.nodes + 1)),
+      sums(scratch.numbers(m.nodes + 1)) {}
 
 bool needs_of(const Membrane& m, const MembraneFeatures& f, MembraneNeeds& out) {
     Carver coefficients{nullptr}, scratch{nullptr};
@@ -121,13 +127,8 @@ struct UniformLine {
     }
     // A matched end's impedance over the node's mass [1/s].
     double matched(size_t i) const {
-        const bool first = i == 0, last = i + 1 == nodes();
-        const cd_edge edges[2] = {d == kU ? CD_EDGE_U_FIRST : CD_EDGE_V_FIRST,
-                                  d == kU ? CD_EDGE_U_LAST : CD_EDGE_V_LAST};
-        if (m.springs[d] == 0) return 0;
-        if (!(first && m.edge[edges[0]] == CD_NODE_MATCHED) && !(last && m.edge[edges[1]] == CD_NODE_MATCHED)) return 0;
-        const double inner = weight(first ? 1 : i - 1);
-        return sqrt(uniform_stiffness(m, d) / uniform_mass(m) * inner) / weight(i);
+        const size_t inside = inside_matched(m, d, i);
+        return inside == i ? 0 : sqrt(uniform_stiffness(m, d) / uniform_mass(m) * weight(inside)) / weight(i);
     }
     double ground(size_t i) const { return held(i) ? double(INFINITY) : weight(i) * (1 + h * m.drag + h * matched(i)); }
 };
@@ -225,53 +226,6 @@ double mean_mass(const Membrane& m, const Work& w) {
     return moving > 0 ? sum / double(moving) : 1;
 }
 
-// w.one: 1 on the heaviest part of what springs and bend hold together, else 0. Parts must not feel each other's
-// motion.
-void prepare_one(const Membrane& m, Work& w) {
-    const auto place = [&](size_t u, size_t v) { return v * w.grid.pitch + u; };
-    // Every node points to one of its part, in the end to the part's first one, which gathers its mass (from 1 on, as 0
-    // marks what does not move).
-    double* const points = w.scaled;
-    const auto first_of = [&](size_t at) {
-        while (size_t(points[at]) - 1 != at) {
-            const size_t next = size_t(points[at]) - 1;
-            points[at] = points[next];
-            at = next;
-        }
-        return at;
-    };
-    const auto join = [&](size_t a, size_t b) {
-        if (!(points[a] > 0) || !(points[b] > 0)) return;
-        a = first_of(a), b = first_of(b);
-        if (a < b) points[b] = double(a + 1);
-        else points[a] = double(b + 1);
-    };
-    for (size_t v = 0; v < m.rows; ++v)
-        for (size_t u = 0; u < m.columns; ++u) {
-            points[place(u, v)] = w.mass[place(u, v)] > 0 ? double(place(u, v) + 1) : 0;
-            w.one[place(u, v)] = 0;
-        }
-    for (size_t v = 0; v < m.rows; ++v)
-        for (size_t u = 0; u < m.columns; ++u) {
-            const size_t at = place(u, v);
-            if (w.spring[kU][at] > 0 || w.bends) join(at, place(after(m, kU, u), v));
-            if (w.spring[kV][at] > 0 || w.bends) join(at, place(u, after(m, kV, v)));
-        }
-    size_t heaviest = 0;
-    for (size_t v = 0; v < m.rows; ++v)
-        for (size_t u = 0; u < m.columns; ++u) {
-            if (!(points[place(u, v)] > 0)) continue;
-            const size_t first = first_of(place(u, v));
-            w.one[first] += w.mass[place(u, v)];
-            if (w.one[first] > w.one[heaviest]) heaviest = first;
-        }
-    for (size_t v = 0; v < m.rows; ++v)
-        for (size_t u = 0; u < m.columns; ++u) {
-            const size_t at = place(u, v);
-            w.one[at] = points[at] > 0 && first_of(at) == heaviest ? 1 : 0;
-        }
-}
-
 void prepare_lines(const Membrane& m, Work& w, double sigma) {
     const double mass = mean_mass(m, w);
     const auto ground = [&](size_t v, size_t u) { return factor_ground(w, u, v); };
@@ -335,7 +289,7 @@ void prepare(Membrane& m, Work& w, double dt) {
     m.whole = false;
     if (w.implicit && (w.coupled || !m.separable)) {
         measure(m, w);
-        prepare_one(m, w);
+        prepare_parts(m, w);
     }
 }
 

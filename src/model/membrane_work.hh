@@ -19,6 +19,17 @@ struct DirectionRows {
     uint8_t* holds; // whether the whole line across a node is held
 };
 
+// The parts of a sheet: see membrane_parts.cpp.
+struct SheetParts {
+    size_t* of = nullptr;     // plane: the part of a node, from 1 on; 0 where nothing moves
+    double* pull = nullptr;   // plane: the system times the motion of all nodes alike
+    double* energy = nullptr; // per part, [0] of none: of its own nodes' motion alike
+    double* sums = nullptr;   // likewise: scratch
+
+    SheetParts() = default;
+    SheetParts(const Membrane& m, const Grid& grid, Carver& coefficients, Carver& scratch);
+};
+
 struct Work {
     bool implicit, coupled, general, bends;
     Grid grid, turned;
@@ -26,6 +37,7 @@ struct Work {
     DirectionRows rows[2];
     SharedLines shared[2];
     double *mass, *ground, *spring[2], *bend[2], *twist, *inverse, *tie, *one; // planes; null where not needed
+    SheetParts parts;
     LineRows line[2][2]; // of both factors (with bend), along u and v
     SheetSystem system;
     Preconditioner preconditioner;
@@ -35,13 +47,19 @@ struct Work {
     double *turned_plane, *free_v; // free_v: v where nodes move, else 0
     double *answer[3], *slope;
     GradientPlanes gradient;
-    double* sums;
 
     Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, Carver& scratch);
 };
 
 // Makes the coefficients for steps of dt.
 void prepare(Membrane& m, Work& work, double dt);
+
+// Finds the parts of the sheet, m.parts of them, and makes w.one: 1 where nodes move.
+void prepare_parts(Membrane& m, Work& work);
+// For a sheet of several parts: makes n planes orthogonal in energy to every motion that moves one part alike. Into
+// w.one goes what those motions themselves have to do for this residual, less `share` of what the first plane loses.
+void separate_parts(const Membrane& m, const Work& work, double* const* planes, int n, double share,
+                    const double* residual);
 
 // The force of the pressure on every node, into m.pressed.
 void press(Membrane& m);

@@ -95,6 +95,64 @@ static void free_sheets_keep_their_momentum_with_coupled(void** state) {
     free_sheets_keep_their_momentum_with(CD_SOLVER_COUPLED);
 }
 
+/* Springs along u are cut at u = 7 and, of four parts, at u = 3 and all round node (10, 5). */
+static void tear(cd_membrane* m, int parts) {
+    ok(cd_membrane_enable_field(m, CD_STIFFNESS_U));
+    ok(cd_membrane_enable_field(m, CD_STIFFNESS_V));
+    for (size_t v = 0; v < ROWS; ++v) {
+        sheet_set(m, CD_STIFFNESS_U, 7, v, 0);
+        if (parts == 4) sheet_set(m, CD_STIFFNESS_U, 3, v, 0);
+    }
+    for (size_t k = 0; k < 2 && parts == 4; ++k) {
+        sheet_set(m, CD_STIFFNESS_U, 9 + k, 5, 0);
+        sheet_set(m, CD_STIFFNESS_V, 10, 4 + k, 0);
+    }
+}
+
+static size_t part_of(size_t u, size_t v, int parts) {
+    return parts == 4 && u == 10 && v == 5 ? 3 : parts == 4 && u < 4 ? 2 : u > 7;
+}
+
+static void each_part_of_a_torn_sheet_keeps_its_momentum(void** state) {
+    (void)state;
+    enum { MANY = 3, PARTS = 4 };
+    static const enum wild kinds[] = {WILD_FREE, WILD_RANDOM_SPRINGS, WILD_RANDOM_MASSES};
+    static const double ratios[] = {1, 1e4};
+    static double x[NODES * MANY], v[2][NODES * MANY];
+    for (int solver = 0; solver < 2; ++solver) {
+        double worst = 0;
+        for (size_t kind = 0; kind < COUNT(kinds); ++kind)
+            for (int parts = 2; parts <= PARTS; parts += 2)
+                for (size_t r = 0; r < COUNT(ratios); ++r)
+                    for (size_t way = LAMBDA_1_2; way < TIME_STEPS; ++way) {
+                        cd_membrane* m = wild_membrane(kinds[kind], COLUMNS, ROWS, MANY, CD_FLOAT64, ratios[r], 9);
+                        tear(m, parts);
+                        struct grid* g = grid_of(m);
+                        sheet_set_time_step(m, &time_steps[way]);
+                        ok(cd_membrane_set_solver(m, solver));
+                        fill(x, COUNT(x), 1);
+                        fill(v[0], COUNT(v[0]), 2);
+                        sheet_write(m, CD_POSITION, x);
+                        sheet_write(m, CD_VELOCITY, v[0]);
+                        ok(cd_membrane_step(m, 1.0 / 60, 50));
+                        sheet_read(m, CD_VELOCITY, v[1]);
+                        long double change[PARTS][MANY] = {{0}}, size[PARTS][MANY] = {{0}};
+                        for (size_t i = 0; i < NODES * MANY; ++i) {
+                            const size_t node = i / MANY, part = part_of(node % COLUMNS, node / COLUMNS, parts);
+                            change[part][i % MANY] += g->mass[node] * ((long double)v[1][i] - v[0][i]);
+                            size[part][i % MANY] += g->mass[node] * fabs(v[0][i]);
+                        }
+                        for (int part = 0; part < parts; ++part)
+                            for (size_t c = 0; c < MANY; ++c)
+                                worst = fmax(worst, fabs((double)(change[part][c] / size[part][c])));
+                        grid_destroy(g);
+                        cd_membrane_destroy(m);
+                    }
+        print_message("%-11s parts' momenta change in 50 steps by %.1e\n", solver_names[solver], worst);
+        assert_true(worst <= 1e-9);
+    }
+}
+
 /* ---- linearity --------------------------------------------------------------------------------------------------- */
 
 static void run_rich(enum wild kind, const struct time_step* step, cd_solver solver, const double* x0, const double* v0,
@@ -290,6 +348,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(free_sheets_keep_their_momentum_with_alternating),
         cmocka_unit_test(free_sheets_keep_their_momentum_with_coupled),
+        cmocka_unit_test(each_part_of_a_torn_sheet_keeps_its_momentum),
         cmocka_unit_test(motions_add_up),
         cmocka_unit_test(components_move_as_if_alone),
         cmocka_unit_test(a_sheet_drawn_to_one_place_feels_no_force),
