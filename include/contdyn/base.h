@@ -105,7 +105,18 @@ enum {
     CD_TARGET = 7,
     CD_STIFFNESS_U = 8,
     CD_STIFFNESS_V = 9,
-    CD_MASK = 10
+    CD_MASK = 10,
+    CD_DEPTH = 11,
+    CD_BED = 12,
+    CD_SURFACE = 13,
+    CD_VELOCITY_X = 14,
+    CD_VELOCITY_Y = 15,
+    CD_SOURCE = 16,
+    CD_PRESSURE = 17,
+    CD_FORCE_X = 18,
+    CD_FORCE_Y = 19,
+    CD_WALL_X = 20,
+    CD_WALL_Y = 21
 };
 
 /* ---- callbacks ------------------------------------------------------------------------------------------------- */

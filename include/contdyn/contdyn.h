@@ -6,5 +6,6 @@
 #include "base.h"
 #include "chain.h"
 #include "membrane.h"
+#include "water.h"
 
 #endif

@@ -61,6 +61,9 @@ const char* cd_build_info(void) {
 #if CD_WITH_MEMBRANE
                        " membrane"
 #endif
+#if CD_WITH_WATER
+                       " water"
+#endif
                        ", precisions:"
 #if CD_WITH_FLOAT32
                        " float32"

@@ -7,9 +7,11 @@
 namespace cd {
 
 inline const char* field_name(cd_field field) {
-    static const char* const names[] = {"CD_POSITION",    "CD_VELOCITY",    "CD_FORCE", "CD_MASS",
-                                        "CD_STIFFNESS",   "CD_BEND",        "CD_PIN",   "CD_TARGET",
-                                        "CD_STIFFNESS_U", "CD_STIFFNESS_V", "CD_MASK"};
+    static const char* const names[] = {
+        "CD_POSITION", "CD_VELOCITY", "CD_FORCE",       "CD_MASS",        "CD_STIFFNESS", "CD_BEND",
+        "CD_PIN",      "CD_TARGET",   "CD_STIFFNESS_U", "CD_STIFFNESS_V", "CD_MASK",      "CD_DEPTH",
+        "CD_BED",      "CD_SURFACE",  "CD_VELOCITY_X",  "CD_VELOCITY_Y",  "CD_SOURCE",    "CD_PRESSURE",
+        "CD_FORCE_X",  "CD_FORCE_Y",  "CD_WALL_X",      "CD_WALL_Y"};
     return names[field];
 }
 
@@ -31,16 +33,20 @@ inline const Array<char>& state_of(const Body& b, cd_field field) {
                                   : b.target;
 }
 
-inline cd_status has_view(const char* function, cd_field field) {
-    if (is_state(field)) return CD_OK;
+inline cd_status has_view(const char* function, cd_field field, bool has) {
+    if (has) return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, has no view: read it", int(field), field_name(field));
 }
+inline cd_status has_view(const char* function, cd_field field) { return has_view(function, field, is_state(field)); }
 
 // What every sample is given: places at[j], and room for positions.
-inline cd_status can_sample(const char* function, const double* at, size_t n, const double* out_positions) {
+inline cd_status can_sample(const char* function, const double* at, size_t n) {
     if (n > 0) CD_CHECK(not_null(function, "at", at));
-    if (n > 0) CD_CHECK(not_null(function, "out_positions", out_positions));
     return n > SIZE_MAX / 4 ? fail(CD_ERROR_RANGE, function, "n is %zu, more than fits in memory", n) : CD_OK;
+}
+inline cd_status can_sample(const char* function, const double* at, size_t n, const double* out_positions) {
+    CD_CHECK(can_sample(function, at, n));
+    return n > 0 ? not_null(function, "out_positions", out_positions) : CD_OK;
 }
 inline cd_status is_place(const char* function, const double* at, size_t j, size_t springs) {
     if (at[j] >= 0 && at[j] <= double(springs)) return CD_OK;

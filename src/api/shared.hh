@@ -1,5 +1,6 @@
 // The functions that objects share, each written once; CD_OBJECT_FUNCTIONS and CD_BODY_FUNCTIONS at the end make an
 // object's public functions of them. A function here takes the name of the public one, the object, and its arguments.
+// An object that one does not fit has an overload of its own: api/water_handle.hh.
 #pragma once
 
 #include "api/fields.hh"
@@ -98,12 +99,18 @@ inline cd_status get_gravity(const char* function, const Body& b, double* out_gr
 
 // ---- fields: an object says by is_field, is_always_on and switch_own what it has ------------------------------------
 
+// What every body has, and what is no body has not.
+inline void switch_body(BodyFeatures* wanted, cd_field field, bool on) {
+    if (field == CD_FORCE) wanted->force = on;
+    if (field == CD_MASS) wanted->node_mass = on;
+    if (field == CD_TARGET) wanted->target = on;
+}
+inline void switch_body(void*, cd_field, bool) {}
+
 template <class X> cd_status switch_field(const char* function, X& x, cd_field field, bool on) {
     auto wanted = features(x);
-    if (field == CD_FORCE) wanted.force = on;
-    else if (field == CD_MASS) wanted.node_mass = on;
-    else if (field == CD_TARGET) wanted.target = on;
-    else switch_own(wanted, field, on);
+    switch_body(&wanted, field, on);
+    switch_own(wanted, field, on);
     return set_features(x, wanted) ? CD_OK : fail(CD_ERROR_MEMORY, function, "no memory for %s", field_name(field));
 }
 
@@ -170,9 +177,7 @@ inline cd_status diverged_at(const char* function, uint64_t step) {
 }
 
 template <class X> cd_status reset(X& x) {
-    memset(x.position.data, 0, x.position.bytes());
-    memset(x.velocity.data, 0, x.velocity.bytes());
-    x.clock = {};
+    clear_state(x);
     x.diverged = false;
     return CD_OK;
 }

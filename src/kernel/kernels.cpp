@@ -15,6 +15,13 @@ template <class T> constexpr SheetStateKernels<T> state_kernels() {
 }
 #endif
 
+#if CD_WITH_WATER
+template <class T> constexpr WaterKernels<T> water_kernels() {
+    return {sweep_water<T>, carry_across<T>, guess_water<T>, finish_water<T>, keep_water<T>,
+            share_water<T>, fill_water<T>,   gather_loads,   limit_water};
+}
+#endif
+
 extern const Kernels kernels;
 const Kernels kernels = {
     CD_TEXT(CD_ISA),
@@ -30,20 +37,30 @@ const Kernels kernels = {
 #else
     {},
 #endif
-#if CD_WITH_MEMBRANE
+#if CD_WITH_MEMBRANE || CD_WITH_WATER
     {pull_separable, pull_general, apply, moments, energies, solve_lines, filter_lines, smooth_lines, transpose,
      combine, multiply, wrap, dot, aggregate, spread,
-#if CD_WITH_FLOAT32
+#if CD_WITH_MEMBRANE && CD_WITH_FLOAT32
      state_kernels<float>(),
 #else
      {},
 #endif
-#if CD_WITH_FLOAT64
+#if CD_WITH_MEMBRANE && CD_WITH_FLOAT64
      state_kernels<double>()
 #else
      {}
 #endif
     },
+#else
+    {},
+#endif
+#if CD_WITH_WATER && CD_WITH_FLOAT32
+    water_kernels<float>(),
+#else
+    {},
+#endif
+#if CD_WITH_WATER && CD_WITH_FLOAT64
+    water_kernels<double>(),
 #else
     {},
 #endif

@@ -6,6 +6,7 @@
 #include "kernel/rod_sweep.hh"
 #include "kernel/sheet.hh"
 #include "kernel/spring_sweep.hh"
+#include "kernel/water.hh"
 
 namespace cd {
 
@@ -59,14 +60,30 @@ struct SheetKernels {
     const SheetStateKernels<double>& of(double) const { return float64; }
 };
 
+template <class T> struct WaterKernels {
+    bool (*sweep)(const WaterAxis&, const WaterLines<T>&, double*, size_t, size_t);
+    bool (*carry_across)(const WaterCarried<T>&, double*, size_t, size_t);
+    void (*guess)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
+    void (*finish)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
+    bool (*keep)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
+    void (*share)(const WaterCells&, const T*, double*, double*, size_t, size_t);
+    void (*fill)(const WaterCells&, T*, double*, size_t, size_t);
+    decltype(&CD_ISA::gather_loads) gather_loads;
+    decltype(&CD_ISA::limit_water) limit;
+};
+
 struct Kernels {
     const char* name;           // of the instruction set
     LineKernels<float> float32; // null where the precision is left out
     LineKernels<double> float64;
     SheetKernels sheet;
+    WaterKernels<float> water32;
+    WaterKernels<double> water64;
 
     const LineKernels<float>& of(float) const { return float32; }
     const LineKernels<double>& of(double) const { return float64; }
+    const WaterKernels<float>& water_of(float) const { return water32; }
+    const WaterKernels<double>& water_of(double) const { return water64; }
 };
 
 // The kernels this processor can run, in out, at most kKernelSets; the fastest last. Returns how many.

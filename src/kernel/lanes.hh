@@ -50,8 +50,10 @@ template <> struct Lanes<1, LaneKind::kSingle, double> {
     friend Lanes operator+(Lanes a, Lanes b) { return {a.v + b.v}; }
     friend Lanes operator-(Lanes a, Lanes b) { return {a.v - b.v}; }
     friend Lanes operator*(Lanes a, Lanes b) { return {a.v * b.v}; }
+    friend Lanes operator/(Lanes a, Lanes b) { return {a.v / b.v}; }
     friend Lanes settled(Lanes a, double least) { return {__builtin_fabs(a.v) < least ? 0 : a.v}; }
     friend Lanes select(Lanes by, Lanes a, Lanes b) { return by.v > 0 ? a : b; }
+    template <class F> friend Lanes each_lane(Lanes a, F f) { return {f(a.v)}; }
     bool any_nan() const { return v != v; }
 };
 
@@ -80,6 +82,7 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
     friend Lanes operator+(Lanes a, Lanes b) { return {a.v + b.v}; }
     friend Lanes operator-(Lanes a, Lanes b) { return {a.v - b.v}; }
     friend Lanes operator*(Lanes a, Lanes b) { return {a.v * b.v}; }
+    friend Lanes operator/(Lanes a, Lanes b) { return {a.v / b.v}; }
 
     // 0 where |a| < least
     friend Lanes settled(Lanes a, double least) {
@@ -91,6 +94,10 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
         typedef decltype(a.v < a.v) Bits;
         const Bits yes = by.v > splat(0).v;
         return {reinterpret_cast<Values>((reinterpret_cast<Bits>(a.v) & yes) | (reinterpret_cast<Bits>(b.v) & ~yes))};
+    }
+    template <class F> friend Lanes each_lane(Lanes a, F f) {
+        for (int j = 0; j < N; ++j) a.v[j] = f(a.v[j]);
+        return a;
     }
     bool any_nan() const {
         for (int j = 0; j < N; ++j)
@@ -115,12 +122,32 @@ template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
     friend Lanes operator+(Lanes x, Lanes y) { return {x.a + y.a, x.b + y.b}; }
     friend Lanes operator-(Lanes x, Lanes y) { return {x.a - y.a, x.b - y.b}; }
     friend Lanes operator*(Lanes x, Lanes y) { return {x.a * y.a, x.b * y.b}; }
+    friend Lanes operator/(Lanes x, Lanes y) { return {x.a / y.a, x.b / y.b}; }
     friend Lanes settled(Lanes x, double least) { return {settled(x.a, least), settled(x.b, least)}; }
     friend Lanes select(Lanes by, Lanes x, Lanes y) { return {select(by.a, x.a, y.a), select(by.b, x.b, y.b)}; }
+    template <class F> friend Lanes each_lane(Lanes x, F f) { return {each_lane(x.a, f), each_lane(x.b, f)}; }
     bool any_nan() const { return a.any_nan() || b.any_nan(); }
 };
 
 template <int N> inline Lanes<N> operator*(double s, Lanes<N> a) { return Lanes<N>::splat(s) * a; }
+template <int N> inline Lanes<N> operator-(Lanes<N> a) { return Lanes<N>{} - a; }
+
+// The second one where either is NaN.
+template <int N> inline Lanes<N> larger(Lanes<N> a, Lanes<N> b) { return select(a - b, a, b); }
+template <int N> inline Lanes<N> smaller(Lanes<N> a, Lanes<N> b) { return select(b - a, a, b); }
+template <int N> inline Lanes<N> positive(Lanes<N> a) { return select(a, a, Lanes<N>{}); }
+template <int N> inline Lanes<N> size_of(Lanes<N> a) { return larger(a, -a); }
+template <int N> inline Lanes<N> root(Lanes<N> a) {
+    return each_lane(a, [](double x) { return __builtin_sqrt(x); });
+}
+// Whether any lane is > 0.
+template <int N> inline bool any_positive(Lanes<N> a) {
+    double lane[N];
+    a.store(lane);
+    bool any = false;
+    for (double x : lane) any |= x > 0;
+    return any;
+}
 
 // The point between `here` and `there` = moving + offset at a fraction of the way, and `extra` on top. With the sign
 // bit set, the fraction is measured from there: so both a fraction near 0 and one near 1 keep their digits, a weight of

@@ -1,6 +1,8 @@
 // What chain and membrane have in common: nodes with masses, held together by springs and advanced in time.
 #pragma once
 
+#include <initializer_list>
+
 #include "model/life.hh"
 #include "model/object.hh"
 
@@ -23,6 +25,21 @@ struct Body : Object, BodySettings {
 
 inline double tie_of(const Body& b, size_t node) { return b.attach_stiffness ? b.attach_stiffness[node] : 0; }
 inline double tie_damping_of(const Body& b, size_t node) { return b.attach_damping ? b.attach_damping[node] : 0; }
+
+// X: a body with a layout_of.
+template <class X> bool all_finite(const X& x) {
+    bool finite = true;
+    for (const Array<char>* array : {&x.position, &x.velocity})
+        each_number(x, layout_of(x), *array, [&](auto number) { finite &= isfinite(number) != 0; });
+    return finite;
+}
+
+// Positions, velocities and time back to 0.
+inline void clear_state(Body& b) {
+    memset(b.position.data, 0, b.position.bytes());
+    memset(b.velocity.data, 0, b.velocity.bytes());
+    b.clock = {};
+}
 
 // What costs memory, in one value, so that features change all together or not at all.
 struct BodyFeatures {
@@ -53,5 +70,13 @@ struct BodyChanges {
         if (target.is_new()) memcpy(b.target.data, b.position.data, b.target.count);
     }
 };
+
+// A body as `start` has it, with positions and velocities of `state_bytes` each and what its features need, or null.
+template <class X> X* make(X& start, uint64_t tag, size_t state_bytes) {
+    if (allocate(start.memory, state_bytes, start.position) && allocate(start.memory, state_bytes, start.velocity))
+        return make(start, tag);
+    release_arrays(start);
+    return nullptr;
+}
 
 } // namespace cd

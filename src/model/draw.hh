@@ -31,10 +31,15 @@ struct DrawnLattice {
     size_t columns, rows, cells[2];
 };
 
+struct EveryCell {
+    bool operator()(const size_t*, int) const { return true; }
+};
+
 // A cell has the corners a, b, c, d, counter-clockwise from its first vertex on; it is cut into a, b, c and a, c, d, or
-// drawn as the triangle of three that are there. f(the numbers of those that are there, how many) for each cell;
-// is_there(number).
-template <class IsThere, class F> void each_cell(const DrawnLattice& lattice, IsThere is_there, F f) {
+// drawn as the triangle of three that are there. f(the numbers of those that are there, how many) for each cell that is
+// drawn; is_there(number), is_drawn(what f is given).
+template <class IsThere, class IsDrawn, class F>
+void each_cell(const DrawnLattice& lattice, IsThere is_there, IsDrawn is_drawn, F f) {
     for (size_t j = 0; j < lattice.cells[1]; ++j)
         for (size_t i = 0; i < lattice.cells[0]; ++i) {
             const size_t right = i + 1 < lattice.columns ? i + 1 : 0, above = j + 1 < lattice.rows ? j + 1 : 0;
@@ -43,20 +48,20 @@ template <class IsThere, class F> void each_cell(const DrawnLattice& lattice, Is
             int corners = 0;
             for (size_t n : {low + i, low + right, high + right, high + i})
                 if (is_there(n)) there[corners++] = n;
-            f(there, corners);
+            if (corners > 2 && is_drawn(there, corners)) f(there, corners);
         }
 }
 
-template <class IsThere> size_t index_count(const DrawnLattice& lattice, IsThere is_there) {
+template <class IsThere, class IsDrawn = EveryCell>
+size_t index_count(const DrawnLattice& lattice, IsThere is_there, IsDrawn is_drawn = {}) {
     size_t triangles = 0;
-    each_cell(lattice, is_there,
-              [&](const size_t*, int corners) { triangles += corners > 2 ? size_t(corners - 2) : 0; });
+    each_cell(lattice, is_there, is_drawn, [&](const size_t*, int corners) { triangles += size_t(corners - 2); });
     return 3 * triangles;
 }
 
-template <class Index, class IsThere>
-void write_triangles(const DrawnLattice& lattice, IsThere is_there, unsigned char* out) {
-    each_cell(lattice, is_there, [&](const size_t* corner, int corners) {
+template <class Index, class IsThere, class IsDrawn>
+void write_triangles(const DrawnLattice& lattice, IsThere is_there, IsDrawn is_drawn, unsigned char* out) {
+    each_cell(lattice, is_there, is_drawn, [&](const size_t* corner, int corners) {
         for (int last = 2; last < corners; ++last)
             for (size_t n : {corner[0], corner[last - 1], corner[last]}) {
                 const Index index = Index(n);
@@ -66,10 +71,11 @@ void write_triangles(const DrawnLattice& lattice, IsThere is_there, unsigned cha
     });
 }
 
-template <class IsThere>
-void write_indices(const DrawnLattice& lattice, IsThere is_there, unsigned char* out, size_t index_size) {
-    if (index_size == 2) write_triangles<uint16_t>(lattice, is_there, out);
-    else write_triangles<uint32_t>(lattice, is_there, out);
+template <class IsThere, class IsDrawn = EveryCell> void write_indices(const DrawnLattice& lattice, IsThere is_there,
+                                                                       unsigned char* out, size_t index_size,
+                                                                       IsDrawn is_drawn = {}) {
+    if (index_size == 2) write_triangles<uint16_t>(lattice, is_there, is_drawn, out);
+    else write_triangles<uint32_t>(lattice, is_there, is_drawn, out);
 }
 
 } // namespace cd

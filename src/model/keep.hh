@@ -96,6 +96,9 @@ template <class K> void save_object(const typename K::Object& x, unsigned char* 
     write_header(K::kind, out, size_t(body.to - out));
 }
 
+// The features that an object takes over; what is no part of the state stays as it is here.
+template <class X, class F> F taken_over(const X&, const F& features) { return features; }
+
 template <class K>
 cd_status load_object(const char* function, typename K::Object& x, const unsigned char* bytes, size_t size) {
     Reader reader{bytes, bytes + size};
@@ -108,7 +111,7 @@ cd_status load_object(const char* function, typename K::Object& x, const unsigne
     K::walk_settings(reader, settings);
     if (!reader.whole || !K::valid(x, settings) || !K::check_fields(reader, x, settings))
         return fail(CD_ERROR_FORMAT, function, "a number in these %zu bytes is not valid", size);
-    if (!set_features(x, K::features_of(settings)))
+    if (!set_features(x, taken_over(x, K::features_of(settings))))
         return fail(CD_ERROR_MEMORY, function, "no memory for the saved fields");
     K::apply(x, settings);
     walk_fields(reader, x);
@@ -121,7 +124,8 @@ template <class K>
 cd_status copy_object(const char* function, typename K::Object& x, const typename K::Object& source) {
     const Shape from = K::shape_of(source), here = K::shape_of(x);
     if (!(from == here)) return shapes_differ(function, K::kind, "the source", from, here);
-    if (!set_features(x, features(source))) return fail(CD_ERROR_MEMORY, function, "no memory for the source's fields");
+    if (!set_features(x, taken_over(x, features(source))))
+        return fail(CD_ERROR_MEMORY, function, "no memory for the source's fields");
     K::apply(x, K::settings_of(source));
     const auto copy = [](auto& to, const auto& from_array) {
         if (from_array) memcpy(to.data, from_array.data, from_array.bytes());

@@ -37,18 +37,16 @@ template <class All> void put_all(Memory& memory, All all) {
     all([&](auto& change) { return change.put(memory), true; });
 }
 
-// X: an object with position and velocity, of `state_bytes` each, with features and set_features; X::each_array(f, x)
-// makes f(array) for each array that it has.
+// X: an object with features and set_features; X::each_array(f, x) makes f(array) for each array that it has.
 
 template <class X> void release_arrays(X& x) {
     X::each_array([&](auto& array) { release(x.memory, array); }, x);
 }
 
 // An object as `start` has it, with what its features need, or null.
-template <class X> X* make(X& start, uint64_t tag, size_t state_bytes) {
+template <class X> X* make(X& start, uint64_t tag) {
     Array<char> place;
-    if (!allocate(start.memory, sizeof(X), place) || !allocate(start.memory, state_bytes, start.position) ||
-        !allocate(start.memory, state_bytes, start.velocity) || !set_features(start, features(start))) {
+    if (!allocate(start.memory, sizeof(X), place) || !set_features(start, features(start))) {
         release_arrays(start);
         release(start.memory, place);
         return nullptr;

@@ -4,8 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include <initializer_list>
-
 #include "base/memory.hh"
 #include "contdyn/base.h"
 #include "kernel/kernels.hh"
@@ -90,14 +88,6 @@ template <class T, class F> void each_number(const Layout& layout, T* data, F f)
 }
 template <class F> void each_number(const Object& o, const Layout& layout, const Array<char>& array, F f) {
     by_precision(o, [&](auto zero) { each_number(layout, numbers<decltype(zero)>(array), f); });
-}
-
-// X: an object with position and velocity, and a layout_of.
-template <class X> bool all_finite(const X& x) {
-    bool finite = true;
-    for (const Array<char>* array : {&x.position, &x.velocity})
-        each_number(x, layout_of(x), *array, [&](auto number) { finite &= isfinite(number) != 0; });
-    return finite;
 }
 
 } // namespace cd

@@ -1,0 +1,370 @@
+/* contdyn: water: a height field of columns over a bed: pool, river, tide, flood.
+ *
+ * A water has nx x ny cells of dx x dy metres; ny = 1 is a slice. A cell holds a column of water of depth d >= 0 over
+ * its bed b; its surface is h = b + d. Velocities live on the faces between cells: x-face (i, j) lies between the cells
+ * (i - 1, j) and (i, j), so that there are nx + 1 of them in a row; y-face (i, j) between (i, j - 1) and (i, j). Cell
+ * (i, j) has its centre at ((i + 1/2) dx, (j + 1/2) dy).
+ *
+ * Motion    d_t + (d u)_x + (d v)_y = source
+ *           u_t [+ u u_x + v u_y] = -g h_x - p_x / density + force - friction u,     and v likewise
+ *           friction = drag + g manning^2 |u| / d^(4/3)         (Kass 1997, eq. 32-33; the bracket: shallow water)
+ *
+ * CD_MOMENTUM_LINEAR    without the bracket: waves, splashes, tides, floods that creep. Water has no inertia beyond its
+ *                       own face: a shore moves with the slope of the surface there.
+ * CD_MOMENTUM_ADVECTED  with it: moving shores, dam breaks, bores, whirls. Momentum is carried along with the water
+ *                       that leaves a cell, upwind, solved for along the line, so that no speed limits the step. Where
+ *                       a step is short enough to show it, dt sqrt(g d) < the cell, shocks run at their right speed.
+ *                       With large steps (cd_water_set_corrections) the shore may cross many cells in a step.
+ *
+ * A step sweeps along the rows, then along the columns, in the other order every other step. Along a line the surface
+ * is implicit: series-spring elimination, with the faces' depths for springs. A face between two wet cells is as deep
+ * as their mean; where one is dry, or too thin a film to give what the mean would take, as deep as the water stands
+ * over the higher bed: so a lake lies still on any beach. No cell gives more than it has and gets within the step: what
+ * had to be held back is counted, see cd_water_get_limited. Depths are never negative, and volume changes only by what
+ * cd_water_get_account tells. Where it is right: waves much longer than the water is deep, surfaces that do not turn
+ * over. Ship wakes and anything else that needs dispersion are not in it.
+ *
+ * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
+ * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.
+ *
+ * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
+ * mode, of which shores are steep, take a little more than 1/2. All computing is done in double precision; CD_FLOAT32
+ * is what depth, bed, velocities and the fields are stored in. Numbers smaller than 2^-80 (float32) or 2^-500
+ * (float64) are taken for 0 where a step stores them.
+ *
+ * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for something that is no living water;
+ * the comments name the other errors. Functions that chain and membrane have too mean the same here. */
+#ifndef CONTDYN_WATER_H
+#define CONTDYN_WATER_H
+
+#include "base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct cd_water cd_water;
+
+/* The four sides. */
+typedef int32_t cd_side;
+enum {
+    CD_SIDE_X_FIRST = 0, /* x = 0 */
+    CD_SIDE_X_LAST = 1,  /* x = nx dx */
+    CD_SIDE_Y_FIRST = 2, /* y = 0 */
+    CD_SIDE_Y_LAST = 3   /* y = ny dy */
+};
+
+/* What is at a side. */
+typedef int32_t cd_border;
+enum {
+    CD_BORDER_WALL = 0,
+    CD_BORDER_OPEN = 1,    /* water of a given level outside, into which waves run without an echo */
+    CD_BORDER_INFLOW = 2,  /* a given discharge comes in; if negative, leaves as far as there is water */
+    CD_BORDER_PERIODIC = 3 /* goes on at the opposite side */
+};
+
+/* Whether water carries its momentum along. */
+typedef int32_t cd_momentum;
+enum { CD_MOMENTUM_LINEAR = 0, CD_MOMENTUM_ADVECTED = 1 };
+
+/* What a write to CD_BED leaves as it is. */
+typedef int32_t cd_bed_rule;
+enum {
+    CD_BED_LIFTS_WATER = 0,  /* the depth: water rides on the bed, volume is kept */
+    CD_BED_KEEPS_SURFACE = 1 /* the surface of wet cells: volume comes in or goes out, and the account says so */
+};
+
+/* ---- life ------------------------------------------------------------------------------------------------------ */
+
+/* Makes a water. nx, ny >= 1; dx, dy [m] in [1e-30, 1e30]. allocator may be null (malloc). The caller owns *out_water
+ * and releases it with cd_water_destroy; on failure *out_water is left alone. Errors: CD_ERROR_VALUE, CD_ERROR_ENUM,
+ * CD_ERROR_SIZE, CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED for a precision that this build leaves out. */
+CD_API cd_status cd_water_create(size_t nx, size_t ny, double dx, double dy, cd_precision precision,
+                                 const cd_allocator* allocator, cd_water** out_water);
+
+/* Releases a water and all its memory. Null does nothing; a handle that is no living water is left alone. */
+CD_API void cd_water_destroy(cd_water* water);
+
+/* What cd_water_create was given. Each output may be null. */
+CD_API cd_status cd_water_get_shape(const cd_water* water, size_t* out_nx, size_t* out_ny, double* out_dx,
+                                    double* out_dy, cd_precision* out_precision);
+
+/* ---- method ------------------------------------------------------------------------------------------------------ */
+
+/* How steps are made: CD_METHOD_IMPLICIT; CD_METHOD_SYMPLECTIC_EULER, which is the explicit forward-backward step, new
+ * velocities moving the water, bounded up to cd_water_stable_dt; CD_METHOD_FORWARD_EULER.
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_METHOD_STIFF_SECOND, and for an explicit method with large steps;
+ * CD_ERROR_MEMORY. */
+CD_API cd_status cd_water_set_method(cd_water* water, cd_method method);
+CD_API cd_status cd_water_get_method(const cd_water* water, cd_method* out_method);
+
+/* lambda of CD_METHOD_IMPLICIT, in [0, 1]; below 1/2 it grows without bound at most dt. Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_water_set_lambda(cd_water* water, double lambda);
+CD_API cd_status cd_water_get_lambda(const cd_water* water, double* out_lambda);
+
+/* Linear or advected momentum; see above. Sets lambda too, to what suits the mode: 0.55 for linear, 1/2 for advected.
+ * Advected momentum costs memory. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for linear with large steps on;
+ * CD_ERROR_MEMORY. */
+CD_API cd_status cd_water_set_momentum(cd_water* water, cd_momentum momentum);
+CD_API cd_status cd_water_get_momentum(const cd_water* water, cd_momentum* out_momentum);
+
+/* Large steps, of tens of Courant numbers: 0: off (the default); 1 to 8: the surface is solved for such that no depth
+ * comes out negative, and the step is made again `corrections - 1` times with the faces' depths in the mean of its
+ * beginning and its end. Take 2 up to a Courant number of about 8, 4 beyond. Needs CD_MOMENTUM_ADVECTED,
+ * CD_METHOD_IMPLICIT and CD_SOLVER_ALTERNATING, or CD_ERROR_UNSUPPORTED. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
+CD_API cd_status cd_water_set_corrections(cd_water* water, size_t corrections);
+CD_API cd_status cd_water_get_corrections(const cd_water* water, size_t* out_corrections);
+
+/* How implicit steps solve for the surface: rows and columns in turn (CD_SOLVER_ALTERNATING), or both at once
+ * (CD_SOLVER_COUPLED), by conjugate gradients with multigrid: for waves of long steps that run aslant, at tens of times
+ * the cost. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED with large steps on; CD_ERROR_MEMORY. */
+CD_API cd_status cd_water_set_solver(cd_water* water, cd_solver solver);
+CD_API cd_status cd_water_get_solver(const cd_water* water, cd_solver* out_solver);
+
+/* When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm), in
+ * [1e-14, 1/2], default 1e-6; and how many iterations it may take, >= 1, default 100. When they do not suffice
+ * cd_water_step says so with CD_ERROR_TOLERANCE. Volume is kept whatever the tolerance. Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_water_set_tolerance(cd_water* water, double tolerance, size_t most_iterations);
+CD_API cd_status cd_water_get_tolerance(const cd_water* water, double* out_tolerance, size_t* out_most_iterations);
+
+/* What the last call of cd_water_step did with CD_SOLVER_COUPLED: the most iterations that a solve took, and the
+ * largest residual it ended with, as a fraction of the one it started from. 0 and 0 if there was none. Each may be
+ * null. */
+CD_API cd_status cd_water_get_convergence(const cd_water* water, size_t* out_iterations, double* out_residual);
+
+/* Which way the next step sweeps first: along x (0, the default of a new water) or along y (1). Every step turns it
+ * round. A scene and its transpose, begun opposite ways, stay each other's transpose to the bit.
+ * Errors: CD_ERROR_VALUE for anything but 0 and 1. */
+CD_API cd_status cd_water_set_first(cd_water* water, int32_t along_y);
+CD_API cd_status cd_water_get_first(const cd_water* water, int32_t* out_along_y);
+
+/* Spreads a step over the caller's threads. Null turns it off. It costs memory, for work that threads do not share.
+ * Errors: CD_ERROR_NULL for a table without run; CD_ERROR_MEMORY. */
+CD_API cd_status cd_water_set_parallel(cd_water* water, const cd_parallel* parallel);
+
+/* ---- parameters -------------------------------------------------------------------------------------------------- */
+/* Errors of all setters: CD_ERROR_VALUE for a number that is NaN, infinite or out of range. */
+
+/* Gravity [m/s^2], in [0, 1e6]; default 9.81. */
+CD_API cd_status cd_water_set_gravity(cd_water* water, double gravity);
+CD_API cd_status cd_water_get_gravity(const cd_water* water, double* out_gravity);
+
+/* Density [kg/m^3], in [1e-6, 1e6]; default 1000. Only pressure, impulses and energies know it. */
+CD_API cd_status cd_water_set_density(cd_water* water, double density);
+CD_API cd_status cd_water_get_density(const cd_water* water, double* out_density);
+
+/* Drag [1/s], >= 0: velocities die out by exp(-drag t). Default 0. */
+CD_API cd_status cd_water_set_drag(cd_water* water, double drag);
+CD_API cd_status cd_water_get_drag(const cd_water* water, double* out_drag);
+
+/* Manning's roughness of the bed [s/m^(1/3)], in [0, 1e3]: 0.01 for glass, 0.03 for a river, 0.1 for a flooded wood.
+ * Default 0. Water that runs down a slope S settles at d^(2/3) sqrt(S) / manning. */
+CD_API cd_status cd_water_set_manning(cd_water* water, double manning);
+CD_API cd_status cd_water_get_manning(const cd_water* water, double* out_manning);
+
+/* What is at a side. `value` now, and how fast it changes, `rate` per second, from now on:
+ *   CD_BORDER_OPEN     level of the water outside [m]: a tide is its level and rate, set anew as it goes. Where it is
+ *                      below the bed, water falls off the side.
+ *   CD_BORDER_INFLOW   discharge per metre of the side [m^2/s] into the water
+ *   CD_BORDER_WALL, CD_BORDER_PERIODIC   value and rate mean nothing
+ * Both sides of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the
+ * opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE. */
+CD_API cd_status cd_water_set_side(cd_water* water, cd_side side, cd_border kind, double value, double rate);
+/* The kind, and value and rate as of now; 0 where they mean nothing. Each output may be null. */
+CD_API cd_status cd_water_get_side(const cd_water* water, cd_side side, cd_border* out_kind, double* out_value,
+                                   double* out_rate);
+
+/* What a write to CD_BED leaves as it is; default CD_BED_LIFTS_WATER. Errors: CD_ERROR_ENUM. */
+CD_API cd_status cd_water_set_bed_rule(cd_water* water, cd_bed_rule rule);
+CD_API cd_status cd_water_get_bed_rule(const cd_water* water, cd_bed_rule* out_rule);
+
+/* ---- fields -------------------------------------------------------------------------------------------------------
+ *  field            per           unit    values
+ *  CD_DEPTH         cell          m       >= 0; of an absent cell only 0
+ *  CD_BED           cell          m       finite
+ *  CD_SURFACE       cell          m       bed + depth. Written: depth becomes surface - bed, or 0 where that is below
+ *                                         the bed; of an absent cell nothing changes
+ *  CD_VELOCITY_X    x-face        m/s     finite; of a face that no water can cross only 0. Along periodic x the faces
+ *                                         i = 0 and nx are one
+ *  CD_VELOCITY_Y    y-face        m/s     likewise
+ *  CD_SOURCE        cell          m/s     finite: depth per second that comes in, or leaves as far as there is water;
+ *                                         acts until it is overwritten
+ *  CD_PRESSURE      cell          Pa      finite: on the surface
+ *  CD_FORCE_X       x-face        m/s^2   finite: an acceleration; a wind's stress over density and depth
+ *  CD_FORCE_Y       y-face        m/s^2   likewise
+ *  CD_MASK          cell          -       1: there; 0: absent, walled off. Its water goes, as a write of depth
+ *  CD_WALL_X        x-face        -       1: a wall stands there; 0: none. i from 1 to nx - 1 only count, and along
+ *                                         periodic x 0, which is nx
+ *  CD_WALL_Y        y-face        -       likewise
+ * Depth, bed and velocities are always there, and the surface, which is made of them. The others cost memory and time
+ * only once they are switched on. Writing CD_DEPTH, CD_SURFACE or CD_MASK starts the account anew. */
+
+/* Switches a field on: no sources, pressure, force or walls yet, all cells there. On already: nothing happens.
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for a field of other objects; CD_ERROR_MEMORY. */
+CD_API cd_status cd_water_enable_field(cd_water* water, cd_field field);
+
+/* Switches a field off and releases its memory. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for a field that is always
+ * there. */
+CD_API cd_status cd_water_disable_field(cd_water* water, cd_field field);
+
+/* Writes or reads values[j][i], dense, of the rectangle of cells or faces [first_x, first_x + n_x) x [first_y,
+ * first_y + n_y); `count` is n_x * n_y. There are nx + 1 x-faces in a row and ny + 1 rows of y-faces. Numbers are
+ * rounded once, to the precision of the side that is narrower. Never allocates. Errors: CD_ERROR_ENUM,
+ * CD_ERROR_UNSUPPORTED, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first bad index. */
+CD_API cd_status cd_water_write_f32(cd_water* water, cd_field field, size_t first_x, size_t first_y, size_t n_x,
+                                    size_t n_y, const float* values, size_t count);
+CD_API cd_status cd_water_write_f64(cd_water* water, cd_field field, size_t first_x, size_t first_y, size_t n_x,
+                                    size_t n_y, const double* values, size_t count);
+CD_API cd_status cd_water_read_f32(const cd_water* water, cd_field field, size_t first_x, size_t first_y, size_t n_x,
+                                   size_t n_y, float* out_values, size_t count);
+CD_API cd_status cd_water_read_f64(const cd_water* water, cd_field field, size_t first_x, size_t first_y, size_t n_x,
+                                   size_t n_y, double* out_values, size_t count);
+
+/* Where a field lies in the water's own memory, in its precision, to read without a copy: the value of (i, j) is at
+ * byte *out_data + i * x_stride + j * y_stride. All but CD_SURFACE, CD_MASK and the walls. The pointer is good until
+ * the field is switched off or the water released; the numbers change with every write and step. Do not write through
+ * it. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_UNSUPPORTED. */
+CD_API cd_status cd_water_view(const cd_water* water, cd_field field, const void** out_data, size_t* out_x_stride,
+                               size_t* out_y_stride);
+
+/* ---- acting on it ------------------------------------------------------------------------------------------------ */
+/* Discs have their centre at (x, y) [m] in the scene, x in [0, nx dx], y in [0, ny dy], and a radius [m] >= 0; where a
+ * disc has no cell centre in it, it is the cell at (x, y), the nearest one that is there. Shares fall off as
+ * (1 - (distance / radius)^2)^2 from the centre, and are not spread round a periodic side. */
+
+/* Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's share. out_added,
+ * which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_water_add_volume(cd_water* water, double x, double y, double radius, double volume,
+                                     double* out_added);
+
+/* Adds volume [m^3] evenly over the cells there of a rectangle, or takes it. Errors: CD_ERROR_RANGE; CD_ERROR_VALUE. */
+CD_API cd_status cd_water_add_volume_rectangle(cd_water* water, size_t first_x, size_t first_y, size_t n_x, size_t n_y,
+                                               double volume, double* out_added);
+
+/* Adds a source of rate [m^3/s] over a disc to CD_SOURCE, or a drain if negative, and switches that field on.
+ * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
+CD_API cd_status cd_water_add_source(cd_water* water, double x, double y, double radius, double rate);
+
+/* The same evenly over the cells there of a rectangle. Errors: CD_ERROR_RANGE; CD_ERROR_VALUE; CD_ERROR_MEMORY. */
+CD_API cd_status cd_water_add_source_rectangle(cd_water* water, size_t first_x, size_t first_y, size_t n_x, size_t n_y,
+                                               double rate);
+
+/* A splash: water of the disc, down to `height` [m] >= 0 at its centre and as far as there is water, is heaped up on
+ * the wet cells around it, out to twice the radius; volume is kept. Nothing happens where no wet cell is there to
+ * take it. Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_water_splash(cd_water* water, double x, double y, double radius, double height);
+
+/* Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass of water at it,
+ * shares being in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double radius, double impulse_x,
+                                  double impulse_y);
+
+/* ---- time ------------------------------------------------------------------------------------------------------- */
+
+/* Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
+ * count * cells, with CD_SOLVER_COUPLED to the iterations too.
+ * Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives
+ * the first bad one, the water can be read, and steps again after cd_water_reset, a load, or once finite depths and
+ * velocities have been written; CD_ERROR_TOLERANCE if a coupled solve ended short of its tolerance: all steps are made,
+ * and good to the residual that cd_water_get_convergence tells. */
+CD_API cd_status cd_water_step(cd_water* water, double dt, size_t count);
+
+/* The longest dt at which CD_METHOD_SYMPLECTIC_EULER stays bounded for small waves on the water as it lies now,
+ * whatever method is set: exact in the limit of many cells for water of one depth, a safe lower bound otherwise.
+ * INFINITY if nothing can swing. */
+CD_API cd_status cd_water_stable_dt(const cd_water* water, double* out_dt);
+
+/* Simulated time [s] and steps made since create, reset or load. */
+CD_API cd_status cd_water_get_time(const cd_water* water, double* out_time);
+CD_API cd_status cd_water_get_steps(const cd_water* water, uint64_t* out_steps);
+
+/* How many times lines have been solved along a direction, or the plane by CD_SOLVER_COUPLED, since the water was made:
+ * each time with a factorization of its own, since depths change. Not part of the saved state. */
+CD_API cd_status cd_water_get_factorizations(const cd_water* water, uint64_t* out_count);
+
+/* What the last call of cd_water_step had to hold back so that no cell gave more than it had: in how many cells,
+ * counted once per sweep, and how much water [m^3]. Each output may be null. */
+CD_API cd_status cd_water_get_limited(const cd_water* water, uint64_t* out_cells, double* out_volume);
+
+/* ---- measuring --------------------------------------------------------------------------------------------------- */
+
+/* Volume [m^3]: the sum of all depths times the cells' area. */
+CD_API cd_status cd_water_get_volume(const cd_water* water, double* out_volume);
+
+/* The volume account [m^3], kept in double whatever the precision: what was there when it was started (by create,
+ * reset, cd_water_restart_account, or a write of CD_DEPTH, CD_SURFACE or CD_MASK), what came in since then (sides,
+ * sources, volumes added, beds that keep the surface), what went out, and what the present volume has above initial +
+ * in - out, which is rounding. Each output may be null. */
+CD_API cd_status cd_water_get_account(const cd_water* water, double* out_initial, double* out_in, double* out_out,
+                                      double* out_error);
+CD_API cd_status cd_water_restart_account(cd_water* water);
+
+/* Energies [J]; each output may be null. Kinetic: density / 2 times area, depth and velocity^2 of the faces. Potential:
+ * density g times area, depth and the height of the column's middle. */
+CD_API cd_status cd_water_get_energy(const cd_water* water, double* out_kinetic, double* out_potential);
+
+/* Area [m^2] of the cells with depth > 0. */
+CD_API cd_status cd_water_get_wet_area(const cd_water* water, double* out_area);
+
+/* The largest Courant number of a step of dt [s], over directions and wet faces: (|u| + sqrt(g d)) dt / dx.
+ * Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_water_get_courant(const cd_water* water, double dt, double* out_courant);
+
+/* The water at n places, at[k] = {x, y} in metres inside the scene: surface [m] and depth [m], bilinear between cell
+ * centres that are there, level beyond the outermost ones; normal of the surface (3 numbers, unit length, z up);
+ * velocity [m/s] (2 numbers), bilinear between faces. A dry place has the bed for its surface. Each output may be null.
+ * Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in memory. */
+CD_API cd_status cd_water_sample(const cd_water* water, const double* at, size_t n, double* out_surface,
+                                 double* out_depth, double* out_normal, double* out_velocity);
+
+/* Bytes the water holds from its allocator. */
+CD_API cd_status cd_water_get_memory(const cd_water* water, size_t* out_bytes);
+
+/* A 64-bit hash of everything cd_water_save would write. Equal on every machine, compiler and vector width. */
+CD_API cd_status cd_water_hash(const cd_water* water, uint64_t* out_hash);
+
+/* ---- drawing ----------------------------------------------------------------------------------------------------- */
+
+/* Writes a vertex for every cell, cell (i, j) as number j nx + i, into the caller's buffer: vertex k at byte k *
+ * stride, its position, the cell's centre on the surface, as 3 floats at position_offset; its unit normal as 3 floats
+ * at normal_offset; its depth as 1 float at depth_offset, 0 where it is dry and -1 where the cell is absent, for a
+ * shader to fade out shores. normal_offset or depth_offset SIZE_MAX: none. Bytes between are left alone; any offset
+ * and stride will do that keeps them apart. Errors: CD_ERROR_RANGE if size is less than cells * stride, or an offset
+ * and its bytes reach past stride, or two overlap. */
+CD_API cd_status cd_water_write_vertices(const cd_water* water, void* buffer, size_t size, size_t stride,
+                                         size_t position_offset, size_t normal_offset, size_t depth_offset);
+
+/* How many indices cd_water_write_indices writes now: 6 per square of four neighbouring cells that are there, 3 per
+ * square of which three are. skip_dry 1: squares without a wet cell are left out, so that it changes with the water. */
+CD_API cd_status cd_water_get_index_count(const cd_water* water, int32_t skip_dry, size_t* out_count);
+
+/* Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte order), counter-
+ * clockwise seen from above. `size` is that of the buffer in bytes. 65535 with 2 bytes and 2^32 - 1 with 4 are never
+ * written. Errors: CD_ERROR_VALUE for another index_size, or skip_dry neither 0 nor 1; CD_ERROR_RANGE if size is too
+ * small; CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 cells. */
+CD_API cd_status cd_water_write_indices(const cd_water* water, int32_t skip_dry, void* buffer, size_t size,
+                                        size_t index_size);
+
+/* ---- keeping ----------------------------------------------------------------------------------------------------- */
+
+/* The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but the callbacks.
+ * Little-endian on every machine, versioned, with a checksum. save needs size >= cd_water_save_size and tells what it
+ * wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and switches fields on
+ * and off as they were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing.
+ * Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
+CD_API cd_status cd_water_save_size(const cd_water* water, size_t* out_size);
+CD_API cd_status cd_water_save(const cd_water* water, void* buffer, size_t size, size_t* out_written);
+CD_API cd_status cd_water_load(cd_water* water, const void* bytes, size_t size);
+
+/* Makes `water` what `source` is, as save and load would, without the bytes: the two must agree in cells and precision.
+ * Allocates only if they differ in the fields switched on. Errors: CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
+CD_API cd_status cd_water_copy_state(cd_water* water, const cd_water* source);
+
+/* Depths, velocities, time, steps and account back to 0. Bed, parameters and the other fields stay. */
+CD_API cd_status cd_water_reset(cd_water* water);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,57 @@
+// From the opaque handle to the water behind it, and what the files of its functions use.
+#pragma once
+
+#include "api/shared.hh"
+#include "model/water.hh"
+
+namespace cd {
+
+template <> struct Behind<cd_water> {
+    using Object = Water;
+    static constexpr uint64_t tag = kWaterTag;
+    static constexpr const char* name = "water";
+};
+
+inline cd_status is_field(const char* function, const Water&, cd_field field) {
+    CD_CHECK(is_enum(function, "field", field, CD_WALL_Y));
+    if (field >= CD_MASK) return CD_OK;
+    return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, is none of a water's%s", int(field), field_name(field),
+                field == CD_VELOCITY ? ": it has CD_VELOCITY_X and CD_VELOCITY_Y"
+                : field == CD_FORCE  ? ": it has CD_FORCE_X and CD_FORCE_Y"
+                                     : "");
+}
+inline bool is_always_on(const Water&, cd_field field) { return field >= CD_DEPTH && field <= CD_VELOCITY_Y; }
+inline void switch_own(WaterFeatures& wanted, cd_field field, bool on) {
+    if (field == CD_SOURCE) wanted.source = on;
+    if (field == CD_PRESSURE) wanted.pressure = on;
+    if (field == CD_FORCE_X) wanted.force[kX] = on;
+    if (field == CD_FORCE_Y) wanted.force[kY] = on;
+    if (field == CD_MASK) wanted.mask = on;
+    if (field == CD_WALL_X) wanted.wall[kX] = on;
+    if (field == CD_WALL_Y) wanted.wall[kY] = on;
+}
+
+namespace shared {
+
+inline cd_status set_method(const char* function, Water& w, cd_method method) {
+    CD_CHECK(is_enum(function, "method", method, CD_METHOD_STIFF_SECOND));
+    if (method == CD_METHOD_STIFF_SECOND)
+        return fail(CD_ERROR_UNSUPPORTED, function, "method is 3, stiff second, which a water has not");
+    WaterFeatures wanted = features(w);
+    wanted.method = method;
+    if (w.corrections > 0 && !takes_large_steps(wanted))
+        return fail(CD_ERROR_UNSUPPORTED, function, "method is %d, but large steps are on, corrections %zu",
+                    int(method), w.corrections);
+    return change_features(function, w, wanted);
+}
+
+inline cd_status set_parallel(const char* function, Water& w, const cd_parallel* parallel) {
+    if (parallel && !parallel->run) return fail(CD_ERROR_NULL, function, "parallel has no run");
+    WaterFeatures wanted = features(w);
+    wanted.parallel = parallel != nullptr;
+    CD_CHECK(change_features(function, w, wanted));
+    return set_parallel(function, static_cast<Object&>(w), parallel);
+}
+
+} // namespace shared
+} // namespace cd

@@ -1,0 +1,111 @@
+// A step of water along one axis: what its lines have in common, where their numbers lie, and the kernels.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "kernel/lanes.hh"
+
+namespace cd {
+
+// What is at an end of the lines: see cd_border.
+enum class End { kWall, kOpen, kInflow, kRing };
+struct WaterEnd {
+    End kind;
+    double level;     // [m] of kOpen, at the time that counts for the step
+    double discharge; // of kInflow, as the depth [m] that it adds to a cell in the step
+};
+
+struct WaterAxis {
+    size_t cells;
+    double courant;     // dt / the cell's size [s/m]
+    double lambda;      // of the surface and of the fluxes
+    double gravity;     // [m/s^2]
+    double drag;        // dt drag
+    double manning;     // dt g manning^2
+    bool advected;      // momentum
+    size_t corrections; // 0: depths as they come, else large steps
+    WaterEnd end[2];
+
+    bool ring() const { return end[0].kind == End::kRing; }
+    bool rubs() const { return drag > 0 || manning > 0; }
+};
+
+// The numbers of lines along an axis: those of line k at cell or face i lie at i * along + k * across. Null: not there.
+template <class T> struct WaterLines {
+    size_t lines, along, across;
+    T *depth, *velocity;
+    const T *bed, *pressure, *force;
+    double force_share, pressure_share; // from force to velocity, and from a difference of pressures
+    const uint8_t *mask, *wall;         // at i * byte_along + k * byte_across
+    size_t byte_along, byte_across;
+    double *held, *moved; // out, for what is carried across: depths before the sweep, and through faces [m]
+    double* tally;        // out: kTallies numbers per line
+};
+
+// What a line lets in and out at its ends, what had to be held back, all as depths [m], and in how many cells.
+enum WaterTally { kIn, kOut, kHeldBack, kLimited, kSolves, kTallies };
+
+// How lines along an axis carry the velocities of the other axis with them, which lie on the faces between lines of
+// cells: before them and behind.
+template <class T> struct WaterCarried {
+    size_t nodes, lines, along, across;
+    bool ring; // along the axis
+    T* velocity;
+    const double *held[2], *moved[2];
+    // what closes faces, see WaterLines: the cells before and behind them, walls on them
+    const uint8_t *mask[2], *wall;
+    size_t byte_along, byte_across;
+};
+
+// What lies between the parts of a step that works on both axes at once: planes of numbers of the faces of one axis,
+// laid out like the state; change and held of the cells.
+struct WaterPlanes {
+    double *velocity, *face, *guess, *transfer;
+    double *gain, *spring; // null: not needed
+    const double *change, *held;
+};
+
+// The cells that share their water out to the faces of both axes.
+struct WaterCells {
+    size_t columns, rows, pitch;
+    bool ring[2];
+    double* transfer[2];
+};
+
+// Lines that are worked on together, and the numbers a bundle of them needs to work with.
+constexpr size_t kWaterLanes = 8, kWaterPanels = 16;
+
+namespace CD_ISA {
+
+// Makes the step along bundles [first, first + count) of lines; work: kWaterPanels * (cells + 2) numbers for each lane.
+// False if a number left the finite range.
+template <class T>
+bool sweep_water(const WaterAxis& axis, const WaterLines<T>& lines, double* work, size_t first, size_t count);
+
+// The same for what is carried. work: the same.
+template <class T> bool carry_across(const WaterCarried<T>& carried, double* work, size_t first, size_t count);
+
+// Both axes at once (water_apart.cpp), lines as in a sweep: faces as they will be if the surface stays as it is; what
+// the change of the surface does to them; and what velocities they keep.
+template <class T> void guess_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
+                                    double* work, size_t first, size_t count);
+template <class T> void finish_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
+                                     double* work, size_t first, size_t count);
+template <class T> bool keep_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
+                                   double* work, size_t first, size_t count);
+// Rows of cells. load = what transfers add; share: of what a cell is asked for, how much it can give, and tallies, per
+// row; transfers limited by that (faces: a row more than cells); depth = what is left, held = what was.
+void gather_loads(const WaterCells& cells, double* load, size_t first, size_t count);
+template <class T>
+void share_water(const WaterCells& cells, const T* depth, double* share, double* tally, size_t first, size_t count);
+void limit_water(const WaterCells& cells, const double* share, size_t first, size_t count);
+template <class T> void fill_water(const WaterCells& cells, T* depth, double* held, size_t first, size_t count);
+
+} // namespace CD_ISA
+
+// Lanes of a bundle: objects of a single line need but one.
+inline size_t water_lanes(size_t lines) { return lines == 1 ? 1 : kWaterLanes; }
+inline size_t water_bundles(size_t lines) { return (lines + water_lanes(lines) - 1) / water_lanes(lines); }
+
+} // namespace cd

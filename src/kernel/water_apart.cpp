@@ -1,0 +1,176 @@
+// Both axes of a water at once, for explicit and for coupled steps: what a sweep does (water_line.hh), taken apart into
+// what comes before the surface is known and what comes after, with planes of numbers in between.
+#include "kernel/water_panels.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+namespace {
+
+// Faces, and what they will move if the surface stays as it is.
+template <class T> struct Guess : WaterBundles<T> {
+    const WaterPlanes& planes;
+
+    template <int N> bool bundle(size_t first) const {
+        const size_t faces = this->axis.cells + 1;
+        const Place p = this->template place_of<N>(first);
+        size_t used;
+        WaterLine<N> line = this->template open_line<N>(p, used);
+        this->template fetch_state<N>(p, line, used);
+        line.guess_all();
+        put<N>(p, faces, line.velocity, planes.velocity);
+        put<N>(p, faces, line.face, planes.face);
+        put<N>(p, faces, line.guess, planes.guess);
+        put<N>(p, faces, line.transfer, planes.transfer);
+        if (planes.gain) put<N>(p, faces, line.gain, planes.gain);
+        if (planes.spring) put<N>(p, faces, line.spring, planes.spring);
+        return true;
+    }
+};
+
+// The faces' velocities and what they move, after the surface has changed by planes.change.
+template <class T> struct Finish : WaterBundles<T> {
+    const WaterPlanes& planes;
+
+    template <int N> bool bundle(size_t first) const {
+        const size_t n = this->axis.cells;
+        const Place p = this->template place_of<N>(first);
+        size_t used;
+        const WaterLine<N> line = this->template open_line<N>(p, used);
+        fetch<N>(p, n + 1, planes.velocity, line.velocity);
+        fetch<N>(p, n + 1, planes.face, line.face);
+        fetch<N>(p, n + 1, planes.guess, line.guess);
+        fetch<N>(p, n + 1, planes.transfer, line.transfer);
+        fetch<N>(p, n + 1, planes.gain, line.gain);
+        fetch<N>(p, n, planes.change, line.x);
+        line.move_faces();
+        put<N>(p, n + 1, line.guess, planes.guess);
+        put<N>(p, n + 1, line.transfer, planes.transfer);
+        return true;
+    }
+};
+
+// What faces keep of their velocities, after depths have changed.
+template <class T> struct Keep : WaterBundles<T> {
+    const WaterPlanes& planes;
+
+    template <int N> bool bundle(size_t first) const {
+        const WaterLines<T>& lines = this->lines;
+        const size_t n = this->axis.cells;
+        const Place p = this->template place_of<N>(first);
+        size_t used;
+        WaterLine<N> line = this->template open_line<N>(p, used);
+        fetch<N>(p, n + 1, planes.velocity, line.velocity);
+        fetch<N>(p, n + 1, planes.face, line.face);
+        fetch<N>(p, n + 1, planes.guess, line.guess);
+        fetch<N>(p, n + 1, planes.transfer, line.transfer);
+        fetch<N>(p, n, planes.held, line.depth);
+        fetch<N>(p, n, lines.bed, line.bed);
+        fetch<N>(p, n, lines.depth, line.after);
+        line.keep_all();
+        Lanes<N> probe{};
+        settle<N, T>(n + 1, line.velocity, probe);
+        put<N>(p, n + 1, line.velocity, lines.velocity);
+        this->template put_tally<N>(p, line);
+        return !probe.any_nan();
+    }
+};
+
+} // namespace
+
+template <class T> void guess_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
+                                    double* work, size_t first, size_t count) {
+    in_bundles(Guess<T>{{axis, lines, work}, planes}, lines.lines, first, count);
+}
+template <class T> void finish_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
+                                     double* work, size_t first, size_t count) {
+    in_bundles(Finish<T>{{axis, lines, work}, planes}, lines.lines, first, count);
+}
+template <class T> bool keep_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
+                                   double* work, size_t first, size_t count) {
+    return in_bundles(Keep<T>{{axis, lines, work}, planes}, lines.lines, first, count);
+}
+
+// ---- cells, row by row ----------------------------------------------------------------------------------------------
+
+void gather_loads(const WaterCells& w, double* load, size_t first, size_t count) {
+    for (size_t j = first; j < first + count; ++j) {
+        const double *const x = w.transfer[0] + j * w.pitch, *const y = w.transfer[1] + j * w.pitch;
+        for (size_t i = 0; i < w.columns; ++i) load[j * w.pitch + i] = (x[i] - x[i + 1]) + (y[i] - y[i + w.pitch]);
+    }
+}
+
+template <class T>
+void share_water(const WaterCells& w, const T* depth, double* share, double* tally, size_t first, size_t count) {
+    const auto out_of = [](double before, double behind) {
+        return (before < 0 ? -before : 0) + (behind > 0 ? behind : 0);
+    };
+    for (size_t j = first; j < first + count; ++j) {
+        const double *const x = w.transfer[0] + j * w.pitch, *const y = w.transfer[1] + j * w.pitch;
+        double cells = 0, held_back = 0;
+        for (size_t i = 0; i < w.columns; ++i) {
+            const double d = double(depth[j * w.pitch + i]);
+            const double out = out_of(x[i], x[i + 1]) + out_of(y[i], y[i + w.pitch]);
+            const bool over = out > d;
+            // Four rounded parts of what is there must not come to more.
+            share[j * w.pitch + i] = over ? (1 - 0x1p-50) * (d / out) : 1;
+            if (over && out - d > 0x1p-40 * out) cells += 1, held_back += out - d;
+        }
+        tally[j * kTallies + kLimited] = cells;
+        tally[j * kTallies + kHeldBack] = held_back;
+    }
+}
+
+void limit_water(const WaterCells& w, const double* share, size_t first, size_t count) {
+    for (size_t j = first; j < first + count; ++j) {
+        double *const x = w.transfer[0] + j * w.pitch, *const y = w.transfer[1] + j * w.pitch;
+        const double* const here = share + j * w.pitch;
+        for (size_t i = 0; i <= w.columns && j < w.rows; ++i) {
+            const bool forward = x[i] > 0;
+            if (i == 0 && forward) x[i] *= w.ring[0] ? here[w.columns - 1] : 1;
+            else if (i == w.columns && !forward) x[i] *= w.ring[0] ? here[0] : 1;
+            else x[i] *= forward ? here[i - 1] : here[i];
+        }
+        for (size_t i = 0; i < w.columns; ++i) {
+            const bool forward = y[i] > 0;
+            if (j == 0 && forward) y[i] *= w.ring[1] ? share[(w.rows - 1) * w.pitch + i] : 1;
+            else if (j == w.rows && !forward) y[i] *= w.ring[1] ? share[i] : 1;
+            else y[i] *= forward ? here[i - w.pitch] : here[i];
+        }
+    }
+}
+
+template <class T> void fill_water(const WaterCells& w, T* depth, double* held, size_t first, size_t count) {
+    const auto split = [](double a, double& in, double& out) { (a > 0 ? in : out) += a > 0 ? a : -a; };
+    for (size_t j = first; j < first + count; ++j) {
+        const double *const x = w.transfer[0] + j * w.pitch, *const y = w.transfer[1] + j * w.pitch;
+        double owed = 0; // see round_depths
+        for (size_t i = 0; i < w.columns; ++i) {
+            double in = 0, out = 0;
+            split(x[i], in, out), split(-x[i + 1], in, out), split(y[i], in, out), split(-y[i + w.pitch], in, out);
+            T& d = depth[j * w.pitch + i];
+            const double was = double(d), now = (was + in) - out, least = double(Limits<T>::least);
+            const bool takes = now + 2 * owed > 0 && now > 0;
+            const double exact = takes ? now + owed : now;
+            d = T(exact < least ? 0 : exact);
+            owed = (takes ? 0 : owed) + (exact - double(d));
+            if (held) held[j * w.pitch + i] = was;
+        }
+    }
+}
+
+#define CD_INSTANTIATE(T)                                                                                            \
+    template void guess_water(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);  \
+    template void finish_water(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t); \
+    template bool keep_water(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);   \
+    template void share_water(const WaterCells&, const T*, double*, double*, size_t, size_t);                        \
+    template void fill_water(const WaterCells&, T*, double*, size_t, size_t);
+#if CD_WITH_FLOAT32
+CD_INSTANTIATE(float)
+#endif
+#if CD_WITH_FLOAT64
+CD_INSTANTIATE(double)
+#endif
+
+} // namespace CD_ISA
+} // namespace cd

@@ -1,0 +1,151 @@
+// Lines of a water in and out of panels (water_line.hh), N side by side.
+#pragma once
+
+#include "kernel/lines.hh"
+#include "kernel/water_line.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+// N lines, or the first `lanes` of them, from element (0, first) on: numbers lie `along` apart on a line, lines
+// `across`.
+struct Place {
+    size_t along, across, first, lanes;
+
+    size_t at(size_t i, size_t lane) const { return i * along + (first + lane) * across; }
+};
+
+// f(panel index, element index) for `count` numbers of each line, in an order that is kind to both memories.
+template <int N, class F> inline void each_element(const Place& p, size_t count, const F& f) {
+    constexpr size_t kBlock = 8;
+    for (size_t i = 0; i < count; i += kBlock) {
+        const size_t end = count - i < kBlock ? count : i + kBlock;
+        for (size_t lane = 0; lane < p.lanes; ++lane)
+            for (size_t k = i; k < end; ++k) f(k * N + lane, p.at(k, lane));
+    }
+}
+
+template <int N, class T> void fetch(const Place& p, size_t count, const T* from, double* panel) {
+    if (p.across == 1 && p.lanes == N) {
+        for (size_t i = 0; i < count; ++i) Lanes<N>::load(from + p.at(i, 0)).store(panel + i * N);
+        return;
+    }
+    if (p.lanes < N) memset(panel, 0, count * N * sizeof(double));
+    each_element<N>(p, count, [&](size_t in, size_t at) { panel[in] = double(from[at]); });
+}
+
+template <int N, class T> void put(const Place& p, size_t count, const double* panel, T* to) {
+    if (p.across == 1 && p.lanes == N) {
+        for (size_t i = 0; i < count; ++i) Lanes<N>::load(panel + i * N).store(to + p.at(i, 0));
+        return;
+    }
+    each_element<N>(p, count, [&](size_t in, size_t at) { to[at] = T(panel[in]); });
+}
+
+// Numbers as they will be stored: 0 where they are too small. probe gets NaN for what is too large.
+template <int N, class T> void settle(size_t count, double* panel, Lanes<N>& probe) {
+    for (size_t i = 0; i < count; ++i) {
+        const Lanes<N> a = Lanes<N>::load(panel + i * N);
+        settled(a, double(Limits<T>::least)).store(panel + i * N);
+        probe = probe + 0.0 * (Limits<T>::to_overflow * a);
+    }
+}
+
+// Depths as they will be stored. What rounding takes from a cell the next wet one of the line gets, and the other way
+// round, so that a line as a whole does not drift.
+template <int N> void round_depths(size_t, double*, double) {}
+template <int N> void round_depths(size_t count, double* panel, float) {
+    using L = Lanes<N>;
+    L owed{};
+    for (size_t i = 0; i < count; ++i) {
+        const L d = L::load(panel + i * N), exact = d + owed;
+        float rounded[N];
+        const L takes = select(d + (owed + owed), d, L{}); // > 0: wet, and deeper than what is owed
+        select(takes, exact, d).store(rounded);
+        const L stored = L::load(rounded);
+        owed = select(takes, exact - stored, owed + (d - stored));
+        stored.store(panel + i * N);
+    }
+}
+
+// A bundle of a water's lines, between memory and panels.
+template <class T> struct WaterBundles {
+    const WaterAxis& axis;
+    const WaterLines<T>& lines;
+    double* work;
+
+    template <int N> double* panel(size_t number) const { return work + number * (axis.cells + 2) * N; }
+    template <int N> Place place_of(size_t first) const {
+        const size_t left = lines.lines - first;
+        return {lines.along, lines.across, first, left < N ? left : size_t(N)};
+    }
+
+    // A line with its places to work and what acts on it, but for its state. used: panels taken.
+    template <int N> WaterLine<N> open_line(const Place& p, size_t& used) const {
+        WaterLine<N> line{axis, axis.cells, axis.ring()};
+        double** const panels[] = {&line.bed,    &line.depth, &line.velocity, &line.face,     &line.start_face,
+                                   &line.guess,  &line.gain,  &line.spring,   &line.transfer, &line.after,
+                                   &line.ground, &line.x,     &line.pull,     &line.rest};
+        used = 0;
+        for (double** one : panels) *one = panel<N>(used++);
+        if (lines.mask || lines.wall || p.lanes < N) fetch_openings<N>(p, line.open = panel<N>(used++));
+        return line;
+    }
+    template <int N> void fetch_state(const Place& p, WaterLine<N>& line, size_t used) const {
+        const size_t n = axis.cells;
+        if (lines.force || lines.pressure) fetch_push<N>(p, line.push = panel<N>(used++), line.x);
+        fetch<N>(p, n, lines.bed, line.bed);
+        fetch<N>(p, n, lines.depth, line.depth);
+        fetch<N>(p, n + 1, lines.velocity, line.velocity);
+    }
+    template <int N> void put_tally(const Place& p, const WaterLine<N>& line) const {
+        for (int t = 0; t < kTallies; ++t) {
+            double sums[N];
+            line.tally[t].store(sums);
+            for (size_t k = 0; k < p.lanes; ++k) lines.tally[(p.first + k) * kTallies + size_t(t)] = sums[k];
+        }
+    }
+
+    // What keeps water from crossing faces, 1 where nothing does.
+    template <int N> void fetch_openings(const Place& p, double* open) const {
+        const size_t n = axis.cells;
+        const Place bytes{lines.byte_along, lines.byte_across, p.first, p.lanes};
+        const auto there = [&](size_t i, size_t lane) { return !lines.mask || lines.mask[bytes.at(i, lane)] != 0; };
+        for (size_t i = 0; i <= n; ++i)
+            for (size_t lane = 0; lane < N; ++lane) {
+                bool is_open = lane < p.lanes;
+                if (is_open && (i > 0 || axis.ring())) is_open = there(i > 0 ? i - 1 : n - 1, lane);
+                if (is_open && (i < n || axis.ring())) is_open = there(i < n ? i : 0, lane);
+                const bool walled = lines.wall && ((i > 0 && i < n) || axis.ring());
+                if (is_open && walled) is_open = lines.wall[bytes.at(i < n ? i : 0, lane)] == 0;
+                open[i * N + lane] = is_open ? 1 : 0;
+            }
+    }
+
+    // What forces and pressures add to velocities. pressure: scratch.
+    template <int N> void fetch_push(const Place& p, double* push, double* pressure) const {
+        using L = Lanes<N>;
+        const size_t n = axis.cells;
+        if (lines.force) fetch<N>(p, n + 1, lines.force, push);
+        else memset(push, 0, (n + 1) * N * sizeof(double));
+        for (size_t i = 0; i <= n && lines.force; ++i) (lines.force_share * L::load(push + i * N)).store(push + i * N);
+        if (!lines.pressure) return;
+        fetch<N>(p, n, lines.pressure, pressure);
+        for (size_t i = axis.ring() ? 0 : 1; i < n; ++i) {
+            const L rise = L::load(pressure + i * N) - L::load(pressure + (i > 0 ? i - 1 : n - 1) * N);
+            (L::load(push + i * N) - lines.pressure_share * rise).store(push + i * N);
+        }
+        if (axis.ring()) L::load(push).store(push + n * N);
+    }
+};
+
+// work.bundle<N>(its first line) for each of [first, first + count); whether all came out finite.
+template <class Work> bool in_bundles(const Work& work, size_t lines, size_t first, size_t count) {
+    bool finite = true;
+    for (size_t b = first; b < first + count; ++b)
+        finite &= lines == 1 ? work.template bundle<1>(b) : work.template bundle<int(kWaterLanes)>(b * kWaterLanes);
+    return finite;
+}
+
+} // namespace CD_ISA
+} // namespace cd

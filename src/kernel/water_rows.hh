@@ -1,0 +1,91 @@
+// What the steps of a line of water need of mathematics: a solver for its systems, and friction.
+#pragma once
+
+#include "kernel/lanes.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+// ---- a line's system ------------------------------------------------------------------------------------------------
+
+// A row: (ground + left + right) x_i - left x_{i-1} - right x_{i+1} = load, none of the first three negative.
+template <int N> struct RowLanes { Lanes<N> ground, left, right, load; };
+
+// Solves rows [first, last), between x_{first-1} = before and x_last = after. Series-spring elimination, also where
+// left and right differ: nothing is ever subtracted, e is what grounds the row beside 1. Rows that nothing grounds, not
+// even by way of others, give 0: the sign of their pull says where such rows end.
+template <int N, class Row> inline void solve_rows(size_t first, size_t last, const Row& row, Lanes<N> before,
+                                                   Lanes<N> after, double* x, double* pull) {
+    using L = Lanes<N>;
+    const L one = L::splat(1);
+    L y = before, e = one;
+    for (size_t i = first; i < last; ++i) {
+        const RowLanes<N> r = row(i);
+        const L own = r.ground + r.left * e, whole = own + r.right;
+        const L inverse = select(whole, one / whole, L{});
+        y = (r.load + r.left * y) * inverse;
+        e = own * inverse;
+        y.store(x + i * N);
+        select(whole, r.right * inverse, -one).store(pull + i * N);
+    }
+    L grounded = one;
+    for (size_t i = last; i-- > first;) {
+        const L p = L::load(pull + i * N);
+        grounded = select(-p, L{}, select(one - p, one, grounded));
+        after = select(grounded, L::load(x + i * N) + p * after, L{});
+        after.store(x + i * N);
+    }
+}
+
+// The same for rows [0, n) that go round, left of row 0 being row n - 1. With row 0 held at 0, y answers the loads;
+// held at 1 with no loads, 1 - c does, c the answer to loads that are the ground. rest: scratch.
+template <int N, class Row> inline void solve_round(size_t n, const Row& row, double* x, double* rest, double* pull) {
+    using L = Lanes<N>;
+    solve_rows<N>(1, n, row, L{}, L{}, x, pull);
+    const auto complement = [&](size_t i) {
+        RowLanes<N> r = row(i);
+        r.load = r.ground;
+        return r;
+    };
+    solve_rows<N>(1, n, complement, L{}, L{}, rest, pull);
+    const RowLanes<N> r = row(0);
+    L ground = r.ground, load = r.load;
+    if (n > 1) {
+        const size_t end = (n - 1) * N;
+        ground = ground + (r.left * L::load(rest + end) + r.right * L::load(rest + N));
+        load = load + (r.left * L::load(x + end) + r.right * L::load(x + N));
+    }
+    const L at_0 = select(ground, load / ground, L{});
+    at_0.store(x);
+    for (size_t i = 1; i < n; ++i) (L::load(x + i * N) + at_0 * (L::splat(1) - L::load(rest + i * N))).store(x + i * N);
+}
+
+// ---- friction -------------------------------------------------------------------------------------------------------
+
+// a^(-1/3) of a normal number a > 0, by Newton's iteration from its exponent: 4 times squares an error of 4% away.
+inline double inverse_cube_root(double a) {
+    uint64_t bits;
+    memcpy(&bits, &a, sizeof bits);
+    bits = 0x553ef0ff289dd796u - bits / 3;
+    double r;
+    memcpy(&r, &bits, sizeof r);
+    for (int k = 0; k < 4; ++k) r = r * ((4.0 / 3) - (a * (1.0 / 3)) * (r * r * r));
+    return r;
+}
+
+// What friction leaves of a velocity, and of what is added to it, in a step over which it takes z = dt friction: the
+// second-order approximation of e^-z that is never negative, and (1 - e^-z) / z to match, so that what is at rest
+// between push and friction stays.
+template <int N> struct FrictionLanes {
+    Lanes<N> keep, push;
+
+    explicit FrictionLanes(Lanes<N> z) {
+        using L = Lanes<N>;
+        const L half = L::splat(1) + 0.5 * z, whole = L::splat(1) + (0.5 * z) * ((L::splat(1) + z) / half);
+        push = L::splat(1) / whole;
+        keep = push / half;
+    }
+};
+
+} // namespace CD_ISA
+} // namespace cd

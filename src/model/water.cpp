@@ -1,0 +1,193 @@
+// The water's parameters and memory.
+#include "model/water.hh"
+
+#include "base/status.hh"
+#include "model/life.hh"
+#include "solve/planes.hh"
+
+namespace cd {
+
+// ---- cells and faces ------------------------------------------------------------------------------------------------
+
+bool crossable(const Water& w, Axis a, size_t i, size_t j) {
+    return crossable(
+        w.cells, w.side, a, i, j, [&](size_t x, size_t y) { return present(w, x, y); },
+        [&](Axis axis, size_t x, size_t y) { return w.wall[axis] && w.wall[axis][byte_place(w, x, y)] != 0; });
+}
+
+double face_depth(const Water& w, Axis a, size_t i, size_t j) {
+    const size_t at = a == kX ? i : j, n = w.cells[a];
+    if (((at == 0 || at == n) && !periodic(w, a)) || !crossable(w, a, i, j)) return 0;
+    const size_t low = at > 0 ? at - 1 : n - 1, high = at < n ? at : 0;
+    const size_t p = a == kX ? place(w, low, j) : place(w, i, low), q = a == kX ? place(w, high, j) : place(w, i, high);
+    const double d_p = get_number(w, w.depth, p), d_q = get_number(w, w.depth, q);
+    if (d_p > 0 && d_q > 0) return (d_p + d_q) / 2;
+    const double rise = get_number(w, w.bed, p) - get_number(w, w.bed, q);
+    const double on_it = rise > 0 ? d_p : d_q, reach = rise > 0 ? d_q - rise : d_p + rise; // over the higher bed
+    return on_it > reach ? on_it : reach;
+}
+
+// ---- memory ---------------------------------------------------------------------------------------------------------
+
+namespace {
+
+// The memory that features change.
+struct WaterChanges {
+    Change<char> depth, bed, velocity_x, velocity_y, source, pressure, force_x, force_y;
+    Change<uint8_t> mask, wall_x, wall_y;
+    Change<double> coefficients, scratch;
+
+    WaterChanges(Water& w, const WaterFeatures& wanted, size_t coefficients_needed, size_t scratch_needed)
+        : WaterChanges(w, wanted, coefficients_needed, scratch_needed, w.plane * number_size(w),
+                       (w.cells[kX] + 1) * (w.cells[kY] + 1)) {}
+
+    WaterChanges(Water& w, const WaterFeatures& wanted, size_t coefficients_needed, size_t scratch_needed, size_t state,
+                 size_t bytes)
+        : depth{w.depth, state},
+          bed{w.bed, state},
+          velocity_x{w.velocity[kX], state},
+          velocity_y{w.velocity[kY], state},
+          source{w.source, wanted.source ? state : 0},
+          pressure{w.pressure, wanted.pressure ? state : 0},
+          force_x{w.force[kX], wanted.force[kX] ? state : 0},
+          force_y{w.force[kY], wanted.force[kY] ? state : 0},
+          mask{w.mask, wanted.mask ? bytes : 0},
+          wall_x{w.wall[kX], wanted.wall[kX] ? bytes : 0},
+          wall_y{w.wall[kY], wanted.wall[kY] ? bytes : 0},
+          coefficients{w.coefficients, coefficients_needed},
+          scratch{w.scratch, scratch_needed} {}
+
+    template <class F> bool all(F f) {
+        return f(depth) && f(bed) && f(velocity_x) && f(velocity_y) && f(source) && f(pressure) && f(force_x) &&
+               f(force_y) && f(mask) && f(wall_x) && f(wall_y) && f(coefficients) && f(scratch);
+    }
+};
+
+} // namespace
+
+WaterFeatures features(const Water& w) {
+    return {w.method,
+            w.momentum,
+            w.solver,
+            w.corrections,
+            bool(w.source),
+            bool(w.pressure),
+            {bool(w.force[kX]), bool(w.force[kY])},
+            bool(w.mask),
+            {bool(w.wall[kX]), bool(w.wall[kY])},
+            w.parallel.run != nullptr};
+}
+
+bool set_features(Water& w, const WaterFeatures& wanted) {
+    size_t coefficients, scratch;
+    if (!needs_of(w, wanted, coefficients, scratch)) return false;
+    WaterChanges changes(w, wanted, coefficients, scratch);
+    const auto all = [&](auto f) { return changes.all(f); };
+    if (wanted.method == w.method && wanted.momentum == w.momentum && wanted.solver == w.solver &&
+        wanted.corrections == w.corrections && keep_all(all))
+        return true;
+    if (!take_all(w.memory, all)) return false;
+    put_all(w.memory, all);
+    w.method = wanted.method;
+    w.momentum = wanted.momentum;
+    w.solver = wanted.solver;
+    w.corrections = wanted.corrections;
+    if (changes.mask.is_new()) memset(w.mask.data, 1, w.mask.bytes());
+    w.prepared_dt = 0;
+    return true;
+}
+
+// ---- parameters and state -------------------------------------------------------------------------------------------
+
+// The two faces at the ends of each line along an axis become one: it moves as they do in the mean, and a wall stands
+// on it where one stood on either.
+static void join_ends(Water& w, Axis a) {
+    const size_t n = w.cells[a];
+    for (size_t k = 0; k < w.cells[other(a)]; ++k) {
+        const size_t first_x = a == kX ? 0 : k, first_y = a == kX ? k : 0;
+        const size_t last_x = a == kX ? n : k, last_y = a == kX ? k : n;
+        const size_t p = place(w, first_x, first_y), q = place(w, last_x, last_y);
+        for (const Array<char>* array : {&w.velocity[a], &w.force[a]}) {
+            if (!*array) continue;
+            const double mean = get_number(w, *array, p) / 2 + get_number(w, *array, q) / 2;
+            set_number(w, *array, p, mean);
+            set_number(w, *array, q, mean);
+        }
+        if (!w.wall[a]) continue;
+        uint8_t &at_p = w.wall[a][byte_place(w, first_x, first_y)], &at_q = w.wall[a][byte_place(w, last_x, last_y)];
+        at_p = at_q = at_p | at_q;
+    }
+}
+
+void set_side(Water& w, cd_side side, const WaterSide& wanted) {
+    const Axis a = axis_of(side);
+    const cd_side opposite = side_of(a, side == side_of(a, false));
+    const bool was_periodic = periodic(w, a), is_periodic = wanted.kind == CD_BORDER_PERIODIC;
+    const bool same_kind = wanted.kind == w.side[side].kind;
+    w.side[side] = wanted;
+    if (is_periodic) w.side[opposite] = wanted;
+    else if (was_periodic) w.side[opposite] = {CD_BORDER_WALL, 0, 0};
+    w.prepared_dt = 0;
+    if (same_kind) return;
+    if (is_periodic) join_ends(w, a);
+    stop_closed(w);
+}
+
+void clear_state(Water& w) {
+    for (const Array<char>* array : {&w.depth, &w.velocity[kX], &w.velocity[kY]})
+        memset(array->data, 0, array->bytes());
+    w.clock = {};
+    w.account = {};
+    w.first = kX;
+}
+
+bool all_finite(const Water& w) {
+    bool finite = true;
+    for (const Array<char>* array : {&w.depth, &w.velocity[kX], &w.velocity[kY]})
+        each_number(w, layout_of(w), *array, [&](auto number) { finite &= isfinite(number) != 0; });
+    return finite;
+}
+
+void stop_closed(Water& w) {
+    for (Axis a : {kX, kY})
+        each_face(w, a, [&](size_t i, size_t j) {
+            if (!crossable(w, a, i, j)) set_number(w, w.velocity[a], place(w, i, j), 0);
+        });
+    each_cell(w, [&](size_t i, size_t j) {
+        if (!present(w, i, j)) set_number(w, w.depth, place(w, i, j), 0);
+    });
+}
+
+void restart_account(Water& w) { w.account = {volume(w), 0, 0}; }
+
+// ---- life -----------------------------------------------------------------------------------------------------------
+
+cd_status create_water(const char* function, size_t nx, size_t ny, double dx, double dy, cd_precision precision,
+                       const cd_allocator& allocator, Water*& out) {
+    Water shape{};
+    shape.memory.allocator = allocator;
+    shape.kernels = &best_kernels();
+    shape.cells[kX] = nx;
+    shape.cells[kY] = ny;
+    shape.size[kX] = dx;
+    shape.size[kY] = dy;
+    shape.precision = precision;
+    // With everything switched on, water of many rows and columns holds less than 80 planes of doubles. What narrow
+    // ones need beyond that is counted where it is taken.
+    size_t columns, rows, all;
+    Grid grid{}; // that of the planes which steps work on
+    if (!add(nx, 1, columns) || !add(ny, 1, rows) || !grid_of(columns, rows, grid) ||
+        !multiply(rows, shape.pitch = grid.pitch, shape.plane) || !multiply(shape.plane, 80 * sizeof(double), all))
+        return fail(CD_ERROR_SIZE, function, "nx %zu and ny %zu cells do not fit in memory", nx, ny);
+    shape.lambda = kLinearLambda;
+    shape.tolerance = 1e-6;
+    shape.most_iterations = 100;
+    shape.gravity = 9.81;
+    shape.density = 1000;
+
+    out = make(shape, kWaterTag);
+    if (!out) return fail(CD_ERROR_MEMORY, function, "no memory for nx %zu and ny %zu cells", nx, ny);
+    return CD_OK;
+}
+
+} // namespace cd

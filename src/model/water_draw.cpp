@@ -1,0 +1,75 @@
+// The water as triangles between the centres of its cells, on its surface, which is the bed where it is dry. Slopes are
+// those from neighbour to neighbour, and to the one that is there where there is but one.
+#include "model/draw.hh"
+#include "model/water.hh"
+
+namespace cd {
+
+namespace {
+
+double surface_at(const Water& w, size_t i, size_t j) { return bed_at(w, i, j) + depth_at(w, i, j); }
+
+// How much the surface rises along an axis at a cell. Round a periodic side too.
+double slope_at(const Water& w, Axis a, size_t i, size_t j) {
+    const size_t n = w.cells[a], at = a == kX ? i : j;
+    double ends[2];
+    int steps = 0;
+    for (int side : {0, 1}) {
+        ends[side] = surface_at(w, i, j);
+        if (at == (side ? n - 1 : 0) && !periodic(w, a)) continue;
+        const size_t next = side ? (at + 1 < n ? at + 1 : 0) : (at > 0 ? at : n) - 1;
+        const size_t x = a == kX ? next : i, y = a == kX ? j : next;
+        if (!present(w, x, y)) continue;
+        ends[side] = surface_at(w, x, y);
+        ++steps;
+    }
+    return steps > 0 ? (ends[1] - ends[0]) / (steps * w.size[a]) : 0;
+}
+
+void put(double number, unsigned char* out) {
+    const float one = float(number);
+    memcpy(out, &one, sizeof one);
+}
+
+DrawnLattice drawn(const Water& w) { return {w.cells[kX], w.cells[kY], {w.cells[kX] - 1, w.cells[kY] - 1}}; }
+
+// f(whether a vertex is there, whether a square of such vertices is drawn), of which more often than not all are
+template <class F> auto with_squares(const Water& w, bool skip_dry, F f) {
+    const size_t columns = w.cells[kX];
+    const auto is_there = [&w, columns](size_t n) { return !w.mask || present(w, n % columns, n / columns); };
+    const auto is_drawn = [&w, columns, skip_dry](const size_t* corner, int corners) {
+        bool wet = !skip_dry;
+        for (int c = 0; c < corners && !wet; ++c) wet = depth_at(w, corner[c] % columns, corner[c] / columns) > 0;
+        return wet;
+    };
+    return f(is_there, is_drawn);
+}
+
+} // namespace
+
+void write_vertices(const Water& w, unsigned char* out, const WaterVertexFormat& format) {
+    each_cell(w, [&](size_t i, size_t j) {
+        const bool there = present(w, i, j);
+        put({(double(i) + 0.5) * w.size[kX], (double(j) + 0.5) * w.size[kY], surface_at(w, i, j)},
+            out + format.position_offset);
+        if (format.normal_offset != SIZE_MAX)
+            put(there ? normal_of(slope_at(w, kX, i, j), slope_at(w, kY, i, j)) : Vector{0, 0, 1},
+                out + format.normal_offset);
+        if (format.depth_offset != SIZE_MAX) put(there ? depth_at(w, i, j) : -1, out + format.depth_offset);
+        out += format.stride;
+    });
+}
+
+size_t index_count(const Water& w, bool skip_dry) {
+    const DrawnLattice lattice = drawn(w);
+    if (!w.mask && !skip_dry) return 6 * lattice.cells[kX] * lattice.cells[kY];
+    return with_squares(w, skip_dry,
+                        [&](auto is_there, auto is_drawn) { return index_count(lattice, is_there, is_drawn); });
+}
+
+void write_indices(const Water& w, bool skip_dry, unsigned char* out, size_t index_size) {
+    with_squares(w, skip_dry,
+                 [&](auto is_there, auto is_drawn) { write_indices(drawn(w), is_there, out, index_size, is_drawn); });
+}
+
+} // namespace cd
