@@ -136,6 +136,9 @@ template <int N> inline Lanes<N> operator-(Lanes<N> a) { return Lanes<N>{} - a; 
 template <int N> inline Lanes<N> larger(Lanes<N> a, Lanes<N> b) { return select(a - b, a, b); }
 template <int N> inline Lanes<N> smaller(Lanes<N> a, Lanes<N> b) { return select(b - a, a, b); }
 template <int N> inline Lanes<N> positive(Lanes<N> a) { return select(a, a, Lanes<N>{}); }
+template <int N> inline Lanes<N> within(Lanes<N> a, double least, double most) {
+    return smaller(larger(a, Lanes<N>::splat(least)), Lanes<N>::splat(most));
+}
 template <int N> inline Lanes<N> size_of(Lanes<N> a) { return larger(a, -a); }
 template <int N> inline Lanes<N> root(Lanes<N> a) {
     return each_lane(a, [](double x) { return __builtin_sqrt(x); });

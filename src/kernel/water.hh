@@ -19,7 +19,8 @@ struct WaterEnd {
 struct WaterAxis {
     size_t cells;
     double courant;     // dt / the cell's size [s/m]
-    double lambda;      // of the surface and of the fluxes
+    double lambda;      // of the fluxes, and of the surface that pushes them
+    double push_after;  // the surface's lambda: 0 in explicit steps, whatever the fluxes'
     double gravity;     // [m/s^2]
     double drag;        // dt drag
     double manning;     // dt g manning^2

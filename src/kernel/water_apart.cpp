@@ -43,6 +43,7 @@ template <class T> struct Finish : WaterBundles<T> {
         fetch<N>(p, n + 1, planes.transfer, line.transfer);
         fetch<N>(p, n + 1, planes.gain, line.gain);
         fetch<N>(p, n, planes.change, line.x);
+        fetch<N>(p, n, this->lines.bed, line.bed);
         line.move_faces();
         put<N>(p, n + 1, line.guess, planes.guess);
         put<N>(p, n + 1, line.transfer, planes.transfer);

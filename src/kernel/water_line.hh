@@ -39,6 +39,11 @@ template <int N> struct WaterLine {
     void close(double* panel) const {
         if (ring) put(panel, n, at(panel, 0));
     }
+    // Nothing is moved round a ring of one cell: it would come in as it goes out, and only leave its rounding there.
+    void close_transfers() const {
+        if (ring && n == 1) put(transfer, 0, L{});
+        close(transfer);
+    }
 
     // ---- 1. how deep faces are ----
 
@@ -91,9 +96,6 @@ template <int N> struct WaterLine {
     // Between wet cells, a face is as deep in the middle of the step as the water that comes to it by then (Lax and
     // Wendroff 1960), no more than a cell's way; and where momentum is advected, as what spreads or closes up makes it.
     void look_ahead() const {
-        const auto within = [](L a, double least, double most) {
-            return smaller(larger(a, L::splat(least)), L::splat(most));
-        };
         for (size_t i = first_inside(); i < n; ++i) {
             const size_t l = left_of(i), far_l = ring ? l : i - 1;
             const L d_l = at(depth, l), d_r = at(depth, i), h = at(face, i), mean = 0.5 * (d_l + d_r);
@@ -115,23 +117,10 @@ template <int N> struct WaterLine {
     // A dry face takes the velocity of the nearest wet one that may come as far in the step, at least of a neighbour;
     // of two as near, the mean. Uses x and pull for what comes from the left, its distance at first.
     void carry_to_dry_faces() const {
-        const L far = L::splat(1e300);
-        struct Nearest {
-            L value, distance;
-            void pass(L wet, L here, L opening) {
-                const L far = L::splat(1e300);
-                value = select(wet, here, value);
-                distance = select(wet, L{}, select(opening, distance + L::splat(1), far));
-            }
-            // how far it is, or far if it cannot come here
-            L reach(double courant) const {
-                const L most = larger(L::splat(1.5), L::splat(1) + courant * size_of(value));
-                return select(most - distance, distance, L::splat(1e300));
-            }
-        };
+        const L far = L::splat(kFar);
         const double courant = axis.corrections > 0 ? axis.courant : 0; // else a neighbour only
         const size_t begin = first_inside(), turns = ring ? 2 : 1;
-        Nearest left{L{}, far}, right{L{}, far};
+        NearestLanes<N> left{L{}, far}, right{L{}, far};
         for (size_t turn = 0; turn < turns; ++turn)
             for (size_t i = begin; i < n; ++i) {
                 left.pass(at(face, i), at(velocity, i), opening(i));
@@ -162,7 +151,9 @@ template <int N> struct WaterLine {
         const L u = at(velocity, i), h = at(face, i), pushed = push ? at(push, i) - slope : -slope;
         L gain = L::splat(wave_gain * axis.lambda);
         L w = u + pushed;
-        if (axis.manning > 0) drag = drag + manning(h, w);
+        // What the implicit surface will take off a slope is taken off w first, or waves too fast for the step would rush.
+        const double wave = 2 * axis.gravity * axis.courant * axis.courant * axis.lambda * axis.lambda;
+        if (axis.manning > 0) drag = drag + manning_drag(h, size_of(w) / (L::splat(1) + wave * h), axis.manning);
         if (axis.rubs() || i == 0 || i == n) {
             const FrictionLanes<N> friction(drag);
             w = friction.keep * u + friction.push * pushed;
@@ -174,15 +165,6 @@ template <int N> struct WaterLine {
         put(transfer, i, axis.courant * (h * (axis.lambda * w + (1 - axis.lambda) * u)));
     }
 
-    // dt times Manning's friction at the speed that it leaves of w. What the implicit surface will take off a slope is
-    // taken off w first, or waves too fast for the step would seem to rush.
-    L manning(L h, L w) const {
-        const L r = each_lane(h, [](double a) { return a > 0 ? inverse_cube_root(a) : 0; });
-        const double wave = 2 * axis.gravity * axis.courant * axis.courant * axis.lambda * axis.lambda;
-        const L speed = size_of(w) / (L::splat(1) + wave * h), k = axis.manning * ((r * r) * (r * r));
-        return (2 * (k * speed)) / (L::splat(1) + root(L::splat(1) + 4 * (k * speed)));
-    }
-
     void guess_faces() const {
         const double wave_gain = axis.gravity * axis.courant;
         const L drag = L::splat(axis.drag);
@@ -191,7 +173,8 @@ template <int N> struct WaterLine {
             const L slope = wave_gain * ((at(bed, i) - at(bed, l)) + (at(depth, i) - at(depth, l)));
             guess_face(i, slope, wave_gain, drag);
         }
-        for (double* panel : {guess, gain, spring, transfer}) close(panel);
+        for (double* panel : {guess, gain, spring}) close(panel);
+        close_transfers();
         for (size_t i : {size_t(0), n})
             if (!ring) guess_end(i, wave_gain, drag);
     }
@@ -233,18 +216,22 @@ template <int N> struct WaterLine {
             else solve_rows<N>(0, n, rows, L{}, L{}, x, pull);
         };
         if (axis.corrections == 0) return solve(row);
-        // Newton's method on a convex, piecewise linear system: from "all store" on, cells only ever drop out, so that
-        // it ends after at most n + 1 passes, mostly 2.
+        // Newton's method on a convex, piecewise linear system: from "all store" on, cells only ever drop out, but for
+        // what rounding took out by mistake. It ends after 2 passes mostly, and n + 1 at the most.
         for (size_t i = 0; i < n; ++i) put(ground, i, L::splat(1));
-        for (bool changed = true; changed;) {
+        bool changed = true;
+        for (size_t pass = 0; changed; ++pass) {
             solve(storing_row);
-            L dropped{};
+            L changes{};
             for (size_t i = 0; i < n; ++i) {
-                const L stores = at(ground, i), still = select(at(depth, i) + at(x, i), stores, L{});
-                dropped = dropped + (stores - still);
-                put(ground, i, still);
+                const L stores = at(ground, i), stored = at(depth, i) + at(x, i);
+                const L all = at(depth, i) + (at(face, i) + at(face, i + 1));
+                const L least = select(stores, L{}, pass < 8 ? 0x1p-20 * all : L::splat(1e300));
+                const L now = select(stored - least, L::splat(1), L{});
+                changes = changes + size_of(stores - now);
+                put(ground, i, now);
             }
-            changed = any_positive(dropped);
+            changed = any_positive(changes);
         }
     }
 
@@ -261,7 +248,21 @@ template <int N> struct WaterLine {
         if (!ring && axis.end[0].kind == End::kOpen) finish(0, at(x, 0));
         if (!ring && axis.end[1].kind == End::kOpen) finish(n, -at(x, n - 1));
         close(guess);
-        close(transfer);
+        close_transfers();
+        hold_inflow();
+    }
+
+    // The water outside an open side comes in no faster than its waves run, though a surface that has been solved for
+    // may have sunk below the bed and call for more.
+    void hold_inflow() const {
+        for (size_t i : {size_t(0), n}) {
+            const WaterEnd& end = axis.end[i == 0 ? 0 : 1];
+            if (end.kind != End::kOpen) continue;
+            const L depth_outside = outside(end, i == 0 ? 0 : n - 1), t = at(transfer, i), in = i == 0 ? t : -t;
+            const L most = axis.courant * (depth_outside * root(axis.gravity * depth_outside)), over = in - most;
+            put(transfer, i, select(over, i == 0 ? most : -most, t));
+            put(guess, i, select(over, at(guess, i) * (most / in), at(guess, i)));
+        }
     }
 
     // ---- 7. no cell gives more than it has and gets ----
@@ -274,33 +275,35 @@ template <int N> struct WaterLine {
 
     // A cell with two outflows shares out what it has; then along each direction, downstream, a cell passes on at most
     // what it has and gets. Downstream cells see what upstream ones could really give, so one pass each way is enough.
-    // Where a ring closes, givers count on what they have alone.
     void limit() {
         L least = L::splat(1);
         for (size_t i = 0; i < n; ++i) least = smaller(left_in(i), least);
         if (axis.corrections == 0 && !any_positive(-least)) return;
         for (size_t i = 0; i <= n; ++i) put(rest, i, at(transfer, i));
-        if (ring) {
-            for (size_t i : {size_t(0), n - 1}) share_out(i);
-            const L seam = select(at(transfer, 0), smaller(at(transfer, n), at(transfer, 0)),
-                                  larger(at(transfer, n), at(transfer, 0)));
-            put(transfer, 0, seam);
-            put(transfer, n, seam);
-        }
+        if (ring) settle_seam();
+        const auto shares = [&](size_t i) { return !ring || (i > 0 && i + 1 < n); };
         for (size_t i = 0; i < n; ++i) {
             const L in = at(transfer, i), out = at(transfer, i + 1), d = at(depth, i);
             const L all = d + positive(in), on = select(runs_dry(i), select(out, all, out), smaller(out, all));
-            share_out(i);
-            if (ring && i + 1 == n) continue; // the seam is settled
-            put(transfer, i + 1, select(-in, at(transfer, i + 1), on));
+            if (shares(i)) share_out(i);
+            if (!ring || i + 1 < n) put(transfer, i + 1, select(-in, at(transfer, i + 1), on));
         }
         for (size_t i = n; i-- > 0;) {
             const L in = at(transfer, i), out = at(transfer, i + 1), d = at(depth, i);
-            if (ring && i == 0) continue;
             const L all = out - d, on = select(runs_dry(i), select(-in, all, in), larger(in, all));
-            put(transfer, i, select(out, in, on));
+            if (!ring || i > 0) put(transfer, i, select(out, in, on));
         }
         count_held_back();
+    }
+
+    // Where a ring closes, the cell that gives counts on what it has alone.
+    void settle_seam() const {
+        share_out(0);
+        share_out(n - 1);
+        const L back = larger(at(transfer, 0), -at(depth, 0)), on = smaller(at(transfer, n), at(depth, n - 1));
+        const L seam = select(on, on, smaller(back, L{}));
+        put(transfer, 0, seam);
+        put(transfer, n, seam);
     }
 
     // > 0: large steps have found that nothing stays in the cell, so that rounding shall leave nothing there either.
@@ -331,9 +334,10 @@ template <int N> struct WaterLine {
     // ---- 4. momentum goes with the water ----
 
     // Velocities are carried upwind with the transfers of the step: exactly as much momentum comes in at a face as goes
-    // out at the one before. Where the step shows a wave's course, the push of the step acts half before and half
-    // after, with which the push of the surface is in balance with what is carried too, and shocks run at their right
-    // speed. Elsewhere, on thin and rushing water, it all acts before, which is the more stable.
+    // out at the one before. Where the step shows a wave's course, what the surface at its end pushes acts after that,
+    // the rest before: so the push of the surface is in balance with what is carried, and shocks run at their right
+    // speed. Elsewhere, on thin and rushing water, it all acts before, which is the more stable. A dry face is not
+    // pushed: the slope of dry land is no slope of water, and none of it may be carried to where there is some.
     void carry() const {
         const double wave = axis.gravity * axis.courant * axis.courant;
         const size_t begin = first_inside();
@@ -347,7 +351,7 @@ template <int N> struct WaterLine {
             const L passing = positive(through(l)) + positive(-through(i)), volume = 0.5 * (d_l + d_r);
             const L short_step = smaller(L::splat(1) - wave * larger(d_l, d_r), volume - passing);
             const L resolved = select(short_step, larger(calm, closing), L{});
-            const L wet = at(face, i), later = select(smaller(wet, resolved), 0.5 * (w - u), L{});
+            const L wet = at(face, i), later = select(smaller(wet, resolved), axis.push_after * (w - u), L{});
             put(gain, i, later);
             put(guess, i, select(wet, w - later, u));
         }
@@ -371,11 +375,7 @@ template <int N> struct WaterLine {
         const WaterEnd& end = axis.end[i == 0 ? 0 : 1];
         if (ring || end.kind != End::kInflow) return;
         const L q = (1 / axis.courant) * at(transfer, i);
-        const double g = axis.gravity;
-        const L critical =
-            g > 0 ? each_lane((1 / g) * (q * q),
-                              [](double a) { return a > 0 ? a * (inverse_cube_root(a) * inverse_cube_root(a)) : 0; })
-                  : L{};
+        const L critical = critical_depth(q, axis.gravity);
         const L h = larger(at(depth, i == 0 ? 0 : n - 1), critical);
         put(guess, i, select(h, q / h, L{}));
     }
@@ -389,12 +389,63 @@ template <int N> struct WaterLine {
     void guess_all() {
         look();
         guess_faces();
+        hold_inflow();
     }
     void keep_all() {
         for (size_t i : {size_t(0), n}) set_inflow_velocity(i);
         if (!ring) count_ends();
+        for (size_t i = first_inside(); i < n; ++i) slow_held_back(i);
+        close(guess);
+        bound_speeds();
         if (axis.advected) carry();
         for (size_t i = 0; i <= n; ++i) settle_face(i);
+    }
+
+    // A face through which less went than its velocity would have moved is as slow as what went. Not so where momentum
+    // is advected in short steps: there what waits at a shore goes on as fast.
+    void slow_held_back(size_t i) const {
+        const L w = at(guess, i), went = at(transfer, i);
+        const L wanted = axis.courant * (at(face, i) * (axis.lambda * w + (1 - axis.lambda) * at(velocity, i)));
+        const L held_back = (1 - 0x1p-40) * size_of(wanted) - size_of(went);
+        const double wave = axis.gravity * axis.courant * axis.courant;
+        L slows = L::splat(1);
+        if (axis.advected && axis.corrections == 0) slows = wave * larger(at(depth, left_of(i)), at(depth, i)) - slows;
+        put(guess, i, select(smaller(held_back, slows), w * positive(went / wanted), w));
+    }
+
+    // Where a step is too long for waves or water to stay in a cell's reach, water gets no faster than by a fall from
+    // the highest head of its line, surface and speed, beside what pushes it: what the surface solved for may call for
+    // more has no water behind it.
+    void bound_speeds() {
+        if (!(axis.gravity > 0)) return;
+        const double wave = axis.gravity * axis.courant * axis.courant, fall = 2 * axis.gravity;
+        L head = L::splat(-1e300), over{};
+        for (size_t i = 0; i < n; ++i) {
+            const L before = at(velocity, i), behind = at(velocity, i + 1), d = at(depth, i);
+            const L speed = (1 / fall) * larger(before * before, behind * behind);
+            head = select(d, larger(head, (at(bed, i) + d) + speed), head);
+        }
+        for (const WaterEnd& end : axis.end)
+            if (end.kind == End::kOpen) head = larger(head, L::splat(end.level));
+        const auto excess = [&](size_t i) { // of the speed's square; none where the step is short
+            const size_t l = left_of(i);
+            const L fastest = fall * positive(head - smaller(at(bed, l), at(bed, i))), w = at(guess, i);
+            const L deepest = larger(larger(at(depth, l), at(depth, i)), larger(at(after, l), at(after, i)));
+            const L cells = larger(wave * deepest, axis.courant * size_of(w));
+            return select(cells - L::splat(1), w * w - fastest, L{});
+        };
+        for (size_t i = first_inside(); i < n; ++i) over = larger(over, excess(i));
+        if (!any_positive(over)) return;
+        for (size_t i = first_inside(); i < n; ++i) {
+            const L w = at(guess, i), too_much = excess(i), most = root(positive(w * w - too_much));
+            const L bound = smaller(size_of(w), most + (push ? size_of(at(push, i)) : L{}));
+            const L slowed = select(too_much, select(w, bound, -bound), w);
+            const L moved = size_of(at(transfer, i)) - 0x1p-20 * (at(depth, i) + at(depth, left_of(i)));
+            const L counts = smaller(moved, size_of(w) - size_of(slowed));
+            tally[kLimited] = tally[kLimited] + select(counts, L::splat(1), L{});
+            put(guess, i, slowed);
+        }
+        close(guess);
     }
 
     void step() {
@@ -424,11 +475,25 @@ template <int N> struct WaterLine {
     // The velocity that a face keeps: none where the cells on both sides are dry, nor, of linear momentum, where the
     // face was.
     void settle_face(size_t i) const {
+        const bool inside = ring || (i > 0 && i < n);
         L water{};
         if (i > 0 || ring) water = larger(water, at(after, left_of(i)));
         if (i < n || ring) water = larger(water, at(after, right_of(i)));
-        const L wet = axis.advected ? L::splat(1) : at(face, i) + size_of(at(transfer, i));
-        put(velocity, i, select(water, select(wet, at(guess, i), at(velocity, i)), L{}));
+        L u = at(guess, i);
+        if (!axis.advected) u = select(at(face, i) + size_of(at(transfer, i)), u, at(velocity, i));
+        if (!axis.advected && inside) u = slowed_by_newcomers(i, u);
+        put(velocity, i, select(water, u, L{}));
+    }
+
+    // Linear momentum lets water that comes to a face take on the velocity there, which makes energy out of nothing.
+    // Waves do not show it; but where a step is too long for the waves and water rushes, at more than a third of what
+    // waves carry, it would feed on itself. There newcomers are at rest.
+    L slowed_by_newcomers(size_t i, L u) const {
+        const size_t l = left_of(i), r = right_of(i);
+        const L was = at(depth, l) + at(depth, r), is = at(after, l) + at(after, r);
+        const L waves = axis.gravity * larger(at(after, l), at(after, r));
+        const L too_long = (axis.courant * axis.courant) * waves - L::splat(1), rushes = u * u - (1.0 / 3) * waves;
+        return select(smaller(smaller(too_long, rushes), is - was), u * (was / is), u);
     }
 };
 

@@ -1,7 +1,8 @@
-// What the steps of a line of water need of mathematics: a solver for its systems, and friction.
+// What the steps of a line of water need of mathematics: a solver for its systems, friction, the way to dry faces.
 #pragma once
 
 #include "kernel/lanes.hh"
+#include "kernel/lines.hh"
 
 namespace cd {
 namespace CD_ISA {
@@ -10,6 +11,9 @@ namespace CD_ISA {
 
 // A row: (ground + left + right) x_i - left x_{i-1} - right x_{i+1} = load, none of the first three negative.
 template <int N> struct RowLanes { Lanes<N> ground, left, right, load; };
+
+// Less than this grounds nothing: its inverse is no number.
+constexpr double kNoGround = 0x1p-900;
 
 // Solves rows [first, last), between x_{first-1} = before and x_last = after. Series-spring elimination, also where
 // left and right differ: nothing is ever subtracted, e is what grounds the row beside 1. Rows that nothing grounds, not
@@ -22,11 +26,11 @@ template <int N, class Row> inline void solve_rows(size_t first, size_t last, co
     for (size_t i = first; i < last; ++i) {
         const RowLanes<N> r = row(i);
         const L own = r.ground + r.left * e, whole = own + r.right;
-        const L inverse = select(whole, one / whole, L{});
+        const L counts = whole - L::splat(kNoGround), inverse = select(counts, one / whole, L{});
         y = (r.load + r.left * y) * inverse;
         e = own * inverse;
         y.store(x + i * N);
-        select(whole, r.right * inverse, -one).store(pull + i * N);
+        select(counts, r.right * inverse, -one).store(pull + i * N);
     }
     L grounded = one;
     for (size_t i = last; i-- > first;) {
@@ -55,7 +59,7 @@ template <int N, class Row> inline void solve_round(size_t n, const Row& row, do
         ground = ground + (r.left * L::load(rest + end) + r.right * L::load(rest + N));
         load = load + (r.left * L::load(x + end) + r.right * L::load(x + N));
     }
-    const L at_0 = select(ground, load / ground, L{});
+    const L at_0 = select(ground - L::splat(kNoGround), load / ground, L{});
     at_0.store(x);
     for (size_t i = 1; i < n; ++i) (L::load(x + i * N) + at_0 * (L::splat(1) - L::load(rest + i * N))).store(x + i * N);
 }
@@ -84,6 +88,45 @@ template <int N> struct FrictionLanes {
         const L half = L::splat(1) + 0.5 * z, whole = L::splat(1) + (0.5 * z) * ((L::splat(1) + z) / half);
         push = L::splat(1) / whole;
         keep = push / half;
+    }
+};
+
+// dt times Manning's friction on water of depth h at what it leaves of a speed: the root of u + k u^2 = speed, times k =
+// manning h^(-4/3). manning: dt g times its square.
+template <int N> inline Lanes<N> manning_drag(Lanes<N> h, Lanes<N> speed, double manning) {
+    using L = Lanes<N>;
+    const L r = each_lane(h, [](double a) { return a > Limits<double>::least ? inverse_cube_root(a) : 0; });
+    const L k = manning * ((r * r) * (r * r));
+    return (2 * (k * speed)) / (L::splat(1) + root(L::splat(1) + 4 * (k * speed)));
+}
+
+// The depth at which a discharge q [m^2/s] runs as fast as its own waves, (q^2 / g)^(1/3).
+template <int N> inline Lanes<N> critical_depth(Lanes<N> q, double gravity) {
+    if (!(gravity > 0)) return Lanes<N>{};
+    return each_lane((1 / gravity) * (q * q), [](double a) {
+        const double r = a > 0 ? inverse_cube_root(a) : 0;
+        return a * (r * r);
+    });
+}
+
+// ---- dry faces ------------------------------------------------------------------------------------------------------
+
+constexpr double kFar = 1e300;
+
+// The velocity of the last wet face that was passed, and how many faces ago.
+template <int N> struct NearestLanes {
+    Lanes<N> value, distance;
+
+    void pass(Lanes<N> wet, Lanes<N> here, Lanes<N> opening) {
+        using L = Lanes<N>;
+        value = select(wet, here, value);
+        distance = select(wet, L{}, select(opening, distance + L::splat(1), L::splat(kFar)));
+    }
+    // How far it is; kFar if it does not come here in a step, and is no neighbour.
+    Lanes<N> reach(double courant) const {
+        using L = Lanes<N>;
+        const L most = larger(L::splat(1.5), L::splat(1) + courant * size_of(value));
+        return select(most - distance, distance, L::splat(kFar));
     }
 };
 

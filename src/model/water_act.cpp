@@ -103,9 +103,9 @@ struct Ring {
     bool next_to_dug(size_t i, size_t j) const { // beyond the first line, i - 1 wraps to a number that is in no part
         return is_dug(i - 1, j) || is_dug(i + 1, j) || is_dug(i, j - 1) || is_dug(i, j + 1);
     }
-    // 0 of a cell that is not in the ring or not there, however wet
+    // 0 of a cell that is not in the ring or not there, however wet. A disc without a centre has dug one beyond it.
     double weight(size_t i, size_t j) const {
-        if (!present(w, i, j)) return 0;
+        if (!present(w, i, j) || (dug.even && is_dug(i, j))) return 0;
         if (coarse) return !is_dug(i, j) && next_to_dug(i, j) ? 1 : 0;
         const double square = square_away(w, disc, i, j);
         if (!(square > 1 && square < 4)) return 0;

@@ -19,7 +19,6 @@ struct KeptWater {
     uint32_t fields; // a bit per optional field, by cd_field
 
     bool on(cd_field field) const { return (fields & bit(field)) != 0; }
-    bool remembers() const { return own.momentum == CD_MOMENTUM_ADVECTED && own.corrections == 0; }
     bool periodic(Axis a) const { return own.side[2 * a].kind == CD_BORDER_PERIODIC; }
 };
 
@@ -77,7 +76,6 @@ template <class T> struct WaterCheck {
         if (s.on(CD_PRESSURE)) cells<T>(0, finite);
         for (Axis a : {kX, kY})
             if (s.on(a == kX ? CD_FORCE_X : CD_FORCE_Y)) faces<T>(a, finite);
-        for (int a = 0; a < 2 && s.remembers(); ++a) numbers<T>([](size_t, size_t, double d) { return !(d < 0); });
         return check.all_good();
     }
 };

@@ -76,6 +76,7 @@ template <class T> struct WaterStepper {
         return {w.cells[a],
                 dt / w.size[a],
                 lambda(),
+                w.method == CD_METHOD_IMPLICIT ? w.lambda : 0,
                 w.gravity,
                 dt * w.drag,
                 dt * w.gravity * w.manning * w.manning,
