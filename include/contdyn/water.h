@@ -28,9 +28,13 @@
  * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.
  *
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
- * mode, of which shores are steep, take a little more than 1/2. All computing is done in double precision; CD_FLOAT32
- * is what depth, bed, velocities and the fields are stored in. Numbers smaller than 2^-80 (float32) or 2^-500
- * (float64) are taken for 0 where a step stores them.
+ * mode, of which shores are steep, take a little more than 1/2. At Courant numbers beyond 100 (cd_water_get_courant) and
+ * violent shores, energy may rise for a while before it dies out, by several times; lambda = 1 is the calmest. In such
+ * steps, too long for waves or water to stay within a cell, no water is let run faster than a fall from the highest
+ * head of its line would make it, which counts as limited.
+ *
+ * All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
+ * Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them.
  *
  * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for something that is no living water;
  * the comments name the other errors. Functions that chain and membrane have too mean the same here. */
@@ -282,8 +286,9 @@ CD_API cd_status cd_water_get_steps(const cd_water* water, uint64_t* out_steps);
  * each time with a factorization of its own, since depths change. Not part of the saved state. */
 CD_API cd_status cd_water_get_factorizations(const cd_water* water, uint64_t* out_count);
 
-/* What the last call of cd_water_step had to hold back so that no cell gave more than it had: in how many cells,
- * counted once per sweep, and how much water [m^3]. Each output may be null. */
+/* What the last call of cd_water_step had to hold back so that no cell gave more than it had and got: in how many cells,
+ * counted once per sweep, and how much water [m^3]. Faces whose speed was bounded count with the cells. Each output may
+ * be null. */
 CD_API cd_status cd_water_get_limited(const cd_water* water, uint64_t* out_cells, double* out_volume);
 
 /* ---- measuring --------------------------------------------------------------------------------------------------- */

@@ -151,7 +151,7 @@ template <int N> struct WaterLine {
         const L u = at(velocity, i), h = at(face, i), pushed = push ? at(push, i) - slope : -slope;
         L gain = L::splat(wave_gain * axis.lambda);
         L w = u + pushed;
-        // What the implicit surface will take off a slope is taken off w first, or waves too fast for the step would rush.
+        // What the implicit surface will take off a slope goes first, or waves too fast for the step would seem swift.
         const double wave = 2 * axis.gravity * axis.courant * axis.courant * axis.lambda * axis.lambda;
         if (axis.manning > 0) drag = drag + manning_drag(h, size_of(w) / (L::splat(1) + wave * h), axis.manning);
         if (axis.rubs() || i == 0 || i == n) {
@@ -302,8 +302,7 @@ template <int N> struct WaterLine {
         share_out(n - 1);
         const L back = larger(at(transfer, 0), -at(depth, 0)), on = smaller(at(transfer, n), at(depth, n - 1));
         const L seam = select(on, on, smaller(back, L{}));
-        put(transfer, 0, seam);
-        put(transfer, n, seam);
+        for (size_t i : {size_t(0), n}) put(transfer, i, seam);
     }
 
     // > 0: large steps have found that nothing stays in the cell, so that rounding shall leave nothing there either.
@@ -476,10 +475,9 @@ template <int N> struct WaterLine {
     // face was.
     void settle_face(size_t i) const {
         const bool inside = ring || (i > 0 && i < n);
-        L water{};
+        L water{}, u = at(guess, i);
         if (i > 0 || ring) water = larger(water, at(after, left_of(i)));
         if (i < n || ring) water = larger(water, at(after, right_of(i)));
-        L u = at(guess, i);
         if (!axis.advected) u = select(at(face, i) + size_of(at(transfer, i)), u, at(velocity, i));
         if (!axis.advected && inside) u = slowed_by_newcomers(i, u);
         put(velocity, i, select(water, u, L{}));

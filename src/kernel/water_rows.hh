@@ -91,8 +91,8 @@ template <int N> struct FrictionLanes {
     }
 };
 
-// dt times Manning's friction on water of depth h at what it leaves of a speed: the root of u + k u^2 = speed, times k =
-// manning h^(-4/3). manning: dt g times its square.
+// dt times Manning's friction on water of depth h at what it leaves of a speed: k u with u + k u^2 = speed,
+// k = manning h^(-4/3). manning: dt g times its square.
 template <int N> inline Lanes<N> manning_drag(Lanes<N> h, Lanes<N> speed, double manning) {
     using L = Lanes<N>;
     const L r = each_lane(h, [](double a) { return a > Limits<double>::least ? inverse_cube_root(a) : 0; });
