@@ -145,7 +145,7 @@ template <class T> void fill_water(const WaterCells& w, T* depth, double* held, 
     const auto split = [](double a, double& in, double& out) { (a > 0 ? in : out) += a > 0 ? a : -a; };
     for (size_t j = first; j < first + count; ++j) {
         const double *const x = w.transfer[0] + j * w.pitch, *const y = w.transfer[1] + j * w.pitch;
-        double owed = 0; // see round_depths
+        double owed = 0; // see Rounding
         for (size_t i = 0; i < w.columns; ++i) {
             double in = 0, out = 0;
             split(x[i], in, out), split(-x[i + 1], in, out), split(y[i], in, out), split(-y[i + w.pitch], in, out);

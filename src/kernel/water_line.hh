@@ -25,6 +25,7 @@ template <int N> struct WaterLine {
     // results and scratch
     double *face = nullptr, *start_face = nullptr, *guess = nullptr, *gain = nullptr, *spring = nullptr;
     double *transfer = nullptr, *after = nullptr, *ground = nullptr, *x = nullptr, *pull = nullptr, *rest = nullptr;
+    L strained = L::splat(1); // > 0: water was held back in the line or may have been, or its step is very long
     L tally[kTallies] = {};
 
     static L at(const double* panel, size_t i) { return L::load(panel + i * N); }
@@ -47,33 +48,22 @@ template <int N> struct WaterLine {
 
     // ---- 1. how deep faces are ----
 
-    struct Faces {
-        L mean, gate, drop;
-        L film; // > 0 where the higher bed is wet above the lower one's surface
-    };
-    static Faces between_cells(L bed_l, L bed_r, L d_l, L d_r) {
-        const L rise = bed_l - bed_r, both = smaller(d_l, d_r);
-        const L high = select(rise, d_l, d_r), reach = select(rise, d_r - rise, d_l + rise); // over the higher bed
-        const L mean = 0.5 * (d_l + d_r), gate = larger(high, reach);
-        return {select(both, mean, gate), gate, high - reach, select(both, -reach, L{})};
-    }
-
     // The mean of two wet cells, else the gate; of a film no more than lets it run dry in the step.
     void measure_faces(const double* depths, double* out) const {
         const double share = axis.gravity * axis.courant * axis.courant * axis.lambda;
         L films{};
         const auto faces = [&](size_t i) {
             const size_t l = left_of(i);
-            return between_cells(at(bed, l), at(bed, i), at(depths, l), at(depths, i));
+            return between_cells<N>(at(bed, l), at(bed, i), at(depths, l), at(depths, i));
         };
         for (size_t i = first_inside(); i < n; ++i) {
-            const Faces f = faces(i);
+            const FaceLanes<N> f = faces(i);
             put(out, i, opening(i) * f.mean);
             films = larger(films, select(f.film, share * f.drop * f.mean - f.gate, L{}));
         }
         const bool has_films = any_positive(films);
         for (size_t i = first_inside(); i < n && has_films; ++i) {
-            const Faces f = faces(i);
+            const FaceLanes<N> f = faces(i);
             const L most = f.gate * larger(L::splat(1), L::splat(1) / (share * f.drop));
             put(out, i, opening(i) * select(f.film, smaller(f.mean, most), f.mean));
         }
@@ -151,9 +141,7 @@ template <int N> struct WaterLine {
         const L u = at(velocity, i), h = at(face, i), pushed = push ? at(push, i) - slope : -slope;
         L gain = L::splat(wave_gain * axis.lambda);
         L w = u + pushed;
-        // What the implicit surface will take off a slope goes first, or waves too fast for the step would seem swift.
-        const double wave = 2 * axis.gravity * axis.courant * axis.courant * axis.lambda * axis.lambda;
-        if (axis.manning > 0) drag = drag + manning_drag(h, size_of(w) / (L::splat(1) + wave * h), axis.manning);
+        if (axis.manning > 0) drag = drag + manning_drag(h, size_of(w), axis.manning);
         if (axis.rubs() || i == 0 || i == n) {
             const FrictionLanes<N> friction(drag);
             w = friction.keep * u + friction.push * pushed;
@@ -172,6 +160,9 @@ template <int N> struct WaterLine {
             const size_t l = left_of(i);
             const L slope = wave_gain * ((at(bed, i) - at(bed, l)) + (at(depth, i) - at(depth, l)));
             guess_face(i, slope, wave_gain, drag);
+            if (axis.corrections > 0) continue; // a cell may get what it gives within the step
+            const L giver = select(at(guess, i), at(depth, l), at(depth, i));
+            for (double* panel : {gain, spring, transfer}) put(panel, i, select(giver, at(panel, i), L{}));
         }
         for (double* panel : {guess, gain, spring}) close(panel);
         close_transfers();
@@ -276,8 +267,10 @@ template <int N> struct WaterLine {
     // A cell with two outflows shares out what it has; then along each direction, downstream, a cell passes on at most
     // what it has and gets. Downstream cells see what upstream ones could really give, so one pass each way is enough.
     void limit() {
-        L least = L::splat(1);
-        for (size_t i = 0; i < n; ++i) least = smaller(left_in(i), least);
+        L least, deepest;
+        fill_cells(least, deepest);
+        const double wave = axis.gravity * axis.courant * axis.courant;
+        strained = axis.corrections > 0 ? L::splat(1) : larger(-least, wave * deepest - L::splat(1e4));
         if (axis.corrections == 0 && !any_positive(-least)) return;
         for (size_t i = 0; i <= n; ++i) put(rest, i, at(transfer, i));
         if (ring) settle_seam();
@@ -294,6 +287,16 @@ template <int N> struct WaterLine {
             if (!ring || i > 0) put(transfer, i, select(out, in, on));
         }
         count_held_back();
+        fill_cells(least, deepest);
+    }
+    // after = what is left in the cells; and the least and the most of it.
+    void fill_cells(L& least, L& deepest) const {
+        least = L::splat(1), deepest = L{};
+        for (size_t i = 0; i < n; ++i) {
+            const L left = left_in(i);
+            put(after, i, left);
+            least = smaller(left, least), deepest = larger(left, deepest);
+        }
     }
 
     // Where a ring closes, the cell that gives counts on what it has alone.
@@ -393,9 +396,11 @@ template <int N> struct WaterLine {
     void keep_all() {
         for (size_t i : {size_t(0), n}) set_inflow_velocity(i);
         if (!ring) count_ends();
-        for (size_t i = first_inside(); i < n; ++i) slow_held_back(i);
-        close(guess);
-        bound_speeds();
+        if (any_positive(strained)) {
+            for (size_t i = first_inside(); i < n; ++i) slow_held_back(i);
+            close(guess);
+            bound_speeds();
+        }
         if (axis.advected) carry();
         for (size_t i = 0; i <= n; ++i) settle_face(i);
     }
@@ -409,7 +414,7 @@ template <int N> struct WaterLine {
         const double wave = axis.gravity * axis.courant * axis.courant;
         L slows = L::splat(1);
         if (axis.advected && axis.corrections == 0) slows = wave * larger(at(depth, left_of(i)), at(depth, i)) - slows;
-        put(guess, i, select(smaller(held_back, slows), w * positive(went / wanted), w));
+        put(guess, i, select(smaller(smaller(held_back, slows), strained), w * positive(went / wanted), w));
     }
 
     // Where a step is too long for waves or water to stay in a cell's reach, water gets no faster than by a fall from
@@ -431,7 +436,7 @@ template <int N> struct WaterLine {
             const L fastest = fall * positive(head - smaller(at(bed, l), at(bed, i))), w = at(guess, i);
             const L deepest = larger(larger(at(depth, l), at(depth, i)), larger(at(after, l), at(after, i)));
             const L cells = larger(wave * deepest, axis.courant * size_of(w));
-            return select(cells - L::splat(1), w * w - fastest, L{});
+            return select(smaller(cells - L::splat(1), strained), w * w - fastest, L{});
         };
         for (size_t i = first_inside(); i < n; ++i) over = larger(over, excess(i));
         if (!any_positive(over)) return;
@@ -460,7 +465,6 @@ template <int N> struct WaterLine {
             move_faces();
             tally[kHeldBack] = tally[kLimited] = L{}; // only the last correction's limits count
             limit();
-            for (size_t i = 0; i < n; ++i) put(after, i, left_in(i));
         }
         keep_all();
     }

@@ -42,29 +42,41 @@ template <int N, class T> void put(const Place& p, size_t count, const double* p
     each_element<N>(p, count, [&](size_t in, size_t at) { to[at] = T(panel[in]); });
 }
 
-// Numbers as they will be stored: 0 where they are too small. probe gets NaN for what is too large.
+// A number as it will be stored: 0 where it is too small. probe gets NaN for what is too large.
+template <class T, int N> inline Lanes<N> settled_number(Lanes<N> a, Lanes<N>& probe) {
+    probe = probe + 0.0 * (Limits<T>::to_overflow * a);
+    return settled(a, double(Limits<T>::least));
+}
 template <int N, class T> void settle(size_t count, double* panel, Lanes<N>& probe) {
-    for (size_t i = 0; i < count; ++i) {
-        const Lanes<N> a = Lanes<N>::load(panel + i * N);
-        settled(a, double(Limits<T>::least)).store(panel + i * N);
-        probe = probe + 0.0 * (Limits<T>::to_overflow * a);
-    }
+    for (size_t i = 0; i < count; ++i) settled_number<T>(Lanes<N>::load(panel + i * N), probe).store(panel + i * N);
 }
 
 // Depths as they will be stored. What rounding takes from a cell the next wet one of the line gets, and the other way
 // round, so that a line as a whole does not drift.
-template <int N> void round_depths(size_t, double*, double) {}
-template <int N> void round_depths(size_t count, double* panel, float) {
-    using L = Lanes<N>;
-    L owed{};
-    for (size_t i = 0; i < count; ++i) {
-        const L d = L::load(panel + i * N), exact = d + owed;
+template <int N, class T> struct Rounding;
+template <int N> struct Rounding<N, double> {
+    Lanes<N> operator()(Lanes<N> d) { return d; }
+};
+template <int N> struct Rounding<N, float> {
+    Lanes<N> owed{};
+
+    Lanes<N> operator()(Lanes<N> d) {
+        using L = Lanes<N>;
+        const L exact = d + owed, takes = select(d + (owed + owed), d, L{}); // > 0: wet, and deeper than what is owed
         float rounded[N];
-        const L takes = select(d + (owed + owed), d, L{}); // > 0: wet, and deeper than what is owed
         select(takes, exact, d).store(rounded);
         const L stored = L::load(rounded);
         owed = select(takes, exact - stored, owed + (d - stored));
-        stored.store(panel + i * N);
+        return stored;
+    }
+};
+
+// The state after a step, as it will be stored.
+template <int N, class T> void settle_state(size_t cells, double* depth, double* velocity, Lanes<N>& probe) {
+    Rounding<N, T> rounding;
+    for (size_t i = 0; i <= cells; ++i) {
+        settled_number<T>(Lanes<N>::load(velocity + i * N), probe).store(velocity + i * N);
+        if (i < cells) rounding(settled_number<T>(Lanes<N>::load(depth + i * N), probe)).store(depth + i * N);
     }
 }
 

@@ -77,17 +77,17 @@ inline double inverse_cube_root(double a) {
     return r;
 }
 
-// What friction leaves of a velocity, and of what is added to it, in a step over which it takes z = dt friction: the
-// second-order approximation of e^-z that is never negative, and (1 - e^-z) / z to match, so that what is at rest
-// between push and friction stays.
+// What friction leaves of a velocity, and of what is added to it, in a step over which it takes z = dt friction: by the
+// trapezoidal rule, and from z = 2 on, where that would turn it round, all. What is at rest between push and friction
+// stays so at any z.
 template <int N> struct FrictionLanes {
     Lanes<N> keep, push;
 
     explicit FrictionLanes(Lanes<N> z) {
         using L = Lanes<N>;
-        const L half = L::splat(1) + 0.5 * z, whole = L::splat(1) + (0.5 * z) * ((L::splat(1) + z) / half);
-        push = L::splat(1) / whole;
-        keep = push / half;
+        const L half = L::splat(1) + 0.5 * z;
+        keep = positive(L::splat(1) - 0.5 * z) / half;
+        push = L::splat(1) / larger(half, z);
     }
 };
 
@@ -107,6 +107,23 @@ template <int N> inline Lanes<N> critical_depth(Lanes<N> q, double gravity) {
         const double r = a > 0 ? inverse_cube_root(a) : 0;
         return a * (r * r);
     });
+}
+
+// ---- faces ----------------------------------------------------------------------------------------------------------
+
+// How deep a face may be.
+template <int N> struct FaceLanes {
+    Lanes<N> mean; // of the cells where both are wet, else the gate
+    Lanes<N> gate; // how far the water stands over the higher bed
+    Lanes<N> drop; // of the surface, where it is a film
+    Lanes<N> film; // > 0 where the higher bed is wet above the lower one's surface
+};
+template <int N> inline FaceLanes<N> between_cells(Lanes<N> bed_l, Lanes<N> bed_r, Lanes<N> d_l, Lanes<N> d_r) {
+    using L = Lanes<N>;
+    const L rise = bed_l - bed_r, both = smaller(d_l, d_r);
+    const L high = select(rise, d_l, d_r), reach = select(rise, d_r - rise, d_l + rise); // over the higher bed
+    const L gate = larger(high, reach);
+    return {select(both, 0.5 * (d_l + d_r), gate), gate, high - reach, select(both, -reach, L{})};
 }
 
 // ---- dry faces ------------------------------------------------------------------------------------------------------

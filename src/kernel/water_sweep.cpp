@@ -20,9 +20,7 @@ template <class T> struct Sweep : WaterBundles<T> {
         line.step();
 
         Lanes<N> probe{};
-        settle<N, T>(n, line.after, probe);
-        round_depths<N>(n, line.after, T());
-        settle<N, T>(n + 1, line.velocity, probe);
+        settle_state<N, T>(n, line.after, line.velocity, probe);
         put<N>(p, n, line.after, lines.depth);
         put<N>(p, n + 1, line.velocity, lines.velocity);
         if (lines.held) put<N>(p, n, line.depth, lines.held);
