@@ -28,9 +28,9 @@
  * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.
  *
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
- * mode, of which shores are steep, take a little more than 1/2. At Courant numbers (cd_water_get_courant) beyond 100 and
- * violent shores, energy may rise for a while before it dies out, by several times; lambda = 1 is the calmest. In such
- * steps, too long for waves or water to stay within a cell, no water is let run faster than a fall from the highest
+ * mode, of which shores are steep, take a little more than 1/2. At Courant numbers (cd_water_get_courant) beyond 100
+ * and violent shores, energy may rise for a while before it dies out, by several times; lambda = 1 is the calmest. In
+ * such steps, too long for waves or water to stay within a cell, no water is let run faster than a fall from the highest
  * head of its line would make it, which counts as limited.
  *
  * All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
@@ -287,8 +287,8 @@ CD_API cd_status cd_water_get_steps(const cd_water* water, uint64_t* out_steps);
 CD_API cd_status cd_water_get_factorizations(const cd_water* water, uint64_t* out_count);
 
 /* What the last call of cd_water_step had to hold back so that no cell gave more than it had and got: in how many
- * cells, counted once per sweep, and how much water [m^3]. Faces whose speed was bounded count with the cells. Each output may
- * be null. */
+ * cells, counted once per sweep, and how much water [m^3]. Faces whose speed was bounded count with the cells. Each
+ * output may be null. */
 CD_API cd_status cd_water_get_limited(const cd_water* water, uint64_t* out_cells, double* out_volume);
 
 /* ---- measuring --------------------------------------------------------------------------------------------------- */

@@ -1,0 +1,92 @@
+// A line of water (water_line.hh): how deep faces are, and velocities where it is dry.
+#pragma once
+
+#include "kernel/water_line.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+// The mean of two wet cells, else the gate; of a film no more than lets it run dry in the step.
+template <int N> void WaterLine<N>::measure_faces(const double* depths, double* out) const {
+    const double share = axis.gravity * axis.courant * axis.courant * axis.lambda;
+    L films{};
+    const auto faces = [&](size_t i) {
+        const size_t l = left_of(i);
+        return between_cells<N>(at(bed, l), at(bed, i), at(depths, l), at(depths, i));
+    };
+    for (size_t i = first_inside(); i < n; ++i) {
+        const FaceLanes<N> f = faces(i);
+        put(out, i, opening(i) * f.mean);
+        films = larger(films, select(f.film, share * f.drop * f.mean - f.gate, L{}));
+    }
+    const bool has_films = any_positive(films);
+    for (size_t i = first_inside(); i < n && has_films; ++i) {
+        const FaceLanes<N> f = faces(i);
+        const L most = f.gate * larger(L::splat(1), L::splat(1) / (share * f.drop));
+        put(out, i, opening(i) * select(f.film, smaller(f.mean, most), f.mean));
+    }
+    for (size_t i : {size_t(0), n})
+        if (!ring) put(out, i, end_depth(i, depths));
+    close(out);
+}
+
+// Of a face on a side: the mean of the cell and of a column outside that stands on the cell's bed.
+template <int N> Lanes<N> WaterLine<N>::end_depth(size_t i, const double* depths) const {
+    const WaterEnd& end = axis.end[i == 0 ? 0 : 1];
+    if (end.kind != End::kOpen) return L{};
+    const size_t cell = i == 0 ? 0 : n - 1;
+    return opening(i) * (0.5 * (at(depths, cell) + outside(end, cell)));
+}
+
+// Between wet cells, a face is as deep in the middle of the step as the water that comes to it by then (Lax and
+// Wendroff 1960), no more than a cell's way; and where momentum is advected, as what spreads or closes up makes it.
+template <int N> void WaterLine<N>::look_ahead() const {
+    for (size_t i = first_inside(); i < n; ++i) {
+        const size_t l = left_of(i), far_l = ring ? l : i - 1;
+        const L d_l = at(depth, l), d_r = at(depth, i), h = at(face, i), mean = 0.5 * (d_l + d_r);
+        L ahead = h - 0.5 * (within(axis.courant * at(velocity, i), -1, 1) * (d_r - d_l));
+        if (axis.advected) {
+            const L spread = (0.25 * axis.courant) * (at(velocity, i + 1) - at(velocity, far_l));
+            ahead = ahead * within(L::splat(1) - spread, 0.5, 2);
+        }
+        const L is_mean = select(size_of(h - mean), L{}, smaller(d_l, d_r));
+        put(face, i, select(is_mean, ahead, h));
+    }
+    close(face);
+}
+
+template <int N> void WaterLine<N>::rest_dry_faces() const {
+    for (size_t i = 0; i <= n; ++i) put(velocity, i, select(at(face, i), at(velocity, i), L{}));
+}
+
+// A dry face takes the velocity of the nearest wet one that may come as far in the step, at least of a neighbour;
+// of two as near, the mean. Uses x and pull for what comes from the left, its distance at first.
+template <int N> void WaterLine<N>::carry_to_dry_faces() const {
+    const L far = L::splat(kFar);
+    const double courant = axis.corrections > 0 ? axis.courant : 0; // else a neighbour only
+    const size_t begin = first_inside(), turns = ring ? 2 : 1;
+    NearestLanes<N> left{L{}, far}, right{L{}, far};
+    for (size_t turn = 0; turn < turns; ++turn)
+        for (size_t i = begin; i < n; ++i) {
+            left.pass(at(face, i), at(velocity, i), opening(i));
+            put(x, i, left.value);
+            put(pull, i, left.reach(courant));
+        }
+    for (size_t turn = 0; turn < turns; ++turn)
+        for (size_t i = n; i-- > begin;) {
+            const L wet = at(face, i), here = at(velocity, i);
+            right.pass(wet, here, opening(i));
+            if (turn + 1 < turns) continue;
+            const L from_left = at(pull, i), from_right = right.reach(courant), v = at(x, i);
+            L dry =
+                select(from_right - from_left, v, select(from_left - from_right, right.value, 0.5 * (v + right.value)));
+            dry = select(far - smaller(from_left, from_right), dry, L{});
+            put(velocity, i, opening(i) * select(wet, here, dry));
+        }
+    if (!ring)
+        for (size_t i : {size_t(0), n}) put(velocity, i, select(at(face, i), at(velocity, i), L{}));
+    close(velocity);
+}
+
+} // namespace CD_ISA
+} // namespace cd

@@ -1,0 +1,125 @@
+// A line of water (water_line.hh): momentum goes with the water, and what velocity a face keeps.
+#pragma once
+
+#include "kernel/water_line.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+// Velocities are carried upwind with the transfers of the step: exactly as much momentum comes in at a face as goes
+// out at the one before. Where the step shows a wave's course, what the surface at its end pushes acts after that,
+// the rest before: so the push of the surface is in balance with what is carried, and shocks run at their right
+// speed. Elsewhere, on thin and rushing water, it all acts before, which is the more stable. A dry face is not
+// pushed: the slope of dry land is no slope of water, and none of it may be carried to where there is some.
+template <int N> void WaterLine<N>::carry() const {
+    const double wave = axis.gravity * axis.courant * axis.courant;
+    const size_t begin = first_inside();
+    const auto through = [&](size_t cell) { return 0.5 * (at(transfer, cell) + at(transfer, cell + 1)); };
+    for (size_t i = begin; i < n; ++i) {
+        const size_t l = left_of(i);
+        const L u = at(velocity, i), w = at(guess, i), d_l = at(depth, l), d_r = at(depth, i);
+        const L calm = axis.gravity * smaller(d_l, d_r) - w * w;
+        const size_t far_l = ring ? left_of(i) : i - 1, far_r = i + 1;
+        const L closing = axis.courant * (at(velocity, far_l) - at(velocity, far_r)) - L::splat(0.02);
+        const L passing = positive(through(l)) + positive(-through(i)), volume = 0.5 * (d_l + d_r);
+        const L short_step = smaller(L::splat(1) - wave * larger(d_l, d_r), volume - passing);
+        const L resolved = select(short_step, larger(calm, closing), L{});
+        const L wet = at(face, i), later = select(smaller(wet, resolved), axis.push_after * (w - u), L{});
+        put(gain, i, later);
+        put(guess, i, select(wet, w - later, u));
+    }
+    const auto row = [&](size_t i) {
+        const size_t l = left_of(i);
+        const L volume = 0.5 * (at(depth, l) + at(depth, i)), is_open = opening(i);
+        return RowLanes<N>{select(is_open, volume, L::splat(1)), is_open * positive(through(l)),
+                           is_open * positive(-through(i)), is_open * (volume * at(guess, i))};
+    };
+    if (ring) solve_round<N>(n, row, x, rest, pull);
+    else solve_rows<N>(1, n, row, at(guess, 0), at(guess, n), x, pull);
+    for (size_t i = begin; i < n; ++i) put(guess, i, opening(i) * (at(x, i) + at(gain, i)));
+    close(guess);
+}
+
+// The velocity with which an inflow comes in, for what carries it on: as if the side were as deep as the cell, or
+// as deep as water at the speed of its own waves.
+template <int N> void WaterLine<N>::set_inflow_velocity(size_t i) const {
+    const WaterEnd& end = axis.end[i == 0 ? 0 : 1];
+    if (ring || end.kind != End::kInflow) return;
+    const L q = (1 / axis.courant) * at(transfer, i);
+    const L critical = critical_depth(q, axis.gravity);
+    const L h = larger(at(depth, i == 0 ? 0 : n - 1), critical);
+    put(guess, i, select(h, q / h, L{}));
+}
+
+// A face through which less went than its velocity would have moved is as slow as what went. Not so where momentum
+// is advected in short steps: there what waits at a shore goes on as fast.
+template <int N> void WaterLine<N>::slow_held_back(size_t i) const {
+    const L w = at(guess, i), went = at(transfer, i);
+    const L wanted = axis.courant * (at(face, i) * (axis.lambda * w + (1 - axis.lambda) * at(velocity, i)));
+    const L held_back = (1 - 0x1p-40) * size_of(wanted) - size_of(went);
+    const double wave = axis.gravity * axis.courant * axis.courant;
+    L slows = L::splat(1);
+    if (axis.advected && axis.corrections == 0) slows = wave * larger(at(depth, left_of(i)), at(depth, i)) - slows;
+    put(guess, i, select(smaller(smaller(held_back, slows), strained), w * positive(went / wanted), w));
+}
+
+// Where a step is too long for waves or water to stay in a cell's reach, water gets no faster than by a fall from
+// the highest head of its line, surface and speed, beside what pushes it: what the surface solved for may call for
+// more has no water behind it.
+template <int N> void WaterLine<N>::bound_speeds() {
+    if (!(axis.gravity > 0)) return;
+    const double wave = axis.gravity * axis.courant * axis.courant, fall = 2 * axis.gravity;
+    L head = L::splat(-1e300), over{};
+    for (size_t i = 0; i < n; ++i) {
+        const L before = at(velocity, i), behind = at(velocity, i + 1), d = at(depth, i);
+        const L speed = (1 / fall) * larger(before * before, behind * behind);
+        head = select(d, larger(head, (at(bed, i) + d) + speed), head);
+    }
+    for (const WaterEnd& end : axis.end)
+        if (end.kind == End::kOpen) head = larger(head, L::splat(end.level));
+    const auto excess = [&](size_t i) { // of the speed's square; none where the step is short
+        const size_t l = left_of(i);
+        const L fastest = fall * positive(head - smaller(at(bed, l), at(bed, i))), w = at(guess, i);
+        const L deepest = larger(larger(at(depth, l), at(depth, i)), larger(at(after, l), at(after, i)));
+        const L cells = larger(wave * deepest, axis.courant * size_of(w));
+        return select(smaller(cells - L::splat(1), strained), w * w - fastest, L{});
+    };
+    for (size_t i = first_inside(); i < n; ++i) over = larger(over, excess(i));
+    if (!any_positive(over)) return;
+    for (size_t i = first_inside(); i < n; ++i) {
+        const L w = at(guess, i), too_much = excess(i), most = root(positive(w * w - too_much));
+        const L bound = smaller(size_of(w), most + (push ? size_of(at(push, i)) : L{}));
+        const L slowed = select(too_much, select(w, bound, -bound), w);
+        const L moved = size_of(at(transfer, i)) - 0x1p-20 * (at(depth, i) + at(depth, left_of(i)));
+        const L counts = smaller(moved, size_of(w) - size_of(slowed));
+        tally[kLimited] = tally[kLimited] + select(counts, L::splat(1), L{});
+        put(guess, i, slowed);
+    }
+    close(guess);
+}
+
+// The velocity that a face keeps: none where the cells on both sides are dry, nor, of linear momentum, where the
+// face was.
+template <int N> void WaterLine<N>::settle_face(size_t i) const {
+    const bool inside = ring || (i > 0 && i < n);
+    L water{}, u = at(guess, i);
+    if (i > 0 || ring) water = larger(water, at(after, left_of(i)));
+    if (i < n || ring) water = larger(water, at(after, right_of(i)));
+    if (!axis.advected) u = select(at(face, i) + size_of(at(transfer, i)), u, at(velocity, i));
+    if (!axis.advected && inside) u = slowed_by_newcomers(i, u);
+    put(velocity, i, select(water, u, L{}));
+}
+
+// Linear momentum lets water that comes to a face take on the velocity there, which makes energy out of nothing.
+// Waves do not show it; but where a step is too long for the waves and water rushes, at more than a third of what
+// waves carry, it would feed on itself. There newcomers are at rest.
+template <int N> Lanes<N> WaterLine<N>::slowed_by_newcomers(size_t i, L u) const {
+    const size_t l = left_of(i), r = right_of(i);
+    const L was = at(depth, l) + at(depth, r), is = at(after, l) + at(after, r);
+    const L waves = axis.gravity * larger(at(after, l), at(after, r));
+    const L too_long = (axis.courant * axis.courant) * waves - L::splat(1), rushes = u * u - (1.0 / 3) * waves;
+    return select(smaller(smaller(too_long, rushes), is - was), u * (was / is), u);
+}
+
+} // namespace CD_ISA
+} // namespace cd
