@@ -30,8 +30,8 @@
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
  * mode, of which shores are steep, take a little more than 1/2. At Courant numbers (cd_water_get_courant) beyond 100
  * and violent shores, energy may rise for a while before it dies out, by several times; lambda = 1 is the calmest. In
- * such steps, too long for waves or water to stay within a cell, no water is let run faster than a fall from the highest
- * head of its line would make it, which counts as limited.
+ * such steps, too long for waves or water to stay within a cell, no water is let run faster than a fall from the
+ * highest head of its line would make it.
  *
  * All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
  * Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them.
@@ -137,7 +137,7 @@ CD_API cd_status cd_water_get_tolerance(const cd_water* water, double* out_toler
 CD_API cd_status cd_water_get_convergence(const cd_water* water, size_t* out_iterations, double* out_residual);
 
 /* Which way the next step sweeps first: along x (0, the default of a new water) or along y (1). Every step turns it
- * round. A scene and its transpose, begun opposite ways, stay each other's transpose to the bit.
+ * round. Swept in turn, a scene and its transpose, begun opposite ways, stay each other's transpose to the bit.
  * Errors: CD_ERROR_VALUE for anything but 0 and 1. */
 CD_API cd_status cd_water_set_first(cd_water* water, int32_t along_y);
 CD_API cd_status cd_water_get_first(const cd_water* water, int32_t* out_along_y);
@@ -287,8 +287,8 @@ CD_API cd_status cd_water_get_steps(const cd_water* water, uint64_t* out_steps);
 CD_API cd_status cd_water_get_factorizations(const cd_water* water, uint64_t* out_count);
 
 /* What the last call of cd_water_step had to hold back so that no cell gave more than it had and got: in how many
- * cells, counted once per sweep, and how much water [m^3]. Faces whose speed was bounded count with the cells. Each
- * output may be null. */
+ * cells, counted once per sweep, and how much water [m^3]. Faces that lost more than half of a speed (see above)
+ * count with the cells. Each output may be null. */
 CD_API cd_status cd_water_get_limited(const cd_water* water, uint64_t* out_cells, double* out_volume);
 
 /* ---- measuring --------------------------------------------------------------------------------------------------- */

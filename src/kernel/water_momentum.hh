@@ -55,17 +55,18 @@ template <int N> void WaterLine<N>::set_inflow_velocity(size_t i) const {
 // is advected in short steps: there what waits at a shore goes on as fast.
 template <int N> void WaterLine<N>::slow_held_back(size_t i) const {
     const L w = at(guess, i), went = at(transfer, i);
-    const L wanted = axis.courant * (at(face, i) * (axis.lambda * w + (1 - axis.lambda) * at(velocity, i)));
-    const L held_back = (1 - 0x1p-40) * size_of(wanted) - size_of(went);
+    const L moves = axis.courant * at(face, i), now = axis.lambda * w, then = (1 - axis.lambda) * at(velocity, i);
+    const L wanted = moves * (now + then), noise = 0x1p-40 * (moves * (size_of(now) + size_of(then)));
+    const L held_back = (size_of(wanted) - size_of(went)) - noise;
     const double wave = axis.gravity * axis.courant * axis.courant;
     L slows = L::splat(1);
     if (axis.advected && axis.corrections == 0) slows = wave * larger(at(depth, left_of(i)), at(depth, i)) - slows;
     put(guess, i, select(smaller(smaller(held_back, slows), strained), w * positive(went / wanted), w));
 }
 
-// Where a step is too long for waves or water to stay in a cell's reach, water gets no faster than by a fall from
-// the highest head of its line, surface and speed, beside what pushes it: what the surface solved for may call for
-// more has no water behind it.
+// Where a step is too long for waves or water to stay in a cell's reach, water gets no faster than by a fall from the
+// highest head of its line, surface and speed, beside what pushes it: what the surface solved for may call for more has
+// no water behind it. A shore that sets out loses some of its first push so, and only more than half a speed counts.
 template <int N> void WaterLine<N>::bound_speeds() {
     if (!(axis.gravity > 0)) return;
     const double wave = axis.gravity * axis.courant * axis.courant, fall = 2 * axis.gravity;
@@ -91,7 +92,7 @@ template <int N> void WaterLine<N>::bound_speeds() {
         const L bound = smaller(size_of(w), most + (push ? size_of(at(push, i)) : L{}));
         const L slowed = select(too_much, select(w, bound, -bound), w);
         const L moved = size_of(at(transfer, i)) - 0x1p-20 * (at(depth, i) + at(depth, left_of(i)));
-        const L counts = smaller(moved, size_of(w) - size_of(slowed));
+        const L counts = smaller(moved, size_of(w) - 2 * size_of(slowed));
         tally[kLimited] = tally[kLimited] + select(counts, L::splat(1), L{});
         put(guess, i, slowed);
     }

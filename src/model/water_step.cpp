@@ -127,22 +127,23 @@ template <class T> struct Stepper : WaterStepper<T> {
         if (axis.advected) this->carry(a);
     }
 
-    // What rounding takes from a cell the next one of the row gets, so that small sources are not lost on deep water.
+    // What rounding takes from a cell the next one of the line gets, so that small sources are not lost on deep water.
     void add_sources() {
         Sum in, out;
-        for (size_t j = 0; j < w.cells[kY]; ++j) {
+        const Axis along = Axis(w.first);
+        for (size_t line = 0; line < lines_of(w, along); ++line) {
             double owed = 0;
-            T* const depth = numbers<T>(w.depth) + j * w.pitch;
-            const T* const source = numbers<T>(w.source) + j * w.pitch;
-            for (size_t i = 0; i < w.cells[kX]; ++i) {
-                if (source[i] == 0 || !present(w, i, j)) continue;
-                const double d = double(depth[i]), change = dt * double(source[i]), added = change > -d ? change : -d;
+            for (size_t k = 0; k < w.cells[along]; ++k) {
+                const size_t i = along == kX ? k : line, j = along == kX ? line : k, at = place(w, i, j);
+                const double source = double(numbers<T>(w.source)[at]), d = double(numbers<T>(w.depth)[at]);
+                if (source == 0 || !present(w, i, j)) continue;
+                const double added = dt * source > -d ? dt * source : -d, now = d + added;
                 (added > 0 ? in : out).add(added > 0 ? added : -added);
-                const double now = d + added, exact = now + owed > 0 ? now + owed : now;
+                const bool takes = now + owed > 0;
+                const double exact = takes ? now + owed : now;
                 const T stored = T(exact < Limits<T>::least ? 0 : exact);
-                if (exact != now) owed = 0;
-                owed += exact - double(stored);
-                depth[i] = stored;
+                owed = (takes ? 0 : owed) + (exact - double(stored));
+                numbers<T>(w.depth)[at] = stored;
             }
         }
         w.account.in += in.value() * cell_area(w);
