@@ -12,8 +12,8 @@
  * CD_MOMENTUM_LINEAR    without the bracket: waves, splashes, tides, floods that creep. Water has no inertia beyond its
  *                       own face: a shore moves with the slope of the surface there.
  * CD_MOMENTUM_ADVECTED  with it: moving shores, dam breaks, bores, whirls. Momentum is carried along with the water
- *                       that leaves a cell, upwind, solved for along the line, so that no speed limits the step. Where
- *                       a step is short enough to show it, dt sqrt(g d) < the cell, shocks run at their right speed.
+ *                       that leaves a cell, upwind, solved for along the line. Where a step is short enough to show it,
+ *                       dt sqrt(g d) < the cell, shocks run at their right speed.
  *                       With large steps (cd_water_set_corrections) the shore may cross many cells in a step.
  *
  * A step sweeps along the rows, then along the columns, in the other order every other step. Along a line the surface
@@ -23,6 +23,9 @@
  * had to be held back is counted, see cd_water_get_limited. Depths are never negative, and volume changes only by what
  * cd_water_get_account tells. Where it is right: waves much longer than the water is deep, surfaces that do not turn
  * over. Ship wakes and anything else that needs dispersion are not in it.
+ *
+ * Waves do not limit the step; streams do: where water runs further than a cell in a step, |u| dt > dx, ripples on it
+ * grow, with lambda = 1/2 of the linear mode from a fifth of that on, until what is said of long steps below holds them.
  *
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
  * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.
@@ -127,7 +130,8 @@ CD_API cd_status cd_water_get_solver(const cd_water* water, cd_solver* out_solve
 
 /* When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm), in
  * [1e-14, 1/2], default 1e-6; and how many iterations it may take, >= 1, default 100. When they do not suffice
- * cd_water_step says so with CD_ERROR_TOLERANCE. Volume is kept whatever the tolerance. Errors: CD_ERROR_VALUE. */
+ * cd_water_step says so with CD_ERROR_TOLERANCE. Volume is kept whatever the tolerance; at Courant numbers beyond 1000
+ * take 1e-10, or water is heaped up. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_water_set_tolerance(cd_water* water, double tolerance, size_t most_iterations);
 CD_API cd_status cd_water_get_tolerance(const cd_water* water, double* out_tolerance, size_t* out_most_iterations);
 

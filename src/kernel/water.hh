@@ -96,12 +96,13 @@ template <class T> void finish_water(const WaterAxis& axis, const WaterLines<T>&
 template <class T> bool keep_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
                                    double* work, size_t first, size_t count);
 // Rows of cells. load = what transfers add; share: of what a cell is asked for, how much it can give, and tallies, per
-// row; transfers limited by that (faces: a row more than cells); depth = what is left, held = what was.
+// row; transfers limited by that (faces: a row more than cells); depth = what is left, held = what was; false if a
+// number left the finite range.
 void gather_loads(const WaterCells& cells, double* load, size_t first, size_t count);
 template <class T>
 void share_water(const WaterCells& cells, const T* depth, double* share, double* tally, size_t first, size_t count);
 void limit_water(const WaterCells& cells, const double* share, size_t first, size_t count);
-template <class T> void fill_water(const WaterCells& cells, T* depth, double* held, size_t first, size_t count);
+template <class T> bool fill_water(const WaterCells& cells, T* depth, double* held, size_t first, size_t count);
 
 } // namespace CD_ISA
 

@@ -141,7 +141,8 @@ void limit_water(const WaterCells& w, const double* share, size_t first, size_t 
     }
 }
 
-template <class T> void fill_water(const WaterCells& w, T* depth, double* held, size_t first, size_t count) {
+template <class T> bool fill_water(const WaterCells& w, T* depth, double* held, size_t first, size_t count) {
+    double probe = 0; // NaN once a depth is too large
     const auto split = [](double a, double& in, double& out) { (a > 0 ? in : out) += a > 0 ? a : -a; };
     for (size_t j = first; j < first + count; ++j) {
         const double *const x = w.transfer[0] + j * w.pitch, *const y = w.transfer[1] + j * w.pitch;
@@ -153,11 +154,13 @@ template <class T> void fill_water(const WaterCells& w, T* depth, double* held, 
             const double was = double(d), now = (was + in) - out, least = double(Limits<T>::least);
             const bool takes = now + 2 * owed > 0 && now > 0;
             const double exact = takes ? now + owed : now;
+            probe += 0.0 * (Limits<T>::to_overflow * exact);
             d = T(exact < least ? 0 : exact);
             owed = (takes ? 0 : owed) + (exact - double(d));
             if (held) held[j * w.pitch + i] = was;
         }
     }
+    return probe == probe;
 }
 
 #define CD_INSTANTIATE(T)                                                                                            \
@@ -165,7 +168,7 @@ template <class T> void fill_water(const WaterCells& w, T* depth, double* held, 
     template void finish_water(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t); \
     template bool keep_water(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);   \
     template void share_water(const WaterCells&, const T*, double*, double*, size_t, size_t);                        \
-    template void fill_water(const WaterCells&, T*, double*, size_t, size_t);
+    template bool fill_water(const WaterCells&, T*, double*, size_t, size_t);
 #if CD_WITH_FLOAT32
 CD_INSTANTIATE(float)
 #endif

@@ -52,22 +52,28 @@ template <int N, class T> void settle(size_t count, double* panel, Lanes<N>& pro
 }
 
 // Depths as they will be stored. What rounding takes from a cell the next wet one of the line gets, and the other way
-// round, so that a line as a whole does not drift.
+// round; what is left at its end goes back, until a cell shallow enough for it is found. So a line that gains and loses
+// nothing keeps its water to the last place of its shallowest cell.
 template <int N, class T> struct Rounding;
 template <int N> struct Rounding<N, double> {
     Lanes<N> operator()(Lanes<N> d) { return d; }
+    void hand_back(size_t, double*) {}
 };
 template <int N> struct Rounding<N, float> {
-    Lanes<N> owed{};
+    using L = Lanes<N>;
+    L owed{};
 
-    Lanes<N> operator()(Lanes<N> d) {
-        using L = Lanes<N>;
+    L operator()(L d) {
         const L exact = d + owed, takes = select(d + (owed + owed), d, L{}); // > 0: wet, and deeper than what is owed
         float rounded[N];
         select(takes, exact, d).store(rounded);
         const L stored = L::load(rounded);
         owed = select(takes, exact - stored, owed + (d - stored));
         return stored;
+    }
+    void hand_back(size_t cells, double* depth) {
+        if (!any_positive(size_of(owed))) return;
+        for (size_t i = cells; i-- > 0;) (*this)(L::load(depth + i * N)).store(depth + i * N);
     }
 };
 
@@ -78,6 +84,7 @@ template <int N, class T> void settle_state(size_t cells, double* depth, double*
         settled_number<T>(Lanes<N>::load(velocity + i * N), probe).store(velocity + i * N);
         if (i < cells) rounding(settled_number<T>(Lanes<N>::load(depth + i * N), probe)).store(depth + i * N);
     }
+    rounding.hand_back(cells, depth);
 }
 
 // A bundle of a water's lines, between memory and panels.

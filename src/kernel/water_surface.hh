@@ -73,7 +73,7 @@ template <int N> void WaterLine<N>::solve_surface() {
         return r;
     };
     const auto solve = [&](const auto& rows) {
-        tally[kSolves] = tally[kSolves] + L::splat(1);
+        if (axis.lambda > 0) tally[kSolves] = tally[kSolves] + L::splat(1);
         if (ring) solve_round<N>(n, rows, x, rest, pull);
         else solve_rows<N>(0, n, rows, L{}, L{}, x, pull);
     };
@@ -88,7 +88,7 @@ template <int N> void WaterLine<N>::solve_surface() {
         for (size_t i = 0; i < n; ++i) {
             const L stores = at(ground, i), stored = at(depth, i) + at(x, i);
             const L all = at(depth, i) + (at(face, i) + at(face, i + 1));
-            const L least = select(stores, L{}, pass < 8 ? 0x1p-20 * all : L::splat(1e300));
+            const L least = select(stores, L{}, pass < 8 ? 0x1p-20 * all : L::splat(__builtin_inf()));
             const L now = select(stored - least, L::splat(1), L{});
             changes = changes + size_of(stores - now);
             put(ground, i, now);

@@ -127,12 +127,12 @@ template <class T> struct Stepper : WaterStepper<T> {
         if (axis.advected) this->carry(a);
     }
 
-    // What rounding takes from a cell the next one of the line gets, so that small sources are not lost on deep water.
+    // What rounding takes from a cell the next one gets, line by line, so that small sources are not lost on deep water.
     void add_sources() {
         Sum in, out;
         const Axis along = Axis(w.first);
+        double owed = 0;
         for (size_t line = 0; line < lines_of(w, along); ++line) {
-            double owed = 0;
             for (size_t k = 0; k < w.cells[along]; ++k) {
                 const size_t i = along == kX ? k : line, j = along == kX ? line : k, at = place(w, i, j);
                 const double source = double(numbers<T>(w.source)[at]), d = double(numbers<T>(w.depth)[at]);

@@ -93,8 +93,10 @@ template <class T> void WaterStepper<T>::step_together() {
     });
     count_up(rows);
     in_rows(w, rows + 1, [&](size_t first, size_t count) { kernels().limit(cells, share, first, count); });
-    in_rows(w, rows,
-            [&](size_t first, size_t count) { kernels().fill(cells, numbers<T>(w.depth), work.held, first, count); });
+    in_rows(w, rows, [&](size_t first, size_t count) {
+        if (!kernels().fill(cells, numbers<T>(w.depth), work.held, first, count))
+            __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
+    });
 
     for (Axis a : {kX, kY}) {
         along(a, kernels().keep);

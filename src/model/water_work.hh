@@ -61,9 +61,16 @@ template <class T> struct WaterStepper {
         return w.method == CD_METHOD_IMPLICIT ? w.lambda : w.method == CD_METHOD_FORWARD_EULER ? 0 : 1;
     }
 
+    // When sides count: counted as the clock does, however steps share calls.
+    double time() const {
+        const double here = work.done + lambda();
+        if (w.clock.dt != dt) return w.clock.time() + here * dt;
+        return w.clock.start + (double(w.clock.counted) + here) * dt;
+    }
+
     WaterEnd end_of(Axis a, bool at_last) const {
         const WaterSide& side = w.side[side_of(a, at_last)];
-        const double value = side_value(side, w.clock.time() + (work.done + lambda()) * dt);
+        const double value = side_value(side, time());
         switch (side.kind) {
         case CD_BORDER_OPEN: return {End::kOpen, value, 0};
         case CD_BORDER_INFLOW: return {End::kInflow, 0, value * dt / w.size[a]};

@@ -31,6 +31,12 @@ uint64_t hash_of_membrane(const void* object) {
     return hash;
 }
 
+uint64_t hash_of_water(const void* object) {
+    uint64_t hash = 0;
+    ok(cd_water_hash(object, &hash));
+    return hash;
+}
+
 uint64_t hash_of_nothing(const void* object) {
     assert_null(object);
     return 0;

@@ -24,6 +24,7 @@ struct outputs {
     const void* pointer;
     cd_chain* chain;
     cd_membrane* membrane;
+    cd_water* water;
     unsigned char bytes[64];
 };
 extern struct outputs out;
@@ -63,12 +64,13 @@ extern const struct bad_number not_finite[NOT_FINITE], negative[NEGATIVE], not_p
 const char* text_of(const char* format, ...) __attribute__((format(printf, 1, 2)));
 const char* name_and_size(const char* name, size_t value);
 
-/* The hash of a chain's or a membrane's state; fails the test if there is none. Of NULL: 0. */
+/* The hash of a chain's, a membrane's or a water's state; fails the test if there is none. Of NULL: 0. */
 #define hash_of(object) (hash_function_of(object)(object))
 #define hash_function_of(object)                                                                                       \
     _Generic((object), cd_chain*: hash_of_chain, const cd_chain*: hash_of_chain, cd_membrane*: hash_of_membrane,       \
-             const cd_membrane*: hash_of_membrane, void*: hash_of_nothing)
-hash_function hash_of_chain, hash_of_membrane, hash_of_nothing;
+             const cd_membrane*: hash_of_membrane, cd_water*: hash_of_water, const cd_water*: hash_of_water,           \
+             void*: hash_of_nothing)
+hash_function hash_of_chain, hash_of_membrane, hash_of_water, hash_of_nothing;
 
 /* The same numbers, bit for bit (0 and -0 differ, a NaN equals itself). */
 #define assert_same_bits(a, b, count) assert_memory_equal((a), (b), (count) * sizeof *(a))

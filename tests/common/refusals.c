@@ -176,6 +176,10 @@ static const struct {
     {"cd_end", {CD_ERROR_ENUM}},
     {"cd_edge", {CD_ERROR_ENUM}},
     {"cd_node", {CD_ERROR_ENUM}},
+    {"cd_side", {CD_ERROR_ENUM}},
+    {"cd_border", {CD_ERROR_ENUM}},
+    {"cd_momentum", {CD_ERROR_ENUM}},
+    {"cd_bed_rule", {CD_ERROR_ENUM}},
 };
 
 static bool number_tried(const struct prototype* function, const struct parameter* parameter) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# left_out.sh PART: builds contdyn without PART (CHAIN, MEMBRANE, FLOAT32 or FLOAT64) and fails unless its code is gone,
-# the library is smaller, and asking for what was left out is refused.
+# left_out.sh PART: builds contdyn without PART (CHAIN, MEMBRANE, WATER, FLOAT32 or FLOAT64) and fails unless its code
+# is gone, the library is smaller, and asking for what was left out is refused.
 . "$(dirname "$0")/common.sh"
 
 part=$1
@@ -21,7 +21,7 @@ dropped() { # fails unless the whole library has functions of this pattern and t
     functions "$out/src/libcontdyn.a" "$1" | { ! grep . ; } || fail "still there without $part"
 }
 case $part in
-CHAIN | MEMBRANE)
+CHAIN | MEMBRANE | WATER)
     dropped "cd_${part,,}_[a-z_]*"
     functions "$out/src/libcontdyn.a" cd_version | grep -q . || fail "cd_version is gone too"
     exit 0
@@ -31,7 +31,7 @@ FLOAT32)
     other=FLOAT64
     ;;
 FLOAT64)
-    dropped 'spring_sweep<double' # membranes solve their lines in double
+    dropped 'spring_sweep<double' # membranes and waters solve their lines in double
     other=FLOAT32
     ;;
 esac

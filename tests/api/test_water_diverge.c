@@ -1,0 +1,264 @@
+/* A water that leaves the finite range is reported with the step, and one whose coupled solves end short of their
+ * tolerance with what is left; both can be read, and used again. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "pool.h"
+
+enum { NX = 9, NY = 6, MOST = (NX + 1) * (NY + 1) };
+
+static const double dt = 8;
+
+enum { GOOD = 3 };
+
+/* A lake that a source fills beyond all bounds, after the first steps have gone well. */
+static cd_water* unbounded(cd_precision precision, cd_method method) {
+    cd_water* w = pool(NX, NY, precision);
+    ok(cd_water_set_method(w, method));
+    pool_fill(w, CD_DEPTH, 1);
+    ok(cd_water_enable_field(w, CD_SOURCE));
+    ok(cd_water_step(w, dt, GOOD));
+    pool_set(w, CD_SOURCE, 4, 3, precision ? 1e307 : 1e37);
+    return w;
+}
+
+static int is_finite(const cd_water* w) {
+    static const cd_field fields[] = {CD_DEPTH, CD_VELOCITY_X, CD_VELOCITY_Y};
+    for (size_t f = 0; f < COUNT(fields); ++f) {
+        double values[MOST];
+        pool_read(w, fields[f], values);
+        for (size_t k = 0; k < pool_extent(w, fields[f]).count; ++k)
+            if (!isfinite(values[k])) return 0;
+    }
+    return 1;
+}
+
+static const struct {
+    cd_precision precision;
+    cd_method method;
+} cases[] = {{CD_FLOAT32, CD_METHOD_FORWARD_EULER},
+             {CD_FLOAT64, CD_METHOD_FORWARD_EULER},
+             {CD_FLOAT32, CD_METHOD_IMPLICIT},
+             {CD_FLOAT64, CD_METHOD_IMPLICIT}};
+
+static void divergence_is_reported_with_the_first_bad_step(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        cd_water* slow = unbounded(cases[i].precision, cases[i].method);
+        uint64_t first_bad = GOOD, steps;
+        while (is_finite(slow)) {
+            const cd_status status = cd_water_step(slow, dt, 1);
+            ++first_bad;
+            assert_true(first_bad < 1000);
+            assert_int_equal(status, is_finite(slow) ? CD_OK : CD_ERROR_DIVERGED);
+        }
+        assert_true(first_bad > GOOD);
+        assert_non_null(strstr(cd_error_message(), text_of(" %llu", (unsigned long long)first_bad)));
+        cd_water_destroy(slow);
+
+        cd_water* fast = unbounded(cases[i].precision, cases[i].method);
+        assert_int_equal(cd_water_step(fast, dt, 1000), CD_ERROR_DIVERGED);
+        assert_non_null(strstr(cd_error_message(), "cd_water_step: "));
+        /* counted from create, not from this call */
+        assert_non_null(strstr(cd_error_message(), text_of(" %llu", (unsigned long long)first_bad)));
+        ok(cd_water_get_steps(fast, &steps));
+        assert_int_equal(steps, GOOD + 1000); /* all steps are made */
+        cd_water_destroy(fast);
+    }
+}
+
+/* A state with numbers that are not finite, whatever later steps would make of it. */
+static cd_water* diverged(size_t i) {
+    cd_water* w = unbounded(cases[i].precision, cases[i].method);
+    while (is_finite(w)) (void)cd_water_step(w, dt, 1);
+    return w;
+}
+
+static void a_diverged_water_makes_no_step_and_changes_nothing(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        cd_water* w = diverged(i);
+        refuses(w, cd_water_step(w, dt, 1), CD_ERROR_DIVERGED, "");
+        ok(cd_water_set_method(w, CD_METHOD_IMPLICIT));
+        refuses(w, cd_water_step(w, dt, 1), CD_ERROR_DIVERGED, "");
+        ok(cd_water_step(w, dt, 0));
+        cd_water_destroy(w);
+    }
+}
+
+static void a_diverged_water_can_be_looked_at(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        cd_water* w = diverged(i);
+        const double at[] = {0, 0, 2.2, 2.6, 4.5, 4.5};
+        float vertices[NX * NY][7];
+        uint32_t indices[6 * NX * NY];
+        double a, b, number[4 * 3];
+        ok(cd_water_sample(w, at, 3, number, number + 3, NULL, NULL));
+        ok(cd_water_sample(w, at, 3, NULL, NULL, number, NULL));
+        for (int k = 0; k < 3; ++k) /* normals are unit vectors all the same */
+            assert_near(number[3 * k] * number[3 * k] + number[3 * k + 1] * number[3 * k + 1] +
+                            number[3 * k + 2] * number[3 * k + 2],
+                        1, 1e-14, 0);
+        ok(cd_water_write_vertices(w, vertices, sizeof vertices, sizeof vertices[0], 0, 12, 24));
+        ok(cd_water_write_indices(w, 1, indices, sizeof indices, 4));
+        ok(cd_water_get_volume(w, &a));
+        ok(cd_water_get_energy(w, &a, &b));
+        ok(cd_water_get_wet_area(w, &a));
+        ok(cd_water_get_courant(w, 1, &a));
+        ok(cd_water_stable_dt(w, &a));
+        ok(cd_water_get_account(w, &a, NULL, NULL, &b));
+        hash_of(w);
+        cd_water_destroy(w);
+    }
+}
+
+static void a_diverged_water_is_as_new_after_a_reset(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        cd_water* w = diverged(i);
+        cd_water* fresh = unbounded(cases[i].precision, cases[i].method);
+        ok(cd_water_reset(w));
+        ok(cd_water_reset(fresh));
+        assert_int_equal(hash_of(w), hash_of(fresh));
+        pool_fill(w, CD_SOURCE, 0);
+        pool_fill(fresh, CD_SOURCE, 0);
+        pool_beach(w);
+        pool_beach(fresh);
+        ok(cd_water_step(w, 0.02, 20));
+        ok(cd_water_step(fresh, 0.02, 20));
+        assert_int_equal(hash_of(w), hash_of(fresh));
+        cd_water_destroy(w);
+        cd_water_destroy(fresh);
+    }
+}
+
+static void a_diverged_water_goes_on_once_finite_numbers_are_written(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        cd_water* w = diverged(i);
+        ok(cd_water_disable_field(w, CD_SOURCE));
+        pool_fill(w, CD_DEPTH, 1);
+        const double zeros[MOST] = {0};
+        pool_write(w, CD_VELOCITY_X, zeros);
+        pool_write(w, CD_VELOCITY_Y, zeros);
+        ok(cd_water_step(w, 0.01, 3));
+        assert_true(is_finite(w));
+        double error;
+        ok(cd_water_get_account(w, NULL, NULL, NULL, &error));
+        assert_true(fabs(error) < 1e-5);
+        cd_water_destroy(w);
+    }
+}
+
+static void a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loaded(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i)
+        for (int by_copy = 0; by_copy <= 1; ++by_copy) {
+            cd_water* w = diverged(i);
+            cd_water* other = unbounded(cases[i].precision, cases[i].method);
+            cd_water* good = unbounded(cases[i].precision, cases[i].method);
+            size_t size, written;
+            ok(cd_water_save_size(w, &size));
+            unsigned char* bytes = malloc(size);
+            assert_non_null(bytes);
+            ok(cd_water_save(w, bytes, size, &written));
+            if (by_copy) ok(cd_water_copy_state(other, w));
+            else ok(cd_water_load(other, bytes, size));
+            assert_int_equal(hash_of(other), hash_of(w));
+            refuses(other, cd_water_step(other, dt, 1), CD_ERROR_DIVERGED, "");
+            pool_set(good, CD_SOURCE, 4, 3, 0);
+            ok(cd_water_step(good, 0.01, 2));
+            ok(cd_water_save(good, bytes, size, &written));
+            if (by_copy) ok(cd_water_copy_state(other, good));
+            else ok(cd_water_load(other, bytes, size));
+            ok(cd_water_step(other, 0.01, 2));
+            ok(cd_water_step(good, 0.01, 2));
+            assert_int_equal(hash_of(other), hash_of(good));
+            free(bytes);
+            cd_water_destroy(w);
+            cd_water_destroy(other);
+            cd_water_destroy(good);
+        }
+}
+
+/* ---- numbers at the ends of their range ---- */
+
+static void enormous_depths_and_velocities_either_step_or_diverge(void** state) {
+    (void)state;
+    static const size_t scenes[] = {0, 1, 6, 7, 8, 9, 10, 11, POOL_EVERYTHING};
+    for (size_t s = 0; s < COUNT(scenes); ++s)
+        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
+            for (int fast = 0; fast <= 1; ++fast) {
+                const struct pool_scene* scene = &pools[scenes[s]];
+                cd_water* w = pool_of(scenes[s], NX, NY, precision, 2);
+                const double most = precision ? 1.7976931348623157e308 : 0x1.fffffep+127;
+                pool_set(w, CD_DEPTH, 5, 2, most);
+                pool_set(w, CD_DEPTH, 6, 2, most / 2);
+                if (fast) (void)cd_water_write_f64(w, CD_VELOCITY_X, 6, 2, 1, 1, &most, 1);
+                const cd_status status = cd_water_step(w, scene->dt, 3);
+                assert_true(status == CD_OK || status == CD_ERROR_DIVERGED);
+                assert_true(status == CD_ERROR_DIVERGED || is_finite(w));
+                uint64_t steps;
+                ok(cd_water_get_steps(w, &steps));
+                assert_int_equal(steps, 5);
+                ok(cd_water_reset(w));
+                pool_fill(w, CD_BED, 0);
+                pool_step(w, scene->dt, 3);
+                assert_true(is_finite(w));
+                cd_water_destroy(w);
+            }
+}
+
+/* ---- tolerance ---- */
+
+static void a_solve_that_ends_short_of_its_tolerance_is_told_and_the_steps_are_made(void** state) {
+    (void)state;
+    size_t iterations = 0;
+    double residual = 0;
+    uint64_t steps;
+    cd_water* w = pool(31, 33, CD_FLOAT64);
+    ok(cd_water_set_solver(w, CD_SOLVER_COUPLED));
+    pool_vary(w, CD_DEPTH, 5, 1, 3);
+    ok(cd_water_set_tolerance(w, 1e-12, 1));
+    assert_int_equal(cd_water_step(w, 2, 3), CD_ERROR_TOLERANCE);
+    ok(cd_water_get_convergence(w, &iterations, &residual));
+    assert_int_equal(iterations, 1);
+    assert_true(residual > 1e-12);
+    const char* message = cd_error_message();
+    assert_non_null(strstr(message, "cd_water_step: "));
+    assert_non_null(strstr(message, text_of("%g", residual)));
+    assert_non_null(strstr(message, text_of(" %zu iterations", iterations)));
+    assert_non_null(strstr(message, "1e-12"));
+    ok(cd_water_get_steps(w, &steps));
+    assert_int_equal(steps, 3);
+    double initial, error;
+    ok(cd_water_get_account(w, &initial, NULL, NULL, &error)); /* kept whatever the tolerance */
+    assert_true(fabs(error) <= 1e-13 * initial);
+    assert_int_equal(cd_water_step(w, 2, 1), CD_ERROR_TOLERANCE); /* and goes on */
+    ok(cd_water_set_tolerance(w, 1e-9, 1000));
+    ok(cd_water_step(w, 2, 1));
+    ok(cd_water_get_convergence(w, &iterations, &residual));
+    assert_true(iterations > 1 && iterations <= 1000 && residual <= 1e-9);
+    ok(cd_water_set_solver(w, CD_SOLVER_ALTERNATING));
+    ok(cd_water_step(w, 2, 1));
+    ok(cd_water_get_convergence(w, &iterations, &residual));
+    assert_true(iterations == 0 && residual == 0);
+    cd_water_destroy(w);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(divergence_is_reported_with_the_first_bad_step),
+        cmocka_unit_test(a_diverged_water_makes_no_step_and_changes_nothing),
+        cmocka_unit_test(a_diverged_water_can_be_looked_at),
+        cmocka_unit_test(a_diverged_water_is_as_new_after_a_reset),
+        cmocka_unit_test(a_diverged_water_goes_on_once_finite_numbers_are_written),
+        cmocka_unit_test(a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loaded),
+        cmocka_unit_test(enormous_depths_and_velocities_either_step_or_diverge),
+        cmocka_unit_test(a_solve_that_ends_short_of_its_tolerance_is_told_and_the_steps_are_made),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

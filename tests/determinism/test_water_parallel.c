@@ -1,0 +1,133 @@
+/* A water's result depends neither on who runs the tasks and in what order, nor on how steps share calls, nor on the
+ * rows beside. */
+#include <stdlib.h>
+
+#include "check.h"
+#include "jobs.h"
+#include "pool.h"
+
+/* Large enough to be dealt out in several parts. Coupled solves are cut short: every iteration counts the same. */
+static void the_job_system_leaves_no_trace(void** state) {
+    (void)state;
+    for (size_t scene = 0; scene < POOLS; ++scene)
+        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+            uint64_t hashes[3];
+            size_t tasks = 0;
+            for (size_t how = 0; how < 3; ++how) {
+                struct jobs jobs = {0};
+                const cd_parallel parallel = how == 1 ? jobs_reversed(&jobs) : jobs_threads(&jobs);
+                cd_water* w = pool(67, 61, precision);
+                pools[scene].build(w);
+                ok(cd_water_set_parallel(w, how == 0 ? NULL : &parallel));
+                ok(cd_water_set_tolerance(w, 1e-9, 3));
+                pool_step(w, pools[scene].dt, 2);
+                hashes[how] = hash_of(w);
+                tasks = jobs.tasks;
+                cd_water_destroy(w);
+            }
+            assert_true(tasks > 10);
+            assert_int_equal(hashes[1], hashes[0]);
+            assert_int_equal(hashes[2], hashes[0]);
+        }
+}
+
+static void ten_steps_at_once_are_ten_steps(void** state) {
+    (void)state;
+    for (size_t scene = 0; scene < POOLS; ++scene)
+        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+            cd_water* at_once = pool_of(scene, 9, 12, precision, 0);
+            cd_water* singly = pool_of(scene, 9, 12, precision, 0);
+            pool_step(at_once, pools[scene].dt, 10);
+            for (int i = 0; i < 10; ++i) pool_step(singly, pools[scene].dt, 1);
+            if (hash_of(at_once) != hash_of(singly)) fail_msg("%s, float%d", pools[scene].name, precision ? 64 : 32);
+            cd_water_destroy(at_once);
+            cd_water_destroy(singly);
+        }
+}
+
+/* ---- rows that have nothing to do with each other ---- */
+
+enum { NX = 21, ROWS = 19, MOST = (NX + 1) * (ROWS + 1) };
+
+/* Walls between all rows, and in each what the slice has. */
+static cd_water* many_rows(const cd_water* slice, cd_precision precision) {
+    cd_water* w = pool(NX, ROWS, precision);
+    double row[NX + 1], all[MOST];
+    cd_momentum momentum;
+    ok(cd_water_get_momentum(slice, &momentum));
+    size_t corrections;
+    ok(cd_water_get_corrections(slice, &corrections));
+    double lambda, manning, drag;
+    ok(cd_water_get_lambda(slice, &lambda));
+    ok(cd_water_get_manning(slice, &manning));
+    ok(cd_water_get_drag(slice, &drag));
+    cd_method method;
+    ok(cd_water_get_method(slice, &method));
+    ok(cd_water_set_momentum(w, momentum));
+    ok(cd_water_set_corrections(w, corrections));
+    ok(cd_water_set_method(w, method));
+    ok(cd_water_set_lambda(w, lambda));
+    ok(cd_water_set_manning(w, manning));
+    ok(cd_water_set_drag(w, drag));
+    for (cd_side side = CD_SIDE_X_FIRST; side <= CD_SIDE_X_LAST; ++side) {
+        cd_border kind;
+        double value, rate;
+        ok(cd_water_get_side(slice, side, &kind, &value, &rate));
+        ok(cd_water_set_side(w, side, kind, value, rate));
+    }
+    ok(cd_water_enable_field(w, CD_WALL_Y));
+    for (size_t k = 0; k < MOST; ++k) all[k] = 1;
+    pool_write(w, CD_WALL_Y, all);
+    static const cd_field fields[] = {CD_BED, CD_DEPTH, CD_VELOCITY_X, CD_FORCE_X};
+    for (size_t f = 0; f < COUNT(fields); ++f) {
+        if (!pool_has(slice, fields[f])) continue;
+        const size_t columns = pool_extent(slice, fields[f]).columns;
+        ok(cd_water_enable_field(w, fields[f]));
+        pool_read(slice, fields[f], row);
+        for (size_t k = 0; k < columns * ROWS; ++k) all[k] = row[k % columns];
+        pool_write(w, fields[f], all);
+    }
+    return w;
+}
+
+static void a_slice_goes_as_each_of_many_rows_apart(void** state) {
+    (void)state;
+    static const struct {
+        pool_build* build;
+        double dt;
+    } slices[] = {{pool_beach, 0.1},     {pool_dam, 0.05}, {pool_flood, 0.5},  {pool_explicit, 0.02},
+                  {pool_forward, 0.002}, {pool_tide, 0.1}, {pool_river, 0.05}, {pool_torus, 0.1}};
+    for (size_t s = 0; s < COUNT(slices); ++s)
+        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+            cd_water* slice = pool(NX, 1, precision);
+            slices[s].build(slice);
+            ok(cd_water_set_side(slice, CD_SIDE_Y_FIRST, CD_BORDER_WALL, 0, 0));
+            ok(cd_water_set_side(slice, CD_SIDE_Y_LAST, CD_BORDER_WALL, 0, 0));
+            ok(cd_water_disable_field(slice, CD_FORCE_Y));
+            cd_water* rows = many_rows(slice, precision);
+            pool_step(slice, slices[s].dt, 40);
+            pool_step(rows, slices[s].dt, 40);
+            static const cd_field fields[] = {CD_DEPTH, CD_VELOCITY_X};
+            for (size_t f = 0; f < COUNT(fields); ++f) {
+                const size_t columns = pool_extent(slice, fields[f]).columns;
+                double alone[NX + 1], among[MOST];
+                pool_read(slice, fields[f], alone);
+                pool_read(rows, fields[f], among);
+                for (size_t k = 0; k < columns * ROWS; ++k)
+                    if (among[k] != alone[k % columns])
+                        fail_msg("slice %zu, float%d: %.17g alone, %.17g in row %zu", s, precision ? 64 : 32,
+                                 alone[k % columns], among[k], k / columns);
+            }
+            cd_water_destroy(slice);
+            cd_water_destroy(rows);
+        }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_job_system_leaves_no_trace),
+        cmocka_unit_test(ten_steps_at_once_are_ten_steps),
+        cmocka_unit_test(a_slice_goes_as_each_of_many_rows_apart),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
