@@ -38,10 +38,9 @@ static int is_finite(const cd_water* w) {
 static const struct {
     cd_precision precision;
     cd_method method;
-} cases[] = {{CD_FLOAT32, CD_METHOD_FORWARD_EULER},
-             {CD_FLOAT64, CD_METHOD_FORWARD_EULER},
-             {CD_FLOAT32, CD_METHOD_IMPLICIT},
-             {CD_FLOAT64, CD_METHOD_IMPLICIT}};
+} cases[] = {{CD_FLOAT32, CD_METHOD_FORWARD_EULER},    {CD_FLOAT64, CD_METHOD_FORWARD_EULER},
+             {CD_FLOAT32, CD_METHOD_SYMPLECTIC_EULER}, {CD_FLOAT64, CD_METHOD_SYMPLECTIC_EULER},
+             {CD_FLOAT32, CD_METHOD_IMPLICIT},         {CD_FLOAT64, CD_METHOD_IMPLICIT}};
 
 static void divergence_is_reported_with_the_first_bad_step(void** state) {
     (void)state;
@@ -188,18 +187,17 @@ static void a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loa
 
 static void enormous_depths_and_velocities_either_step_or_diverge(void** state) {
     (void)state;
-    static const size_t scenes[] = {0, 1, 6, 7, 8, 9, 10, 11, POOL_EVERYTHING};
-    for (size_t s = 0; s < COUNT(scenes); ++s)
+    for (size_t s = 0; s < POOLS; ++s)
         for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
             for (int fast = 0; fast <= 1; ++fast) {
-                const struct pool_scene* scene = &pools[scenes[s]];
-                cd_water* w = pool_of(scenes[s], NX, NY, precision, 2);
+                const struct pool_scene* scene = &pools[s];
+                cd_water* w = pool_of(s, NX, NY, precision, 2);
                 const double most = precision ? 1.7976931348623157e308 : 0x1.fffffep+127;
                 pool_set(w, CD_DEPTH, 5, 2, most);
                 pool_set(w, CD_DEPTH, 6, 2, most / 2);
                 if (fast) (void)cd_water_write_f64(w, CD_VELOCITY_X, 6, 2, 1, 1, &most, 1);
                 const cd_status status = cd_water_step(w, scene->dt, 3);
-                assert_true(status == CD_OK || status == CD_ERROR_DIVERGED);
+                assert_true(status == CD_OK || status == CD_ERROR_DIVERGED || status == CD_ERROR_TOLERANCE);
                 assert_true(status == CD_ERROR_DIVERGED || is_finite(w));
                 uint64_t steps;
                 ok(cd_water_get_steps(w, &steps));

@@ -222,7 +222,7 @@ static void solves_are_counted_by_direction(void** state) {
     static const struct {
         pool_build* build;
         uint64_t each; /* step */
-    } wanted[] = {{pool_beach, 2}, {pool_torus, 2}, {pool_explicit, 0}};
+    } wanted[] = {{pool_beach, 2}, {pool_torus, 2}, {pool_explicit, 0}, {pool_forward, 0}};
     for (size_t i = 0; i < COUNT(wanted); ++i) {
         cd_water* w = pool(6, 5, CD_FLOAT64);
         wanted[i].build(w);

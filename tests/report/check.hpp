@@ -23,5 +23,6 @@ void expect_orders(const std::string& file, const std::string& study, const std:
 
 Checks chain_checks();
 Checks membrane_checks();
+Checks water_checks();
 
 #endif

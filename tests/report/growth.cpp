@@ -42,7 +42,7 @@ void measure_size(Report& report, const Sized& sized, std::vector<Growth>& growt
         growth.costs.push_back({sized.size, sized.nodes, steps, timed, 0, 0, NAN});
         runners.push_back(sized.make(how, growth.precision));
         Runner* runner = runners.back().get();
-        const double dt = 1 / double(steps);
+        const double dt = sized.time / double(steps);
         const std::size_t before = timed < steps ? 1 : 0;
         jobs.push_back({[=] { runner->reset(), runner->step(dt, before); }, [=] { runner->step(dt, timed); }});
     }
@@ -75,16 +75,17 @@ GrowthView view(Report& report, const std::vector<Growth>& growths, const Growth
                     {},
                     false};
     Plot total, per_node;
-    total.title = "cost of one second";
+    total.title = "cost of one " + names.span;
     total.x = {names.label, Scale::log};
-    total.y = {"run time of 1 simulated second", Scale::log, "s"};
-    per_node.title = "cost of one node and step";
+    total.y = {"run time of 1 simulated " + names.span, Scale::log, "s"};
+    per_node.title = "cost of one " + names.node + " and step";
     per_node.x = total.x;
-    per_node.y = {"time per node and step", Scale::log, "s"};
+    per_node.y = {"time per " + names.node + " and step", Scale::log, "s"};
     const std::vector<Cost>& sizes = growths.front().costs;
     view.table.head = {"method", "steps at n = " + count(double(sizes.front().size)),
                        "steps at n = " + count(double(sizes.back().size)), "exponent fitted", "expected"};
-    for (std::size_t size : names.at) view.table.head.push_back("ns per node and step, n = " + count(double(size)));
+    for (std::size_t size : names.at)
+        view.table.head.push_back("ns per " + names.node + " and step, n = " + count(double(size)));
     for (const Growth& growth : growths) {
         Series seconds{growth.name(), style_of(*growth.how, growth.precision), {}, {}, {}}, each = seconds;
         for (const Cost& cost : growth.costs) {
@@ -108,8 +109,8 @@ GrowthView view(Report& report, const std::vector<Growth>& growths, const Growth
         for (std::size_t size : names.at) {
             const double nanoseconds = growth.per_node_step_at(size) * 1e9;
             view.table.rows.back().push_back(number(nanoseconds, 3));
-            report.summary(names.key + ".ns_per_node_step.n" + std::to_string(size) + "." + growth.key(), nanoseconds,
-                           "ns");
+            report.summary(names.key + ".ns_per_" + names.node + "_step.n" + std::to_string(size) + "." + growth.key(),
+                           nanoseconds, "ns");
         }
     }
     view.panels = {render(total), render(per_node)};

@@ -13,7 +13,7 @@ namespace report {
 
 const double kGrowthTolerance = 0.01;
 
-// The same motion on a lattice of one size, over 1 s.
+// The same motion on a lattice of one size, over `time`.
 struct Sized {
     std::size_t size, nodes;
     MakeRunner make;
@@ -21,6 +21,7 @@ struct Sized {
     std::size_t limit;                                                 // the fewest stable explicit steps
     std::function<double(const Method&, std::size_t)> expected_error;  // with so many steps, in exact arithmetic
     std::function<std::size_t(const Method&)> affordable;              // the most steps that may be timed
+    double time = 1;  // simulated [s]
 };
 
 struct Cost {
@@ -54,6 +55,7 @@ struct GrowthNames {
     std::string key, size, label;  // "chain.growth"; in the CSV's head; of the axis
     std::size_t explicit_power;    // expected; of implicit steps it is one less
     std::vector<std::size_t> at;   // sizes whose time per node and step is told
+    std::string node = "node", span = "second";
 };
 
 struct GrowthView {

@@ -19,8 +19,8 @@ namespace {
 const char* const kUsage =
     "usage: contdyn_report [--out DIR] [--only PART[,PART...]] [--short | --full] [--csv]\n"
     "  --out DIR     where to write index.html and the CSV files; default: report\n"
-    "  --only PARTS  of: chain,membrane\n"
-    "  --short       coarse, half a minute; default: three or four minutes; --full: nothing scaled up, hours\n"
+    "  --only PARTS  of: chain,membrane,water\n"
+    "  --short       coarse, half a minute; default: four or five minutes; --full: nothing scaled up, hours\n"
     "  --csv         no page\n";
 
 struct Part {
@@ -33,6 +33,9 @@ const std::vector<Part> kParts = {
 #endif
 #ifdef REPORT_MEMBRANE
     {"membrane", report::report_membrane},
+#endif
+#ifdef REPORT_WATER
+    {"water", report::report_water},
 #endif
 };
 

@@ -18,16 +18,36 @@ std::vector<cd_precision> precisions() {
         cd_chain* probe = nullptr;
         if (cd_chain_create(1, 1, 1, precision, nullptr, &probe) == CD_OK) there.push_back(precision);
         cd_chain_destroy(probe);
-#else
+#elif defined REPORT_MEMBRANE
         cd_membrane* probe = nullptr;
         if (cd_membrane_create(1, 1, 1, precision, nullptr, &probe) == CD_OK) there.push_back(precision);
         cd_membrane_destroy(probe);
+#else
+        cd_water* probe = nullptr;
+        if (cd_water_create(1, 1, 1, 1, precision, nullptr, &probe) == CD_OK) there.push_back(precision);
+        cd_water_destroy(probe);
 #endif
     }
     return there;
 }
 
 const char* name_of(cd_precision precision) { return precision == CD_FLOAT32 ? "float32" : "float64"; }
+
+// Water with advected momentum.
+static Method water(const char* key, const char* name, const Style& style, std::size_t corrections,
+                    cd_method method = CD_METHOD_IMPLICIT) {
+    Method made{key, name, method, 0.5, false, style};
+    made.momentum = CD_MOMENTUM_ADVECTED;
+    made.corrections = corrections;
+    return made;
+}
+
+static Method textbook_that_puts_volume_back() {
+    Method made{"textbook_put_back", "textbook, volume put back", CD_METHOD_IMPLICIT, 1, true,
+                {0, Marker::plus, Dash::dotted, true}};
+    made.puts_back = true;
+    return made;
+}
 
 const Method& method(Way way) {
     static const Method kMethods[] = {
@@ -50,6 +70,24 @@ const Method& method(Way way) {
         {"coupled_half", "λ = 1/2 coupled", CD_METHOD_IMPLICIT, 0.5, false, {7, Marker::circle}, CD_SOLVER_COUPLED},
         {"coupled_one", "λ = 1 coupled", CD_METHOD_IMPLICIT, 1, false, {8, Marker::diamond}, CD_SOLVER_COUPLED},
         {"coupled_stiff", "stiff 2nd coupled", CD_METHOD_STIFF_SECOND, 0, false, {6, Marker::wedge}, CD_SOLVER_COUPLED},
+        {"linear", "linear λ = 0.55", CD_METHOD_IMPLICIT, 0.55, false, {1, Marker::circle}},
+        {"linear_half", "linear λ = 1/2", CD_METHOD_IMPLICIT, 0.5, false, {6, Marker::circle}},
+        {"linear_one", "linear λ = 1", CD_METHOD_IMPLICIT, 1, false, {5, Marker::diamond}},
+        water("advected", "advected", {3, Marker::wedge}, 0),
+        water("large_two", "large steps, 2 corrections", {4, Marker::triangle}, 2),
+        water("large_four", "large steps, 4 corrections", {8, Marker::square}, 4),
+        {"coupled", "linear λ = 0.55 coupled", CD_METHOD_IMPLICIT, 0.55, false, {7, Marker::circle}, CD_SOLVER_COUPLED},
+        {"coupled_half",
+         "linear λ = 1/2 coupled",
+         CD_METHOD_IMPLICIT,
+         0.5,
+         false,
+         {7, Marker::diamond},
+         CD_SOLVER_COUPLED},
+        {"explicit", "explicit", CD_METHOD_SYMPLECTIC_EULER, 0, false, {2, Marker::square}},
+        water("explicit_advected", "explicit advected", {2, Marker::triangle}, 0, CD_METHOD_SYMPLECTIC_EULER),
+        {"textbook", "textbook", CD_METHOD_IMPLICIT, 1, true, {0, Marker::cross, Dash::dotted}},
+        textbook_that_puts_volume_back(),
     };
     return kMethods[int(way)];
 }

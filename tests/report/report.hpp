@@ -50,6 +50,7 @@ private:
 // The parts, in the order of the page. A further object adds its own line here and in main.cpp.
 void report_chain(Report& report);
 void report_membrane(Report& report);
+void report_water(Report& report);
 
 }  // namespace report
 

@@ -76,9 +76,11 @@ namespace {
 void outcomes_repeat() {
     for (const char* name : {"outcomes.csv", "chain_figure2.csv", "chain_crossing.csv", "chain_extremes.csv",
                              "chain_hanging_frames.csv", "scene_rope.csv", "membrane_blow_ups.csv",
-                             "membrane_frequencies.csv", "membrane_iterations.csv", "membrane_load.csv"})
+                             "membrane_frequencies.csv", "membrane_iterations.csv", "membrane_load.csv",
+                             "water_thacker.csv", "water_dam.csv", "water_lake.csv", "water_storm.csv",
+                             "water_any_step.csv"})
         expect(read(first + "/" + name) == read(second + "/" + name), std::string(name) + " differs between two runs");
-    expect(rows_of("outcomes.csv").size() > 500, "fewer than 500 outcomes are hashed");
+    expect(rows_of("outcomes.csv").size() > 700, "fewer than 700 outcomes are hashed");
 }
 
 // Every tag closed in order, every number in the drawings finite, nothing fetched from elsewhere.
@@ -103,8 +105,8 @@ void the_page_is_well_formed() {
         }
     }
     expect(open.empty(), "a tag is not closed");
-    expect(used["svg"] > 40 && used["table"] >= 9 && used["figure"] > 18, "figures or tables are missing");
-    expect(used["section"] == 14, "a section is missing");
+    expect(used["svg"] > 60 && used["table"] >= 15 && used["figure"] > 30, "figures or tables are missing");
+    expect(used["section"] == 21, "a section is missing");
     expect(used["script"] == 0, "the page needs a script");
     for (const char* bad :
          {"=\"nan", "=\"inf", "=\"-nan", "=\"-inf", " nan ", ">nan", "href=\"http", "src=", "url(http"})
@@ -137,7 +139,10 @@ void the_summary_has_stable_keys() {
           "membrane.drum.n64.at_1_percent.explicit_over_implicit", "membrane.stiff_pair.error_at_64_steps.coupled_half",
           "membrane.growth.exponent.alternating_half.float64", "membrane.iterations.most_but_for_random_springs",
           "membrane.sluggish.coupled_over_alternating_frequency.at_3",
-          "membrane.safe.library_greatest_growth_of_speed"})
+          "membrane.safe.library_greatest_growth_of_speed", "water.seiche.at_1_percent.explicit_over_implicit",
+          "water.thacker.corrections_4.n200.step_8", "water.stoker.order", "water.lake.textbook_gained",
+          "water.storm.worst_account_error.advected.float64", "water.growth.per_cell_exponent.linear_half",
+          "water.cost.ns_per_cell_step.plain", "water.run_up.measured"})
         expect(std::set<std::string>(here.begin(), here.end()).count(key) == 1, std::string("no key ") + key);
 }
 
@@ -147,7 +152,8 @@ int main(int argc, char** argv) {
     Checks checks = {{"outcomes_repeat", outcomes_repeat},
                      {"the_page_is_well_formed", the_page_is_well_formed},
                      {"the_summary_has_stable_keys", the_summary_has_stable_keys}};
-    for (const Checks& more : {chain_checks(), membrane_checks()}) checks.insert(more.begin(), more.end());
+    for (const Checks& more : {chain_checks(), membrane_checks(), water_checks()})
+        checks.insert(more.begin(), more.end());
     if (argc != 4 || checks.count(argv[1]) == 0) {
         std::fprintf(stderr, "usage: report_check CHECK FIRST SECOND\n");
         return 2;

@@ -15,10 +15,11 @@ const std::vector<double>& tolerances() {
 }
 
 std::vector<Point> points_between(std::size_t least, std::size_t most,
-                                  const std::function<double(std::size_t)>& expected_error) {
+                                  const std::function<double(std::size_t)>& expected_error, double least_tolerance) {
     std::vector<std::size_t> numbers;
     for (std::size_t steps = least; steps <= most; steps *= 2) numbers.push_back(steps);
     for (double tolerance : tolerances()) {
+        if (tolerance < least_tolerance) continue;
         std::size_t steps = fewest_steps(expected_error, 0.995 * tolerance, most);
         if (steps <= most && steps >= least) numbers.push_back(steps);
     }
@@ -43,7 +44,7 @@ void measure(Report& report, Study& study) {
             const double start = now();
             bool finite = runner->step(dt, steps);
             const double first = now() - start;
-            point.error = finite ? relative_error(runner->positions(), study.exact) : INFINITY;
+            point.error = finite ? study.error(runner->positions(), study.exact) : INFINITY;
             point.hash = runner->hash();
             report.outcome(study.key + " " + curve.how->key + " " + name_of(curve.precision) + " " +
                                std::to_string(steps), hex(point.hash));
@@ -116,7 +117,7 @@ std::string against_textbook(const Best& implicit, const Best& explicit_steps, c
 std::string draw(const Study& study, const std::string& time_label, std::vector<Series>& for_legend) {
     Plot plot;
     plot.title = study.title;
-    plot.x = {"relative error, greatest over the nodes", Scale::log, "", NAN, 1.5};
+    plot.x = {study.error_label, Scale::log, "", NAN, 1.5};
     plot.y = {time_label, Scale::log, "s"};
     for (const Curve& curve : study.curves) {
         Series series;
@@ -132,7 +133,7 @@ std::string draw(const Study& study, const std::string& time_label, std::vector<
         }
         if (!series.x.empty()) plot.series.push_back(series);
     }
-    for (double tolerance : tolerances())
+    for (double tolerance : study.tolerances)
         plot.guides.push_back({tolerance, NAN, tolerance, NAN, percent(tolerance, 1)});
     for_legend.insert(for_legend.end(), plot.series.begin(), plot.series.end());
     return render(plot);
@@ -145,7 +146,7 @@ void WorkTables::add(Report& report, const Study& study, const std::string& case
                        study.time / double(p.steps), p.error, p.least_seconds, p.median_seconds, hex(p.hash));
     auto name = [](const Best& b) { return b ? b.curve->how->key + " " + name_of(b.curve->precision) : "none"; };
     auto steps = [](const Best& b) { return b ? b.point->steps : std::size_t(0); };
-    for (double tolerance : tolerances()) {
+    for (double tolerance : study.tolerances) {
         Best implicit = report::cheapest(study, tolerance, Kind::implicit_steps);
         Best explicit_steps = report::cheapest(study, tolerance, Kind::explicit_steps);
         Best textbook = report::cheapest(study, tolerance, Kind::textbook);

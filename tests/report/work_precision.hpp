@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "modes.hpp"
 #include "report.hpp"
 #include "runner.hpp"
 
@@ -27,6 +28,9 @@ struct Curve {
     std::string name() const { return how->name + ", " + name_of(precision); }
 };
 
+// 10% to 0.01%.
+const std::vector<double>& tolerances();
+
 struct Study {
     std::string key;            // in the CSV and the summary
     std::string title;          // over the plot
@@ -34,13 +38,17 @@ struct Study {
     double time;                // simulated [s]
     std::vector<double> exact;  // positions then
     std::vector<Curve> curves;  // points with their steps; the rest is filled by measure
+    double (*error)(const std::vector<double>&, const std::vector<double>&) = relative_error;  // of positions, exact
+    std::string error_label = "relative error, greatest over the nodes";
+    std::vector<double> tolerances = report::tolerances();
 };
 
-const std::vector<double>& tolerances();
 
-// Step numbers from `least` to `most`, doubling, and the fewest that `expected_error` needs for each tolerance.
+// Step numbers from `least` to `most`, doubling, and the fewest that `expected_error` needs for each tolerance,
+// down to the least that is asked for.
 std::vector<Point> points_between(std::size_t least, std::size_t most,
-                                  const std::function<double(std::size_t)>& expected_error);
+                                  const std::function<double(std::size_t)>& expected_error,
+                                  double least_tolerance = 0);
 
 void measure(Report& report, Study& study);
 
