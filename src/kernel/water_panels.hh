@@ -72,8 +72,10 @@ template <int N> struct Rounding<N, float> {
         return stored;
     }
     void hand_back(size_t cells, double* depth) {
-        if (!any_positive(size_of(owed))) return;
-        for (size_t i = cells; i-- > 0;) (*this)(L::load(depth + i * N)).store(depth + i * N);
+        for (size_t i = cells; i-- > 0;) {
+            if (i % 16 == 15 && !any_positive(size_of(owed))) return;
+            (*this)(L::load(depth + i * N)).store(depth + i * N);
+        }
     }
 };
 

@@ -1,0 +1,149 @@
+/* Advected momentum: what is carried is kept; whirls stay whirls; walls and masks hold water. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "basin.h"
+#include "check.h"
+#include "modes.h"
+#include "reference.h"
+
+enum { NX = 24, NY = 18 };
+
+/* The sum of velocity x the mean depth of the two cells, of a ring's x-faces. */
+static double momentum_x(const cd_water* w, size_t nx, size_t ny) {
+    double sum = 0;
+    for (size_t j = 0; j < ny; ++j)
+        for (size_t i = 0; i < nx; ++i) {
+            const double d = basin_get(w, CD_DEPTH, i, j) + basin_get(w, CD_DEPTH, i > 0 ? i - 1 : nx - 1, j);
+            sum += 0.5 * d * basin_get(w, CD_VELOCITY_X, i, j);
+        }
+    return sum;
+}
+
+static const int advected[] = {ADVECTED, LARGE_1, LARGE_2, COUPLED_ADVECTED, EXPLICIT_ADVECTED};
+
+/* Over a flat bed, to rounding, however high the waves: what carries takes from one face what it gives the next, and
+ * the pushes of the surface, half (d_r + d_l) (d_r - d_l), add up to 0. */
+static void a_stream_that_goes_round_keeps_its_momentum(void** state) {
+    (void)state;
+    for (size_t k = 0; k < COUNT(advected); ++k)
+        for (int small = 0; small < 2; ++small) {
+            double worst = 0;
+            cd_water* w = basin(60, 1, 1, 1, CD_FLOAT64);
+            basin_set_way(w, &ways[advected[k]]);
+            ok(cd_water_set_tolerance(w, 1e-13, 200));
+            ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+            for (size_t i = 0; i < 60; ++i) {
+                basin_set(w, CD_DEPTH, i, 0, 1 + (small ? 1e-3 : 0.3) * sin(2 * (double)PI * (double)i / 60));
+                basin_set(w, CD_VELOCITY_X, i, 0, 1);
+            }
+            const double start = momentum_x(w, 60, 1);
+            for (int s = 0; s < 2000; ++s) {
+                basin_step(w, 0.1, 1);
+                worst = fmax(worst, fabs(momentum_x(w, 60, 1) / start - 1));
+            }
+            print_message("%-17s waves of %g of the depth: momentum off by %.1e\n", ways[advected[k]].name,
+                          small ? 1e-3 : 0.3, worst);
+            assert_true(worst < 1e-13);
+            cd_water_destroy(w);
+        }
+}
+
+/* A uniform stream over a flat bed, straight or aslant, does not change as long as its water goes less than a cell in a
+ * step. Longer ones wind up what rounding leaves. */
+static void a_uniform_stream_stays_uniform(void** state) {
+    (void)state;
+    for (size_t k = 0; k < WAYS; ++k) {
+        cd_water* w = basin(NX, NY, 1, 1.3, CD_FLOAT64);
+        basin_set_way(w, &ways[k]);
+        ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+        ok(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_PERIODIC, 0, 0));
+        for (size_t j = 0; j < NY; ++j)
+            for (size_t i = 0; i < NX; ++i) {
+                basin_set(w, CD_DEPTH, i, j, 0.4);
+                basin_set(w, CD_VELOCITY_X, i, j, 5);
+                basin_set(w, CD_VELOCITY_Y, i, j, -3);
+            }
+        const double dt = 0.1;
+        for (int s = 0; s < 300; ++s) basin_step(w, dt, 1);
+        for (size_t j = 0; j < NY; ++j)
+            for (size_t i = 0; i < NX; ++i) {
+                assert_near(basin_get(w, CD_DEPTH, i, j), 0.4, 1e-11, 0);
+                assert_near(basin_get(w, CD_VELOCITY_X, i, j), 5, 1e-11, 0);
+                assert_near(basin_get(w, CD_VELOCITY_Y, i, j), -3, 1e-11, 0);
+            }
+        cd_water_destroy(w);
+    }
+}
+
+/* A row of whirls in a box that goes round: upwind carrying wears them down and never winds them up. */
+static void whirls_stay_bounded(void** state) {
+    (void)state;
+    for (size_t k = 0; k < COUNT(advected); ++k) {
+        const int explicit_way = basin_is_explicit(&ways[advected[k]]);
+        cd_water* w = basin(NX, NX, 1, 1, CD_FLOAT64);
+        const double turn = 2 * (double)PI / NX, dt = explicit_way ? 0.1 : 0.2;
+        basin_set_way(w, &ways[advected[k]]);
+        ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+        ok(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_PERIODIC, 0, 0));
+        for (size_t j = 0; j < NX; ++j)
+            for (size_t i = 0; i < NX; ++i) {
+                const double x = turn * (double)i, y = turn * (double)j;
+                basin_set(w, CD_DEPTH, i, j, 1);
+                basin_set(w, CD_VELOCITY_X, i, j, 0.5 * sin(x) * cos(y + turn / 2));
+                basin_set(w, CD_VELOCITY_Y, i, j, -0.5 * cos(x + turn / 2) * sin(y));
+            }
+        const double start = basin_energy(w), moving = basin_kinetic(w);
+        double most = 0, soon = 0;
+        for (int s = 0; s < 3000; ++s) {
+            basin_step(w, dt, 1);
+            most = fmax(most, basin_energy(w) / start - 1);
+            if (s == 50) soon = basin_kinetic(w) / moving;
+        }
+        print_message("%-17s whirls: %.2f of their energy left after %g s, %.2f at the end; above the start %+.1e\n",
+                      ways[advected[k]].name, soon, 50 * dt, basin_kinetic(w) / moving, most);
+        assert_true(most <= 1e-6);
+        assert_true(soon > 0.4);
+        cd_water_destroy(w);
+    }
+}
+
+/* Absent cells and walls between: not a drop comes through, whatever presses. */
+static void walls_and_masks_hold_water_exactly(void** state) {
+    (void)state;
+    for (size_t k = 0; k < WAYS; ++k) {
+        cd_water* w = basin(NX, NY, 1, 1, CD_FLOAT64);
+        double values[(NX + 1) * NY];
+        basin_set_way(w, &ways[k]);
+        ok(cd_water_enable_field(w, CD_MASK));
+        ok(cd_water_enable_field(w, CD_WALL_X));
+        for (size_t c = 0; c < (NX + 1) * NY; ++c) values[c] = c % (NX + 1) == 8;
+        basin_write(w, CD_WALL_X, values);
+        for (size_t c = 0; c < NX * NY; ++c) values[c] = c % NX != 16;
+        basin_write(w, CD_MASK, values);
+        for (size_t c = 0; c < NX * NY; ++c) values[c] = c % NX < 8 ? 3 : c % NX > 16 ? 1 + 0.1 * (double)(c % 7) : 0;
+        basin_write(w, CD_DEPTH, values);
+        double left = 0, right = 0, start = 0;
+        for (size_t c = 0; c < NX * NY; ++c) start += c % NX > 16 ? values[c] : 0;
+        for (int s = 0; s < 300; ++s) basin_step(w, basin_is_explicit(&ways[k]) ? 0.05 : 0.5, 1);
+        basin_read(w, CD_DEPTH, values);
+        for (size_t c = 0; c < NX * NY; ++c) {
+            if (c % NX < 8) left += values[c];
+            else if (c % NX > 16) right += values[c];
+            else assert_true(values[c] == 0);
+        }
+        assert_near(left, 3.0 * 8 * NY, 1e-13, 0);
+        assert_near(right, start, 1e-13, 0);
+        cd_water_destroy(w);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_stream_that_goes_round_keeps_its_momentum),
+        cmocka_unit_test(a_uniform_stream_stays_uniform),
+        cmocka_unit_test(whirls_stay_bounded),
+        cmocka_unit_test(walls_and_masks_hold_water_exactly),
+    };
+    return cmocka_run_group_tests_name("water momentum", tests, NULL, NULL);
+}

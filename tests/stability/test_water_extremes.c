@@ -1,0 +1,126 @@
+/* Scenes that have no business being computed: finite, nothing below empty, every drop kept. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "basin.h"
+#include "check.h"
+#include "reference.h"
+
+/* Steps, with all that must hold after each. Explicit ways take half of what is stable at most. */
+static void survives(cd_water* w, const struct way* way, double dt, int steps, cd_precision precision,
+                     const char* what) {
+    const double start = basin_volume(w);
+    for (int s = 0; s < steps; ++s) {
+        double step = dt;
+        if (basin_is_explicit(way)) step = fmin(dt, 0.5 * basin_stable_dt(w));
+        basin_step(w, fmax(step, 1e-30), 1);
+        const double off = fabs(basin_volume(w) - start) / start;
+        const int good = basin_least(w, CD_DEPTH) >= 0 && basin_largest(w, CD_VELOCITY_X) < 1e9 &&
+                         basin_largest(w, CD_VELOCITY_Y) < 1e9 && off <= (precision ? 1e-12 : 1e-6);
+        if (good) continue;
+        print_message("%s, %s, dt %g, step %d: least %.1e, fastest %.1e, volume off by %.1e\n", what, way->name, dt, s,
+                      basin_least(w, CD_DEPTH), basin_largest(w, CD_VELOCITY_X), off);
+        assert_true(good);
+    }
+}
+
+typedef cd_water* make_scene(cd_precision precision);
+
+static cd_water* a_film_on_a_slope(cd_precision precision) {
+    cd_water* w = basin(20, 6, 0.1, 0.1, precision);
+    for (size_t c = 0; c < 120; ++c) {
+        basin_set(w, CD_BED, c % 20, c / 20, 0.1 * (double)(c % 20));
+        basin_set(w, CD_DEPTH, c % 20, c / 20, 1e-3);
+    }
+    return w;
+}
+static cd_water* a_column(cd_precision precision) {
+    cd_water* w = basin(15, 9, 1, 1, precision);
+    for (size_t c = 0; c < 135; ++c) basin_set(w, CD_DEPTH, c % 15, c / 15, 1e-4);
+    basin_set(w, CD_DEPTH, 7, 4, 100);
+    return w;
+}
+static cd_water* dam(cd_precision precision, double low, double high) {
+    cd_water* w = basin(24, 4, 1, 1, precision);
+    for (size_t c = 0; c < 96; ++c) basin_set(w, CD_DEPTH, c % 24, c / 24, c % 24 < 9 ? high : low);
+    return w;
+}
+static cd_water* a_dam_before_a_film(cd_precision p) { return dam(p, 1e-6, 1); }
+static cd_water* a_dam_before_dry_land(cd_precision p) { return dam(p, 0, 1); }
+static cd_water* a_dam_of_an_ocean(cd_precision p) { return dam(p, 1e-12, 1e4); }
+static cd_water* a_film_of_nothing(cd_precision p) { return dam(p, 0, 1e-12); }
+static cd_water* long_cells(cd_precision precision) {
+    cd_water* w = basin(12, 10, 1000, 1, precision);
+    uint64_t seed = 8;
+    basin_random_bed(w, 1, 0, 3);
+    for (size_t c = 0; c < 120; ++c) basin_set(w, CD_DEPTH, c % 12, c / 12, fmax(0, random_number(&seed)));
+    return w;
+}
+static cd_water* needles(cd_precision precision) {
+    cd_water* w = basin(12, 10, 0.5, 0.5, precision);
+    uint64_t seed = 9;
+    for (size_t c = 0; c < 120; ++c) {
+        basin_set(w, CD_BED, c % 12, c / 12, c % 3 ? 0 : 100);
+        basin_set(w, CD_DEPTH, c % 12, c / 12, random_number(&seed) > 0 ? 1 : 0);
+    }
+    return w;
+}
+
+static void wild_scenes_are_survived_in_every_way(void** state) {
+    (void)state;
+    static const struct {
+        const char* name;
+        make_scene* make;
+        double depth, size;
+    } scenes[] = {{"a film on a slope of 45 degrees", a_film_on_a_slope, 1e-3, 0.1},
+                  {"a column a million times its neighbours", a_column, 100, 1},
+                  {"a dam before a film", a_dam_before_a_film, 1, 1},
+                  {"a dam before dry land", a_dam_before_dry_land, 1, 1},
+                  {"a dam of an ocean", a_dam_of_an_ocean, 1e4, 1},
+                  {"a film of nothing", a_film_of_nothing, 1e-12, 1},
+                  {"long cells", long_cells, 1, 1},
+                  {"needles", needles, 1, 0.5}};
+    static const double courants[] = {0.1, 1, 10, 100, 1e4}, lambdas[] = {0.5, 0.55, 1};
+    for (size_t s = 0; s < COUNT(scenes); ++s)
+        for (size_t k = 0; k < WAYS; ++k)
+            for (size_t c = 0; c < COUNT(courants); ++c)
+                for (size_t l = 0; l < COUNT(lambdas); ++l)
+                    for (int p = 0; p < 2; ++p) {
+                        if (basin_is_explicit(&ways[k]) && (l > 0 || c > 1)) continue;
+                        cd_water* w = scenes[s].make(p ? CD_FLOAT64 : CD_FLOAT32);
+                        basin_set_way(w, &ways[k]);
+                        ok(cd_water_set_lambda(w, lambdas[l]));
+                        const double dt = courants[c] * scenes[s].size / sqrt(9.81 * scenes[s].depth);
+                        survives(w, &ways[k], dt, 60, p, scenes[s].name);
+                        cd_water_destroy(w);
+                    }
+}
+
+/* One cell, one row, one column, and rings of one. */
+static void the_smallest_waters_are_survived(void** state) {
+    (void)state;
+    static const size_t shapes[][2] = {{1, 1}, {2, 1}, {1, 2}, {1, 9}, {9, 1}, {2, 2}};
+    for (size_t k = 0; k < WAYS; ++k)
+        for (size_t s = 0; s < COUNT(shapes); ++s)
+            for (int ring = 0; ring < 4; ++ring) {
+                uint64_t seed = 5;
+                cd_water* w = basin(shapes[s][0], shapes[s][1], 1, 1, CD_FLOAT64);
+                basin_set_way(w, &ways[k]);
+                if (ring & 1) ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+                if (ring & 2) ok(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_PERIODIC, 0, 0));
+                basin_random_bed(w, 1, 0, 3);
+                for (size_t c = 0; c < shapes[s][0] * shapes[s][1]; ++c)
+                    basin_set(w, CD_DEPTH, c % shapes[s][0], c / shapes[s][0], 1 + random_number(&seed));
+                survives(w, &ways[k], 0.3, 100, CD_FLOAT64, "small");
+                survives(w, &ways[k], 100, 100, CD_FLOAT64, "small");
+                cd_water_destroy(w);
+            }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(wild_scenes_are_survived_in_every_way),
+        cmocka_unit_test(the_smallest_waters_are_survived),
+    };
+    return cmocka_run_group_tests_name("water extremes", tests, NULL, NULL);
+}
