@@ -25,7 +25,8 @@
  * over. Ship wakes and anything else that needs dispersion are not in it.
  *
  * Waves do not limit the step; streams do: where water runs further than a cell in a step, |u| dt > dx, ripples on it
- * grow, with lambda = 1/2 of the linear mode from a fifth of that on, until what is said of long steps below holds them.
+ * grow, with lambda = 1/2 of the linear mode from a fifth of that on, until what is said of long steps below holds
+ * them.
  *
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
  * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.
