@@ -24,9 +24,10 @@
  * cd_water_get_account tells. Where it is right: waves much longer than the water is deep, surfaces that do not turn
  * over. Ship wakes and anything else that needs dispersion are not in it.
  *
- * Waves do not limit the step; streams do: where water runs further than a cell in a step, |u| dt > dx, ripples on it
+ * Waves do not limit the step; streams may: where water runs further than a cell in a step, |u| dt > dx, ripples on it
  * grow, with lambda = 1/2 of the linear mode from a fifth of that on, until what is said of long steps below holds
- * them.
+ * them. Not so, swept in turn, advected, and between sides that are not periodic, while waves cross at most 4 cells in
+ * a step.
  *
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
  * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.

@@ -23,8 +23,10 @@ template <int N> struct WaterLine {
     // state; open and push are null where all is open and nothing pushes
     double *bed = nullptr, *depth = nullptr, *velocity = nullptr, *open = nullptr, *push = nullptr;
     // results and scratch
-    double *face = nullptr, *start_face = nullptr, *guess = nullptr, *gain = nullptr, *spring = nullptr;
+    double *face = nullptr, *stream = nullptr, *start_face = nullptr, *guess = nullptr, *gain = nullptr,
+           *spring = nullptr;
     double *transfer = nullptr, *after = nullptr, *ground = nullptr, *x = nullptr, *pull = nullptr, *rest = nullptr;
+    bool streams = false;     // whether water runs further than a cell on any line, and `stream` has what that carries
     L strained = L::splat(1); // > 0: water was held back in the line or may have been, or its step is very long
     L tally[kTallies] = {};
 
@@ -52,7 +54,7 @@ template <int N> struct WaterLine {
     L outside(const WaterEnd& end, size_t cell) const { return positive(L::splat(end.level) - at(bed, cell)); }
     void measure_faces(const double* depths, double* out) const;
     L end_depth(size_t i, const double* depths) const;
-    void look_ahead() const;
+    void look_ahead();
     void rest_dry_faces() const;
     void carry_to_dry_faces() const;
 
@@ -62,6 +64,12 @@ template <int N> struct WaterLine {
     void guess_faces() const;
     void guess_end(size_t i, double wave_gain, L drag) const;
     void solve_surface();
+    // What a stream carries of the change of the cell that gives.
+    L streamed(size_t i) const {
+        if (!streams) return L{};
+        const L k = at(stream, i);
+        return k * select(k, at(x, left_of(i)), at(x, i));
+    }
     void move_faces() const;
     void hold_inflow() const;
 
@@ -109,6 +117,7 @@ template <int N> struct WaterLine {
     // Of steps that work on both axes at once: what a line does before its surface is known, and what it does at last.
     void guess_all() {
         look();
+        streams = false; // what they need is not symmetric
         guess_faces();
         hold_inflow();
     }

@@ -31,8 +31,9 @@ template <int N> void WaterLine<N>::carry() const {
     const auto row = [&](size_t i) {
         const size_t l = left_of(i);
         const L volume = 0.5 * (at(depth, l) + at(depth, i)), is_open = opening(i);
-        return RowLanes<N>{select(is_open, volume, L::splat(1)), is_open * positive(through(l)),
-                           is_open * positive(-through(i)), is_open * (volume * at(guess, i))};
+        const L left = is_open * positive(through(l)), right = is_open * positive(-through(i));
+        return RowLanes<N>{select(is_open, volume, L::splat(1)), left, right, left, right,
+                           is_open * (volume * at(guess, i))};
     };
     if (ring) solve_round<N>(n, row, x, rest, pull);
     else solve_rows<N>(1, n, row, at(guess, 0), at(guess, n), x, pull);
@@ -56,7 +57,7 @@ template <int N> void WaterLine<N>::set_inflow_velocity(size_t i) const {
 template <int N> void WaterLine<N>::slow_held_back(size_t i) const {
     const L w = at(guess, i), went = at(transfer, i);
     const L moves = axis.courant * at(face, i), now = axis.lambda * w, then = (1 - axis.lambda) * at(velocity, i);
-    const L wanted = moves * (now + then), noise = 0x1p-40 * (moves * (size_of(now) + size_of(then)));
+    const L wanted = moves * (now + then) + streamed(i), noise = 0x1p-40 * (moves * (size_of(now) + size_of(then)));
     const L held_back = (size_of(wanted) - size_of(went)) - noise;
     const double wave = axis.gravity * axis.courant * axis.courant;
     L slows = L::splat(1);

@@ -109,6 +109,7 @@ template <class T> struct WaterBundles {
                                    &line.ground, &line.x,     &line.pull,     &line.rest};
         used = 0;
         for (double** one : panels) *one = panel<N>(used++);
+        line.stream = line.start_face; // of large steps, which have no streams
         if (lines.mask || lines.wall || p.lanes < N) fetch_openings<N>(p, line.open = panel<N>(used++));
         return line;
     }

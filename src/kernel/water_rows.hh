@@ -9,8 +9,10 @@ namespace CD_ISA {
 
 // ---- a line's system ------------------------------------------------------------------------------------------------
 
-// A row: (ground + left + right) x_i - left x_{i-1} - right x_{i+1} = load, none of the first three negative.
-template <int N> struct RowLanes { Lanes<N> ground, left, right, load; };
+// A row: diagonal x_i - left x_{i-1} - right x_{i+1} = load, with diagonal = ground + to_left + to_right, where `to`
+// tells apart what makes up the diagonal: the row's own left and right, or, where columns add up to the ground, what
+// x_i gives to the rows beside it. None is negative.
+template <int N> struct RowLanes { Lanes<N> ground, left, right, to_left, to_right, load; };
 
 // Less than this grounds nothing: its inverse is no number.
 constexpr double kNoGround = 0x1p-900;
@@ -25,7 +27,7 @@ template <int N, class Row> inline void solve_rows(size_t first, size_t last, co
     L y = before, e = one;
     for (size_t i = first; i < last; ++i) {
         const RowLanes<N> r = row(i);
-        const L own = r.ground + r.left * e, whole = own + r.right;
+        const L own = r.ground + r.to_left * e, whole = own + r.to_right;
         const L counts = whole - L::splat(kNoGround), inverse = select(counts, one / whole, L{});
         y = (r.load + r.left * y) * inverse;
         e = own * inverse;
@@ -41,8 +43,9 @@ template <int N, class Row> inline void solve_rows(size_t first, size_t last, co
     }
 }
 
-// The same for rows [0, n) that go round, left of row 0 being row n - 1. With row 0 held at 0, y answers the loads;
-// held at 1 with no loads, 1 - c does, c the answer to loads that are the ground. rest: scratch.
+// The same for rows [0, n) that go round, left of row 0 being row n - 1, whose diagonals are made of their own left and
+// right. With row 0 held at 0, y answers the loads; held at 1 with no loads, 1 - c does, c the answer to loads that are
+// the ground. rest: scratch.
 template <int N, class Row> inline void solve_round(size_t n, const Row& row, double* x, double* rest, double* pull) {
     using L = Lanes<N>;
     solve_rows<N>(1, n, row, L{}, L{}, x, pull);

@@ -34,6 +34,9 @@ template <int N> void WaterLine<N>::guess_faces() const {
         if (axis.corrections > 0) continue; // a cell may get what it gives within the step
         const L giver = select(at(guess, i), at(depth, l), at(depth, i));
         for (double* panel : {gain, spring, transfer}) put(panel, i, select(giver, at(panel, i), L{}));
+        if (!streams) continue;
+        const L speed = axis.lambda * at(guess, i) + (1 - axis.lambda) * at(velocity, i);
+        put(stream, i, axis.courant * (at(stream, i) * speed));
     }
     for (double* panel : {guess, gain, spring}) close(panel);
     close_transfers();
@@ -60,10 +63,20 @@ template <int N> void WaterLine<N>::guess_end(size_t i, double wave_gain, L drag
 // x = the change of the surface, from the guesses. In large steps only cells that stay wet store water.
 template <int N> void WaterLine<N>::solve_surface() {
     const auto row_with = [&](size_t i, L ground) {
-        RowLanes<N> r{ground, at(spring, i), at(spring, i + 1), at(transfer, i) - at(transfer, i + 1)};
-        if (!ring && i == 0) r.ground = r.ground + r.left, r.left = L{};
-        if (!ring && i + 1 == n) r.ground = r.ground + r.right, r.right = L{};
-        return r;
+        const L load = at(transfer, i) - at(transfer, i + 1), l = at(spring, i), r = at(spring, i + 1), none{};
+        const bool has_l = ring || i > 0, has_r = ring || i + 1 < n;
+        if (!has_l) ground = ground + l;
+        if (!has_r) ground = ground + r;
+        RowLanes<N> row{ground, has_l ? l : none, has_r ? r : none, has_l ? l : none, has_r ? r : none, load};
+        if (streams && has_l) {
+            const L k = at(stream, i);
+            row.left = row.left + positive(k), row.to_left = row.to_left + positive(-k);
+        }
+        if (streams && has_r) {
+            const L k = at(stream, i + 1);
+            row.right = row.right + positive(-k), row.to_right = row.to_right + positive(k);
+        }
+        return row;
     };
     const auto row = [&](size_t i) { return row_with(i, L::splat(1)); };
     const auto storing_row = [&](size_t i) {
@@ -104,7 +117,12 @@ template <int N> void WaterLine<N>::move_faces() const {
         put(guess, i, w);
         put(transfer, i, courant * (at(face, i) * (lambda * w + (1 - lambda) * at(velocity, i))));
     };
-    for (size_t i = first_inside(); i < n; ++i) finish(i, at(x, i) - at(x, left_of(i)));
+    for (size_t i = first_inside(); i < n; ++i) {
+        finish(i, at(x, i) - at(x, left_of(i)));
+        if (!streams) continue;
+        const L still = at(transfer, i); // not even the sign of a zero changes where nothing streams
+        put(transfer, i, select(size_of(at(stream, i)), still + streamed(i), still));
+    }
     if (!ring && axis.end[0].kind == End::kOpen) finish(0, at(x, 0));
     if (!ring && axis.end[1].kind == End::kOpen) finish(n, -at(x, n - 1));
     close(guess);

@@ -57,11 +57,11 @@ template <class T> struct Carry {
             L left = positive(L::load(through + j * N)), right = positive(-L::load(through + (j + 1) * N));
             if (!c.ring && j == 0) left = L{};
             if (!c.ring && j + 1 == m) right = L{};
-            RowLanes<N> r{v, left, right, v * L::load(u + j * N)};
+            RowLanes<N> r{v, left, right, left, right, v * L::load(u + j * N)};
             if (!closes) return r;
             const L is_open = L::load(open + j * N); // a closed face stays at rest, whatever passes
-            return RowLanes<N>{select(is_open, r.ground, L::splat(1)), is_open * r.left, is_open * r.right,
-                               is_open * r.load};
+            left = is_open * left, right = is_open * right;
+            return RowLanes<N>{select(is_open, v, L::splat(1)), left, right, left, right, is_open * r.load};
         };
         if (c.ring) solve_round<N>(m, row, x, rest, pull);
         else solve_rows<N>(0, m, row, L{}, L{}, x, pull);

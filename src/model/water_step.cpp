@@ -127,7 +127,7 @@ template <class T> struct Stepper : WaterStepper<T> {
         if (axis.advected) this->carry(a);
     }
 
-    // What rounding takes from a cell the next one gets, line by line, so that small sources are not lost on deep water.
+    // What rounding takes from a cell the next one gets, line by line: small sources are not lost on deep water.
     void add_sources() {
         Sum in, out;
         const Axis along = Axis(w.first);
