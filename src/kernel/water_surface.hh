@@ -92,7 +92,7 @@ template <int N> void WaterLine<N>::solve_surface() {
     };
     if (axis.corrections == 0) return solve(row);
     // Newton's method on a convex, piecewise linear system: from "all store" on, cells only ever drop out, but for
-    // what rounding took out by mistake. It ends after 2 passes mostly, and n + 1 at the most.
+    // what rounding took out by mistake, which may return in the first 8. It ends after 2 passes mostly, n + 9 at most.
     for (size_t i = 0; i < n; ++i) put(ground, i, L::splat(1));
     bool changed = true;
     for (size_t pass = 0; changed; ++pass) {
