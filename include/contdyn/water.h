@@ -24,19 +24,22 @@
  * cd_water_get_account tells. Where it is right: waves much longer than the water is deep, surfaces that do not turn
  * over. Ship wakes and anything else that needs dispersion are not in it.
  *
- * Waves do not limit the step; streams may: where water runs further than a cell in a step, |u| dt > dx, ripples on it
- * grow, with lambda = 1/2 of the linear mode from a fifth of that on, until what is said of long steps below holds
- * them. Not so, swept in turn, advected, and between sides that are not periodic, while waves cross at most 4 cells in
- * a step.
+ * Waves do not limit the step, and where they cross more than two and a half cells in it, the surface of a line is
+ * solved for such that no depth comes out negative (but by CD_SOLVER_COUPLED). Streams may limit it: where water runs
+ * further than a cell in a step, |u| dt > dx, and waves do not outrun it, ripples on it grow, in the linear mode with
+ * lambda = 1/2 from a fifth of that on. Not so, swept in turn and advected, while waves cross at most 4 cells, nor, in
+ * steps of any length, along lines in which depths differ by a tenth at most. Explicit and coupled steps let a cell
+ * give no more than what it has at the beginning: there such a stream is held back to a cell a step.
  *
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
  * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.
  *
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
- * mode, of which shores are steep, take a little more than 1/2. At Courant numbers (cd_water_get_courant) beyond 100
- * and violent shores, energy may rise for a while before it dies out, by several times; lambda = 1 is the calmest. In
- * such steps, too long for waves or water to stay within a cell, no water is let run faster than a fall from the
- * highest head of its line would make it.
+ * mode, of which shores are steep, take a little more than 1/2. No scheme makes energy out of nothing in steps in which
+ * waves cross cells; in shorter ones it may rise by some hundredths at violent shores, in the linear mode, whose
+ * equations do not keep it, most; and by CD_SOLVER_COUPLED so at Courant numbers (cd_water_get_courant) from 100 on. In
+ * steps too long for waves or water to stay within a cell, no water is let run faster than a fall from the highest head
+ * of its line would make it.
  *
  * All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
  * Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them.

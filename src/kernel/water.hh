@@ -75,7 +75,7 @@ struct WaterCells {
 };
 
 // Lines that are worked on together, and the numbers a bundle of them needs to work with.
-constexpr size_t kWaterLanes = 8, kWaterPanels = 16;
+constexpr size_t kWaterLanes = 8, kWaterPanels = 18;
 
 namespace CD_ISA {
 

@@ -6,10 +6,11 @@
 namespace cd {
 namespace CD_ISA {
 
-// The mean of two wet cells, else the gate; of a film no more than lets it run dry in the step.
-template <int N> void WaterLine<N>::measure_faces(const double* depths, double* out) const {
-    const double share = axis.gravity * axis.courant * axis.courant * axis.lambda;
-    L films{};
+// The mean of two wet cells, else the gate; of a film no more than lets it run dry in the step. Returns the range of
+// those inside.
+template <int N> typename WaterLine<N>::FaceRange WaterLine<N>::measure_faces(const double* depths, double* out) const {
+    const double share = wave() * axis.lambda;
+    L films{}, shallowest = L::splat(1e300), deepest{};
     const auto faces = [&](size_t i) {
         const size_t l = left_of(i);
         return between_cells<N>(at(bed, l), at(bed, i), at(depths, l), at(depths, i));
@@ -17,6 +18,7 @@ template <int N> void WaterLine<N>::measure_faces(const double* depths, double* 
     for (size_t i = first_inside(); i < n; ++i) {
         const FaceLanes<N> f = faces(i);
         put(out, i, opening(i) * f.mean);
+        shallowest = smaller(f.mean, shallowest), deepest = larger(f.mean, deepest);
         films = larger(films, select(f.film, share * f.drop * f.mean - f.gate, L{}));
     }
     const bool has_films = any_positive(films);
@@ -28,6 +30,22 @@ template <int N> void WaterLine<N>::measure_faces(const double* depths, double* 
     for (size_t i : {size_t(0), n})
         if (!ring) put(out, i, end_depth(i, depths));
     close(out);
+    return {shallowest, deepest};
+}
+
+// What kind of step it is for the line. Where waves cross more than two and a half cells, a shore moves so far that the
+// surface has to be solved for with the cells that run dry: without, the limiter fires all along it, and energy comes
+// out of nothing, 20 times what there was at Courant numbers of 100.
+template <int N> void WaterLine<N>::size_up(FaceRange depths) {
+    const L one = L::splat(1);
+    long_step = select(wave() * depths.most - L::splat(2.5 * 2.5), one, L{});
+    even = 1.1 * depths.least - depths.most;
+    if (alone) thins = axis.corrections > 0 ? one : long_step;
+    ahead = one;
+    if (axis.corrections == 0) return;
+    L fastest{};
+    for (size_t i = first_inside(); i < n; ++i) fastest = larger(size_of(at(velocity, i)), fastest);
+    ahead = select(even, axis.courant * fastest - L::splat(0.25), L{});
 }
 
 // Of a face on a side: the mean of the cell and of a column outside that stands on the cell's bed.
@@ -39,29 +57,30 @@ template <int N> Lanes<N> WaterLine<N>::end_depth(size_t i, const double* depths
 }
 
 // Between wet cells, a face is as deep in the middle of the step as the water that comes to it by then (Lax and
-// Wendroff 1960); and where momentum is advected, as what spreads or closes up makes it. Where such water runs further
-// than a cell, its face is as deep as the cell that gives, whose depth at the end of the step counts with a share that
-// keeps this stable at any speed. Not where depths differ much, as at shores, nor in steps in which waves cross more
-// than 4 cells, nor round a ring, whose solver wants diagonals made of a row's own springs.
+// Wendroff 1960); and where momentum is advected, as what spreads or closes up makes it. Where water runs further than
+// a cell, its face is as deep as the cell that gives, whose depth at the end of the step counts with a share that keeps
+// this stable at any speed. Not where depths differ much, as at shores; in long steps nothing of what spreads, and
+// where waves cross more than 4 cells streams only of advected momentum in lines that are even: elsewhere they would
+// make energy. Large steps look into the newest depths instead, but where such a line streams.
 template <int N> void WaterLine<N>::look_ahead() {
-    const double wave = axis.gravity * axis.courant * axis.courant;
     L any{};
+    const L calm = axis.advected ? select(even, L{}, long_step) : long_step; // > 0: waves outrun what streams
     for (size_t i = first_inside(); i < n; ++i) {
         const size_t l = left_of(i), far_l = ring ? l : i - 1;
         const L d_l = at(depth, l), d_r = at(depth, i), h = at(face, i), mean = 0.5 * (d_l + d_r);
-        L ahead = h - 0.5 * (within(axis.courant * at(velocity, i), -1, 1) * (d_r - d_l));
+        L later = h - 0.5 * (within(axis.courant * at(velocity, i), -1, 1) * (d_r - d_l));
         if (axis.advected) {
             const L spread = (0.25 * axis.courant) * (at(velocity, i + 1) - at(velocity, far_l));
-            ahead = ahead * within(L::splat(1) - spread, 0.5, 2);
+            later = select(long_step, later, later * within(L::splat(1) - spread, 0.5, 2));
         }
-        const L is_mean = select(size_of(h - mean), L{}, smaller(d_l, d_r));
-        put(face, i, select(is_mean, ahead, h));
-        const L cells = axis.courant * size_of(at(velocity, i)), alike = 2 * smaller(d_l, d_r) - larger(d_l, d_r);
-        const L runs =
-            smaller(smaller(is_mean, alike), smaller(cells - L::splat(1), L::splat(16) - wave * larger(d_l, d_r)));
-        const L share = axis.advected && !ring ? select(runs, L::splat(1) - L::splat(1) / cells, L{}) : L{};
-        put(stream, i, share);
-        any = larger(any, share);
+        const L alike = 2 * smaller(d_l, d_r) - larger(d_l, d_r);
+        const L is_mean = select(size_of(h - mean), L{}, smaller(smaller(d_l, d_r), ahead));
+        put(face, i, select(select(long_step, smaller(is_mean, alike), is_mean), later, h));
+        const L cells = axis.courant * size_of(at(velocity, i)), runs = smaller(alike, cells - L::splat(1));
+        const L steady = smaller(calm, wave() * larger(d_l, d_r) - L::splat(16));
+        const L streams_here = select(steady, L{}, smaller(is_mean, runs));
+        put(share, i, select(streams_here, L::splat(1) - L::splat(1) / cells, L{}));
+        any = larger(any, streams_here);
     }
     close(face);
     streams = any_positive(any);
@@ -75,7 +94,7 @@ template <int N> void WaterLine<N>::rest_dry_faces() const {
 // of two as near, the mean. Uses x and pull for what comes from the left, its distance at first.
 template <int N> void WaterLine<N>::carry_to_dry_faces() const {
     const L far = L::splat(kFar);
-    const double courant = axis.corrections > 0 ? axis.courant : 0; // else a neighbour only
+    const L courant = axis.courant * thins; // where 0, to a neighbour only
     const size_t begin = first_inside(), turns = ring ? 2 : 1;
     NearestLanes<N> left{L{}, far}, right{L{}, far};
     for (size_t turn = 0; turn < turns; ++turn)

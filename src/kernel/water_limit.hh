@@ -6,27 +6,52 @@
 namespace cd {
 namespace CD_ISA {
 
-// A cell with two outflows shares out what it has; then along each direction, downstream, a cell passes on at most
-// what it has and gets. Downstream cells see what upstream ones could really give, so one pass each way is enough.
+// Limits the transfers of the step. What goes all the way round a ring changes no cell, and stays out of it: streams
+// carry many times what a cell has, and the rounding of that would make or lose water.
 template <int N> void WaterLine<N>::limit() {
+    const L around = circulation();
+    const bool circulates = any_positive(size_of(around));
+    if (circulates) add_to_transfers(-around);
+    limit_transfers();
+    if (circulates) add_to_transfers(around);
+}
+
+template <int N> Lanes<N> WaterLine<N>::circulation() const {
+    if (!ring) return L{};
+    L least = at(transfer, 0), most = least;
+    for (size_t i = 1; i < n; ++i) least = smaller(at(transfer, i), least), most = larger(at(transfer, i), most);
+    return positive(least) - positive(-most);
+}
+
+template <int N> void WaterLine<N>::add_to_transfers(L more) const {
+    for (size_t i = 0; i <= n; ++i) put(transfer, i, at(transfer, i) + more);
+}
+
+// A cell with two outflows shares out what it has; then along each direction, downstream, a cell passes on at most
+// what it has and gets. Downstream cells see what upstream ones could really give, so one pass each way is enough;
+// round a ring two, since what comes through its seam is known after the first.
+template <int N> void WaterLine<N>::limit_transfers() {
     L least, deepest;
     fill_cells(least, deepest);
-    const double wave = axis.gravity * axis.courant * axis.courant;
-    strained = axis.corrections > 0 ? L::splat(1) : larger(-least, wave * deepest - L::splat(1e4));
-    if (axis.corrections == 0 && !any_positive(-least)) return;
+    strained = larger(larger(-least, thins), wave() * deepest - L::splat(1e4));
+    if (!any_positive(larger(-least, thins))) return;
     for (size_t i = 0; i <= n; ++i) put(rest, i, at(transfer, i));
-    if (ring) settle_seam();
-    const auto shares = [&](size_t i) { return !ring || (i > 0 && i + 1 < n); };
-    for (size_t i = 0; i < n; ++i) {
-        const L in = at(transfer, i), out = at(transfer, i + 1), d = at(depth, i);
-        const L all = d + positive(in), on = select(runs_dry(i), select(out, all, out), smaller(out, all));
-        if (shares(i)) share_out(i);
-        if (!ring || i + 1 < n) put(transfer, i + 1, select(-in, at(transfer, i + 1), on));
+    for (size_t i = 0; i < n; ++i) share_out(i);
+    for (int turn = 0; turn <= int(ring); ++turn) {
+        for (size_t i = 0; i < n; ++i) {
+            const L in = at(transfer, i), out = at(transfer, i + 1), d = at(depth, i);
+            const L all = d + positive(in), on = select(runs_dry(i), select(out, all, out), smaller(out, all));
+            put(transfer, i + 1, select(-in, out, on));
+        }
+        if (ring) put(transfer, 0, at(transfer, n));
     }
-    for (size_t i = n; i-- > 0;) {
-        const L in = at(transfer, i), out = at(transfer, i + 1), d = at(depth, i);
-        const L all = out - d, on = select(runs_dry(i), select(-in, all, in), larger(in, all));
-        if (!ring || i > 0) put(transfer, i, select(out, in, on));
+    for (int turn = 0; turn <= int(ring); ++turn) {
+        for (size_t i = n; i-- > 0;) {
+            const L in = at(transfer, i), out = at(transfer, i + 1), d = at(depth, i);
+            const L all = out - d, on = select(runs_dry(i), select(-in, all, in), larger(in, all));
+            put(transfer, i, select(out, in, on));
+        }
+        close(transfer);
     }
     count_held_back();
     fill_cells(least, deepest);
@@ -42,15 +67,6 @@ template <int N> void WaterLine<N>::fill_cells(L& least, L& deepest) const {
     }
 }
 
-// Where a ring closes, the cell that gives counts on what it has alone.
-template <int N> void WaterLine<N>::settle_seam() const {
-    share_out(0);
-    share_out(n - 1);
-    const L back = larger(at(transfer, 0), -at(depth, 0)), on = smaller(at(transfer, n), at(depth, n - 1));
-    const L seam = select(on, on, smaller(back, L{}));
-    for (size_t i : {size_t(0), n}) put(transfer, i, seam);
-}
-
 // Of a cell with two outflows that are more than it has.
 template <int N> void WaterLine<N>::share_out(size_t i) const {
     const L in = at(transfer, i), out = at(transfer, i + 1), d = at(depth, i);
@@ -58,6 +74,8 @@ template <int N> void WaterLine<N>::share_out(size_t i) const {
     const L right = smaller(d * (out / (out - in)), d);
     put(transfer, i, select(over, -(d - right), in));
     put(transfer, i + 1, select(over, right, out));
+    if (ring && i == 0) close(transfer);
+    if (ring && i + 1 == n) put(transfer, 0, at(transfer, n));
 }
 
 // Rounding is not worth a mention.

@@ -23,15 +23,23 @@ template <int N> struct WaterLine {
     // state; open and push are null where all is open and nothing pushes
     double *bed = nullptr, *depth = nullptr, *velocity = nullptr, *open = nullptr, *push = nullptr;
     // results and scratch
-    double *face = nullptr, *stream = nullptr, *start_face = nullptr, *guess = nullptr, *gain = nullptr,
-           *spring = nullptr;
+    double *face = nullptr, *share = nullptr, *stream = nullptr, *start_face = nullptr, *guess = nullptr,
+           *gain = nullptr, *spring = nullptr;
     double *transfer = nullptr, *after = nullptr, *ground = nullptr, *x = nullptr, *pull = nullptr, *rest = nullptr;
-    bool streams = false;     // whether water runs further than a cell on any line, and `stream` has what that carries
+    bool alone = false;       // whether the line's surface is solved for by itself
+    bool streams = false;     // whether water runs further than a cell on any line, see look_ahead
+    L long_step{};            // 1: waves cross so many cells in the step that depths change much meanwhile, else 0
+    L even{};                 // > 0: depths in the line differ little
+    L ahead{};                // > 0: faces look ahead
+    L thins{};                // 1: the surface is solved for with cells running dry, else 0
     L strained = L::splat(1); // > 0: water was held back in the line or may have been, or its step is very long
     L tally[kTallies] = {};
 
     static L at(const double* panel, size_t i) { return L::load(panel + i * N); }
     static void put(double* panel, size_t i, L value) { value.store(panel + i * N); }
+
+    // Times a depth: the square of the number of cells that waves cross in the step there.
+    double wave() const { return axis.gravity * axis.courant * axis.courant; }
 
     size_t left_of(size_t i) const { return i > 0 ? i - 1 : n - 1; }
     size_t right_of(size_t i) const { return i < n ? i : 0; }
@@ -50,9 +58,13 @@ template <int N> struct WaterLine {
 
     // ---- 1. to 3. how deep faces are; velocities where it is dry (water_faces.hh) ----
 
+    struct FaceRange {
+        L least, most;
+    };
     // How deep the water outside an open side stands over the bed of the cell there.
     L outside(const WaterEnd& end, size_t cell) const { return positive(L::splat(end.level) - at(bed, cell)); }
-    void measure_faces(const double* depths, double* out) const;
+    FaceRange measure_faces(const double* depths, double* out) const;
+    void size_up(FaceRange depths);
     L end_depth(size_t i, const double* depths) const;
     void look_ahead();
     void rest_dry_faces() const;
@@ -80,11 +92,13 @@ template <int N> struct WaterLine {
         return ((d + (positive(in) + positive(-out))) - positive(out)) - positive(-in);
     }
     L left_in(size_t i) const { return left_in(at(depth, i), at(transfer, i), at(transfer, i + 1)); }
-    // > 0: large steps have found that nothing stays in the cell, so that rounding shall leave nothing there either.
-    L runs_dry(size_t i) const { return axis.corrections > 0 ? L::splat(1) - at(ground, i) : L{}; }
+    // > 0: the solve has found that nothing stays in the cell, so that rounding shall leave nothing there either.
+    L runs_dry(size_t i) const { return select(thins, L::splat(1) - at(ground, i), L{}); }
     void limit();
+    L circulation() const;
+    void add_to_transfers(L more) const;
+    void limit_transfers();
     void fill_cells(L& least, L& deepest) const;
-    void settle_seam() const;
     void share_out(size_t i) const;
     void count_held_back();
 
@@ -108,10 +122,10 @@ template <int N> struct WaterLine {
 
     // Faces before anything moves.
     void look() {
-        measure_faces(depth, face);
+        size_up(measure_faces(depth, face));
         if (axis.advected) carry_to_dry_faces();
         else rest_dry_faces();
-        if (axis.corrections == 0) look_ahead();
+        look_ahead();
     }
 
     // Of steps that work on both axes at once: what a line does before its surface is known, and what it does at last.
@@ -136,12 +150,16 @@ template <int N> struct WaterLine {
 
     // A sweep's whole step.
     void step() {
+        alone = true;
         look();
         for (size_t i = 0; i <= n && axis.corrections > 1; ++i) put(start_face, i, at(face, i));
         for (size_t k = 0; k == 0 || k < axis.corrections; ++k) {
             if (k > 0) {
                 measure_faces(after, face);
-                for (size_t i = 0; i <= n; ++i) put(face, i, 0.5 * (at(face, i) + at(start_face, i)));
+                for (size_t i = 0; i <= n; ++i) {
+                    const L start = at(start_face, i);
+                    put(face, i, select(ahead, start, 0.5 * (at(face, i) + start)));
+                }
             }
             guess_faces();
             solve_surface();

@@ -12,7 +12,6 @@ namespace CD_ISA {
 // speed. Elsewhere, on thin and rushing water, it all acts before, which is the more stable. A dry face is not
 // pushed: the slope of dry land is no slope of water, and none of it may be carried to where there is some.
 template <int N> void WaterLine<N>::carry() const {
-    const double wave = axis.gravity * axis.courant * axis.courant;
     const size_t begin = first_inside();
     const auto through = [&](size_t cell) { return 0.5 * (at(transfer, cell) + at(transfer, cell + 1)); };
     for (size_t i = begin; i < n; ++i) {
@@ -22,7 +21,7 @@ template <int N> void WaterLine<N>::carry() const {
         const size_t far_l = ring ? left_of(i) : i - 1, far_r = i + 1;
         const L closing = axis.courant * (at(velocity, far_l) - at(velocity, far_r)) - L::splat(0.02);
         const L passing = positive(through(l)) + positive(-through(i)), volume = 0.5 * (d_l + d_r);
-        const L short_step = smaller(L::splat(1) - wave * larger(d_l, d_r), volume - passing);
+        const L short_step = smaller(L::splat(1) - wave() * larger(d_l, d_r), volume - passing);
         const L resolved = select(short_step, larger(calm, closing), L{});
         const L wet = at(face, i), later = select(smaller(wet, resolved), axis.push_after * (w - u), L{});
         put(gain, i, later);
@@ -59,9 +58,8 @@ template <int N> void WaterLine<N>::slow_held_back(size_t i) const {
     const L moves = axis.courant * at(face, i), now = axis.lambda * w, then = (1 - axis.lambda) * at(velocity, i);
     const L wanted = moves * (now + then) + streamed(i), noise = 0x1p-40 * (moves * (size_of(now) + size_of(then)));
     const L held_back = (size_of(wanted) - size_of(went)) - noise;
-    const double wave = axis.gravity * axis.courant * axis.courant;
     L slows = L::splat(1);
-    if (axis.advected && axis.corrections == 0) slows = wave * larger(at(depth, left_of(i)), at(depth, i)) - slows;
+    if (axis.advected) slows = larger(thins, wave() * larger(at(depth, left_of(i)), at(depth, i)) - slows);
     put(guess, i, select(smaller(smaller(held_back, slows), strained), w * positive(went / wanted), w));
 }
 
@@ -70,7 +68,7 @@ template <int N> void WaterLine<N>::slow_held_back(size_t i) const {
 // no water behind it. A shore that sets out loses some of its first push so, and only more than half a speed counts.
 template <int N> void WaterLine<N>::bound_speeds() {
     if (!(axis.gravity > 0)) return;
-    const double wave = axis.gravity * axis.courant * axis.courant, fall = 2 * axis.gravity;
+    const double fall = 2 * axis.gravity;
     L head = L::splat(-1e300), over{};
     for (size_t i = 0; i < n; ++i) {
         const L before = at(velocity, i), behind = at(velocity, i + 1), d = at(depth, i);
@@ -83,7 +81,7 @@ template <int N> void WaterLine<N>::bound_speeds() {
         const size_t l = left_of(i);
         const L fastest = fall * positive(head - smaller(at(bed, l), at(bed, i))), w = at(guess, i);
         const L deepest = larger(larger(at(depth, l), at(depth, i)), larger(at(after, l), at(after, i)));
-        const L cells = larger(wave * deepest, axis.courant * size_of(w));
+        const L cells = larger(wave() * deepest, axis.courant * size_of(w));
         return select(smaller(cells - L::splat(1), strained), w * w - fastest, L{});
     };
     for (size_t i = first_inside(); i < n; ++i) over = larger(over, excess(i));

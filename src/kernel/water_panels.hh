@@ -104,12 +104,11 @@ template <class T> struct WaterBundles {
     // A line with its places to work and what acts on it, but for its state. used: panels taken.
     template <int N> WaterLine<N> open_line(const Place& p, size_t& used) const {
         WaterLine<N> line{axis, axis.cells, axis.ring()};
-        double** const panels[] = {&line.bed,    &line.depth, &line.velocity, &line.face,     &line.start_face,
-                                   &line.guess,  &line.gain,  &line.spring,   &line.transfer, &line.after,
-                                   &line.ground, &line.x,     &line.pull,     &line.rest};
+        double** const panels[] = {&line.bed,  &line.depth,  &line.velocity, &line.face,  &line.start_face, &line.guess,
+                                   &line.gain, &line.spring, &line.transfer, &line.after, &line.ground,     &line.x,
+                                   &line.pull, &line.rest,   &line.share,    &line.stream};
         used = 0;
         for (double** one : panels) *one = panel<N>(used++);
-        line.stream = line.start_face; // of large steps, which have no streams
         if (lines.mask || lines.wall || p.lanes < N) fetch_openings<N>(p, line.open = panel<N>(used++));
         return line;
     }

@@ -67,6 +67,28 @@ template <int N, class Row> inline void solve_round(size_t n, const Row& row, do
     for (size_t i = 1; i < n; ++i) (L::load(x + i * N) + at_0 * (L::splat(1) - L::load(rest + i * N))).store(x + i * N);
 }
 
+// The same where columns add up to the ground. To row 0 held at 1 with no loads z answers, and the sum of all rows is
+// what holds it there: what the ground takes of z. z: scratch.
+template <int N, class Row>
+inline void solve_columns_round(size_t n, const Row& row, double* x, double* z, double* pull) {
+    using L = Lanes<N>;
+    const L one = L::splat(1);
+    solve_rows<N>(1, n, row, L{}, L{}, x, pull);
+    const auto unloaded = [&](size_t i) {
+        RowLanes<N> r = row(i);
+        r.load = L{};
+        return r;
+    };
+    solve_rows<N>(1, n, unloaded, one, one, z, pull);
+    const RowLanes<N> r = row(0);
+    L ground = r.ground, load = r.load;
+    for (size_t i = 1; i < n; ++i) ground = ground + row(i).ground * L::load(z + i * N);
+    if (n > 1) load = load + (r.left * L::load(x + (n - 1) * N) + r.right * L::load(x + N));
+    const L at_0 = select(ground - L::splat(kNoGround), load / ground, L{});
+    at_0.store(x);
+    for (size_t i = 1; i < n; ++i) (L::load(x + i * N) + at_0 * L::load(z + i * N)).store(x + i * N);
+}
+
 // ---- friction -------------------------------------------------------------------------------------------------------
 
 // a^(-1/3) of a normal number a > 0, by Newton's iteration from its exponent: 4 times squares an error of 4% away.
@@ -143,7 +165,7 @@ template <int N> struct NearestLanes {
         distance = select(wet, L{}, select(opening, distance + L::splat(1), L::splat(kFar)));
     }
     // How far it is; kFar if it does not come here in a step, and is no neighbour.
-    Lanes<N> reach(double courant) const {
+    Lanes<N> reach(Lanes<N> courant) const {
         using L = Lanes<N>;
         const L most = larger(L::splat(1.5), L::splat(1) + courant * size_of(value));
         return select(most - distance, distance, L::splat(kFar));

@@ -31,14 +31,15 @@ template <int N> void WaterLine<N>::guess_faces() const {
         const size_t l = left_of(i);
         const L slope = wave_gain * ((at(bed, i) - at(bed, l)) + (at(depth, i) - at(depth, l)));
         guess_face(i, slope, wave_gain, drag);
-        if (axis.corrections > 0) continue; // a cell may get what it gives within the step
-        const L giver = select(at(guess, i), at(depth, l), at(depth, i));
-        for (double* panel : {gain, spring, transfer}) put(panel, i, select(giver, at(panel, i), L{}));
+        // What gives has water, but where a cell may get what it gives within the step.
+        const L gives = larger(thins, select(at(guess, i), at(depth, l), at(depth, i)));
+        for (double* panel : {gain, spring, transfer}) put(panel, i, select(gives, at(panel, i), L{}));
         if (!streams) continue;
         const L speed = axis.lambda * at(guess, i) + (1 - axis.lambda) * at(velocity, i);
-        put(stream, i, axis.courant * (at(stream, i) * speed));
+        put(stream, i, axis.courant * (at(share, i) * speed));
     }
     for (double* panel : {guess, gain, spring}) close(panel);
+    if (streams) close(stream);
     close_transfers();
     for (size_t i : {size_t(0), n})
         if (!ring) guess_end(i, wave_gain, drag);
@@ -60,7 +61,7 @@ template <int N> void WaterLine<N>::guess_end(size_t i, double wave_gain, L drag
     }
 }
 
-// x = the change of the surface, from the guesses. In large steps only cells that stay wet store water.
+// x = the change of the surface, from the guesses. Where it thins, only cells that stay wet store water.
 template <int N> void WaterLine<N>::solve_surface() {
     const auto row_with = [&](size_t i, L ground) {
         const L load = at(transfer, i) - at(transfer, i + 1), l = at(spring, i), r = at(spring, i + 1), none{};
@@ -82,17 +83,18 @@ template <int N> void WaterLine<N>::solve_surface() {
     const auto storing_row = [&](size_t i) {
         const L stores = at(ground, i);
         RowLanes<N> r = row_with(i, stores);
-        r.load = r.load + (L::splat(1) - stores) * at(depth, i);
+        r.load = select(stores, r.load, r.load + at(depth, i));
         return r;
     };
     const auto solve = [&](const auto& rows) {
         if (axis.lambda > 0) tally[kSolves] = tally[kSolves] + L::splat(1);
-        if (ring) solve_round<N>(n, rows, x, rest, pull);
+        if (ring) solve_columns_round<N>(n, rows, x, rest, pull);
         else solve_rows<N>(0, n, rows, L{}, L{}, x, pull);
     };
-    if (axis.corrections == 0) return solve(row);
+    if (!any_positive(thins)) return solve(row);
     // Newton's method on a convex, piecewise linear system: from "all store" on, cells only ever drop out, but for
     // what rounding took out by mistake, which may return in the first 8. It ends after 2 passes mostly, n + 9 at most.
+    const L all_store = L::splat(1) - thins;
     for (size_t i = 0; i < n; ++i) put(ground, i, L::splat(1));
     bool changed = true;
     for (size_t pass = 0; changed; ++pass) {
@@ -102,7 +104,7 @@ template <int N> void WaterLine<N>::solve_surface() {
             const L stores = at(ground, i), stored = at(depth, i) + at(x, i);
             const L all = at(depth, i) + (at(face, i) + at(face, i + 1));
             const L least = select(stores, L{}, pass < 8 ? 0x1p-20 * all : L::splat(__builtin_inf()));
-            const L now = select(stored - least, L::splat(1), L{});
+            const L now = select(larger(stored - least, all_store), L::splat(1), L{});
             changes = changes + size_of(stores - now);
             put(ground, i, now);
         }
@@ -112,10 +114,15 @@ template <int N> void WaterLine<N>::solve_surface() {
 
 template <int N> void WaterLine<N>::move_faces() const {
     const double lambda = axis.lambda, courant = axis.courant;
+    const bool may_thin = any_positive(thins);
     const auto finish = [&](size_t i, L rise) {
         const L w = at(guess, i) - at(gain, i) * rise;
+        const L now = lambda * w, then = (1 - lambda) * at(velocity, i);
+        L speed = now + then;
+        // Beside a cell that stays dry the two cancel: what is left is rounding, and must not wet it.
+        if (may_thin) speed = select(size_of(speed) - 0x1p-40 * (thins * (size_of(now) + size_of(then))), speed, L{});
         put(guess, i, w);
-        put(transfer, i, courant * (at(face, i) * (lambda * w + (1 - lambda) * at(velocity, i))));
+        put(transfer, i, courant * (at(face, i) * speed));
     };
     for (size_t i = first_inside(); i < n; ++i) {
         finish(i, at(x, i) - at(x, left_of(i)));

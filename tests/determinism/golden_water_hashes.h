@@ -9,11 +9,11 @@
 {1, 17, 1, {0x08dfc81a15ac677a, 0x78a33969e6e8de1f}}, /* dam */
 {1, 16, 7, {0x9f00e7e0b566ed92, 0x388da92c1abd680d}}, /* dam */
 {1, 2, 16, {0x8ae5398e8476de93, 0x5cfc2d6d6ce4b8a7}}, /* dam */
-{2, 13, 9, {0xdd83cb1909fd4aa9, 0x8e02aa22f7527ec4}}, /* flood */
+{2, 13, 9, {0xca0995c2ea5065f4, 0xb7cb5402a8e78c95}}, /* flood */
 {2, 1, 17, {0x1717590a72a84ec0, 0xf36ad29f26b6ceef}}, /* flood */
 {2, 17, 1, {0x1dab17e80d50df0b, 0x4b659469ca27662a}}, /* flood */
-{2, 16, 7, {0xd2ff210090c65683, 0x31fe2d9b7084e388}}, /* flood */
-{2, 2, 16, {0xaf87ccc3c442c954, 0xeaf2559ec716bab6}}, /* flood */
+{2, 16, 7, {0x4c5c7e364a2709fe, 0xcb4ec34fdb52126e}}, /* flood */
+{2, 2, 16, {0x91a77c19aec996f5, 0x020d7f258ab66218}}, /* flood */
 {3, 13, 9, {0xdf401f83e0139ed6, 0x1c8eb6a00154717c}}, /* coupled */
 {3, 1, 17, {0x5c58421e823a19ab, 0xd0f14b4e62a891c5}}, /* coupled */
 {3, 17, 1, {0x71bd071fbc3fe505, 0xdafee58e42d3fdfd}}, /* coupled */
@@ -44,16 +44,16 @@
 {8, 17, 1, {0xf0011fffac5d615b, 0x39e107df40d7cd40}}, /* river */
 {8, 16, 7, {0x4eda9818ac9daa11, 0x3155ac9714818e96}}, /* river */
 {8, 2, 16, {0xa2939e5b1f42aabc, 0x0f6c925feff472ff}}, /* river */
-{9, 13, 9, {0xdc641ad686e0c067, 0xe47a68c1d78fab6d}}, /* torus */
-{9, 1, 17, {0xbf2508370a511b17, 0xe5acef03d8ed66c8}}, /* torus */
-{9, 17, 1, {0x367d069fb6e83f70, 0xe73bea03f13f5d51}}, /* torus */
-{9, 16, 7, {0x115aad8b275acb35, 0x4973ea851a8f7b08}}, /* torus */
-{9, 2, 16, {0xd3b03df902766437, 0x393c2f65c73c8d6b}}, /* torus */
-{10, 13, 9, {0xf711a64a86374c49, 0xa66406936e47d3ef}}, /* masked */
-{10, 1, 17, {0x15b51b3ad15c1b0b, 0x673a28b0ae41c427}}, /* masked */
+{9, 13, 9, {0x4e8b1d5be87b2246, 0xa073ecc42f123ed0}}, /* torus */
+{9, 1, 17, {0x69ceb8d2f2e57a75, 0x0a55d8e1e5d8382f}}, /* torus */
+{9, 17, 1, {0x5146f44ac38bfcf7, 0xb65bfa1a04a853a0}}, /* torus */
+{9, 16, 7, {0xc9597e1295817952, 0x36b11a32c5c96cec}}, /* torus */
+{9, 2, 16, {0x36b0c472faff69d9, 0x9396cbb36fa959cf}}, /* torus */
+{10, 13, 9, {0xea94408142a7556d, 0xc3d29056e901e456}}, /* masked */
+{10, 1, 17, {0x15b51b3ad15c1b0b, 0x57084d37e8d3e142}}, /* masked */
 {10, 17, 1, {0x2a0cf6e46216333a, 0x1d236621c4e83953}}, /* masked */
-{10, 16, 7, {0x0c9e18aac5afe3d2, 0xf134b2999cce0203}}, /* masked */
-{10, 2, 16, {0xaede4852adffdada, 0xbf4e78bd0456486c}}, /* masked */
+{10, 16, 7, {0x15970cb9ee3bd9ef, 0x731ebe1092dc50ab}}, /* masked */
+{10, 2, 16, {0xaede4852adffdada, 0xb8d9f7ddf3371db1}}, /* masked */
 {11, 13, 9, {0x9c02c3c65acda8ea, 0x2c326a99d43a2cb9}}, /* fed */
 {11, 1, 17, {0xa31c6ac5fbeffc37, 0x0ece1f9794314ec9}}, /* fed */
 {11, 17, 1, {0x894c45ac3fd9bc8f, 0x02862e41fa932ba6}}, /* fed */
@@ -64,11 +64,11 @@
 {12, 17, 1, {0xc62738cf8d562cf9, 0xa88454fa8237305a}}, /* everything */
 {12, 16, 7, {0x28d2e9ab459db4d3, 0x5953dcf835f452f2}}, /* everything */
 {12, 2, 16, {0xfa3899dba4d6b609, 0xc61b21c57b6b87a0}}, /* everything */
-{13, 13, 9, {0xb8040201c01a4aab, 0x982ff7c989dd14d2}}, /* everything, large steps */
+{13, 13, 9, {0x03a526db7e2953f8, 0x5df412c936f9df3f}}, /* everything, large steps */
 {13, 1, 17, {0xea272a941c2b534b, 0x25fb5213165e1477}}, /* everything, large steps */
-{13, 17, 1, {0x6fe3da11e4557be3, 0x2a330a4d2dd2551f}}, /* everything, large steps */
-{13, 16, 7, {0x6f53d30ba27fab6e, 0xdb4420100f5f5be5}}, /* everything, large steps */
-{13, 2, 16, {0xb41cb4e7672e70bd, 0x423d3d4651c98779}}, /* everything, large steps */
+{13, 17, 1, {0x6fe3da11e4557be3, 0xbd4c3568bd2dea81}}, /* everything, large steps */
+{13, 16, 7, {0x117dfb91c9033571, 0xda3f97e1cc07b5b7}}, /* everything, large steps */
+{13, 2, 16, {0xc5afa9c748103153, 0xc2dbdd5a7f2794b0}}, /* everything, large steps */
 {14, 13, 9, {0x2fa2c194fe244f04, 0x0262bebf22d50c88}}, /* everything, coupled */
 {14, 1, 17, {0xc0eac51222971932, 0xc8f3dd4e642bf14a}}, /* everything, coupled */
 {14, 17, 1, {0x57a86662e4425ab4, 0xbd997333f0302fe2}}, /* everything, coupled */

@@ -168,12 +168,53 @@ static void a_swift_stream_stays_smooth(void** state) {
         }
 }
 
+/* Round a ring nothing sets a stream's course but itself: ripples die out at any speed, in steps of any length, and the
+ * stream goes on as fast. */
+static void a_stream_round_a_ring_stays_smooth_at_any_speed(void** state) {
+    (void)state;
+    enum { CELLS = 60 };
+    static const double cells_run[] = {0.3, 0.95, 1.5, 3, 10, 40}, cells_of_waves[] = {0.5, 2.2, 4, 30};
+    for (size_t k = 0; k < WAYS; ++k) {
+        if (!ways[k].momentum || ways[k].solver == CD_SOLVER_COUPLED || basin_is_explicit(&ways[k])) continue;
+        double worst = 0, slower = 0;
+        for (size_t c = 0; c < COUNT(cells_run); ++c)
+            for (size_t v = 0; v < COUNT(cells_of_waves); ++v) {
+                const double depth = cells_of_waves[v] * cells_of_waves[v] / 9.81;
+                cd_water* w = basin(CELLS, 1, 1, 1, CD_FLOAT64);
+                double d[CELLS], u[CELLS + 1], rough = 0, momentum = 0, volume = 0;
+                basin_set_way(w, &ways[k]);
+                ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+                for (size_t i = 0; i < CELLS; ++i) d[i] = depth * (1 + 1e-6 * sin(2 * (double)(i * i)));
+                for (size_t i = 0; i <= CELLS; ++i) u[i] = cells_run[c];
+                basin_write(w, CD_DEPTH, d);
+                basin_write(w, CD_VELOCITY_X, u);
+                basin_step(w, 1, 60);
+                basin_read(w, CD_DEPTH, d);
+                basin_read(w, CD_VELOCITY_X, u);
+                for (size_t i = 0; i < CELLS; ++i) {
+                    const size_t before = i > 0 ? i - 1 : CELLS - 1;
+                    rough = fmax(rough, fabs(d[i] - d[before]) / depth);
+                    momentum += 0.5 * (d[before] + d[i]) * u[i];
+                    volume += d[i];
+                }
+                worst = fmax(worst, rough);
+                slower = fmax(slower, fabs(momentum / volume / cells_run[c] - 1));
+                cd_water_destroy(w);
+            }
+        print_message("%-17s streams round a ring: neighbours differ by at most %.1e, speed off by %.1e\n",
+                      ways[k].name, worst, slower);
+        assert_true(worst <= 2e-6); /* as they did at first */
+        assert_true(slower <= 1e-8); /* ripples carry some */
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_stream_that_goes_round_keeps_its_momentum),
         cmocka_unit_test(a_uniform_stream_stays_uniform),
         cmocka_unit_test(whirls_stay_bounded),
         cmocka_unit_test(a_swift_stream_stays_smooth),
+        cmocka_unit_test(a_stream_round_a_ring_stays_smooth_at_any_speed),
         cmocka_unit_test(walls_and_masks_hold_water_exactly),
     };
     return cmocka_run_group_tests_name("water momentum", tests, NULL, NULL);

@@ -204,10 +204,10 @@ static void mirrored_scenes_stay_each_others_image(void** state) {
                 if (worst > 1e-9)
                     print_message("%-17s %-7s %s: apart by %.1e\n", ways[k].name, extra_names[extra], view_names[view],
                                   worst);
-                /* a ring's seam holds back what its cells cannot give alone and the shores of large steps turn on
-                 * rounding */
-                if (extra != RINGS && ways[k].corrections == 0) assert_true(worst <= 1e-3);
-                if (extra == WET) assert_true(worst <= 1e-12 || ways[k].solver == CD_SOLVER_COUPLED);
+                /* what is pushed or let in may wet a cell but for rounding, and a face changes with that */
+                const int to_rounding = extra == PLAIN || extra == WET || extra == RINGS;
+                const int sweeps = !basin_is_explicit(&ways[k]) && ways[k].solver != CD_SOLVER_COUPLED;
+                assert_true(worst <= (to_rounding && sweeps ? 1e-12 : 5e-3));
             }
 }
 
