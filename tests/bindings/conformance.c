@@ -1,0 +1,197 @@
+/* Plays the scenes that every binding plays, in C, and compares the hashes of their states.
+ *
+ *   conformance SCENES.TXT            fails where a hash differs
+ *   conformance --update SCENES.TXT   writes the hashes that came out into the file */
+#include <inttypes.h>
+
+#include "reader.h"
+
+/* One of three; the others are null. */
+struct object {
+    cd_chain* chain;
+    cd_membrane* membrane;
+    cd_water* water;
+};
+
+static cd_status create(const struct arguments* call, struct object* out) {
+    const char* kind = call->statement->words[1];
+    memset(out, 0, sizeof *out);
+    if (strcmp(kind, "chain") == 0)
+        return cd_chain_create(size_argument(call, 0), size_argument(call, 1), size_argument(call, 2), call->precision,
+                               NULL, &out->chain);
+    if (strcmp(kind, "membrane") == 0)
+        return cd_membrane_create(size_argument(call, 0), size_argument(call, 1), size_argument(call, 2),
+                                  call->precision, NULL, &out->membrane);
+    if (strcmp(kind, "water") == 0)
+        return cd_water_create(size_argument(call, 0), size_argument(call, 1), number_argument(call, 2),
+                               number_argument(call, 3), call->precision, NULL, &out->water);
+    fail_at(call->statement, "no object", kind);
+    return CD_OK;
+}
+
+static void destroy(const struct object* object) {
+    cd_chain_destroy(object->chain);
+    cd_membrane_destroy(object->membrane);
+    cd_water_destroy(object->water);
+}
+
+static uint64_t hash_of(const struct object* object) {
+    uint64_t hash = 0;
+    const cd_status status = object->chain      ? cd_chain_hash(object->chain, &hash)
+                             : object->membrane ? cd_membrane_hash(object->membrane, &hash)
+                                                : cd_water_hash(object->water, &hash);
+    if (status) exit((fprintf(stderr, "%s\n", cd_error_message()), 1));
+    return hash;
+}
+
+static cd_status copy_state(const struct object* to, const struct object* from) {
+    if (from->chain) return cd_chain_copy_state(to->chain, from->chain);
+    if (from->membrane) return cd_membrane_copy_state(to->membrane, from->membrane);
+    return cd_water_copy_state(to->water, from->water);
+}
+
+static cd_status save_and_load(const struct object* to, const struct object* from) {
+    size_t size = 0, written = 0;
+    cd_status status = from->chain      ? cd_chain_save_size(from->chain, &size)
+                       : from->membrane ? cd_membrane_save_size(from->membrane, &size)
+                                        : cd_water_save_size(from->water, &size);
+    void* bytes = malloc(size);
+    if (status || !bytes) exit(1);
+    status = from->chain      ? cd_chain_save(from->chain, bytes, size, &written)
+             : from->membrane ? cd_membrane_save(from->membrane, bytes, size, &written)
+                              : cd_water_save(from->water, bytes, size, &written);
+    if (status || written != size) exit(1);
+    status = from->chain      ? cd_chain_load(to->chain, bytes, size)
+             : from->membrane ? cd_membrane_load(to->membrane, bytes, size)
+                              : cd_water_load(to->water, bytes, size);
+    free(bytes);
+    return status;
+}
+
+/* ---- calls --------------------------------------------------------------------------------------------------- */
+
+#define D(k) number_argument(call, k)
+#define Z(k) size_argument(call, k)
+#define I(k) (int32_t)number_argument(call, k)
+#define E(type, k) enum_argument(call, k)
+#define A(k) array.null ? NULL : array.values, array.count
+#define F(k) array.singles, array.count
+#define OUT , NULL
+#define CHAIN(name, ...) TRY(chain, name, cd_chain_##name(object->chain, __VA_ARGS__))
+#define CHAIN_0(name) TRY(chain, name, cd_chain_##name(object->chain))
+#define MEMBRANE(name, ...) TRY(membrane, name, cd_membrane_##name(object->membrane, __VA_ARGS__))
+#define MEMBRANE_0(name) TRY(membrane, name, cd_membrane_##name(object->membrane))
+#define WATER(name, ...) TRY(water, name, cd_water_##name(object->water, __VA_ARGS__))
+#define WATER_0(name) TRY(water, name, cd_water_##name(object->water))
+#define TRY(kind, name, call_of_it) if (object->kind && strcmp(word, #name) == 0) return call_of_it;
+
+/* A call takes one array at the most. */
+static struct numbers the_array(const struct arguments* call) {
+    size_t k = 0;
+    for (size_t word = call->first + 1; word < call->statement->count; ++word, ++k)
+        if (strcmp(call->statement->words[word], "[") == 0 || strcmp(call->statement->words[word], "null") == 0)
+            return array_argument(call, k);
+    const struct numbers none = {{0}, {0}, 0, 1};
+    return none;
+}
+
+static cd_status perform(const struct object* object, const struct arguments* call) {
+    const char* word = call->statement->words[call->first];
+    const struct numbers array = the_array(call);
+#include "calls.h"
+    fail_at(call->statement, "no call", word);
+    return CD_OK;
+}
+
+/* ---- scenes -------------------------------------------------------------------------------------------------- */
+
+static void hold(const struct statement* statement, cd_status got, cd_status wanted) {
+    if (got == wanted) return;
+    fprintf(stderr, "line %zu: %s, not %s: %s\n", statement->line, cd_status_name(got), cd_status_name(wanted),
+            cd_error_message());
+    exit(1);
+}
+
+static uint64_t wanted_hash(const struct statement* statement, cd_precision precision) {
+    if (statement->count != 3) fail_at(statement, "not two hashes", statement->words[0]);
+    return strtoull(statement->words[precision == CD_FLOAT64 ? 2 : 1], NULL, 16);
+}
+
+/* One statement; a scene's new object takes the place of the last one. */
+static void play(const struct statement* statement, cd_precision precision, struct object* object,
+                 struct statement* made) {
+    struct arguments call = {statement, 0, precision};
+    const char* word = statement->words[0];
+    if (strcmp(word, "scene") == 0) {
+        destroy(object);
+        memset(object, 0, sizeof *object);
+    } else if (strcmp(word, "create") == 0) {
+        call.first = 1;
+        hold(statement, create(&call, object), CD_OK);
+        *made = *statement;
+        for (size_t i = 0; i < statement->count; ++i)
+            made->words[i] = made->text + (statement->words[i] - statement->text);
+    } else if (strcmp(word, "copy") == 0 || strcmp(word, "save_and_load") == 0) {
+        const struct arguments again = {made, 1, precision};
+        struct object other;
+        hold(statement, create(&again, &other), CD_OK);
+        hold(statement, word[0] == 'c' ? copy_state(&other, object) : save_and_load(&other, object), CD_OK);
+        destroy(object);
+        *object = other;
+    } else if (strcmp(word, "refused") == 0) {
+        call.first = 2;
+        hold(statement, perform(object, &call), enumerator_of(statement, statement->words[1]));
+    } else {
+        hold(statement, perform(object, &call), CD_OK);
+    }
+}
+
+int main(int count, char** arguments) {
+    enum { MOST_HASHES = 1000 };
+    static uint64_t hashes[MOST_HASHES][2];
+    static struct statement statement, made;
+    const int update = count == 3 && strcmp(arguments[1], "--update") == 0;
+    if (count != 2 + update) return fprintf(stderr, "conformance [--update] SCENES.TXT\n"), 2;
+    const char* path = arguments[1 + update];
+    char* text = read_text(path);
+    size_t wrong = 0, compared = 0;
+
+    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+        struct object object = {NULL, NULL, NULL};
+        char scene[64] = "";
+        for (size_t at = 0, line = 1, number = 0; next_statement(text, &at, &line, &statement);) {
+            if (strcmp(statement.words[0], "scene") == 0 && statement.count == 2)
+                snprintf(scene, sizeof scene, "%s", statement.words[1]);
+            if (strcmp(statement.words[0], "hash") != 0) {
+                play(&statement, precision, &object, &made);
+                continue;
+            }
+            if (number == MOST_HASHES) fail_at(&statement, "too many hashes", scene);
+            const uint64_t hash = hashes[number++][precision] = hash_of(&object), wanted = wanted_hash(&statement, precision);
+            ++compared;
+            if (hash == wanted || update) continue;
+            fprintf(stderr, "%s, line %zu, float%d: 0x%016" PRIx64 ", not 0x%016" PRIx64 "\n", scene, statement.line,
+                    precision == CD_FLOAT64 ? 64 : 32, hash, wanted);
+            ++wrong;
+        }
+        destroy(&object);
+    }
+
+    if (update) {
+        FILE* file = fopen(path, "wb");
+        if (!file) return perror(path), 1;
+        size_t kept = 0;
+        for (size_t at = 0, line = 1, number = 0; next_statement(text, &at, &line, &statement);) {
+            if (strcmp(statement.words[0], "hash") != 0) continue;
+            fwrite(text + kept, 1, statement.begin - kept, file);
+            fprintf(file, "hash 0x%016" PRIx64 " 0x%016" PRIx64, hashes[number][0], hashes[number][1]);
+            kept = statement.end;
+            ++number;
+        }
+        fputs(text + kept, file);
+        if (fclose(file)) return perror(path), 1;
+    }
+    free(text);
+    printf("%zu hashes %s, %zu wrong\n", compared, update ? "written" : "compared", wrong);
+    return wrong || compared == 0;
+}
