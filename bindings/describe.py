@@ -19,7 +19,8 @@ HERE = Path(__file__).resolve().parent
 HEADERS = ["base.h", "chain.h", "membrane.h", "water.h"]
 NUMBERS = {"int32_t": 32, "uint32_t": 32, "uint64_t": 64, "size_t": 0, "float": 32, "double": 64}
 
-# ---- what the declarations do not say, but the comments above them do; tests/check_api.py holds the library to it ----
+# ---- what the declarations do not say ---- 
+# But the comments above them do, and tests/bindings/check_api.py holds the library to it.
 
 # Pointers that may be null, beyond allocators, callbacks and what a comment says of "each output".
 NULLABLE = {
@@ -31,7 +32,7 @@ NULLABLE = {
     "cd_water_add_volume": ["out_added"],
     "cd_water_add_volume_rectangle": ["out_added"],
 }
-EACH_OUTPUT_MAY_BE_NULL = re.compile(r"each (output )?may be\s+null", re.IGNORECASE)
+EACH_MAY_BE_NULL = re.compile(r"each\s+(output\s+)?may\s+be\s+null", re.IGNORECASE)
 
 # Arrays that hold more than one number for each place that their length counts, or have no length after them.
 LENGTHS = {
@@ -67,7 +68,7 @@ class NotUnderstood(Exception):
     pass
 
 
-# ---- comments ----------------------------------------------------------------------------------------------------------
+# ---- comments -------------------------------------------------------------------------------------------------------
 
 
 def text_of(comment):
@@ -78,7 +79,7 @@ def text_of(comment):
 
 SECTION = re.compile(r"/\* ---- ([a-z ]+?) -+( ?\*/|$)")
 
-# ---- declarations ------------------------------------------------------------------------------------------------------
+# ---- declarations ---------------------------------------------------------------------------------------------------
 
 PARAMETER = re.compile(r"^(const )?([a-z_0-9]+)(\*{0,2}) ([a-z_0-9]+)$")
 FUNCTION = re.compile(r"^CD_API ((?:const )?[a-z_0-9]+\*?) (cd_[a-z_0-9]+)\((.*)\);$")
@@ -230,9 +231,9 @@ class Description:
                 raise NotUnderstood(f"{function['name']}: '{name}' has no length")
             parameter.update(length=length, times=times)
         if stars:
+            each = direction == "out" and role in ("result", "array") and EACH_MAY_BE_NULL.search(function["doc"])
             parameter["null"] = bool(
-                role == "callbacks" or name in (self.table(NULLABLE, function["name"]) or [])
-                or (direction == "out" and role in ("result", "array") and EACH_OUTPUT_MAY_BE_NULL.search(function["doc"])))
+                role == "callbacks" or each or name in (self.table(NULLABLE, function["name"]) or []))
 
     def table(self, table, key):
         if key in table:
@@ -381,8 +382,8 @@ def main():
     if options.check:
         kept = Path(options.output).read_text(encoding="utf-8")
         if kept != text:
-            difference = difflib.unified_diff(kept.splitlines(), text.splitlines(), options.output, "headers", lineterm="")
-            sys.exit("\n".join(difference) + f"\n{options.output} is out of date: run bindings/describe.py")
+            lines = difflib.unified_diff(kept.splitlines(), text.splitlines(), options.output, "headers", lineterm="")
+            sys.exit("\n".join(lines) + f"\n{options.output} is out of date: run bindings/describe.py")
     elif options.output == "-":
         sys.stdout.write(text)
     else:

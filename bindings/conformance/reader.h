@@ -92,7 +92,8 @@ static size_t argument_word(const struct arguments* call, size_t k) {
         if (strcmp(call->statement->words[word], "[") != 0) continue;
         while (word < call->statement->count && strcmp(call->statement->words[word], "]") != 0) ++word;
     }
-    if (word >= call->statement->count) fail_at(call->statement, "too few arguments", call->statement->words[call->first]);
+    if (word >= call->statement->count)
+        fail_at(call->statement, "too few arguments", call->statement->words[call->first]);
     return word;
 }
 
@@ -120,11 +121,12 @@ static inline struct numbers array_argument(const struct arguments* call, size_t
     struct numbers result = none;
     size_t word = argument_word(call, k);
     if (strcmp(call->statement->words[word], "null") == 0) return result;
-    if (strcmp(call->statement->words[word], "[") != 0) fail_at(call->statement, "no array", call->statement->words[word]);
+    char* const* words = call->statement->words;
+    if (strcmp(words[word], "[") != 0) fail_at(call->statement, "no array", words[word]);
     result.null = 0;
-    for (++word; strcmp(call->statement->words[word], "]") != 0; ++word) {
+    for (++word; strcmp(words[word], "]") != 0; ++word) {
         if (word + 1 == call->statement->count) fail_at(call->statement, "an array without end", "");
-        result.values[result.count] = number_of(call->statement, call->statement->words[word]);
+        result.values[result.count] = number_of(call->statement, words[word]);
         result.singles[result.count] = (float)result.values[result.count];
         ++result.count;
     }

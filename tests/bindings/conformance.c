@@ -167,7 +167,8 @@ int main(int count, char** arguments) {
                 continue;
             }
             if (number == MOST_HASHES) fail_at(&statement, "too many hashes", scene);
-            const uint64_t hash = hashes[number++][precision] = hash_of(&object), wanted = wanted_hash(&statement, precision);
+            const uint64_t hash = hash_of(&object), wanted = wanted_hash(&statement, precision);
+            hashes[number++][precision] = hash;
             ++compared;
             if (hash == wanted || update) continue;
             fprintf(stderr, "%s, line %zu, float%d: 0x%016" PRIx64 ", not 0x%016" PRIx64 "\n", scene, statement.line,

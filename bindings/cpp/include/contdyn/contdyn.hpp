@@ -1,0 +1,1187 @@
+// contdyn for C++17: chain, membrane and water as classes over the C functions of libcontdyn, and nothing to link
+// beside it.
+//
+// Every C function is here under its name less the prefix: cd_chain_set_mass(chain, 2) is rope.set_mass(2). What a
+// function does, its shapes, units, valid ranges and errors, is told in the C header of the same name; here a line
+// tells which one it is, and the shape of what spans hold. What one output was is returned; what several were is
+// returned as a struct with their names. A flag, 0 or 1 in C, is a bool.
+//
+// Errors: with CONTDYN_EXCEPTIONS 1, the default where exceptions are on, a failed call throws contdyn::error. With 0
+// nothing throws: functions return a contdyn::status, or a contdyn::result<T> where they return a T here. Parts of a
+// program may choose differently.
+//
+// An object that was moved from, destroyed or never made holds no handle: calls on it fail with error_null.
+#ifndef CONTDYN_CONTDYN_HPP
+#define CONTDYN_CONTDYN_HPP
+
+#include <contdyn/contdyn.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#ifndef CONTDYN_EXCEPTIONS
+#ifdef __cpp_exceptions
+#define CONTDYN_EXCEPTIONS 1
+#else
+#define CONTDYN_EXCEPTIONS 0
+#endif
+#endif
+
+#if CONTDYN_EXCEPTIONS
+#include <stdexcept>
+#endif
+#if __cplusplus >= 202002L && __has_include(<span>)
+#include <span>
+#endif
+
+namespace contdyn {
+
+// ---- enumerations ---------------------------------------------------------------------------------------------------
+
+// What became of a call.
+enum class [[nodiscard]] status : std::int32_t {
+    ok = CD_OK,
+    error_null = CD_ERROR_NULL,
+    error_handle = CD_ERROR_HANDLE,
+    error_value = CD_ERROR_VALUE,
+    error_enum = CD_ERROR_ENUM,
+    error_range = CD_ERROR_RANGE,
+    error_size = CD_ERROR_SIZE,
+    error_memory = CD_ERROR_MEMORY,
+    error_disabled = CD_ERROR_DISABLED,
+    error_unsupported = CD_ERROR_UNSUPPORTED,
+    error_diverged = CD_ERROR_DIVERGED,
+    error_format = CD_ERROR_FORMAT,
+    error_mismatch = CD_ERROR_MISMATCH,
+    error_tolerance = CD_ERROR_TOLERANCE
+};
+
+// What an object stores and computes in.
+enum class precision : std::int32_t { float32 = CD_FLOAT32, float64 = CD_FLOAT64 };
+
+// How a step advances the state by dt.
+enum class method : std::int32_t {
+    implicit = CD_METHOD_IMPLICIT,
+    forward_euler = CD_METHOD_FORWARD_EULER,
+    symplectic_euler = CD_METHOD_SYMPLECTIC_EULER,
+    stiff_second = CD_METHOD_STIFF_SECOND
+};
+
+// How the two-dimensional system of an implicit step is solved.
+enum class solver : std::int32_t { alternating = CD_SOLVER_ALTERNATING, coupled = CD_SOLVER_COUPLED };
+
+// How the total mass is dealt out to the nodes.
+enum class mass_rule : std::int32_t { equal = CD_MASS_EQUAL, half_ends = CD_MASS_HALF_ENDS };
+
+// What holds a node.
+enum class node : std::int32_t {
+    free = CD_NODE_FREE,
+    pinned = CD_NODE_PINNED,
+    driven = CD_NODE_DRIVEN,
+    matched = CD_NODE_MATCHED
+};
+
+// Per-node and per-spring data.
+enum class field : std::int32_t {
+    position = CD_POSITION,
+    velocity = CD_VELOCITY,
+    force = CD_FORCE,
+    mass = CD_MASS,
+    stiffness = CD_STIFFNESS,
+    bend = CD_BEND,
+    pin = CD_PIN,
+    target = CD_TARGET,
+    stiffness_u = CD_STIFFNESS_U,
+    stiffness_v = CD_STIFFNESS_V,
+    mask = CD_MASK,
+    depth = CD_DEPTH,
+    bed = CD_BED,
+    surface = CD_SURFACE,
+    velocity_x = CD_VELOCITY_X,
+    velocity_y = CD_VELOCITY_Y,
+    source = CD_SOURCE,
+    pressure = CD_PRESSURE,
+    force_x = CD_FORCE_X,
+    force_y = CD_FORCE_Y,
+    wall_x = CD_WALL_X,
+    wall_y = CD_WALL_Y
+};
+
+// The two ends of a chain.
+enum class end : std::int32_t { first = CD_END_FIRST, last = CD_END_LAST };
+
+// The four edges of a membrane.
+enum class edge : std::int32_t {
+    u_first = CD_EDGE_U_FIRST,
+    u_last = CD_EDGE_U_LAST,
+    v_first = CD_EDGE_V_FIRST,
+    v_last = CD_EDGE_V_LAST
+};
+
+// The four sides.
+enum class side : std::int32_t {
+    x_first = CD_SIDE_X_FIRST,
+    x_last = CD_SIDE_X_LAST,
+    y_first = CD_SIDE_Y_FIRST,
+    y_last = CD_SIDE_Y_LAST
+};
+
+// What is at a side.
+enum class border : std::int32_t {
+    wall = CD_BORDER_WALL,
+    open = CD_BORDER_OPEN,
+    inflow = CD_BORDER_INFLOW,
+    periodic = CD_BORDER_PERIODIC
+};
+
+// Whether water carries its momentum along.
+enum class momentum : std::int32_t { linear = CD_MOMENTUM_LINEAR, advected = CD_MOMENTUM_ADVECTED };
+
+// What a write to CD_BED leaves as it is.
+enum class bed_rule : std::int32_t { lifts_water = CD_BED_LIFTS_WATER, keeps_surface = CD_BED_KEEPS_SURFACE };
+
+// ---- what the library says of itself --------------------------------------------------------------------------------
+
+inline const char* status_name(status s) { return cd_status_name(static_cast<cd_status>(s)); }
+inline std::uint32_t version() { return cd_version(); }
+inline const char* version_string() { return cd_version_string(); }
+inline const char* build_info() { return cd_build_info(); }
+
+namespace refusal {
+// Why this header refused a call without asking the library; null after a refusal of the library's own.
+inline thread_local const char* message = nullptr;
+} // namespace refusal
+
+// Why the last failed call on this thread failed.
+inline const char* error_message() { return refusal::message ? refusal::message : cd_error_message(); }
+
+// ---- views ----------------------------------------------------------------------------------------------------------
+
+// A pointer and a size: made of arrays, of whatever has data() and size(), of braces where it is only read. In C++20 it
+// is a std::span. Braces live as long as the call they stand in.
+#ifdef __cpp_lib_span
+template <class T> class span : public std::span<T> {
+public:
+    using std::span<T>::span;
+    constexpr span(std::span<T> other) : std::span<T>(other) {}
+    template <class U = T, std::enable_if_t<std::is_const_v<U>, int> = 0>
+    constexpr span(std::initializer_list<std::remove_const_t<T>> list) : std::span<T>(list.begin(), list.size()) {}
+};
+#else
+template <class T> class span {
+public:
+    using element_type = T;
+    using value_type = std::remove_cv_t<T>;
+
+    constexpr span() = default;
+    constexpr span(T* data, std::size_t size) : data_(data), size_(size) {}
+    template <class U = T, std::enable_if_t<std::is_const_v<U>, int> = 0>
+    constexpr span(std::initializer_list<value_type> list) : span(list.begin(), list.size()) {}
+    template <class Container, class Element = std::remove_pointer_t<decltype(std::data(std::declval<Container&>()))>,
+              std::enable_if_t<std::is_convertible_v<Element (*)[], T (*)[]>, int> = 0>
+    constexpr span(Container&& values) : span(std::data(values), std::size(values)) {}
+
+    constexpr T* data() const { return data_; }
+    constexpr std::size_t size() const { return size_; }
+    constexpr bool empty() const { return size_ == 0; }
+    constexpr T& operator[](std::size_t i) const { return data_[i]; }
+    constexpr T* begin() const { return data_; }
+    constexpr T* end() const { return data_ + size_; }
+
+private:
+    T* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+#endif
+
+// Bytes to read, and bytes to write to: of a pointer and a size in bytes, or of a container of plain structs.
+template <class Void> class basic_bytes {
+public:
+    constexpr basic_bytes(Void* data, std::size_t size) : data_(data), size_(size) {}
+    template <
+        class Container, class Element = std::remove_pointer_t<decltype(std::data(std::declval<Container&>()))>,
+        std::enable_if_t<std::is_convertible_v<Element*, Void*> && std::is_trivially_copyable_v<Element>, int> = 0>
+    constexpr basic_bytes(Container&& values) : basic_bytes(std::data(values), std::size(values) * sizeof(Element)) {}
+
+    constexpr Void* data() const { return data_; }
+    constexpr std::size_t size() const { return size_; }
+
+private:
+    Void* data_;
+    std::size_t size_;
+};
+using bytes = basic_bytes<const void>;
+using buffer = basic_bytes<void>;
+
+// ---- outcomes -------------------------------------------------------------------------------------------------------
+
+#if CONTDYN_EXCEPTIONS
+inline namespace throwing {
+
+class error : public std::runtime_error {
+public:
+    explicit error(contdyn::status s) : std::runtime_error(error_message()), status_(s) {}
+    contdyn::status status() const noexcept { return status_; }
+
+private:
+    contdyn::status status_;
+};
+
+template <class T = void> using outcome = T;
+
+namespace detail {
+
+inline void done(cd_status s, const char* message = nullptr) {
+    if (s == CD_OK) return;
+    refusal::message = message;
+    throw error(static_cast<status>(s));
+}
+
+template <class T> T got(cd_status s, T& out) {
+    done(s);
+    return std::move(out);
+}
+
+} // namespace detail
+
+#else
+inline namespace returning {
+
+// A value; or why there is none, and a T made of nothing.
+template <class T> class [[nodiscard]] result {
+public:
+    result(T value) : status_(contdyn::status::ok), value_(std::move(value)) {}
+    result(contdyn::status s) : status_(s), value_() {}
+
+    contdyn::status status() const { return status_; }
+    explicit operator bool() const { return status_ == contdyn::status::ok; }
+
+    T& value() & { return value_; }
+    const T& value() const& { return value_; }
+    T&& value() && { return std::move(value_); }
+    T& operator*() & { return value_; }
+    const T& operator*() const& { return value_; }
+    T&& operator*() && { return std::move(value_); }
+    T* operator->() { return &value_; }
+    const T* operator->() const { return &value_; }
+
+private:
+    contdyn::status status_;
+    T value_;
+};
+
+namespace detail {
+
+template <class T> struct outcome_of { using type = result<T>; };
+template <> struct outcome_of<void> { using type = status; };
+
+inline status done(cd_status s, const char* message = nullptr) {
+    if (s != CD_OK) refusal::message = message;
+    return static_cast<status>(s);
+}
+
+template <class T> result<T> got(cd_status s, T& out) {
+    if (s != CD_OK) return done(s);
+    return std::move(out);
+}
+
+} // namespace detail
+
+template <class T = void> using outcome = typename detail::outcome_of<T>::type;
+#endif
+
+namespace detail {
+
+// An argument as the C functions take it.
+template <class T> constexpr auto raw(const T& value) {
+    if constexpr (std::is_enum_v<T>) return static_cast<std::underlying_type_t<T>>(value);
+    else return value;
+}
+
+template <class First, class... Rest> struct last_of : last_of<Rest...> {};
+template <class Last> struct last_of<Last> { using type = Last; };
+
+// A number in a field's own memory.
+inline double number_at(const void* data, std::size_t offset, precision stored) {
+    const void* at = static_cast<const unsigned char*>(data) + offset;
+    return stored == precision::float32 ? *static_cast<const float*>(at) : *static_cast<const double*>(at);
+}
+
+// A whole field, as reads and writes take it: first and number of strands and nodes, or firsts and numbers along u and
+// v or x and y; how many values that are; and why it is not known.
+struct block {
+    cd_status status;
+    std::size_t at[4];
+    std::size_t count;
+};
+
+// Holds a handle, and releases it.
+template <class Handle, void (*Destroy)(Handle*)> class owner {
+public:
+    owner() = default;
+    explicit owner(Handle* handle) noexcept : handle_(handle) {}
+    owner(owner&& other) noexcept : handle_(other.release()) {}
+    owner& operator=(owner&& other) noexcept {
+        std::swap(handle_, other.handle_);
+        if (this != &other) other.destroy();
+        return *this;
+    }
+    ~owner() { Destroy(handle_); }
+
+    // At once; what the destructor does.
+    void destroy() noexcept { Destroy(release()); }
+
+    explicit operator bool() const noexcept { return handle_ != nullptr; }
+
+    // For C functions. release gives the handle away.
+    Handle* handle() noexcept { return handle_; }
+    const Handle* handle() const noexcept { return handle_; }
+    [[nodiscard]] Handle* release() noexcept { return std::exchange(handle_, nullptr); }
+
+protected:
+    // Functions without outputs.
+    template <class... Parameters, class... Arguments>
+    outcome<> call(cd_status (*function)(Parameters...), const Arguments&... arguments) const {
+        return done(function(handle_, raw(arguments)...));
+    }
+
+    // Functions with one output, their last parameter.
+    template <class T, class... Parameters, class... Arguments>
+    outcome<T> value(cd_status (*function)(Parameters...), const Arguments&... arguments) const {
+        std::remove_pointer_t<typename last_of<Parameters...>::type> number{};
+        const cd_status s = function(handle_, raw(arguments)..., &number);
+        T out = static_cast<T>(number);
+        return got(s, out);
+    }
+
+    template <class T, class Function>
+    outcome<> write_whole(Function function, field f, const block& all, span<const T> values) {
+        cd_status s = all.status;
+        if (s == CD_OK)
+            s = function(handle_, raw(f), all.at[0], all.at[1], all.at[2], all.at[3], values.data(), values.size());
+        return done(s);
+    }
+    template <class T, class Function>
+    outcome<std::vector<T>> read_whole(Function function, field f, const block& all) const {
+        std::vector<T> out(all.status == CD_OK ? all.count : 0);
+        cd_status s = all.status;
+        if (s == CD_OK)
+            s = function(handle_, raw(f), all.at[0], all.at[1], all.at[2], all.at[3], out.data(), out.size());
+        return got(s, out);
+    }
+    static outcome<std::size_t> size_of(const block& all) {
+        std::size_t out = all.count;
+        return got(all.status, out);
+    }
+
+    template <class Size, class Save> outcome<std::vector<std::byte>> save_whole(Size size, Save save) const {
+        std::size_t bytes = 0;
+        cd_status s = size(handle_, &bytes);
+        std::vector<std::byte> out(bytes);
+        if (s == CD_OK) s = save(handle_, out.data(), out.size(), &bytes);
+        return got(s, out);
+    }
+
+    Handle* handle_ = nullptr;
+};
+
+} // namespace detail
+
+// ---- what functions with several outputs return ---------------------------------------------------------------------
+
+struct attachment {
+    double stiffness, damping;
+};
+struct stopping {
+    double tolerance;
+    std::size_t most_iterations;
+};
+struct convergence {
+    std::size_t iterations;
+    double residual;
+};
+
+// ---- chain ----------------------------------------------------------------------------------------------------------
+
+// Massive spring, rope, hair, spline; see <contdyn/chain.h>.
+class chain : public detail::owner<cd_chain, cd_chain_destroy> {
+public:
+    struct shape {
+        std::size_t strands, springs, components;
+        contdyn::precision precision;
+    };
+    struct energy {
+        double kinetic, elastic, gravity;
+    };
+    // Good until the field is switched off or the chain released. Strides are in bytes.
+    struct field_view {
+        const void* data;
+        std::size_t strand_stride, node_stride, component_stride;
+        precision stored;
+        double operator()(std::size_t strand, std::size_t node, std::size_t component) const {
+            return detail::number_at(data, strand * strand_stride + node * node_stride + component * component_stride,
+                                     stored);
+        }
+    };
+
+    // No chain; one made by C, to be owned; a new one, as create makes it.
+    chain() = default;
+    explicit chain(cd_chain* handle) noexcept : owner(handle) {}
+#if CONTDYN_EXCEPTIONS
+    chain(std::size_t strands, std::size_t springs, std::size_t components, precision p = precision::float32,
+          const cd_allocator* allocator = nullptr)
+        : chain(create(strands, springs, components, p, allocator)) {}
+#endif
+
+    // See cd_chain_create. The allocator's functions must not throw.
+    static outcome<chain> create(std::size_t strands, std::size_t springs, std::size_t components,
+                                 precision p = precision::float32, const cd_allocator* allocator = nullptr) {
+        chain out;
+        return detail::got(cd_chain_create(strands, springs, components, detail::raw(p), allocator, &out.handle_), out);
+    }
+
+    // What it was created with.
+    outcome<shape> get_shape() const {
+        shape out{};
+        cd_precision p = 0;
+        const cd_status s = cd_chain_get_shape(handle_, &out.strands, &out.springs, &out.components, &p);
+        out.precision = static_cast<precision>(p);
+        return detail::got(s, out);
+    }
+
+    // ---- method ----
+
+    // How steps are made; lambda of the implicit method, in [0, 1].
+    outcome<> set_method(method m) { return call(cd_chain_set_method, m); }
+    outcome<method> get_method() const { return value<method>(cd_chain_get_method); }
+    outcome<> set_lambda(double lambda) { return call(cd_chain_set_lambda, lambda); }
+    outcome<double> get_lambda() const { return value<double>(cd_chain_get_lambda); }
+
+    // The caller's threads, whose functions must not throw; null turns them off.
+    outcome<> set_parallel(const cd_parallel* table) { return call(cd_chain_set_parallel, table); }
+
+    // ---- parameters: totals of one strand ----
+
+    // Mass [kg] > 0, and how it is dealt out to the nodes.
+    outcome<> set_mass(double mass) { return call(cd_chain_set_mass, mass); }
+    outcome<double> get_mass() const { return value<double>(cd_chain_get_mass); }
+    outcome<> set_mass_rule(mass_rule rule) { return call(cd_chain_set_mass_rule, rule); }
+    outcome<mass_rule> get_mass_rule() const { return value<mass_rule>(cd_chain_get_mass_rule); }
+
+    // Stretch stiffness [N/m] >= 0.
+    outcome<> set_stiffness(double stiffness) { return call(cd_chain_set_stiffness, stiffness); }
+    outcome<double> get_stiffness() const { return value<double>(cd_chain_get_stiffness); }
+
+    // Bend stiffness [N/m], drag [1/s] and stiffness damping [s], >= 0.
+    outcome<> set_bend(double bend) { return call(cd_chain_set_bend, bend); }
+    outcome<double> get_bend() const { return value<double>(cd_chain_get_bend); }
+    outcome<> set_drag(double drag) { return call(cd_chain_set_drag, drag); }
+    outcome<double> get_drag() const { return value<double>(cd_chain_get_drag); }
+    outcome<> set_stiffness_damping(double seconds) { return call(cd_chain_set_stiffness_damping, seconds); }
+    outcome<double> get_stiffness_damping() const { return value<double>(cd_chain_get_stiffness_damping); }
+
+    // Gravity [m/s^2], gravity[component].
+    outcome<> set_gravity(span<const double> gravity) {
+        return call(cd_chain_set_gravity, gravity.data(), gravity.size());
+    }
+    outcome<> get_gravity(span<double> gravity) const {
+        return call(cd_chain_get_gravity, gravity.data(), gravity.size());
+    }
+
+    // What holds an end; whether the last node is joined to the first.
+    outcome<> set_end(end e, node kind) { return call(cd_chain_set_end, e, kind); }
+    outcome<node> get_end(end e) const { return value<node>(cd_chain_get_end, e); }
+    outcome<> set_ring(bool ring) { return call(cd_chain_set_ring, ring); }
+    outcome<bool> get_ring() const { return value<bool>(cd_chain_get_ring); }
+
+    // ---- fields ----
+
+    // Switches a field on, with the present uniform values; off, which releases its memory.
+    outcome<> enable_field(field f) { return call(cd_chain_enable_field, f); }
+    outcome<> disable_field(field f) { return call(cd_chain_disable_field, f); }
+
+    // values[strand][node or spring][component], of `strands` strands and n nodes from the first ones on.
+    outcome<> write_f32(field f, std::size_t first_strand, std::size_t strands, std::size_t first, std::size_t n,
+                        span<const float> values) {
+        return call(cd_chain_write_f32, f, first_strand, strands, first, n, values.data(), values.size());
+    }
+    outcome<> write_f64(field f, std::size_t first_strand, std::size_t strands, std::size_t first, std::size_t n,
+                        span<const double> values) {
+        return call(cd_chain_write_f64, f, first_strand, strands, first, n, values.data(), values.size());
+    }
+    outcome<> read_f32(field f, std::size_t first_strand, std::size_t strands, std::size_t first, std::size_t n,
+                       span<float> values) const {
+        return call(cd_chain_read_f32, f, first_strand, strands, first, n, values.data(), values.size());
+    }
+    outcome<> read_f64(field f, std::size_t first_strand, std::size_t strands, std::size_t first, std::size_t n,
+                       span<double> values) const {
+        return call(cd_chain_read_f64, f, first_strand, strands, first, n, values.data(), values.size());
+    }
+
+    // The same of a whole field, and how many values it has.
+    outcome<> write_f32(field f, span<const float> values) {
+        return write_whole(cd_chain_write_f32, f, whole(f), values);
+    }
+    outcome<> write_f64(field f, span<const double> values) {
+        return write_whole(cd_chain_write_f64, f, whole(f), values);
+    }
+    outcome<std::vector<float>> read_f32(field f) const { return read_whole<float>(cd_chain_read_f32, f, whole(f)); }
+    outcome<std::vector<double>> read_f64(field f) const { return read_whole<double>(cd_chain_read_f64, f, whole(f)); }
+    outcome<std::size_t> get_size(field f) const { return size_of(whole(f)); }
+
+    // A field where it lies, to read without a copy.
+    outcome<field_view> view(field f) const {
+        field_view out{};
+        cd_precision p = 0;
+        cd_status s = cd_chain_view(handle_, detail::raw(f), &out.data, &out.strand_stride, &out.node_stride,
+                                    &out.component_stride);
+        if (s == CD_OK) s = cd_chain_get_shape(handle_, nullptr, nullptr, nullptr, &p);
+        out.stored = static_cast<precision>(p);
+        return detail::got(s, out);
+    }
+
+    // ---- acting on it ----
+
+    // Adds newton_seconds[component] to a node.
+    outcome<> impulse(std::size_t strand, std::size_t node, span<const double> newton_seconds) {
+        return call(cd_chain_impulse, strand, node, newton_seconds.data(), newton_seconds.size());
+    }
+
+    // Ties a node of every strand to its target[component], or to where it is, by a spring [N/m] with damping [N s/m].
+    outcome<> attach(std::size_t node, double stiffness, double damping, span<const double> target = {}) {
+        return call(cd_chain_attach, node, stiffness, damping, target.data(), target.size());
+    }
+    outcome<> detach(std::size_t node) { return call(cd_chain_detach, node); }
+    outcome<attachment> get_attachment(std::size_t node) const {
+        attachment out{};
+        return detail::got(cd_chain_get_attachment(handle_, node, &out.stiffness, &out.damping), out);
+    }
+
+    // Cuts a spring, or makes it rigid.
+    outcome<> cut(std::size_t spring) { return call(cd_chain_cut, spring); }
+    outcome<> weld(std::size_t spring) { return call(cd_chain_weld, spring); }
+
+    // ---- time ----
+
+    // Makes steps of dt [s]; the longest dt of the symplectic method.
+    outcome<> step(double dt, std::size_t count = 1) { return call(cd_chain_step, dt, count); }
+    outcome<double> stable_dt() const { return value<double>(cd_chain_stable_dt); }
+
+    // Simulated time [s], and steps and factorizations made.
+    outcome<double> get_time() const { return value<double>(cd_chain_get_time); }
+    outcome<std::uint64_t> get_steps() const { return value<std::uint64_t>(cd_chain_get_steps); }
+    outcome<std::uint64_t> get_factorizations() const { return value<std::uint64_t>(cd_chain_get_factorizations); }
+
+    // ---- measuring ----
+
+    // Energies [J], and momentum [kg m/s], momentum[component].
+    outcome<energy> get_energy() const {
+        energy out{};
+        return detail::got(cd_chain_get_energy(handle_, &out.kinetic, &out.elastic, &out.gravity), out);
+    }
+    outcome<> get_momentum(span<double> momentum) const {
+        return call(cd_chain_get_momentum, momentum.data(), momentum.size());
+    }
+
+    // positions[place][component] of a strand at[place] springs from its beginning.
+    outcome<> sample(std::size_t strand, span<const double> at, span<double> positions) const {
+        return call(cd_chain_sample, strand, at.data(), at.size(), positions.data(), positions.size());
+    }
+
+    // Bytes it holds, and a hash of its state that is equal on every machine.
+    outcome<std::size_t> get_memory() const { return value<std::size_t>(cd_chain_get_memory); }
+    outcome<std::uint64_t> hash() const { return value<std::uint64_t>(cd_chain_hash); }
+
+    // ---- keeping ----
+
+    // The whole state as bytes; into a buffer, which tells how many were written.
+    outcome<std::vector<std::byte>> save() const { return save_whole(cd_chain_save_size, cd_chain_save); }
+    outcome<std::size_t> save(buffer out) const { return value<std::size_t>(cd_chain_save, out.data(), out.size()); }
+    outcome<std::size_t> save_size() const { return value<std::size_t>(cd_chain_save_size); }
+
+    // Takes a state of the same shape and precision: from saved bytes, from another chain.
+    outcome<> load(bytes saved) { return call(cd_chain_load, saved.data(), saved.size()); }
+    outcome<> copy_state(const chain& source) { return call(cd_chain_copy_state, source.handle_); }
+
+    // Positions, velocities, time and steps back to 0.
+    outcome<> reset() { return call(cd_chain_reset); }
+
+private:
+    detail::block whole(field f) const {
+        std::size_t strands = 0, springs = 0, components = 0;
+        std::int32_t ring = 0;
+        cd_status s = cd_chain_get_shape(handle_, &strands, &springs, &components, nullptr);
+        if (s == CD_OK) s = cd_chain_get_ring(handle_, &ring);
+        const bool each = f == field::position || f == field::velocity || f == field::force || f == field::target;
+        const std::size_t items = springs + (f != field::stiffness || ring != 0);
+        if (!each) strands = components = 1;
+        return {s, {0, strands, 0, items}, strands * items * components};
+    }
+};
+
+// ---- membrane -------------------------------------------------------------------------------------------------------
+
+// Drum, cloth, flag, thin plate; see <contdyn/membrane.h>.
+class membrane : public detail::owner<cd_membrane, cd_membrane_destroy> {
+public:
+    struct shape {
+        std::size_t nu, nv, components;
+        contdyn::precision precision;
+    };
+    struct energy {
+        double kinetic, elastic, gravity;
+    };
+    template <class T> struct directions { T along_u, along_v; };
+    // Good until the field is switched off or the membrane released. Strides are in bytes.
+    struct field_view {
+        const void* data;
+        std::size_t u_stride, v_stride, component_stride;
+        precision stored;
+        double operator()(std::size_t u, std::size_t v, std::size_t component) const {
+            return detail::number_at(data, u * u_stride + v * v_stride + component * component_stride, stored);
+        }
+    };
+
+    // No membrane; one made by C, to be owned; a new one, as create makes it.
+    membrane() = default;
+    explicit membrane(cd_membrane* handle) noexcept : owner(handle) {}
+#if CONTDYN_EXCEPTIONS
+    membrane(std::size_t nu, std::size_t nv, std::size_t components, precision p = precision::float32,
+             const cd_allocator* allocator = nullptr)
+        : membrane(create(nu, nv, components, p, allocator)) {}
+#endif
+
+    // See cd_membrane_create. The allocator's functions must not throw.
+    static outcome<membrane> create(std::size_t nu, std::size_t nv, std::size_t components,
+                                    precision p = precision::float32, const cd_allocator* allocator = nullptr) {
+        membrane out;
+        return detail::got(cd_membrane_create(nu, nv, components, detail::raw(p), allocator, &out.handle_), out);
+    }
+
+    // What it was created with.
+    outcome<shape> get_shape() const {
+        shape out{};
+        cd_precision p = 0;
+        const cd_status s = cd_membrane_get_shape(handle_, &out.nu, &out.nv, &out.components, &p);
+        out.precision = static_cast<precision>(p);
+        return detail::got(s, out);
+    }
+
+    // ---- method ----
+
+    // How steps are made; lambda of the implicit method, in [0, 1].
+    outcome<> set_method(method m) { return call(cd_membrane_set_method, m); }
+    outcome<method> get_method() const { return value<method>(cd_membrane_get_method); }
+    outcome<> set_lambda(double lambda) { return call(cd_membrane_set_lambda, lambda); }
+    outcome<double> get_lambda() const { return value<double>(cd_membrane_get_lambda); }
+
+    // How implicit steps solve their system; when the coupled solver is content; what it did in the last call of step.
+    outcome<> set_solver(solver s) { return call(cd_membrane_set_solver, s); }
+    outcome<solver> get_solver() const { return value<solver>(cd_membrane_get_solver); }
+    outcome<> set_tolerance(double tolerance, std::size_t most_iterations = 100) {
+        return call(cd_membrane_set_tolerance, tolerance, most_iterations);
+    }
+    outcome<stopping> get_tolerance() const {
+        stopping out{};
+        return detail::got(cd_membrane_get_tolerance(handle_, &out.tolerance, &out.most_iterations), out);
+    }
+    outcome<convergence> get_convergence() const {
+        convergence out{};
+        return detail::got(cd_membrane_get_convergence(handle_, &out.iterations, &out.residual), out);
+    }
+
+    // The caller's threads, whose functions must not throw; null turns them off.
+    outcome<> set_parallel(const cd_parallel* table) { return call(cd_membrane_set_parallel, table); }
+
+    // ---- parameters: totals of the sheet ----
+
+    // Mass [kg] > 0, and how it is dealt out to the nodes.
+    outcome<> set_mass(double mass) { return call(cd_membrane_set_mass, mass); }
+    outcome<double> get_mass() const { return value<double>(cd_membrane_get_mass); }
+    outcome<> set_mass_rule(mass_rule rule) { return call(cd_membrane_set_mass_rule, rule); }
+    outcome<mass_rule> get_mass_rule() const { return value<mass_rule>(cd_membrane_get_mass_rule); }
+
+    // Stretch stiffness [N/m] >= 0 along u and along v.
+    outcome<> set_stiffness(double along_u, double along_v) {
+        return call(cd_membrane_set_stiffness, along_u, along_v);
+    }
+    outcome<directions<double>> get_stiffness() const {
+        directions<double> out{};
+        return detail::got(cd_membrane_get_stiffness(handle_, &out.along_u, &out.along_v), out);
+    }
+
+    // Bend stiffness [N/m], drag [1/s] and stiffness damping [s], >= 0.
+    outcome<> set_bend(double bend) { return call(cd_membrane_set_bend, bend); }
+    outcome<double> get_bend() const { return value<double>(cd_membrane_get_bend); }
+    outcome<> set_drag(double drag) { return call(cd_membrane_set_drag, drag); }
+    outcome<double> get_drag() const { return value<double>(cd_membrane_get_drag); }
+    outcome<> set_stiffness_damping(double seconds) { return call(cd_membrane_set_stiffness_damping, seconds); }
+    outcome<double> get_stiffness_damping() const { return value<double>(cd_membrane_get_stiffness_damping); }
+
+    // Gravity [m/s^2], gravity[component].
+    outcome<> set_gravity(span<const double> gravity) {
+        return call(cd_membrane_set_gravity, gravity.data(), gravity.size());
+    }
+    outcome<> get_gravity(span<double> gravity) const {
+        return call(cd_membrane_get_gravity, gravity.data(), gravity.size());
+    }
+
+    // Pressure [Pa] along the normal.
+    outcome<> set_pressure(double pressure) { return call(cd_membrane_set_pressure, pressure); }
+    outcome<double> get_pressure() const { return value<double>(cd_membrane_get_pressure); }
+
+    // What holds an edge; whether the last nodes along a direction are joined to the first.
+    outcome<> set_edge(edge e, node kind) { return call(cd_membrane_set_edge, e, kind); }
+    outcome<node> get_edge(edge e) const { return value<node>(cd_membrane_get_edge, e); }
+    outcome<> set_ring(bool along_u, bool along_v) { return call(cd_membrane_set_ring, along_u, along_v); }
+    outcome<directions<bool>> get_ring() const {
+        directions<std::int32_t> flags{};
+        const cd_status s = cd_membrane_get_ring(handle_, &flags.along_u, &flags.along_v);
+        directions<bool> out{flags.along_u != 0, flags.along_v != 0};
+        return detail::got(s, out);
+    }
+
+    // ---- fields ----
+
+    // Switches a field on, with the present uniform values; off, which releases its memory.
+    outcome<> enable_field(field f) { return call(cd_membrane_enable_field, f); }
+    outcome<> disable_field(field f) { return call(cd_membrane_disable_field, f); }
+
+    // values[v][u][component], of n_u x n_v nodes or springs from the first ones on.
+    outcome<> write_f32(field f, std::size_t first_u, std::size_t first_v, std::size_t n_u, std::size_t n_v,
+                        span<const float> values) {
+        return call(cd_membrane_write_f32, f, first_u, first_v, n_u, n_v, values.data(), values.size());
+    }
+    outcome<> write_f64(field f, std::size_t first_u, std::size_t first_v, std::size_t n_u, std::size_t n_v,
+                        span<const double> values) {
+        return call(cd_membrane_write_f64, f, first_u, first_v, n_u, n_v, values.data(), values.size());
+    }
+    outcome<> read_f32(field f, std::size_t first_u, std::size_t first_v, std::size_t n_u, std::size_t n_v,
+                       span<float> values) const {
+        return call(cd_membrane_read_f32, f, first_u, first_v, n_u, n_v, values.data(), values.size());
+    }
+    outcome<> read_f64(field f, std::size_t first_u, std::size_t first_v, std::size_t n_u, std::size_t n_v,
+                       span<double> values) const {
+        return call(cd_membrane_read_f64, f, first_u, first_v, n_u, n_v, values.data(), values.size());
+    }
+
+    // The same of a whole field, and how many values it has.
+    outcome<> write_f32(field f, span<const float> values) {
+        return write_whole(cd_membrane_write_f32, f, whole(f), values);
+    }
+    outcome<> write_f64(field f, span<const double> values) {
+        return write_whole(cd_membrane_write_f64, f, whole(f), values);
+    }
+    outcome<std::vector<float>> read_f32(field f) const { return read_whole<float>(cd_membrane_read_f32, f, whole(f)); }
+    outcome<std::vector<double>> read_f64(field f) const {
+        return read_whole<double>(cd_membrane_read_f64, f, whole(f));
+    }
+    outcome<std::size_t> get_size(field f) const { return size_of(whole(f)); }
+
+    // A field where it lies, to read without a copy.
+    outcome<field_view> view(field f) const {
+        field_view out{};
+        cd_precision p = 0;
+        cd_status s =
+            cd_membrane_view(handle_, detail::raw(f), &out.data, &out.u_stride, &out.v_stride, &out.component_stride);
+        if (s == CD_OK) s = cd_membrane_get_shape(handle_, nullptr, nullptr, nullptr, &p);
+        out.stored = static_cast<precision>(p);
+        return detail::got(s, out);
+    }
+
+    // ---- acting on it ----
+
+    // Adds newton_seconds[component], spread over the nodes less than `radius` springs from the place (u, v).
+    outcome<> impulse(double u, double v, double radius, span<const double> newton_seconds) {
+        return call(cd_membrane_impulse, u, v, radius, newton_seconds.data(), newton_seconds.size());
+    }
+
+    // Ties a node to its target[component], or to where it is, by a spring [N/m] with damping [N s/m].
+    outcome<> attach(std::size_t u, std::size_t v, double stiffness, double damping, span<const double> target = {}) {
+        return call(cd_membrane_attach, u, v, stiffness, damping, target.data(), target.size());
+    }
+    outcome<> detach(std::size_t u, std::size_t v) { return call(cd_membrane_detach, u, v); }
+    outcome<attachment> get_attachment(std::size_t u, std::size_t v) const {
+        attachment out{};
+        return detail::got(cd_membrane_get_attachment(handle_, u, v, &out.stiffness, &out.damping), out);
+    }
+
+    // ---- time ----
+
+    // Makes steps of dt [s]; the longest dt of the symplectic method.
+    outcome<> step(double dt, std::size_t count = 1) { return call(cd_membrane_step, dt, count); }
+    outcome<double> stable_dt() const { return value<double>(cd_membrane_stable_dt); }
+
+    // Simulated time [s], and steps and factorizations made.
+    outcome<double> get_time() const { return value<double>(cd_membrane_get_time); }
+    outcome<std::uint64_t> get_steps() const { return value<std::uint64_t>(cd_membrane_get_steps); }
+    outcome<std::uint64_t> get_factorizations() const { return value<std::uint64_t>(cd_membrane_get_factorizations); }
+
+    // ---- measuring ----
+
+    // Energies [J], and momentum [kg m/s], momentum[component].
+    outcome<energy> get_energy() const {
+        energy out{};
+        return detail::got(cd_membrane_get_energy(handle_, &out.kinetic, &out.elastic, &out.gravity), out);
+    }
+    outcome<> get_momentum(span<double> momentum) const {
+        return call(cd_membrane_get_momentum, momentum.data(), momentum.size());
+    }
+
+    // Volume [m^3] between the sheet and the origin.
+    outcome<double> get_volume() const { return value<double>(cd_membrane_get_volume); }
+
+    // positions[place][component] at[place] = {u, v}.
+    outcome<> sample(span<const double> at, span<double> positions) const {
+        if (at.size() % 2 != 0) return detail::done(CD_ERROR_RANGE, "membrane::sample: at has an odd number of values");
+        return call(cd_membrane_sample, at.data(), at.size() / 2, positions.data(), positions.size());
+    }
+
+    // Bytes it holds, and a hash of its state that is equal on every machine.
+    outcome<std::size_t> get_memory() const { return value<std::size_t>(cd_membrane_get_memory); }
+    outcome<std::uint64_t> hash() const { return value<std::uint64_t>(cd_membrane_hash); }
+
+    // ---- drawing ----
+
+    // A vertex per node, in a buffer of structs; SIZE_MAX: no normals.
+    outcome<> write_vertices(buffer out, std::size_t stride, std::size_t position_offset,
+                             std::size_t normal_offset = SIZE_MAX) const {
+        return call(cd_membrane_write_vertices, out.data(), out.size(), stride, position_offset, normal_offset);
+    }
+
+    // Triangles, as vertex numbers of 2 or 4 bytes; how many numbers they are.
+    outcome<> write_indices(buffer out, std::size_t index_size) const {
+        return call(cd_membrane_write_indices, out.data(), out.size(), index_size);
+    }
+    outcome<std::size_t> get_index_count() const { return value<std::size_t>(cd_membrane_get_index_count); }
+
+    // ---- keeping ----
+
+    // The whole state as bytes; into a buffer, which tells how many were written.
+    outcome<std::vector<std::byte>> save() const { return save_whole(cd_membrane_save_size, cd_membrane_save); }
+    outcome<std::size_t> save(buffer out) const { return value<std::size_t>(cd_membrane_save, out.data(), out.size()); }
+    outcome<std::size_t> save_size() const { return value<std::size_t>(cd_membrane_save_size); }
+
+    // Takes a state of the same shape and precision: from saved bytes, from another membrane.
+    outcome<> load(bytes saved) { return call(cd_membrane_load, saved.data(), saved.size()); }
+    outcome<> copy_state(const membrane& source) { return call(cd_membrane_copy_state, source.handle_); }
+
+    // Positions, velocities, time and steps back to 0.
+    outcome<> reset() { return call(cd_membrane_reset); }
+
+private:
+    detail::block whole(field f) const {
+        std::size_t nu = 0, nv = 0, components = 0;
+        std::int32_t ring_u = 0, ring_v = 0;
+        cd_status s = cd_membrane_get_shape(handle_, &nu, &nv, &components, nullptr);
+        if (s == CD_OK) s = cd_membrane_get_ring(handle_, &ring_u, &ring_v);
+        const bool each = f == field::position || f == field::velocity || f == field::force || f == field::target;
+        const std::size_t n_u = nu + (f != field::stiffness_u || ring_u != 0);
+        const std::size_t n_v = nv + (f != field::stiffness_v || ring_v != 0);
+        return {s, {0, 0, n_u, n_v}, n_u * n_v * (each ? components : 1)};
+    }
+};
+
+// ---- water ----------------------------------------------------------------------------------------------------------
+
+// Pool, river, tide, flood; see <contdyn/water.h>.
+class water : public detail::owner<cd_water, cd_water_destroy> {
+public:
+    struct shape {
+        std::size_t nx, ny;
+        double dx, dy;
+        contdyn::precision precision;
+    };
+    struct energy {
+        double kinetic, potential;
+    };
+    struct boundary {
+        border kind;
+        double value, rate;
+    };
+    struct limited {
+        std::uint64_t cells;
+        double volume;
+    };
+    struct account {
+        double initial, in, out, error;
+    };
+    // Good until the field is switched off or the water released. Strides are in bytes.
+    struct field_view {
+        const void* data;
+        std::size_t x_stride, y_stride;
+        precision stored;
+        double operator()(std::size_t i, std::size_t j) const {
+            return detail::number_at(data, i * x_stride + j * y_stride, stored);
+        }
+    };
+
+    // No water; one made by C, to be owned; a new one, as create makes it.
+    water() = default;
+    explicit water(cd_water* handle) noexcept : owner(handle) {}
+#if CONTDYN_EXCEPTIONS
+    water(std::size_t nx, std::size_t ny, double dx, double dy, precision p = precision::float32,
+          const cd_allocator* allocator = nullptr)
+        : water(create(nx, ny, dx, dy, p, allocator)) {}
+#endif
+
+    // See cd_water_create. The allocator's functions must not throw.
+    static outcome<water> create(std::size_t nx, std::size_t ny, double dx, double dy, precision p = precision::float32,
+                                 const cd_allocator* allocator = nullptr) {
+        water out;
+        return detail::got(cd_water_create(nx, ny, dx, dy, detail::raw(p), allocator, &out.handle_), out);
+    }
+
+    // What it was created with.
+    outcome<shape> get_shape() const {
+        shape out{};
+        cd_precision p = 0;
+        const cd_status s = cd_water_get_shape(handle_, &out.nx, &out.ny, &out.dx, &out.dy, &p);
+        out.precision = static_cast<precision>(p);
+        return detail::got(s, out);
+    }
+
+    // ---- method ----
+
+    // How steps are made; lambda of the implicit method, in [0, 1].
+    outcome<> set_method(method m) { return call(cd_water_set_method, m); }
+    outcome<method> get_method() const { return value<method>(cd_water_get_method); }
+    outcome<> set_lambda(double lambda) { return call(cd_water_set_lambda, lambda); }
+    outcome<double> get_lambda() const { return value<double>(cd_water_get_lambda); }
+
+    // Linear or advected momentum; large steps, made 1 to 8 times, or 0.
+    outcome<> set_momentum(momentum m) { return call(cd_water_set_momentum, m); }
+    outcome<momentum> get_momentum() const { return value<momentum>(cd_water_get_momentum); }
+    outcome<> set_corrections(std::size_t corrections) { return call(cd_water_set_corrections, corrections); }
+    outcome<std::size_t> get_corrections() const { return value<std::size_t>(cd_water_get_corrections); }
+
+    // How implicit steps solve their system; when the coupled solver is content; what it did in the last call of step.
+    outcome<> set_solver(solver s) { return call(cd_water_set_solver, s); }
+    outcome<solver> get_solver() const { return value<solver>(cd_water_get_solver); }
+    outcome<> set_tolerance(double tolerance, std::size_t most_iterations = 100) {
+        return call(cd_water_set_tolerance, tolerance, most_iterations);
+    }
+    outcome<stopping> get_tolerance() const {
+        stopping out{};
+        return detail::got(cd_water_get_tolerance(handle_, &out.tolerance, &out.most_iterations), out);
+    }
+    outcome<convergence> get_convergence() const {
+        convergence out{};
+        return detail::got(cd_water_get_convergence(handle_, &out.iterations, &out.residual), out);
+    }
+
+    // Whether the next step sweeps along y first.
+    outcome<> set_first(bool along_y) { return call(cd_water_set_first, along_y); }
+    outcome<bool> get_first() const { return value<bool>(cd_water_get_first); }
+
+    // The caller's threads, whose functions must not throw; null turns them off.
+    outcome<> set_parallel(const cd_parallel* table) { return call(cd_water_set_parallel, table); }
+
+    // ---- parameters ----
+
+    // Gravity [m/s^2], density [kg/m^3].
+    outcome<> set_gravity(double gravity) { return call(cd_water_set_gravity, gravity); }
+    outcome<double> get_gravity() const { return value<double>(cd_water_get_gravity); }
+    outcome<> set_density(double density) { return call(cd_water_set_density, density); }
+    outcome<double> get_density() const { return value<double>(cd_water_get_density); }
+
+    // Drag [1/s], Manning's roughness of the bed [s/m^(1/3)].
+    outcome<> set_drag(double drag) { return call(cd_water_set_drag, drag); }
+    outcome<double> get_drag() const { return value<double>(cd_water_get_drag); }
+    outcome<> set_manning(double manning) { return call(cd_water_set_manning, manning); }
+    outcome<double> get_manning() const { return value<double>(cd_water_get_manning); }
+
+    // What is at a side: a level [m] or a discharge [m^2/s], and how fast it changes per second.
+    outcome<> set_side(side s, border kind, double level = 0, double rate = 0) {
+        return call(cd_water_set_side, s, kind, level, rate);
+    }
+    outcome<boundary> get_side(side s) const {
+        boundary out{};
+        cd_border kind = 0;
+        const cd_status got = cd_water_get_side(handle_, detail::raw(s), &kind, &out.value, &out.rate);
+        out.kind = static_cast<border>(kind);
+        return detail::got(got, out);
+    }
+
+    // What a write of the bed leaves as it is.
+    outcome<> set_bed_rule(bed_rule rule) { return call(cd_water_set_bed_rule, rule); }
+    outcome<bed_rule> get_bed_rule() const { return value<bed_rule>(cd_water_get_bed_rule); }
+
+    // ---- fields ----
+
+    // Switches a field on, with no sources, pressure, force or walls, all cells there; off, which releases its memory.
+    outcome<> enable_field(field f) { return call(cd_water_enable_field, f); }
+    outcome<> disable_field(field f) { return call(cd_water_disable_field, f); }
+
+    // values[j][i], of n_x x n_y cells or faces from the first ones on.
+    outcome<> write_f32(field f, std::size_t first_x, std::size_t first_y, std::size_t n_x, std::size_t n_y,
+                        span<const float> values) {
+        return call(cd_water_write_f32, f, first_x, first_y, n_x, n_y, values.data(), values.size());
+    }
+    outcome<> write_f64(field f, std::size_t first_x, std::size_t first_y, std::size_t n_x, std::size_t n_y,
+                        span<const double> values) {
+        return call(cd_water_write_f64, f, first_x, first_y, n_x, n_y, values.data(), values.size());
+    }
+    outcome<> read_f32(field f, std::size_t first_x, std::size_t first_y, std::size_t n_x, std::size_t n_y,
+                       span<float> values) const {
+        return call(cd_water_read_f32, f, first_x, first_y, n_x, n_y, values.data(), values.size());
+    }
+    outcome<> read_f64(field f, std::size_t first_x, std::size_t first_y, std::size_t n_x, std::size_t n_y,
+                       span<double> values) const {
+        return call(cd_water_read_f64, f, first_x, first_y, n_x, n_y, values.data(), values.size());
+    }
+
+    // The same of a whole field, and how many values it has.
+    outcome<> write_f32(field f, span<const float> values) {
+        return write_whole(cd_water_write_f32, f, whole(f), values);
+    }
+    outcome<> write_f64(field f, span<const double> values) {
+        return write_whole(cd_water_write_f64, f, whole(f), values);
+    }
+    outcome<std::vector<float>> read_f32(field f) const { return read_whole<float>(cd_water_read_f32, f, whole(f)); }
+    outcome<std::vector<double>> read_f64(field f) const { return read_whole<double>(cd_water_read_f64, f, whole(f)); }
+    outcome<std::size_t> get_size(field f) const { return size_of(whole(f)); }
+
+    // A field where it lies, to read without a copy.
+    outcome<field_view> view(field f) const {
+        field_view out{};
+        cd_precision p = 0;
+        cd_status s = cd_water_view(handle_, detail::raw(f), &out.data, &out.x_stride, &out.y_stride);
+        if (s == CD_OK) s = cd_water_get_shape(handle_, nullptr, nullptr, nullptr, nullptr, &p);
+        out.stored = static_cast<precision>(p);
+        return detail::got(s, out);
+    }
+
+    // ---- acting on it ----
+
+    // Adds volume [m^3] over a disc, or a rectangle of cells, or takes it; what it came to.
+    outcome<double> add_volume(double x, double y, double radius, double volume) {
+        return value<double>(cd_water_add_volume, x, y, radius, volume);
+    }
+    outcome<double> add_volume_rectangle(std::size_t first_x, std::size_t first_y, std::size_t n_x, std::size_t n_y,
+                                         double volume) {
+        return value<double>(cd_water_add_volume_rectangle, first_x, first_y, n_x, n_y, volume);
+    }
+
+    // Adds a source of rate [m^3/s] over a disc, or a rectangle of cells, or a drain.
+    outcome<> add_source(double x, double y, double radius, double rate) {
+        return call(cd_water_add_source, x, y, radius, rate);
+    }
+    outcome<> add_source_rectangle(std::size_t first_x, std::size_t first_y, std::size_t n_x, std::size_t n_y,
+                                   double rate) {
+        return call(cd_water_add_source_rectangle, first_x, first_y, n_x, n_y, rate);
+    }
+
+    // Heaps up the water of a disc around it, down to height [m]; pushes it by an impulse [N s].
+    outcome<> splash(double x, double y, double radius, double height) {
+        return call(cd_water_splash, x, y, radius, height);
+    }
+    outcome<> impulse(double x, double y, double radius, double impulse_x, double impulse_y) {
+        return call(cd_water_impulse, x, y, radius, impulse_x, impulse_y);
+    }
+
+    // ---- time ----
+
+    // Makes steps of dt [s]; the longest dt of the symplectic method.
+    outcome<> step(double dt, std::size_t count = 1) { return call(cd_water_step, dt, count); }
+    outcome<double> stable_dt() const { return value<double>(cd_water_stable_dt); }
+
+    // Simulated time [s], and steps and factorizations made.
+    outcome<double> get_time() const { return value<double>(cd_water_get_time); }
+    outcome<std::uint64_t> get_steps() const { return value<std::uint64_t>(cd_water_get_steps); }
+    outcome<std::uint64_t> get_factorizations() const { return value<std::uint64_t>(cd_water_get_factorizations); }
+
+    // In how many cells the last call of step had to hold water back, and how much [m^3].
+    outcome<limited> get_limited() const {
+        limited out{};
+        return detail::got(cd_water_get_limited(handle_, &out.cells, &out.volume), out);
+    }
+
+    // ---- measuring ----
+
+    // Volume [m^3], and its account.
+    outcome<double> get_volume() const { return value<double>(cd_water_get_volume); }
+    outcome<account> get_account() const {
+        account out{};
+        return detail::got(cd_water_get_account(handle_, &out.initial, &out.in, &out.out, &out.error), out);
+    }
+    outcome<> restart_account() { return call(cd_water_restart_account); }
+
+    // Energies [J].
+    outcome<energy> get_energy() const {
+        energy out{};
+        return detail::got(cd_water_get_energy(handle_, &out.kinetic, &out.potential), out);
+    }
+
+    // Area [m^2] of the wet cells; the largest Courant number of a step of dt [s].
+    outcome<double> get_wet_area() const { return value<double>(cd_water_get_wet_area); }
+    outcome<double> get_courant(double dt) const { return value<double>(cd_water_get_courant, dt); }
+
+    // At at[place] = {x, y} [m]: surface[place], depth[place], normal[place][3], velocity[place][2]; what is empty is
+    // left out.
+    outcome<> sample(span<const double> at, span<double> surface, span<double> depth = {}, span<double> normal = {},
+                     span<double> velocity = {}) const {
+        const std::size_t n = at.size() / 2;
+        const auto fits = [n](span<double> values, std::size_t times) {
+            return values.size() == 0 || (values.size() % times == 0 && values.size() / times == n);
+        };
+        if (at.size() % 2 != 0 || !fits(surface, 1) || !fits(depth, 1) || !fits(normal, 3) || !fits(velocity, 2))
+            return detail::done(CD_ERROR_RANGE, "water::sample: an output's size does not fit the places in at");
+        const auto there = [](span<double> values) { return values.size() ? values.data() : nullptr; };
+        return call(cd_water_sample, at.data(), n, there(surface), there(depth), there(normal), there(velocity));
+    }
+
+    // Bytes it holds, and a hash of its state that is equal on every machine.
+    outcome<std::size_t> get_memory() const { return value<std::size_t>(cd_water_get_memory); }
+    outcome<std::uint64_t> hash() const { return value<std::uint64_t>(cd_water_hash); }
+
+    // ---- drawing ----
+
+    // A vertex per cell, in a buffer of structs; SIZE_MAX: no normals, no depths.
+    outcome<> write_vertices(buffer out, std::size_t stride, std::size_t position_offset,
+                             std::size_t normal_offset = SIZE_MAX, std::size_t depth_offset = SIZE_MAX) const {
+        return call(cd_water_write_vertices, out.data(), out.size(), stride, position_offset, normal_offset,
+                    depth_offset);
+    }
+
+    // Triangles, without dry ones if wanted, as vertex numbers of 2 or 4 bytes; how many numbers they are.
+    outcome<> write_indices(bool skip_dry, buffer out, std::size_t index_size) const {
+        return call(cd_water_write_indices, skip_dry, out.data(), out.size(), index_size);
+    }
+    outcome<std::size_t> get_index_count(bool skip_dry) const {
+        return value<std::size_t>(cd_water_get_index_count, skip_dry);
+    }
+
+    // ---- keeping ----
+
+    // The whole state as bytes; into a buffer, which tells how many were written.
+    outcome<std::vector<std::byte>> save() const { return save_whole(cd_water_save_size, cd_water_save); }
+    outcome<std::size_t> save(buffer out) const { return value<std::size_t>(cd_water_save, out.data(), out.size()); }
+    outcome<std::size_t> save_size() const { return value<std::size_t>(cd_water_save_size); }
+
+    // Takes a state of the same number of cells and precision: from saved bytes, from another water.
+    outcome<> load(bytes saved) { return call(cd_water_load, saved.data(), saved.size()); }
+    outcome<> copy_state(const water& source) { return call(cd_water_copy_state, source.handle_); }
+
+    // Depths, velocities, time, steps and account back to 0.
+    outcome<> reset() { return call(cd_water_reset); }
+
+private:
+    detail::block whole(field f) const {
+        std::size_t nx = 0, ny = 0;
+        const cd_status s = cd_water_get_shape(handle_, &nx, &ny, nullptr, nullptr, nullptr);
+        if (f == field::velocity_x || f == field::force_x || f == field::wall_x) ++nx;
+        if (f == field::velocity_y || f == field::force_y || f == field::wall_y) ++ny;
+        return {s, {0, 0, nx, ny}, nx * ny};
+    }
+};
+
+} // inline namespace throwing or returning
+} // namespace contdyn
+
+#endif
