@@ -55,7 +55,7 @@ class Check:
             object_of = f"std::declval<{'const ' if const else ''}{where}&>()"
             values = ", ".join(f"std::declval<{t}>()" for t in types)
             returned = f"decltype({object_of}.{name}({values}))"
-        yield f"static_cast<{returned} ({where}::*)({', '.join(types)}){const}>(&{where}::{name});"
+        yield f"(void)static_cast<{returned} ({where}::*)({', '.join(types)}){const}>(&{where}::{name});"
         if len(outputs) > 1:
             for p in outputs:
                 wanted = "const void*" if p["role"] == "address" else self.plain(p["base"])
@@ -80,9 +80,9 @@ class Check:
             where = f"contdyn::{thing['name']}"
             create = next(f for f in self.api["functions"] if f["name"] == f"{thing['handle']}_create")
             types = ", ".join(t for t in (self.parameter(thing["name"], p) for p in create["parameters"]) if t)
-            yield f"static_cast<{where} (*)({types})>(&{where}::create);"
+            yield f"(void)static_cast<{where} (*)({types})>(&{where}::create);"
             yield f"static_assert(std::is_constructible_v<{where}, {types}>);"
-            yield f"static_cast<void ({where}::*)() noexcept>(&{where}::destroy);"
+            yield f"(void)static_cast<void ({where}::*)() noexcept>(&{where}::destroy);"
 
 
 def check_header(api, header, command):

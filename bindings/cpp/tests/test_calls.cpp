@@ -1,0 +1,332 @@
+// Every function of the library is called by its C++ name, with an answer that is known.
+#include "check.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+using namespace contdyn;
+
+namespace {
+
+struct vertex {
+    float position[3], normal[3], depth;
+};
+
+bool near(double a, double b) { return std::fabs(a - b) <= 1e-9 * (1 + std::fabs(b)); }
+
+// Counts the pieces of work that a step is dealt out to.
+cd_parallel counting(std::size_t& pieces) {
+    return {&pieces, [](void* user, std::size_t count, void (*task)(void*, std::size_t), void* context) {
+                *static_cast<std::size_t*>(user) += count;
+                for (std::size_t i = 0; i < count; ++i) task(context, i);
+            }};
+}
+
+// What all three objects have. `f` is a field that is always there, `g` one to switch on.
+template <class Object> void common(Object& object, Object& other, field f, field g) {
+    OK(object.set_method(method::symplectic_euler));
+    CHECK(GET(object.get_method()) == method::symplectic_euler);
+    OK(object.set_method(method::implicit));
+    OK(object.set_lambda(0.75));
+    CHECK(GET(object.get_lambda()) == 0.75);
+    OK(object.set_drag(0.5));
+    CHECK(GET(object.get_drag()) == 0.5);
+
+    const std::size_t before = GET(object.get_memory());
+    OK(object.enable_field(g));
+    CHECK(GET(object.get_memory()) > before);
+    OK(object.disable_field(g));
+    CHECK(GET(object.get_memory()) == before);
+
+    const std::size_t size = GET(object.get_size(f));
+    std::vector<double> doubles(size, 0.25), back(size);
+    OK(object.write_f64(f, doubles));
+    CHECK(GET(object.read_f64(f)) == doubles);
+    std::vector<float> floats(size, 0.5f);
+    OK(object.write_f32(f, floats));
+    CHECK(GET(object.read_f32(f)) == floats);
+
+    CHECK(GET(object.stable_dt()) > 0);
+    OK(object.step(0.01));
+    OK(object.step(0.01, 3));
+    CHECK(near(GET(object.get_time()), 0.04) && GET(object.get_steps()) == 4);
+    CHECK(GET(object.get_factorizations()) > 0);
+
+    const std::vector<std::byte> saved = GET(object.save());
+    CHECK(saved.size() == GET(object.save_size()));
+    std::vector<unsigned char> buffer(saved.size() + 1);
+    CHECK(GET(object.save(buffer)) == saved.size() && std::memcmp(buffer.data(), saved.data(), saved.size()) == 0);
+    const std::uint64_t hash = GET(object.hash());
+    OK(other.load(saved));
+    CHECK(GET(other.hash()) == hash);
+    OK(object.reset());
+    CHECK(GET(object.get_steps()) == 0 && GET(object.hash()) != hash);
+    OK(object.copy_state(other));
+    CHECK(GET(object.hash()) == hash);
+    OK(object.reset());
+}
+
+// What chains and membranes have.
+template <class Object> void body(Object& object) {
+    OK(object.set_mass(4));
+    CHECK(GET(object.get_mass()) == 4);
+    OK(object.set_mass_rule(mass_rule::half_ends));
+    CHECK(GET(object.get_mass_rule()) == mass_rule::half_ends);
+    OK(object.set_bend(0.125));
+    CHECK(GET(object.get_bend()) == 0.125);
+    OK(object.set_stiffness_damping(0.25));
+    CHECK(GET(object.get_stiffness_damping()) == 0.25);
+    OK(object.set_gravity({0, -9.81}));
+    std::array<double, 2> numbers{};
+    OK(object.get_gravity(numbers));
+    CHECK(numbers[0] == 0 && numbers[1] == -9.81);
+    OK(object.get_momentum(numbers));
+    const auto energy = GET(object.get_energy());
+    CHECK(std::isfinite(energy.kinetic) && std::isfinite(energy.elastic) && std::isfinite(energy.gravity));
+}
+
+void chains() {
+    chain rope = GET(chain::create(2, 6, 2, precision::float64)),
+          other = GET(chain::create(2, 6, 2, precision::float64));
+    const chain::shape shape = GET(rope.get_shape());
+    CHECK(shape.strands == 2 && shape.springs == 6 && shape.components == 2 && shape.precision == precision::float64);
+    common(rope, other, field::position, field::force);
+    body(rope);
+    OK(rope.set_stiffness(3));
+    CHECK(GET(rope.get_stiffness()) == 3);
+    OK(rope.set_end(end::first, node::pinned));
+    CHECK(GET(rope.get_end(end::first)) == node::pinned && GET(rope.get_end(end::last)) == node::free);
+    OK(rope.set_ring(true));
+    CHECK(GET(rope.get_ring()));
+    OK(rope.set_ring(false));
+
+    OK(rope.write_f64(field::position, 1, 1, 2, 2, {1, 2, 3, 4}));
+    std::array<float, 4> floats{};
+    OK(rope.read_f32(field::position, 1, 1, 2, 2, floats));
+    CHECK((floats == std::array<float, 4>{1, 2, 3, 4}));
+    OK(rope.write_f32(field::position, 0, 1, 6, 1, {5, 6}));
+    std::array<double, 2> pair{};
+    OK(rope.read_f64(field::position, 0, 1, 6, 1, pair));
+    CHECK(pair[0] == 5 && pair[1] == 6);
+    CHECK(GET(rope.view(field::position))(1, 3, 1) == 4);
+    OK(rope.sample(1, {2.5}, pair));
+    CHECK(pair[0] == 2 && pair[1] == 3);
+
+    OK(rope.reset());
+    OK(rope.impulse(0, 3, {1, 2}));
+    OK(rope.get_momentum(pair));
+    CHECK(near(pair[0], 1) && near(pair[1], 2));
+    OK(rope.attach(5, 10, 0.5, {1, 1}));
+    OK(rope.attach(4, 7, 0));
+    CHECK(GET(rope.get_attachment(5)).stiffness == 10 && GET(rope.get_attachment(5)).damping == 0.5);
+    OK(rope.detach(5));
+    CHECK(GET(rope.get_attachment(5)).stiffness == 0);
+    OK(rope.cut(2));
+    OK(rope.weld(4));
+    const std::vector<double> springs = GET(rope.read_f64(field::stiffness));
+    CHECK(springs.size() == 6 && springs[2] == 0 && std::isinf(springs[4]));
+    rope.destroy();
+}
+
+// What membranes and waters have.
+template <class Object> void coupled(Object& object) {
+    OK(object.set_solver(solver::coupled));
+    CHECK(GET(object.get_solver()) == solver::coupled);
+    OK(object.set_tolerance(1e-8, 50));
+    const stopping limits = GET(object.get_tolerance());
+    CHECK(limits.tolerance == 1e-8 && limits.most_iterations == 50);
+}
+
+void membranes() {
+    membrane sheet = GET(membrane::create(5, 4, 2, precision::float32)), other = GET(membrane::create(5, 4, 2));
+    const membrane::shape shape = GET(sheet.get_shape());
+    CHECK(shape.nu == 5 && shape.nv == 4 && shape.components == 2 && shape.precision == precision::float32);
+    common(sheet, other, field::position, field::mask);
+    body(sheet);
+    OK(sheet.set_stiffness(3, 4));
+    CHECK(GET(sheet.get_stiffness()).along_u == 3 && GET(sheet.get_stiffness()).along_v == 4);
+    OK(sheet.set_ring(true, false));
+    CHECK(GET(sheet.get_ring()).along_u && !GET(sheet.get_ring()).along_v);
+    OK(sheet.enable_field(field::stiffness_u));
+    CHECK(GET(sheet.get_size(field::stiffness_u)) == 30 && GET(sheet.read_f64(field::stiffness_u)).size() == 30);
+    OK(sheet.set_ring(false, false));
+    CHECK(GET(sheet.get_size(field::stiffness_u)) == 25 && GET(sheet.get_size(field::stiffness_v)) == 24);
+    OK(sheet.disable_field(field::stiffness_u));
+    OK(sheet.set_edge(edge::v_last, node::driven));
+    CHECK(GET(sheet.get_edge(edge::v_last)) == node::driven);
+
+    OK(sheet.write_f64(field::position, 1, 2, 2, 1, {1, 2, 3, 4}));
+    std::array<float, 4> floats{};
+    OK(sheet.read_f32(field::position, 1, 2, 2, 1, floats));
+    CHECK((floats == std::array<float, 4>{1, 2, 3, 4}));
+    OK(sheet.write_f32(field::position, 5, 4, 1, 1, {5, 6}));
+    std::array<double, 2> pair{};
+    OK(sheet.read_f64(field::position, 5, 4, 1, 1, pair));
+    CHECK(pair[0] == 5 && pair[1] == 6);
+    CHECK(GET(sheet.view(field::position))(2, 2, 1) == 4);
+    OK(sheet.sample({1.5, 2}, pair));
+    CHECK(pair[0] == 2 && pair[1] == 3);
+
+    OK(sheet.reset());
+    OK(sheet.impulse(2, 1, 0, {1, 2}));
+    OK(sheet.get_momentum(pair));
+    CHECK(near(pair[0], 1) && near(pair[1], 2));
+    OK(sheet.attach(3, 2, 10, 0.5, {1, 1}));
+    OK(sheet.attach(2, 2, 7, 0));
+    CHECK(GET(sheet.get_attachment(3, 2)).stiffness == 10 && GET(sheet.get_attachment(3, 2)).damping == 0.5);
+    OK(sheet.detach(3, 2));
+    CHECK(GET(sheet.get_attachment(3, 2)).stiffness == 0);
+    coupled(sheet);
+    OK(sheet.step(0.01, 2));
+    CHECK(GET(sheet.get_convergence()).iterations > 0 && GET(sheet.get_convergence()).residual <= 1e-8);
+
+    membrane drum = GET(membrane::create(2, 2, 3));
+    OK(drum.set_pressure(5));
+    CHECK(GET(drum.get_pressure()) == 5);
+    OK(drum.set_pressure(0));
+    std::vector<double> square;
+    for (int v = 0; v <= 2; ++v) {
+        for (int u = 0; u <= 2; ++u) square.insert(square.end(), {u / 2.0, v / 2.0, 3.0});
+    }
+    OK(drum.write_f64(field::position, square));
+    CHECK(near(GET(drum.get_volume()), 1)); // a pyramid of height 3 over the unit square
+    std::vector<vertex> vertices(9);
+    OK(drum.write_vertices(vertices, sizeof(vertex), offsetof(vertex, position), offsetof(vertex, normal)));
+    CHECK(vertices[8].position[0] == 1 && vertices[8].position[2] == 3 && vertices[4].normal[2] == 1);
+    OK(drum.write_vertices(vertices, sizeof(vertex), offsetof(vertex, normal)));
+    CHECK(vertices[4].normal[0] == 0.5f);
+    std::vector<std::uint16_t> indices(GET(drum.get_index_count()));
+    OK(drum.write_indices(indices, sizeof indices[0]));
+    CHECK(indices.size() == 24 && indices[0] < 9);
+    drum.destroy();
+}
+
+void waters() {
+    water pool = GET(water::create(6, 5, 0.5, 2)), other = GET(water::create(6, 5, 0.5, 2));
+    const water::shape shape = GET(pool.get_shape());
+    CHECK(shape.nx == 6 && shape.ny == 5 && shape.dx == 0.5 && shape.dy == 2 && shape.precision == precision::float32);
+    common(pool, other, field::depth, field::pressure);
+    OK(pool.set_gravity(9));
+    CHECK(GET(pool.get_gravity()) == 9);
+    OK(pool.set_density(900));
+    CHECK(GET(pool.get_density()) == 900);
+    OK(pool.set_manning(0.03));
+    CHECK(GET(pool.get_manning()) == 0.03);
+    OK(pool.set_momentum(momentum::advected));
+    CHECK(GET(pool.get_momentum()) == momentum::advected);
+    OK(pool.set_corrections(3));
+    CHECK(GET(pool.get_corrections()) == 3);
+    OK(pool.set_corrections(0));
+    OK(pool.set_momentum(momentum::linear));
+    OK(pool.set_first(true));
+    CHECK(GET(pool.get_first()));
+    OK(pool.set_side(side::x_first, border::open, 2, -0.5));
+    const water::boundary sea = GET(pool.get_side(side::x_first));
+    CHECK(sea.kind == border::open && sea.value == 2 && sea.rate == -0.5);
+    OK(pool.set_side(side::x_first, border::wall));
+    OK(pool.set_bed_rule(bed_rule::keeps_surface));
+    CHECK(GET(pool.get_bed_rule()) == bed_rule::keeps_surface);
+    OK(pool.set_bed_rule(bed_rule::lifts_water));
+
+    OK(pool.write_f64(field::bed, 1, 2, 2, 1, {0.5, 0.25}));
+    std::array<float, 2> floats{};
+    OK(pool.read_f32(field::bed, 1, 2, 2, 1, floats));
+    CHECK(floats[0] == 0.5f && floats[1] == 0.25f);
+    OK(pool.write_f32(field::bed, 5, 4, 1, 1, {0.125f}));
+    std::array<double, 1> number{};
+    OK(pool.read_f64(field::bed, 5, 4, 1, 1, number));
+    CHECK(number[0] == 0.125 && GET(pool.view(field::bed))(2, 2) == 0.25);
+    CHECK(GET(pool.get_size(field::velocity_x)) == 35 && GET(pool.get_size(field::velocity_y)) == 36);
+
+    OK(pool.write_f64(field::bed, std::vector<double>(30, 0)));
+    OK(pool.write_f64(field::depth, std::vector<double>(30, 1)));
+    CHECK(near(GET(pool.get_volume()), 30) && near(GET(pool.get_wet_area()), 30));
+    CHECK(near(GET(pool.add_volume(1, 5, 1, 2)), 2) && near(GET(pool.add_volume_rectangle(0, 0, 2, 2, -1)), -1));
+    const water::account account = GET(pool.get_account());
+    CHECK(near(account.initial, 30) && near(account.in, 2) && near(account.out, 1) && near(account.error, 0));
+    OK(pool.restart_account());
+    CHECK(near(GET(pool.get_account()).initial, 31));
+    CHECK(near(GET(pool.get_energy()).kinetic, 0) && GET(pool.get_energy()).potential > 0);
+    CHECK(GET(pool.get_courant(0.1)) > 0.5);
+    OK(pool.splash(1.5, 5, 1, 0.25));
+    OK(pool.impulse(1.5, 5, 1, 100, 0));
+    CHECK(GET(pool.get_energy()).kinetic > 0);
+    OK(pool.add_source(1, 1, 1, 0.5));
+    OK(pool.add_source_rectangle(4, 4, 1, 1, -500)); // more than is there: the drain is held back
+    coupled(pool);
+    OK(pool.step(0.1, 2));
+    CHECK(GET(pool.get_convergence()).iterations > 0);
+    OK(pool.set_solver(solver::alternating));
+    OK(pool.step(0.1));
+    const water::limited held = GET(pool.get_limited());
+    CHECK(held.volume >= 0);
+
+    water still = GET(water::create(4, 4, 1, 1));
+    OK(still.add_volume_rectangle(0, 0, 4, 4, 32));
+    const double at[] = {1, 1, 2.5, 2};
+    double surface[2], depth[2], normal[6], velocity[4];
+    OK(still.sample(at, surface));
+    OK(still.sample(at, surface, depth, normal, velocity));
+    CHECK(near(surface[1], 2) && near(depth[0], 2) && near(normal[5], 1) && velocity[3] == 0);
+    std::vector<vertex> vertices(16);
+    OK(still.write_vertices(vertices, sizeof(vertex), offsetof(vertex, position), offsetof(vertex, normal),
+                            offsetof(vertex, depth)));
+    CHECK(vertices[5].position[0] == 1.5f && vertices[5].position[2] == 2 && vertices[5].depth == 2);
+    std::vector<std::uint32_t> indices(GET(still.get_index_count(false)));
+    OK(still.write_indices(false, indices, sizeof indices[0]));
+    CHECK(indices.size() == 54 && GET(still.get_index_count(true)) == 54);
+    still.destroy();
+}
+
+// Spread over the caller's threads a step gives the same bits.
+template <class Object> void threads(Object spread, Object alone) {
+    std::size_t pieces = 0;
+    {
+        const cd_parallel table = counting(pieces); // copied
+        OK(spread.set_parallel(&table));
+    }
+    for (int i = 0; i < 3; ++i) {
+        OK(spread.step(0.01));
+        OK(alone.step(0.01));
+    }
+    CHECK(pieces > 0);
+    CHECK(GET(spread.hash()) == GET(alone.hash()));
+    const std::size_t before = pieces;
+    OK(spread.set_parallel(nullptr));
+    OK(spread.step(0.01));
+    CHECK(pieces == before);
+}
+
+chain hair() {
+    chain made = GET(chain::create(64, 40, 3));
+    OK(made.set_gravity({0, -9.81, 0}));
+    OK(made.impulse(7, 5, {1, 2, 3}));
+    return made;
+}
+membrane drum() {
+    membrane made = GET(membrane::create(200, 150, 1));
+    OK(made.impulse(40, 40, 8, {1}));
+    return made;
+}
+water pond() {
+    water made = GET(water::create(90, 80, 1, 1));
+    OK(made.add_volume(40, 40, 20, 100));
+    return made;
+}
+
+} // namespace
+
+int main() {
+    CHECK(version() == CD_VERSION_MAJOR * 1000000 + CD_VERSION_MINOR * 1000 + CD_VERSION_PATCH);
+    CHECK(std::string(version_string()) == std::to_string(CD_VERSION_MAJOR) + "." + std::to_string(CD_VERSION_MINOR) +
+                                               "." + std::to_string(CD_VERSION_PATCH));
+    CHECK(std::strlen(build_info()) > 10 && std::string(error_message()).empty());
+    CHECK(std::string(status_name(status::error_value)) == "CD_ERROR_VALUE");
+    chains();
+    membranes();
+    waters();
+    threads(hair(), hair());
+    threads(drum(), drum());
+    threads(pond(), pond());
+}
