@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""check_describe.py DESCRIBE.PY INCLUDE: describe.py stops at each of these changes of a header, and sees each of those."""
+"""check_describe.py DESCRIBE.PY INCLUDE: describe.py stops at changes of a header that it cannot understand, and sees
+all others."""
 import json
 import subprocess
 import sys

@@ -15,3 +15,5 @@ for with_cxx in OFF ON; do
 done
 runs shared "$out/rope_shared_cxx"
 runs static "$out/rope_static_cxx"
+runs shared "$out/rope_shared_header"
+runs static "$out/rope_static_header"

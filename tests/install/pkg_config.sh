@@ -21,15 +21,19 @@ static=$(pkg-config --static --libs contdyn)
 {
     "$CC" "$here/consumer.c" $flags $shared -o "$out/c_shared"
     "$CXX" "$here/consumer.cpp" $flags $shared -o "$out/cxx_shared"
+    "$CXX" -std=c++17 "$here/consumer_header.cpp" $flags $shared -o "$out/header_shared"
     "$CC" -static "$here/consumer.c" $flags $static -o "$out/c_static"
     "$CXX" -static "$here/consumer.cpp" $flags $static -o "$out/cxx_static"
+    "$CXX" -std=c++17 -static "$here/consumer_header.cpp" $flags $static -o "$out/header_static"
     # only contdyn from its archive, all else shared
     "$CC" "$here/consumer.c" $flags -Wl,-Bstatic $static -Wl,-Bdynamic -o "$out/c_archive"
 }
 runs shared "$out/c_shared"
 runs shared "$out/cxx_shared"
+runs shared "$out/header_shared"
 unset LD_LIBRARY_PATH
 runs static "$out/c_static"
 runs static "$out/cxx_static"
+runs static "$out/header_static"
 runs static "$out/c_archive"
 ! needs "$out/c_archive" | grep -E 'stdc|gcc' || fail "a C program with the archive needs the C++ run time"

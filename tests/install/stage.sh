@@ -12,6 +12,7 @@ headers=$(cd "$SOURCE/include" && find contdyn -name '*.h' | sed 's,^,include/,'
 found=$(cd "$prefix" && find . ! -type d | sed 's,^\./,,' | sort)
 named=$(sort <<EOT
 $headers
+include/contdyn/contdyn.hpp
 $LIBDIR/libcontdyn.a
 $LIBDIR/libcontdyn.so
 $LIBDIR/libcontdyn.so.${VERSION%%.*}

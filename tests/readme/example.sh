@@ -3,19 +3,12 @@
 # the block after <!-- output: NAME -->.
 set -euo pipefail
 readme=$1 name=$2 compiler=$3 include=$4 library=$5
-
-block() { # block MARK: the lines of the fenced block that follows the line MARK
-    awk -v mark="$1" '
-        $0 == mark        { marked = 1; next }
-        inside && /^```/  { exit }
-        inside            { print }
-        marked && /^```/  { inside = 1 }' "$readme"
-}
+. "$(dirname "$0")/blocks.sh"
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-block "<!-- example: $name -->" >"$folder/$name"
-block "<!-- output: $name -->" >"$folder/expected"
+block "$readme" "<!-- example: $name -->" >"$folder/$name"
+block "$readme" "<!-- output: $name -->" >"$folder/expected"
 [ -s "$folder/$name" ] && [ -s "$folder/expected" ] || { echo "no example $name with its output in $readme" >&2; exit 1; }
 "$compiler" -std=c99 -Wall -Wextra -pedantic -Werror -I"$include" "$folder/$name" "$library" \
     -Wl,-rpath,"$(dirname "$library")" -o "$folder/program"
