@@ -8,7 +8,7 @@
 //
 // Errors: with CONTDYN_EXCEPTIONS 1, the default where exceptions are on, a failed call throws contdyn::error. With 0
 // nothing throws: functions return a contdyn::status, or a contdyn::result<T> where they return a T here. Parts of a
-// program may choose differently.
+// program may choose differently, and between C++17 and C++20, but not hand these objects to each other: give handle().
 //
 // An object that was moved from, destroyed or never made holds no handle: calls on it fail with error_null.
 #ifndef CONTDYN_CONTDYN_HPP
@@ -160,11 +160,25 @@ inline thread_local const char* message = nullptr;
 // Why the last failed call on this thread failed.
 inline const char* error_message() { return refusal::message ? refusal::message : cd_error_message(); }
 
+#if CONTDYN_EXCEPTIONS
+// What a failed call throws; what() is its message.
+class error : public std::runtime_error {
+public:
+    explicit error(contdyn::status s) : std::runtime_error(error_message()), status_(s) {}
+    contdyn::status status() const noexcept { return status_; }
+
+private:
+    contdyn::status status_;
+};
+#endif
+
 // ---- views ----------------------------------------------------------------------------------------------------------
 
 // A pointer and a size: made of arrays, of whatever has data() and size(), of braces where it is only read. In C++20 it
 // is a std::span. Braces live as long as the call they stand in.
 #ifdef __cpp_lib_span
+inline namespace spans_20 {
+
 template <class T> class span : public std::span<T> {
 public:
     using std::span<T>::span;
@@ -173,6 +187,8 @@ public:
     constexpr span(std::initializer_list<std::remove_const_t<T>> list) : std::span<T>(list.begin(), list.size()) {}
 };
 #else
+inline namespace spans_17 {
+
 template <class T> class span {
 public:
     using element_type = T;
@@ -222,15 +238,6 @@ using buffer = basic_bytes<void>;
 
 #if CONTDYN_EXCEPTIONS
 inline namespace throwing {
-
-class error : public std::runtime_error {
-public:
-    explicit error(contdyn::status s) : std::runtime_error(error_message()), status_(s) {}
-    contdyn::status status() const noexcept { return status_; }
-
-private:
-    contdyn::status status_;
-};
 
 template <class T = void> using outcome = T;
 
@@ -1181,7 +1188,8 @@ private:
     }
 };
 
-} // inline namespace throwing or returning
+} // namespace throwing or returning
+} // namespace spans_17 or spans_20
 } // namespace contdyn
 
 #endif
