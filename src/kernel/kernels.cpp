@@ -9,9 +9,20 @@ namespace CD_ISA {
 
 #if CD_WITH_MEMBRANE
 template <class T> constexpr SheetStateKernels<T> state_kernels() {
-    return {
-        gather<T>,      push_separable<T, T>,      push_general<T, T>,      move_nodes<T, T>,     move_nodes<T, double>,
-        gather<double>, push_separable<double, T>, push_general<double, T>, move_nodes<double, T>};
+    return {gather<T>,
+            push_separable<T, T>,
+            push_general<T, T>,
+            move_nodes<T, T>,
+            move_nodes<T, double>,
+            gather<double>,
+            push_separable<double, T>,
+            push_general<double, T>,
+            move_nodes<double, T>,
+            sweep_down<T, T>,
+            sweep_down<double, T>,
+            sweep_up<T, T>,
+            sweep_up<T, double>,
+            sweep_up<double, T>};
 }
 #endif
 

@@ -35,6 +35,15 @@ template <class T> struct SheetStateKernels {
     void (*push_general_kept)(const Grid&, const GeneralSheet&, const SheetPush<T>&, const double*, const double*,
                               double*, size_t, size_t);
     bool (*move_kept)(const Grid&, const SheetMove&, const double*, const double*, T*, T*, size_t, size_t);
+    void (*down)(const Grid&, const UniformStage<T>&, const T*, const T*, double*, double*, size_t, size_t);
+    void (*down_kept)(const Grid&, const UniformStage<T>&, const double*, const double*, double*, double*, size_t,
+                      size_t);
+    bool (*up)(const Grid&, const SharedFilter&, bool, const SheetMove&, double*, double*, const T*, const T*, T*, T*,
+               size_t, size_t);
+    bool (*up_keep)(const Grid&, const SharedFilter&, bool, const SheetMove&, double*, double*, const T*, const T*,
+                    double*, double*, size_t, size_t);
+    bool (*up_kept)(const Grid&, const SharedFilter&, bool, const SheetMove&, double*, double*, const double*,
+                    const double*, T*, T*, size_t, size_t);
 };
 
 struct SheetKernels {

@@ -48,6 +48,22 @@ template <class T> struct SheetPush {
     bool whole;               // of general sheets: what there is in all, S v included, and not what changes v
 };
 
+// The filters of lines that share one factorization (solve/spring_line.hh); 0 up to a whole cache line.
+struct SharedFilter {
+    const double *carry, *pull;
+};
+
+// A stage of a uniform sheet. Its springs look at closing_rate x + v.
+template <class T> struct UniformStage {
+    const SeparableSheet& sheet;
+    const SheetPush<T>& push;
+    double closing_rate;
+    bool constant; // beside springs only gravity acts
+    SharedFilter along_u, along_v;
+    bool carries; // see sweep_down
+};
+constexpr size_t kLookedRows = 4;
+
 // What the springs of a stage look at: x_scaled = closing_rate x + share v, the share that of free or of held nodes
 // (mass 0; without masses all count as free). v_free, if not null: v where nodes are free, else 0.
 struct SheetGather {
@@ -96,6 +112,17 @@ template <class S, class T> void push_general(const Grid& grid, const GeneralShe
 // False if a number left the finite range. to_x and to_v may be x and v.
 template <class S, class T> bool move_nodes(const Grid& grid, const SheetMove& move, const S* x, const S* v, T* to_x,
                                             T* to_v, size_t first, size_t count);
+
+// ---- a stage of a uniform sheet (sheet_sweep.cpp) ----
+
+// plane = the filters along the rows, and with `carries` the first one down the columns, of what acts on the nodes that
+// start from x and v. looked: scratch, kLookedRows rows. With `carries`, all rows at once.
+template <class S, class T> void sweep_down(const Grid& grid, const UniformStage<T>& stage, const S* x, const S* v,
+                                            double* plane, double* looked, size_t first, size_t count);
+// The filters down the columns, but for the first one if it is `carried`; moves by that. below: scratch, a row. Parts are of the columns.
+template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried,
+                                          const SheetMove& move, double* plane, double* below, const S* x, const S* v,
+                                          T* to_x, T* to_v, size_t first, size_t count);
 
 // ---- springs (sheet_springs.cpp) ----
 

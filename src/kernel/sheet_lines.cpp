@@ -108,24 +108,24 @@ struct Close {
 
 // The filters of solve/spring_line.hh for lines that share their fractions.
 struct SharedForward {
-    double carry;
+    const double* carry;
     double* x;
     size_t pitch, row;
 
     template <int N> void bundle(size_t u) const {
         using L = Lanes<N>;
-        store_on_way(between(L::load(x + u), L::load(x + u - pitch), L{}, carry), row, x + u);
+        store_on_way(between(L::load(x + u), L::load(x + u - pitch), carry), row, x + u);
     }
 };
 
 struct SharedBackward {
-    double pull;
+    const double* pull;
     double* x;
     size_t pitch, row;
 
     template <int N> void bundle(size_t u) const {
         using L = Lanes<N>;
-        store_on_way(between(L::load(x + u), L::load(x + u + pitch), L{}, pull), row, x + u);
+        store_on_way(between(L::load(x + u), L::load(x + u + pitch), pull), row, x + u);
     }
 };
 
@@ -171,11 +171,11 @@ void smooth_lines(const Grid& grid, const LineFactors& factors, const double* cr
 void filter_lines(const Grid& grid, const double* carry, const double* pull, double* x, size_t first, size_t count) {
     in_strips(first, count, [&](size_t from, size_t columns) {
         for (size_t r = 1; r < grid.rows; ++r) {
-            SharedForward step{carry[r], x + r * grid.pitch, grid.pitch, r};
+            SharedForward step{carry + r, x + r * grid.pitch, grid.pitch, r};
             along_row(from, columns, step);
         }
         for (size_t r = grid.rows; r-- > 1;) {
-            SharedBackward step{pull[r - 1], x + (r - 1) * grid.pitch, grid.pitch, r - 1};
+            SharedBackward step{pull + r - 1, x + (r - 1) * grid.pitch, grid.pitch, r - 1};
             along_row(from, columns, step);
         }
     });

@@ -1,25 +1,10 @@
 #include "kernel/row_sum.hh"
-#include "kernel/sheet.hh"
+#include "kernel/sheet_rows.hh"
 
 namespace cd {
 namespace CD_ISA {
 
 namespace {
-
-// One row of a plane, and the rows above and below it.
-struct Rows {
-    const double *here, *above, *below;
-
-    Rows(const Grid& grid, const double* plane, size_t row)
-        : here(plane + row * grid.pitch),
-          above(plane + grid.above(row) * grid.pitch),
-          below(plane + grid.below(row) * grid.pitch) {}
-};
-
-template <int N> inline Lanes<N> at(const double* row, size_t u) { return Lanes<N>::load(row + u); }
-// The number before u, which may lie beyond the row's start.
-template <int N> inline Lanes<N> before(const double* row, size_t u) { return Lanes<N>::load(row + u - 1); }
-template <int N> inline Lanes<N> after(const double* row, size_t u) { return Lanes<N>::load(row + u + 1); }
 
 // (right - here) - (here - left)
 template <class L> inline L turn(L left, L here, L right) { return (right - here) - (here - left); }
@@ -33,28 +18,6 @@ template <int N> inline Lanes<N> turn_v(const Rows& x, size_t u) {
 template <int N> inline Lanes<N> twist(const Rows& x, size_t u) {
     return (after<N>(x.below, u) - at<N>(x.below, u)) - (after<N>(x.here, u) - at<N>(x.here, u));
 }
-
-struct Separable {
-    const Grid& grid;
-    const SeparableSheet& sheet;
-    bool constant;
-    double gravity;
-    double* out;
-    Rows x;
-    size_t row;
-
-    template <int N> void bundle(size_t u) const {
-        using L = Lanes<N>;
-        double* const to = out + row * grid.pitch + u;
-        const L here = at<N>(x.here, u);
-        const L along_u = L::load(sheet.after[0] + u) * (after<N>(x.here, u) - here) -
-                          L::load(sheet.before[0] + u) * (here - before<N>(x.here, u));
-        const L along_v =
-            sheet.after[1][row] * (at<N>(x.below, u) - here) - sheet.before[1][row] * (here - at<N>(x.above, u));
-        const L push = constant ? L::splat(gravity) : L::load(to);
-        (sheet.gain[1][row] * (L::load(sheet.gain[0] + u) * (push + (along_u + along_v)))).store(to);
-    }
-};
 
 struct General {
     const GeneralSheet& sheet;
@@ -168,7 +131,7 @@ struct Pair {
 void pull_separable(const Grid& grid, const SeparableSheet& sheet, const double* x, bool constant, double gravity,
                     double* out, size_t first, size_t count) {
     for (size_t r = first; r < first + count; ++r) {
-        Separable bundles{grid, sheet, constant, gravity, out, Rows(grid, x, r), r};
+        Separable bundles{sheet, constant, gravity, out + r * grid.pitch, Rows(grid, x, r), r};
         along_row(0, grid.columns, bundles);
     }
 }

@@ -1,5 +1,5 @@
 #include "kernel/line_lanes.hh"
-#include "kernel/sheet.hh"
+#include "kernel/sheet_rows.hh"
 
 namespace cd {
 namespace CD_ISA {
@@ -19,30 +19,6 @@ template <class S> struct Gather {
         if (how.mass) moving = select(L::load(how.mass + at), moving, how.held_share * here);
         (how.closing_rate * L::load(x + at) + moving).store(how.x_scaled + at);
         if (how.v_free) select(L::load(how.mass + at), here, L{}).store(how.v_free + at);
-    }
-};
-
-template <class S, class T> struct PushSeparable {
-    const SeparableSheet& sheet;
-    const SheetPush<T>& push;
-    const S* v;
-    double* out;
-    size_t row;
-    double inverse_mass, drag; // of the row
-
-    template <int N> void bundle(size_t u) const {
-        using L = Lanes<N>;
-        const size_t at = row + u;
-        L sum = L::splat(push.gravity);
-        if (push.forces || push.pressed) {
-            L force{};
-            if (push.forces) force = L::load(push.forces + at);
-            if (push.pressed) force = force + L::load(push.pressed + at);
-            sum = sum + (push.force * inverse_mass) * (L::load(sheet.inverse_mass[0] + u) * force);
-        }
-        L rate = L::splat(drag);
-        if (sheet.drag[0]) rate = rate + L::load(sheet.drag[0] + u);
-        (sum - rate * L::load(v + at)).store(out + at);
     }
 };
 
@@ -101,7 +77,8 @@ template <class S, class T> void push_separable(const Grid& grid, const Separabl
                                                 const S* v, double* out, size_t first, size_t count) {
     for (size_t r = first; r < first + count; ++r) {
         const double drag = sheet.drag[1] ? push.drag + sheet.drag[1][r] : push.drag;
-        PushSeparable<S, T> bundles{sheet, push, v, out, r * grid.pitch, sheet.inverse_mass[1][r], drag};
+        PushSeparable<S, T> bundles{sheet, push, v, out + r * grid.pitch, r * grid.pitch, sheet.inverse_mass[1][r],
+                                    drag};
         along_row(0, grid.columns, bundles);
     }
 }

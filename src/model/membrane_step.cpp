@@ -53,6 +53,8 @@ template <class T> struct Stepper {
                 start<false>(k, x, v);
                 if (w.general) w.system.multiply(w.residual, w.inverse, w.residual);
                 finite &= move(state().move, {1, dt, follows ? 1.0 : 0.0, {w.residual}, {1}, 1}, x, v, x, v);
+            } else if (w.swept) {
+                finite &= sweep_stages(k, moves, x, v);
             } else if (moves.count == 1) {
                 start<false>(k, x, v);
                 finite &= move(state().move, solve(moves.overshoot[0], moves.move[0]), x, v, x, v);
@@ -63,6 +65,37 @@ template <class T> struct Stepper {
                 finite &= move(state().move_kept, solve(moves.overshoot[1], moves.move[1]), w.kept_x, w.kept_v, x, v);
             }
         }
+        return finite;
+    }
+
+    bool sweep_stages(size_t k, const StageMoves& by, T* x, T* v) const {
+        if (by.count == 1) return sweep(k, state().down, state().up, by, 0, x, v, x, v);
+        sweep(k, state().down, state().up_keep, by, 0, x, v, w.kept_x, w.kept_v);
+        return sweep(k, state().down_kept, state().up_kept, by, 1, w.kept_x, w.kept_v, x, v);
+    }
+
+    // One stage of component k of a uniform sheet. On one thread the filters down the columns start at once.
+    template <class Down, class Up, class S, class D> bool sweep(size_t k, Down down, Up up, const StageMoves& by,
+                                                                 int number, const S* x, const S* v, D* to_x,
+                                                                 D* to_v) const {
+        const SheetPush<T> acts = push(k);
+        const SeparableSheet uniform = separable_sheet();
+        const UniformStage<T> stage{uniform,
+                                    acts,
+                                    1 / (h + m.damping),
+                                    is_constant(acts, uniform),
+                                    {w.shared[kU].carry, w.shared[kU].pull},
+                                    {w.shared[kV].carry, w.shared[kV].pull},
+                                    !m.parallel.run};
+        w.bands.each(m.parallel, [&](size_t band, size_t first, size_t count) {
+            down(w.grid, stage, x, v, w.residual, w.looked + band * kLookedRows * w.grid.pitch, first, count);
+        });
+        const SheetMove move{1 + by.overshoot[number], by.move[number], 1, {}, {}, 0};
+        bool finite = true;
+        w.strips.each(m.parallel, [&](size_t, size_t first, size_t count) {
+            if (!up(w.grid, stage.along_v, stage.carries, move, w.residual, w.looked, x, v, to_x, to_v, first, count))
+                __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
+        });
         return finite;
     }
 
@@ -80,14 +113,7 @@ template <class T> struct Stepper {
     template <bool kKept, class S> void start(size_t k, const S* x, const S* v) const {
         const double closing_rate = w.implicit ? 1 / (h + m.damping) : 1, v_share = w.implicit ? 1 : m.damping;
         const SheetGather look{closing_rate, m.whole ? 0 : v_share, v_share, w.mass, w.scaled, w.free_v};
-        const SheetPush<T> push{h * m.gravity[k],
-                                h,
-                                h * m.drag,
-                                plane_of(m.force, k),
-                                plane_of(m.target, k),
-                                m.pressed ? m.pressed.data + k * m.plane : nullptr,
-                                w.tie,
-                                m.whole};
+        const SheetPush<T> push = this->push(k);
         rows([&](size_t first, size_t count) {
             const auto kernel = [&] {
                 if constexpr (kKept) return state().gather_kept;
@@ -105,7 +131,7 @@ template <class T> struct Stepper {
             return;
         }
         const SeparableSheet uniform = separable_sheet();
-        const bool constant = !push.forces && !push.pressed && push.drag == 0 && !uniform.drag[0];
+        const bool constant = is_constant(push, uniform);
         w.system.wrap(w.scaled);
         rows([&](size_t first, size_t count) {
             if constexpr (kKept) {
@@ -115,6 +141,21 @@ template <class T> struct Stepper {
             }
             sheet().pull_separable(w.grid, uniform, w.scaled, constant, push.gravity, w.residual, first, count);
         });
+    }
+
+    SheetPush<T> push(size_t k) const {
+        return {h * m.gravity[k],
+                h,
+                h * m.drag,
+                plane_of(m.force, k),
+                plane_of(m.target, k),
+                m.pressed ? m.pressed.data + k * m.plane : nullptr,
+                w.tie,
+                m.whole};
+    }
+    // Whether h g is all that acts on nodes beside springs.
+    static bool is_constant(const SheetPush<T>& push, const SeparableSheet& sheet) {
+        return !push.forces && !push.pressed && push.drag == 0 && !sheet.drag[0];
     }
 
     const T* plane_of(const Array<char>& array, size_t k) const {

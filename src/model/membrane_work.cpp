@@ -21,6 +21,9 @@ bool edges_only(const Membrane& m, const MembraneFeatures& f) {
     return !fields && (!f.bend || !is_wide(m) || (u && v));
 }
 
+// What goes to a thread at a time, at the least.
+constexpr size_t kBandRows = 32, kStripColumns = 128;
+
 } // namespace
 
 Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, Carver& scratch)
@@ -29,6 +32,9 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
       general(coupled || f.bend || f.node_mass || f.spring_stiffness[kU] || f.spring_stiffness[kV] || f.pin || f.mask ||
               f.target),
       bends(f.bend),
+      swept(!is_explicit(f.method) && !general && !f.ring[kU] && !f.ring[kV]),
+      bands(m.rows, m.columns, kBandRows),
+      strips(m.columns, m.rows, kStripColumns),
       rows{},
       shared{SharedLines(m.columns, f.bend, f.ring[kU], coefficients),
              SharedLines(m.rows, f.bend, f.ring[kV], coefficients)},
@@ -53,6 +59,14 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
         spring[d] = plane(coefficients, general);
         bend[d] = plane(coefficients, bends);
     }
+    looked = nullptr;
+    if (swept) {
+        size_t numbers = 0;
+        scratch.fits = scratch.fits && multiply(bands.count(), kLookedRows, numbers) &&
+                       multiply(numbers, grid.pitch, numbers) && add(numbers, 16, numbers);
+        looked = scratch.numbers(numbers);
+        if (looked) looked += 8; // what lies beyond the first row
+    }
     scaled = scratch.plane(grid);
     residual = scratch.plane(grid);
     const bool two_stages = f.method == CD_METHOD_STIFF_SECOND;
@@ -74,7 +88,7 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
         line[factor][kU] = LineRows(coefficients, turned, f.ring[kU]);
         line[factor][kV] = LineRows(coefficients, grid, f.ring[kV]);
     }
-    turned_plane = solves && !coupled ? scratch.plane(turned) : nullptr;
+    turned_plane = solves && !coupled && !swept ? scratch.plane(turned) : nullptr;
     const bool rods = solves && !coupled && (bends || f.ring[kU] || f.ring[kV]);
     const size_t larger =
         grid.pitch * grid.rows > turned.pitch * turned.rows ? grid.pitch * grid.rows : turned.pitch * turned.rows;
@@ -173,6 +187,7 @@ void prepare_rows(const Membrane& m, Work& w, double h, double sigma, uint8_t* c
             w.rows[d].inverse_mass[i] = d == kU ? 1 / weight : 1 / (weight * uniform_mass(m));
             w.rows[d].drag[i] = h * line.matched(i);
         }
+        for (size_t i = n; i % 8 != 0; ++i) w.rows[d].after[i] = w.rows[d].before[i] = w.rows[d].gain[i] = 0;
         if (w.implicit) w.shared[d].factor(line, m.bend > 0);
     }
 }

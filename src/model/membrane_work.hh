@@ -32,7 +32,9 @@ struct SheetParts {
 
 struct Work {
     bool implicit, coupled, general, bends;
+    bool swept; // uniform, without bend and rings: a stage is two passes over memory (kernel/sheet_sweep.cpp)
     Grid grid, turned;
+    Parts bands, strips; // of rows and columns, where they are swept
 
     DirectionRows rows[2];
     SharedLines shared[2];
@@ -44,6 +46,7 @@ struct Work {
 
     double *kept_x, *kept_v;       // between two stages
     double *scaled, *residual;     // x / (h + damping) + v; what solvers start from
+    double* looked;                // kLookedRows rows per band
     double *turned_plane, *free_v; // free_v: v where nodes move, else 0
     double *answer[3], *slope;
     GradientPlanes gradient;

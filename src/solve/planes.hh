@@ -39,17 +39,31 @@ struct Carver {
     }
 };
 
+// Lines of `length` numbers each in parts of at least `least` and of about kPart numbers.
+struct Parts {
+    size_t lines, per_part;
+
+    Parts(size_t lines_, size_t length, size_t least) : lines(lines_) {
+        constexpr size_t kPart = 1 << 14;
+        per_part = length < kPart ? kPart / length : 1;
+        per_part = per_part < least ? least : (per_part + 7) / 8 * 8;
+    }
+    size_t count() const { return (lines + per_part - 1) / per_part; }
+
+    // body(number, first, count) for each, or for all lines at once where there are no threads
+    template <class Body> void each(const cd_parallel& parallel, const Body& body) const {
+        if (!parallel.run || lines <= per_part) return body(size_t(0), size_t(0), lines);
+        auto part = [&](size_t i) {
+            const size_t first = i * per_part;
+            body(i, first, lines - first < per_part ? lines - first : per_part);
+        };
+        parallel_for(parallel, count(), part);
+    }
+};
+
 // body(first, count) for parts of [0, lines), each line `length` numbers long.
 template <class Body> void in_parts(const cd_parallel& parallel, size_t lines, size_t length, const Body& body) {
-    constexpr size_t kPart = 1 << 14; // numbers
-    size_t per_part = length < kPart ? kPart / length : 1;
-    per_part = (per_part + 7) / 8 * 8;
-    if (!parallel.run || lines <= per_part) return body(size_t(0), lines);
-    auto part = [&](size_t i) {
-        const size_t first = i * per_part;
-        body(first, lines - first < per_part ? lines - first : per_part);
-    };
-    parallel_for(parallel, (lines + per_part - 1) / per_part, part);
+    Parts(lines, length, 8).each(parallel, [&](size_t, size_t first, size_t count) { body(first, count); });
 }
 
 } // namespace cd
