@@ -22,7 +22,9 @@ template <class T> constexpr SheetStateKernels<T> state_kernels() {
             sweep_down<double, T>,
             sweep_up<T, T>,
             sweep_up<T, double>,
-            sweep_up<double, T>};
+            sweep_up<double, T>,
+            look_beyond<T>,
+            step_rows<T>};
 }
 #endif
 

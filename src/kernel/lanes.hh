@@ -170,11 +170,12 @@ template <class L> inline L between(L here, L moving, L offset, double fraction)
     if (__builtin_signbit(fraction)) return (moving + offset) - fraction * ((here - offset) - moving);
     return here + fraction * (moving + (offset - here));
 }
-// The same without an offset.
+// The same without an offset; the fraction in memory, from where it goes to all lanes at once and its sign to a branch.
 template <class L> inline L between(L here, L moving, const double* fraction) {
-    int64_t bits; // of the sign, which GCC would take out of a vector register
-    memcpy(&bits, fraction, sizeof bits);
-    return bits < 0 ? moving - *fraction * (here - moving) : here + *fraction * (moving - here);
+    signed char sign;
+    memcpy(&sign, reinterpret_cast<const char*>(fraction) + (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? 7 : 0), 1);
+    const L way = *fraction * (moving - here);
+    return (sign < 0 ? moving : here) + way;
 }
 
 // The widest bundle: two registers at least, since a line's operations wait for each other.

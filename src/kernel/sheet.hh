@@ -53,16 +53,17 @@ struct SharedFilter {
     const double *carry, *pull;
 };
 
-// A stage of a uniform sheet. Its springs look at closing_rate x + v.
+// A stage of a uniform sheet. Its springs look at closing_rate x + share v.
 template <class T> struct UniformStage {
     const SeparableSheet& sheet;
     const SheetPush<T>& push;
-    double closing_rate;
-    bool constant; // beside springs only gravity acts
-    SharedFilter along_u, along_v;
-    bool carries; // see sweep_down
+    double closing_rate, share;
+    bool ring_u;
+    bool constant;                 // beside springs only gravity acts
+    SharedFilter along_u, along_v; // of implicit stages
+    bool carries;                  // see sweep_down
 };
-constexpr size_t kLookedRows = 4;
+constexpr size_t kLookedRows = 6; // of scratch: see StageRows
 
 // What the springs of a stage look at: x_scaled = closing_rate x + share v, the share that of free or of held nodes
 // (mass 0; without masses all count as free). v_free, if not null: v where nodes are free, else 0.
@@ -95,7 +96,7 @@ struct SheetMove {
 namespace CD_ISA {
 
 // As for_each_bundle, for rows: what is left of a row at its end is taken one by one, which keeps the kernels small.
-template <class F> inline void along_row(size_t first, size_t count, F& f) {
+template <class F> inline void along_row(size_t first, size_t count, F&& f) {
     for (; count >= size_t(kWidest); first += kWidest, count -= kWidest) f.template bundle<kWidest>(first);
     for (; count > 0; ++first, --count) f.template bundle<1>(first);
 }
@@ -123,6 +124,14 @@ template <class S, class T> void sweep_down(const Grid& grid, const UniformStage
 template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried,
                                           const SheetMove& move, double* plane, double* below, const S* x, const S* v,
                                           T* to_x, T* to_v, size_t first, size_t count);
+
+// ---- an explicit step of a uniform sheet (sheet_explicit.cpp) ----
+
+// What a part needs of its neighbours, into looked, before any part is stepped.
+template <class T> void look_beyond(const Grid& grid, const UniformStage<T>& stage, const T* x, const T* v,
+                                    double* looked, size_t first, size_t count);
+template <class T> bool step_rows(const Grid& grid, const UniformStage<T>& stage, const SheetMove& move, T* x, T* v,
+                                  double* looked, size_t first, size_t count);
 
 // ---- springs (sheet_springs.cpp) ----
 

@@ -1,6 +1,7 @@
 // What acts on a row of a uniform sheet, bundle by bundle.
 #pragma once
 
+#include "kernel/line_lanes.hh"
 #include "kernel/sheet.hh"
 
 namespace cd {
@@ -30,7 +31,7 @@ struct Separable {
     double after_v, before_v, gain_v;
     bool constant;
     double gravity;
-    double* out; // where the row starts
+    double* out; // where the row starts; holds the push, unless that is constant
     Rows x;
 
     Separable(const SeparableSheet& sheet, bool constant_, double gravity_, double* row_out, const Rows& rows,
@@ -46,15 +47,16 @@ struct Separable {
           out(row_out),
           x(rows) {}
 
-    template <int N> void bundle(size_t u) const {
+    template <int N> Lanes<N> acts(size_t u) const {
         using L = Lanes<N>;
         const L here = at<N>(x.here, u);
         const L along_u =
             L::load(after_u + u) * (after<N>(x.here, u) - here) - L::load(before_u + u) * (here - before<N>(x.here, u));
         const L along_v = after_v * (at<N>(x.below, u) - here) - before_v * (here - at<N>(x.above, u));
         const L push = constant ? L::splat(gravity) : L::load(out + u);
-        (gain_v * (L::load(gain_u + u) * (push + (along_u + along_v)))).store(out + u);
+        return gain_v * (L::load(gain_u + u) * (push + (along_u + along_v)));
     }
+    template <int N> void bundle(size_t u) const { acts<N>(u).store(out + u); }
 };
 
 template <class S, class T> struct PushSeparable {
@@ -78,6 +80,67 @@ template <class S, class T> struct PushSeparable {
         L rate = L::splat(drag);
         if (sheet.drag[0]) rate = rate + L::load(sheet.drag[0] + u);
         (sum - rate * L::load(v + at)).store(out + u);
+    }
+};
+
+// What along_row's bundles add to, so that only the end of a row is asked whether a number was too large.
+struct Probe {
+    Lanes<kWidest> wide{};
+    Lanes<1> single{};
+
+    template <int N> Lanes<N>& of() {
+        if constexpr (N == 1) return single;
+        else return wide;
+    }
+    bool finite() const { return !wide.any_nan() && !single.any_nan(); }
+};
+
+template <class S> struct Look {
+    double closing_rate, share;
+    const S *x, *v;
+    double* to;
+
+    template <int N> void bundle(size_t u) const {
+        using L = Lanes<N>;
+        (closing_rate * L::load(x + u) + share * L::load(v + u)).store(to + u);
+    }
+};
+
+// The rows of a stage in a sweep down the sheet. Of what springs look at the last three rows are held, and beside them
+// the two beyond the sweep's part, which may be another thread's; then a row of pushes.
+template <class S, class T> struct StageRows {
+    const Grid& grid;
+    const UniformStage<T>& stage;
+    const S *x, *v;
+    double* looked; // kLookedRows rows
+    size_t first, end;
+
+    double* slot(size_t k) const { return looked + k * grid.pitch; }
+    double* pushes() const { return slot(5); }
+    double* at(size_t row) const { return slot(row % 3); }
+
+    void look(size_t row, double* to) const {
+        const Look<S> bundles{stage.closing_rate, stage.share, x + row * grid.pitch, v + row * grid.pitch, to};
+        along_row(0, grid.columns, bundles);
+        if (!stage.ring_u) return;
+        to[-1] = to[grid.columns - 1];
+        to[grid.columns] = to[0];
+    }
+    void look_beyond() const {
+        look(grid.above(first), slot(3));
+        look(grid.below(end - 1), slot(4));
+    }
+    // What acts at a row, once the row after it is looked at; out: see Separable.
+    Separable acting(size_t row, double* out) const {
+        const SeparableSheet& sheet = stage.sheet;
+        if (!stage.constant) {
+            const double drag = sheet.drag[1] ? stage.push.drag + sheet.drag[1][row] : stage.push.drag;
+            const PushSeparable<S, T> push{sheet, stage.push, v, out, row * grid.pitch, sheet.inverse_mass[1][row],
+                                           drag};
+            along_row(0, grid.columns, push);
+        }
+        const Rows rows{at(row), row > first ? at(row - 1) : slot(3), row + 1 < end ? at(row + 1) : slot(4)};
+        return {sheet, stage.constant, stage.push.gravity, out, rows, row};
     }
 };
 

@@ -17,21 +17,6 @@ namespace {
 
 constexpr size_t kBlock = 32; // rows, at the most, that are filtered side by side
 
-template <class L> inline L settled_on_way(L a, size_t at) {
-    return at % kSettleEvery == 0 ? settled(a, Limits<double>::least) : a;
-}
-
-template <class S> struct Look {
-    double closing_rate;
-    const S *x, *v;
-    double* to;
-
-    template <int N> void bundle(size_t u) const {
-        using L = Lanes<N>;
-        (closing_rate * L::load(x + u) + L::load(v + u)).store(to + u);
-    }
-};
-
 struct CarryDown {
     double carry;
     double* row;
@@ -48,103 +33,74 @@ struct CarryDown {
     }
 };
 
+// A tile on its way along the rows. moving: the rows' numbers before the tile, in, and its last ones, out.
+template <int N> inline void forward(double* to, size_t pitch, const double* carry, bool settles, Lanes<N>& moving) {
+    Lanes<N> tile[N], last = moving;
+#pragma GCC unroll 8
+    for (size_t i = 0; i < size_t(N); ++i) tile[i] = Lanes<N>::load(to + i * pitch);
+    turn_tile<N>(tile);
+#pragma GCC unroll 8
+    for (size_t i = 0; i < size_t(N); ++i) {
+        last = between(tile[i], last, carry + i);
+        if (i == 0 && settles) last = settled(last, Limits<double>::least);
+        last.store(to + i * pitch);
+    }
+    moving = last;
+}
+// And back. moving: those after the tile, in, and its first ones, out.
+template <int N> inline void back(double* to, size_t pitch, const double* pull, bool settles, Lanes<N>& moving) {
+    Lanes<N> tile[N], last = moving;
+#pragma GCC unroll 8
+    for (size_t left = 0; left < size_t(N); ++left) {
+        const size_t i = size_t(N) - 1 - left;
+        last = between(Lanes<N>::load(to + i * pitch), last, pull + i);
+        if (i == 0 && settles) last = settled(last, Limits<double>::least);
+        tile[i] = last;
+    }
+    moving = last;
+    turn_tile<N>(tile);
+#pragma GCC unroll 8
+    for (size_t i = 0; i < size_t(N); ++i) tile[i].store(to + i * pitch);
+}
+
 template <class S, class T> struct DownSweep {
-    const Grid& grid;
-    const UniformStage<T>& stage;
-    const S *x, *v;
+    const StageRows<S, T> rows;
     double* plane;
-    double* looked; // kLookedRows rows
 
-    double* looked_at(size_t row) const { return looked + row % kLookedRows * grid.pitch; }
-    void look(size_t row) const {
-        const Look<S> bundles{stage.closing_rate, x + row * grid.pitch, v + row * grid.pitch, looked_at(row)};
-        along_row(0, grid.columns, bundles);
-    }
-
-    // The right side of a row; what lies beyond its end in the last tile is 0.
-    void make(size_t row) const {
-        const SeparableSheet& sheet = stage.sheet;
-        const size_t start = row * grid.pitch;
-        double* const to = plane + start;
-        if (!stage.constant) {
-            const double drag = sheet.drag[1] ? stage.push.drag + sheet.drag[1][row] : stage.push.drag;
-            const PushSeparable<S, T> push{sheet, stage.push, v, to, start, sheet.inverse_mass[1][row], drag};
-            along_row(0, grid.columns, push);
-        }
-        // At the sheet's ends there is no spring, and any row will do.
-        const Rows rows{looked_at(row), looked_at(row > 0 ? row - 1 : row),
-                        looked_at(row + 1 < grid.rows ? row + 1 : row)};
-        const Separable springs{sheet, stage.constant, stage.push.gravity, to, rows, row};
-        along_row(0, grid.columns, springs);
-        for (size_t u = grid.columns; u % size_t(kNative) != 0; ++u) to[u] = 0;
-    }
-
-    // moving: the rows' numbers before u, in and out.
-    template <int N> void forward(double* to, size_t u, Lanes<N>& moving) const {
-        Lanes<N> tile[N];
-#pragma GCC unroll 8
-        for (size_t i = 0; i < size_t(N); ++i) tile[i] = Lanes<N>::load(to + i * grid.pitch);
-        turn_tile<N>(tile);
-#pragma GCC unroll 8
-        for (size_t i = 0; i < size_t(N); ++i) {
-            moving = between(tile[i], moving, stage.along_u.carry + u + i);
-            if (i == 0) moving = settled_on_way(moving, u);
-            moving.store(to + i * grid.pitch);
-        }
-    }
-    // moving: the rows' numbers after the tile.
-    template <int N> void back(double* to, size_t u, Lanes<N>& moving) const {
-        Lanes<N> tile[N];
-#pragma GCC unroll 8
-        for (size_t left = 0; left < size_t(N); ++left) {
-            const size_t i = size_t(N) - 1 - left;
-            moving = between(Lanes<N>::load(to + i * grid.pitch), moving, stage.along_u.pull + u + i);
-            if (i == 0) moving = settled_on_way(moving, u);
-            tile[i] = moving;
-        }
-        turn_tile<N>(tile);
-#pragma GCC unroll 8
-        for (size_t i = 0; i < size_t(N); ++i) tile[i].store(to + i * grid.pitch);
-    }
     // Filters `count` rows from `row` on, N side by side and kBlock / N times that at once, since each waits for itself.
     template <int N> void filter(size_t row, size_t count) const {
+        const Grid& grid = rows.grid;
+        const UniformStage<T>& stage = rows.stage;
         Lanes<N> moving[kBlock / N]{};
         const size_t bundles = count / size_t(N), tiles = (grid.columns + size_t(N) - 1) / size_t(N);
-        double* const to = plane + row * grid.pitch;
+        const size_t pitch = grid.pitch;
+        const double *const carry = stage.along_u.carry, *const pull = stage.along_u.pull;
+        double* const to = plane + row * pitch;
+        const auto settles = [](size_t tile) { return tile * size_t(N) % kSettleEvery == 0; };
         for (size_t t = 0; t < tiles; ++t)
             for (size_t k = 0; k < bundles; ++k)
-                forward<N>(to + k * size_t(N) * grid.pitch + t * size_t(N), t * size_t(N), moving[k]);
+                forward(to + k * size_t(N) * pitch + t * size_t(N), pitch, carry + t * size_t(N), settles(t),
+                        moving[k]);
         for (Lanes<N>& lanes : moving) lanes = Lanes<N>{};
         for (size_t t = tiles; t-- > 0;)
             for (size_t k = 0; k < bundles; ++k)
-                back<N>(to + k * size_t(N) * grid.pitch + t * size_t(N), t * size_t(N), moving[k]);
+                back(to + k * size_t(N) * pitch + t * size_t(N), pitch, pull + t * size_t(N), settles(t), moving[k]);
     }
 
     void block(size_t row, size_t count) const {
+        const Grid& grid = rows.grid;
         for (size_t r = row; r < row + count; ++r) {
-            if (r + 1 < grid.rows) look(r + 1);
-            make(r);
+            if (r + 1 < rows.end) rows.look(r + 1, rows.at(r + 1));
+            double* const to = plane + r * grid.pitch;
+            along_row(0, grid.columns, rows.acting(r, to));
+            for (size_t u = grid.columns; u % size_t(kNative) != 0; ++u) to[u] = 0; // in the last tile
         }
         const size_t whole = count - count % size_t(kNative);
         if (whole > 0) filter<kNative>(row, whole);
         if (whole < count) filter<1>(row + whole, count - whole);
-        for (size_t r = row; r < row + count && stage.carries; ++r) {
-            const CarryDown step(grid, stage.along_v, plane, r);
-            if (r > 0) along_row(0, grid.columns, step);
-        }
+        for (size_t r = row; r < row + count && rows.stage.carries; ++r)
+            if (r > 0) along_row(0, grid.columns, CarryDown(grid, rows.stage.along_v, plane, r));
     }
-};
-
-// What along_row's bundles add to, so that only the end of a row is asked whether a number was too large.
-struct Probe {
-    Lanes<kWidest> wide{};
-    Lanes<1> single{};
-
-    template <int N> Lanes<N>& of() {
-        if constexpr (N == 1) return single;
-        else return wide;
-    }
-    bool finite() const { return !wide.any_nan() && !single.any_nan(); }
 };
 
 // On the way up: the filter, and then every node moves. All pointers to where a row starts.
@@ -175,9 +131,9 @@ template <class S, class T> struct MoveUp {
 
 template <class S, class T> void sweep_down(const Grid& grid, const UniformStage<T>& stage, const S* x, const S* v,
                                             double* plane, double* looked, size_t first, size_t count) {
-    const DownSweep<S, T> sweep{grid, stage, x, v, plane, looked};
-    if (first > 0) sweep.look(first - 1);
-    sweep.look(first);
+    const DownSweep<S, T> sweep{{grid, stage, x, v, looked, first, first + count}, plane};
+    sweep.rows.look_beyond();
+    sweep.rows.look(first, sweep.rows.at(first));
     for (size_t done = 0; done < count; done += kBlock)
         sweep.block(first + done, count - done < kBlock ? count - done : kBlock);
 }
@@ -186,10 +142,7 @@ template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& 
                                           const SheetMove& move, double* plane, double* below, const S* x, const S* v,
                                           T* to_x, T* to_v, size_t first, size_t count) {
     bool finite = true;
-    for (size_t r = 1; r < grid.rows && !carried; ++r) {
-        const CarryDown step(grid, filter, plane, r);
-        along_row(first, count, step);
-    }
+    for (size_t r = 1; r < grid.rows && !carried; ++r) along_row(first, count, CarryDown(grid, filter, plane, r));
     for (size_t r = grid.rows; r-- > 0;) {
         const size_t row = r * grid.pitch;
         MoveUp<S, T> step{r + 1 == grid.rows, filter.pull[r], plane + row,           below,          x + row,  v + row,

@@ -49,10 +49,14 @@ template <class T> struct Stepper {
         for (size_t k = 0; k < m.components; ++k) {
             T *const x = numbers<T>(m.position) + k * m.plane, *const v = numbers<T>(m.velocity) + k * m.plane;
             if (!w.implicit) {
-                const bool follows = m.method == CD_METHOD_SYMPLECTIC_EULER;
+                const SheetMove by{1, dt, m.method == CD_METHOD_SYMPLECTIC_EULER ? 1.0 : 0.0, {w.residual}, {1}, 1};
+                if (w.uniform) {
+                    finite &= sweep_once(k, by, x, v);
+                    continue;
+                }
                 start<false>(k, x, v);
-                if (w.general) w.system.multiply(w.residual, w.inverse, w.residual);
-                finite &= move(state().move, {1, dt, follows ? 1.0 : 0.0, {w.residual}, {1}, 1}, x, v, x, v);
+                w.system.multiply(w.residual, w.inverse, w.residual);
+                finite &= move(state().move, by, x, v, x, v);
             } else if (w.swept) {
                 finite &= sweep_stages(k, moves, x, v);
             } else if (moves.count == 1) {
@@ -68,6 +72,40 @@ template <class T> struct Stepper {
         return finite;
     }
 
+    // What acts on component k of a uniform sheet.
+    struct Uniform {
+        SheetPush<T> push;
+        SeparableSheet sheet;
+        UniformStage<T> stage;
+
+        Uniform(const Stepper& s, size_t k)
+            : push(s.push(k)),
+              sheet(s.separable_sheet()),
+              stage{sheet,
+                    push,
+                    s.w.implicit ? 1 / (s.h + s.m.damping) : 1,
+                    s.w.implicit ? 1 : s.m.damping,
+                    s.m.ring[kU] != 0,
+                    is_constant(push, sheet),
+                    {s.w.shared[kU].carry, s.w.shared[kU].pull},
+                    {s.w.shared[kV].carry, s.w.shared[kV].pull},
+                    !s.m.parallel.run} {}
+    };
+    double* looked(size_t band) const { return w.looked + band * kLookedRows * w.grid.pitch; }
+
+    bool sweep_once(size_t k, const SheetMove& by, T* x, T* v) const {
+        const Uniform now(*this, k);
+        bool finite = true;
+        w.bands.each(m.parallel, [&](size_t band, size_t first, size_t count) {
+            state().look_beyond(w.grid, now.stage, x, v, looked(band), first, count);
+        });
+        w.bands.each(m.parallel, [&](size_t band, size_t first, size_t count) {
+            if (!state().step_rows(w.grid, now.stage, by, x, v, looked(band), first, count))
+                __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
+        });
+        return finite;
+    }
+
     bool sweep_stages(size_t k, const StageMoves& by, T* x, T* v) const {
         if (by.count == 1) return sweep(k, state().down, state().up, by, 0, x, v, x, v);
         sweep(k, state().down, state().up_keep, by, 0, x, v, w.kept_x, w.kept_v);
@@ -78,17 +116,10 @@ template <class T> struct Stepper {
     template <class Down, class Up, class S, class D> bool sweep(size_t k, Down down, Up up, const StageMoves& by,
                                                                  int number, const S* x, const S* v, D* to_x,
                                                                  D* to_v) const {
-        const SheetPush<T> acts = push(k);
-        const SeparableSheet uniform = separable_sheet();
-        const UniformStage<T> stage{uniform,
-                                    acts,
-                                    1 / (h + m.damping),
-                                    is_constant(acts, uniform),
-                                    {w.shared[kU].carry, w.shared[kU].pull},
-                                    {w.shared[kV].carry, w.shared[kV].pull},
-                                    !m.parallel.run};
+        const Uniform now(*this, k);
+        const UniformStage<T>& stage = now.stage;
         w.bands.each(m.parallel, [&](size_t band, size_t first, size_t count) {
-            down(w.grid, stage, x, v, w.residual, w.looked + band * kLookedRows * w.grid.pitch, first, count);
+            down(w.grid, stage, x, v, w.residual, looked(band), first, count);
         });
         const SheetMove move{1 + by.overshoot[number], by.move[number], 1, {}, {}, 0};
         bool finite = true;

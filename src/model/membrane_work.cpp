@@ -22,7 +22,7 @@ bool edges_only(const Membrane& m, const MembraneFeatures& f) {
 }
 
 // What goes to a thread at a time, at the least.
-constexpr size_t kBandRows = 32, kStripColumns = 128;
+constexpr size_t kBandRows = 32, kStripColumns = 64, kPart = 1 << 13;
 
 } // namespace
 
@@ -32,9 +32,10 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
       general(coupled || f.bend || f.node_mass || f.spring_stiffness[kU] || f.spring_stiffness[kV] || f.pin || f.mask ||
               f.target),
       bends(f.bend),
-      swept(!is_explicit(f.method) && !general && !f.ring[kU] && !f.ring[kV]),
-      bands(m.rows, m.columns, kBandRows),
-      strips(m.columns, m.rows, kStripColumns),
+      uniform(!general),
+      swept(uniform && !f.ring[kU] && !f.ring[kV]),
+      bands(m.rows, m.columns, kBandRows, kPart),
+      strips(m.columns, m.rows, kStripColumns, kPart),
       rows{},
       shared{SharedLines(m.columns, f.bend, f.ring[kU], coefficients),
              SharedLines(m.rows, f.bend, f.ring[kV], coefficients)},
@@ -60,15 +61,15 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
         bend[d] = plane(coefficients, bends);
     }
     looked = nullptr;
-    if (swept) {
+    if (uniform) {
         size_t numbers = 0;
         scratch.fits = scratch.fits && multiply(bands.count(), kLookedRows, numbers) &&
                        multiply(numbers, grid.pitch, numbers) && add(numbers, 16, numbers);
         looked = scratch.numbers(numbers);
         if (looked) looked += 8; // what lies beyond the first row
     }
-    scaled = scratch.plane(grid);
-    residual = scratch.plane(grid);
+    scaled = plane(scratch, general || (solves && !swept));
+    residual = plane(scratch, general || solves);
     const bool two_stages = f.method == CD_METHOD_STIFF_SECOND;
     kept_x = plane(scratch, two_stages);
     kept_v = plane(scratch, two_stages);

@@ -32,7 +32,9 @@ struct SheetParts {
 
 struct Work {
     bool implicit, coupled, general, bends;
-    bool swept; // uniform, without bend and rings: a stage is two passes over memory (kernel/sheet_sweep.cpp)
+    // Uniform sheets without bend, coupled or not at all: explicit steps are one pass over memory, implicit stages two,
+    // unless there are rings (kernel/sheet_explicit.cpp, sheet_sweep.cpp).
+    bool uniform, swept;
     Grid grid, turned;
     Parts bands, strips; // of rows and columns, where they are swept
 

@@ -39,13 +39,12 @@ struct Carver {
     }
 };
 
-// Lines of `length` numbers each in parts of at least `least` and of about kPart numbers.
+// Lines of `length` numbers each in parts of at least `least` lines and about as many numbers as given.
 struct Parts {
     size_t lines, per_part;
 
-    Parts(size_t lines_, size_t length, size_t least) : lines(lines_) {
-        constexpr size_t kPart = 1 << 14;
-        per_part = length < kPart ? kPart / length : 1;
+    Parts(size_t lines_, size_t length, size_t least, size_t numbers = 1 << 14) : lines(lines_) {
+        per_part = length < numbers ? numbers / length : 1;
         per_part = per_part < least ? least : (per_part + 7) / 8 * 8;
     }
     size_t count() const { return (lines + per_part - 1) / per_part; }
