@@ -57,6 +57,8 @@ struct SheetKernels {
     decltype(&CD_ISA::solve_lines) solve_lines;
     decltype(&CD_ISA::filter_lines) filter_lines;
     decltype(&CD_ISA::smooth_lines) smooth_lines;
+    decltype(&CD_ISA::shift_down) shift_down;
+    decltype(&CD_ISA::shift_up) shift_up;
     decltype(&CD_ISA::transpose) transpose;
     decltype(&CD_ISA::combine) combine;
     decltype(&CD_ISA::multiply) multiply;

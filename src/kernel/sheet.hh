@@ -81,6 +81,16 @@ struct LineFactors {
         *closing; // of rings, else null: the response to a pull of the closing spring, and its strength
 };
 
+// One shift of alternating directions for a separable sheet: see solve/shifted_lines.hh.
+struct ShiftedStep {
+    const double* inverse_mass[2]; // per column and row
+    const double* gain[2];         // 1 / what grounds a line's node per mass, 0 where held
+    SharedFilter along[2];
+    double twice, next; // 2 p, p and the shift after it
+    bool first, last;
+    bool carries; // see sweep_down
+};
+
 // The most planes whose energies with each other can be asked for, and how many those are.
 constexpr int kMostDirections = 5, kPairs = 15;
 
@@ -132,6 +142,15 @@ template <class T> void look_beyond(const Grid& grid, const UniformStage<T>& sta
                                     double* looked, size_t first, size_t count);
 template <class T> bool step_rows(const Grid& grid, const UniformStage<T>& stage, const SheetMove& move, T* x, T* v,
                                   double* looked, size_t first, size_t count);
+
+// ---- a shifted step of alternating directions (sheet_shift.cpp) ----
+
+// From the right side r and z, along the rows; t: scratch. With step.carries, all rows at once.
+void shift_down(const Grid& grid, const ShiftedStep& step, const double* r, double* z, double* t, size_t first,
+                size_t count);
+// Down the columns; at the last step x, else the next z. below: scratch, a row.
+void shift_up(const Grid& grid, const ShiftedStep& step, double* z, double* t, double* below, double* x, size_t first,
+              size_t count);
 
 // ---- springs (sheet_springs.cpp) ----
 

@@ -1,103 +1,29 @@
 // A stage of a uniform sheet in two passes over memory, where planes would be read and written a dozen times.
 //
 // Down: row by row what acts on the nodes, from a few rows of what springs look at; then, a block of rows at a time,
-// while they are in the cache, the filters along them. For these a tile of N x N numbers is turned over in registers,
-// so that lanes are rows, and put down as it lies, turned, in its own place; on the way back along the rows it is
-// turned back. Up: the filters along the columns, which began on the way down, and every node moves at once.
+// while they are in the cache, the filters along them. Up: the filters along the columns, which began on the way down,
+// and every node moves at once.
 //
 // The same operations as gather, push_separable, pull_separable, filter_lines and move_nodes, and so the same bits.
-#include "kernel/line_lanes.hh"
+#include "kernel/sheet_filters.hh"
 #include "kernel/sheet_rows.hh"
-#include "kernel/tile.hh"
 
 namespace cd {
 namespace CD_ISA {
 
 namespace {
 
-constexpr size_t kBlock = 32; // rows, at the most, that are filtered side by side
-
-struct CarryDown {
-    double carry;
-    double* row;
-    size_t pitch;
-    bool settles;
-
-    CarryDown(const Grid& grid, const SharedFilter& filter, double* plane, size_t r)
-        : carry(filter.carry[r]), row(plane + r * grid.pitch), pitch(grid.pitch), settles(r % kSettleEvery == 0) {}
-
-    template <int N> void bundle(size_t u) const {
-        using L = Lanes<N>;
-        const L sum = between(L::load(row + u), L::load(row + u - pitch), &carry);
-        (settles ? settled(sum, Limits<double>::least) : sum).store(row + u);
-    }
-};
-
-// A tile on its way along the rows. moving: the rows' numbers before the tile, in, and its last ones, out.
-template <int N> inline void forward(double* to, size_t pitch, const double* carry, bool settles, Lanes<N>& moving) {
-    Lanes<N> tile[N], last = moving;
-#pragma GCC unroll 8
-    for (size_t i = 0; i < size_t(N); ++i) tile[i] = Lanes<N>::load(to + i * pitch);
-    turn_tile<N>(tile);
-#pragma GCC unroll 8
-    for (size_t i = 0; i < size_t(N); ++i) {
-        last = between(tile[i], last, carry + i);
-        if (i == 0 && settles) last = settled(last, Limits<double>::least);
-        last.store(to + i * pitch);
-    }
-    moving = last;
-}
-// And back. moving: those after the tile, in, and its first ones, out.
-template <int N> inline void back(double* to, size_t pitch, const double* pull, bool settles, Lanes<N>& moving) {
-    Lanes<N> tile[N], last = moving;
-#pragma GCC unroll 8
-    for (size_t left = 0; left < size_t(N); ++left) {
-        const size_t i = size_t(N) - 1 - left;
-        last = between(Lanes<N>::load(to + i * pitch), last, pull + i);
-        if (i == 0 && settles) last = settled(last, Limits<double>::least);
-        tile[i] = last;
-    }
-    moving = last;
-    turn_tile<N>(tile);
-#pragma GCC unroll 8
-    for (size_t i = 0; i < size_t(N); ++i) tile[i].store(to + i * pitch);
-}
-
 template <class S, class T> struct DownSweep {
     const StageRows<S, T> rows;
     double* plane;
-
-    // Filters `count` rows from `row` on, N side by side and kBlock / N times that at once, since each waits for itself.
-    template <int N> void filter(size_t row, size_t count) const {
-        const Grid& grid = rows.grid;
-        const UniformStage<T>& stage = rows.stage;
-        Lanes<N> moving[kBlock / N]{};
-        const size_t bundles = count / size_t(N), tiles = (grid.columns + size_t(N) - 1) / size_t(N);
-        const size_t pitch = grid.pitch;
-        const double *const carry = stage.along_u.carry, *const pull = stage.along_u.pull;
-        double* const to = plane + row * pitch;
-        const auto settles = [](size_t tile) { return tile * size_t(N) % kSettleEvery == 0; };
-        for (size_t t = 0; t < tiles; ++t)
-            for (size_t k = 0; k < bundles; ++k)
-                forward(to + k * size_t(N) * pitch + t * size_t(N), pitch, carry + t * size_t(N), settles(t),
-                        moving[k]);
-        for (Lanes<N>& lanes : moving) lanes = Lanes<N>{};
-        for (size_t t = tiles; t-- > 0;)
-            for (size_t k = 0; k < bundles; ++k)
-                back(to + k * size_t(N) * pitch + t * size_t(N), pitch, pull + t * size_t(N), settles(t), moving[k]);
-    }
 
     void block(size_t row, size_t count) const {
         const Grid& grid = rows.grid;
         for (size_t r = row; r < row + count; ++r) {
             if (r + 1 < rows.end) rows.look(r + 1, rows.at(r + 1));
-            double* const to = plane + r * grid.pitch;
-            along_row(0, grid.columns, rows.acting(r, to));
-            for (size_t u = grid.columns; u % size_t(kNative) != 0; ++u) to[u] = 0; // in the last tile
+            along_row(0, grid.columns, rows.acting(r, plane + r * grid.pitch));
         }
-        const size_t whole = count - count % size_t(kNative);
-        if (whole > 0) filter<kNative>(row, whole);
-        if (whole < count) filter<1>(row + whole, count - whole);
+        filter_rows(grid, rows.stage.along_u, plane, row, count);
         for (size_t r = row; r < row + count && rows.stage.carries; ++r)
             if (r > 0) along_row(0, grid.columns, CarryDown(grid, rows.stage.along_v, plane, r));
     }

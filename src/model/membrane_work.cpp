@@ -40,7 +40,7 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
       shared{SharedLines(m.columns, f.bend, f.ring[kU], coefficients),
              SharedLines(m.rows, f.bend, f.ring[kV], coefficients)},
       parts{},
-      preconditioner{},
+      preconditioner{{}, bands, strips, {}, {}, f.bend},
       gradient{} {
     coefficients.fits &= grid_of(m.columns, m.rows, grid) && grid_of(m.rows, m.columns, turned);
     const auto plane = [&](Carver& carve, bool needed) { return needed ? carve.plane(grid) : nullptr; };
@@ -100,7 +100,10 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
     answer[2] = plane(scratch, lines_differ);
     if (!coupled) return;
     gradient = GradientPlanes(system, scratch);
-    preconditioner.two = bends;
+    if (edges_only(m, f) && !bends && !f.ring[kU] && !f.ring[kV]) {
+        preconditioner.lines.carve(grid, coefficients, scratch);
+        for (Direction d : {kU, kV}) preconditioner.lines.inverse_mass[d] = rows[d].inverse_mass;
+    }
     preconditioner.first.carve(system, bends, coefficients, scratch);
     if (bends) preconditioner.second.carve(system, bends, coefficients, scratch);
 }
@@ -257,6 +260,29 @@ void prepare_lines(const Membrane& m, Work& w, double sigma) {
     }
 }
 
+// A line of a separable sheet with half of the drag, the other direction having the other half, and a shift.
+struct ShiftedLine : UniformLine {
+    double shift;
+
+    double ground(size_t i) const {
+        return held(i) ? double(INFINITY) : weight(i) * ((1 + h * m.drag) / 2 + h * matched(i) + shift);
+    }
+};
+
+void prepare_shifts(const Membrane& m, Work& w, double h, double sigma, uint8_t* const* holds) {
+    ShiftedLines& lines = w.preconditioner.lines;
+    const double least = (1 + h * m.drag) / 2;
+    double greatest = least;
+    for (Direction d : {kU, kV})
+        for (size_t i = 0; i < nodes_along(m, d); ++i)
+            greatest = fmax(greatest, least + w.rows[d].drag[i] + 2 * (w.rows[d].before[i] + w.rows[d].after[i]));
+    lines.choose(least, greatest);
+    for (Direction d : {kU, kV})
+        lines.factor(d, nodes_along(m, d), [&](double shift) {
+            return ShiftedLine{{m, d, h, sigma, holds[d]}, shift};
+        });
+}
+
 void prepare_multigrid(const Membrane& m, Work& w, double sigma) {
     const double mass = mean_mass(m, w);
     Multigrid* const hierarchies[2] = {&w.preconditioner.first, &w.preconditioner.second};
@@ -301,7 +327,12 @@ void prepare(Membrane& m, Work& w, double dt) {
             for (size_t u = 0; u < m.columns; ++u)
                 w.inverse[v * w.grid.pitch + u] *= w.rows[kU].gain[u] * w.rows[kV].gain[v];
     if (w.implicit && !w.coupled && !m.separable) prepare_lines(m, w, sigma);
-    if (w.implicit && w.coupled) prepare_multigrid(m, w, sigma);
+    if (w.implicit && w.coupled) {
+        ShiftedLines& lines = w.preconditioner.lines;
+        if (lines.shift) lines.shift[0] = 0;
+        if (lines.shift && m.separable) prepare_shifts(m, w, h, sigma, holds);
+        if (!lines.ready()) prepare_multigrid(m, w, sigma);
+    }
     m.whole = false;
     if (w.implicit && (w.coupled || !m.separable)) {
         measure(m, w);

@@ -4,6 +4,15 @@
 
 namespace cd {
 
+void Preconditioner::operator()(const SheetSystem& system, const double* r, double* x) const {
+    if (lines.ready()) return lines.cycle(system, bands, strips, r, x);
+    first.cycle(r, x);
+    if (!two) return;
+    double* const between = second.level[0].b;
+    system.copy(x, between);
+    second.cycle(between, x);
+}
+
 Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preconditioner, const Goal& goal,
                           const GradientPlanes& planes, double* r, double* x) {
     const auto [start, direction, steep, applied] = planes;
@@ -18,12 +27,7 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
     Convergence out{0, 1, false};
     double true_before = norm, curvature = 0;
     while (out.iterations < goal.most_iterations) {
-        preconditioner.first.cycle(r, steep);
-        if (preconditioner.two) {
-            double* const between = preconditioner.second.level[0].b;
-            system.copy(steep, between);
-            preconditioner.second.cycle(between, steep);
-        }
+        preconditioner(system, r, steep);
         // conjugate to the last direction, whatever the preconditioner (Fletcher and Reeves' factor needs it symmetric)
         if (curvature > 0) system.combine(-system.dot(steep, applied) / curvature, direction, 1, steep);
         else system.copy(steep, direction);

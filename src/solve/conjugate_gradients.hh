@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solve/multigrid.hh"
+#include "solve/shifted_lines.hh"
 
 namespace cd {
 
@@ -11,10 +12,16 @@ struct Convergence {
     bool reached = true;
 };
 
-// With bend, (G + p L) (G + q L), G the root of the ground, stands for the system: a V-cycle for each factor.
+// Of a separable sheet shifted lines, where shifts cover its rates, else V-cycles. With bend, (G + p L) (G + q L), G the root of
+// the ground, stands for the system: a V-cycle for each factor.
 struct Preconditioner {
+    ShiftedLines lines;
+    Parts bands, strips;
     Multigrid first, second;
     bool two;
+
+    // x = S^-1 r, nearly.
+    void operator()(const SheetSystem& system, const double* r, double* x) const;
 };
 
 // Scratch, planes of the system. steep: the preconditioned residual.

@@ -41,8 +41,9 @@ struct Carver {
 
 // Lines of `length` numbers each in parts of at least `least` lines and about as many numbers as given.
 struct Parts {
-    size_t lines, per_part;
+    size_t lines = 0, per_part = 1;
 
+    Parts() = default;
     Parts(size_t lines_, size_t length, size_t least, size_t numbers = 1 << 14) : lines(lines_) {
         per_part = length < numbers ? numbers / length : 1;
         per_part = per_part < least ? least : (per_part + 7) / 8 * 8;

@@ -1,0 +1,60 @@
+#include "solve/shifted_lines.hh"
+
+#include <initializer_list>
+
+namespace cd {
+
+void ShiftedLines::carve(const Grid& grid, Carver& coefficients, Carver& scratch) {
+    const size_t nodes[2] = {grid.columns, grid.rows};
+    for (int d = 0; d < 2; ++d) {
+        stride[d] = (nodes[d] + 7) / 8 * 8;
+        size_t all = 0;
+        coefficients.fits = coefficients.fits && multiply(stride[d], kMostShifts, all);
+        gain[d] = coefficients.numbers(all);
+        carry[d] = coefficients.numbers(all);
+        pull[d] = coefficients.numbers(all);
+    }
+    shift = coefficients.numbers(kMostShifts + 1);
+    z = scratch.plane(grid);
+    t = scratch.plane(grid);
+    below = scratch.numbers(grid.columns);
+}
+
+void ShiftedLines::choose(double least, double greatest) {
+    constexpr double kEnd = 1.15; // so far the outer ones lie inside
+    for (const double step : {2.0, 4.0}) {
+        size_t k = 0;
+        double p = least * kEnd;
+        for (; k < kMostShifts; p *= step) {
+            shift[k++] = p;
+            shift[k] = 0;
+            if (p * kEnd >= greatest) return;
+        }
+    }
+    shift[0] = 0;
+}
+
+void ShiftedLines::cycle(const SheetSystem& system, const Parts& bands, const Parts& strips, const double* r,
+                         double* x) const {
+    const Grid& grid = system.grid;
+    for (size_t k = 0; shift[k] > 0; ++k) {
+        const bool last = !(shift[k + 1] > 0);
+        const auto at = [&](double* const* rows, int d) { return rows[d] + k * stride[d]; };
+        const ShiftedStep step{{inverse_mass[0], inverse_mass[1]},
+                               {at(gain, 0), at(gain, 1)},
+                               {{at(carry, 0), at(pull, 0)}, {at(carry, 1), at(pull, 1)}},
+                               2 * shift[k],
+                               last ? 0 : shift[k] + shift[k + 1],
+                               k == 0,
+                               last,
+                               !system.parallel->run};
+        bands.each(*system.parallel, [&](size_t, size_t first, size_t count) {
+            system.kernels->shift_down(grid, step, r, z, t, first, count);
+        });
+        strips.each(*system.parallel, [&](size_t, size_t first, size_t count) {
+            system.kernels->shift_up(grid, step, z, t, below, x, first, count);
+        });
+    }
+}
+
+} // namespace cd

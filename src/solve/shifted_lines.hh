@@ -1,0 +1,48 @@
+// Alternating directions with shifts (Peaceman and Rachford 1955; Wachspress): an approximate answer for the system of a
+// separable sheet, S = A_u M_v + M_u A_v, by solves of lines alone.
+//
+// With M the masses and one shift p after the other, from x = 0,
+//      (M^-1 A_u + p) t = M^-1 r - z,      z = (M^-1 A_v - p) x,      (M^-1 A_v + p) x <- z + 2 p t,
+// which multiplies the part of the error that has the rates a along u and b along v by
+// (p - a) (p - b) / ((p + a) (p + b)). Shifts that cover [least, greatest rate], each twice the one before, leave
+// less than 2e-5 of it. z needs no springs: after a step with p, before one with q, it is z + 2 p t - (p + q) x. The
+// largest shift comes last: it damps what rounding at small ones did to the stiff parts. The directions commute, so all
+// this is symmetric, as a preconditioner must be.
+#pragma once
+
+#include "solve/planes.hh"
+#include "solve/sheet_system.hh"
+#include "solve/spring_line.hh"
+
+namespace cd {
+
+struct ShiftedLines {
+    static constexpr size_t kMostShifts = 24;
+
+    double* shift = nullptr; // ends with a 0, which is all there is where no shifts cover the rates
+    const double* inverse_mass[2];
+    double *gain[2], *carry[2], *pull[2]; // per shift a line's numbers, `stride` apart
+    size_t stride[2];
+    double *z, *t, *below;
+
+    void carve(const Grid& grid, Carver& coefficients, Carver& scratch);
+    bool ready() const { return shift && shift[0] > 0; }
+    void choose(double least, double greatest);
+    // Factors direction d for all shifts. system(shift): ground(i) of masses 1, of a line's node with that shift;
+    // spring(i). weight(i): its mass.
+    template <class Make> void factor(int d, size_t nodes, const Make& system) {
+        for (size_t k = 0; shift[k] > 0; ++k) {
+            const auto line = system(shift[k]);
+            double *const g = gain[d] + k * stride[d], *const c = carry[d] + k * stride[d],
+                          *const p = pull[d] + k * stride[d];
+            factor_spring_line(nodes, line, c, p, [](size_t, double) {});
+            p[nodes - 1] = 0;
+            for (size_t i = 0; i < nodes; ++i) g[i] = line.weight(i) / line.ground(i);
+            for (size_t i = nodes; i < stride[d]; ++i) g[i] = c[i] = p[i] = 0;
+        }
+    }
+    // x = S^-1 r, nearly.
+    void cycle(const SheetSystem& system, const Parts& bands, const Parts& strips, const double* r, double* x) const;
+};
+
+} // namespace cd
