@@ -1,5 +1,5 @@
-// The solvers of sheets against dense elimination: single lines, the nearest answer in a space, the V-cycle, conjugate
-// gradients.
+// The solvers of sheets against dense elimination: single lines, the nearest answer in a space, the V-cycle, shifted
+// lines, conjugate gradients.
 extern "C" {
 #include "cmocka_all.h"
 }
@@ -249,6 +249,68 @@ void the_v_cycle_is_symmetric_and_close_to_the_inverse(void**) {
     }
 }
 
+// A sheet of like masses and springs, the first column held.
+struct SeparableLine {
+    size_t nodes;
+    bool held;
+    double stiffness, shift;
+
+    double weight(size_t) const { return 1; }
+    double ground(size_t i) const { return held && i == 0 ? double(INFINITY) : 0.5 + shift; }
+    double spring(size_t i) const { return i + 1 < nodes ? stiffness : 0; }
+};
+
+void shifted_lines_are_symmetric_and_leave_next_to_nothing(void**) {
+    for (const double stiffness : {0.1, 10.0, 1e4, 1e8}) {
+        const Options o{13, 41, false, false, false, false, stiffness, 0};
+        Sheet sheet(o, 53);
+        const cd::Grid& grid = sheet.system.grid;
+        const size_t nodes[2] = {o.columns, o.rows};
+        std::vector<double> numbers(32 * grid.pitch * o.rows + 8 * 24 * 64, 0);
+        cd::Carver carve{numbers.data()};
+        cd::ShiftedLines lines;
+        lines.carve(grid, carve, carve);
+        assert_true(carve.taken <= numbers.size());
+        double* ones = carve.numbers(64);
+        for (size_t i = 0; i < 64; ++i) ones[i] = 1;
+        lines.choose(0.5, 0.5 + 4 * stiffness);
+        assert_true(lines.ready());
+        for (int d = 0; d < 2; ++d) {
+            lines.inverse_mass[d] = ones;
+            lines.factor(d, nodes[d], [&](double shift) { return SeparableLine{nodes[d], d == 0, stiffness, shift}; });
+        }
+        sheet.free.clear();
+        for (size_t v = 0; v < o.rows; ++v)
+            for (size_t u = 0; u < o.columns; ++u) {
+                const size_t at = sheet.place(u, v);
+                sheet.mass[at] = u > 0 ? 1 : 0;
+                sheet.spring[0][at] = u + 1 < o.columns ? stiffness : 0;
+                sheet.spring[1][at] = v + 1 < o.rows ? stiffness : 0;
+                if (u > 0) sheet.free.push_back(at);
+            }
+        double *const a = sheet.gradient.start, *const b = sheet.gradient.direction;
+        sheet.fill(a, 59);
+        sheet.fill(b, 61);
+        const cd::Parts bands(o.rows, o.columns, 8), strips(o.columns, o.rows, 8);
+        lines.cycle(sheet.system, bands, strips, a, sheet.x);
+        lines.cycle(sheet.system, bands, strips, b, sheet.y);
+        const double size = sqrt(sheet.system.dot(sheet.x, sheet.x) * sheet.system.dot(b, b));
+        assert_true(fabs(sheet.system.dot(sheet.x, b) - sheet.system.dot(sheet.y, a)) < 1e-9 * size);
+        sheet.system.apply(sheet.x, sheet.gradient.applied);
+        const double before = sqrt(sheet.system.dot(a, a));
+        sheet.system.combine(1, a, -1, sheet.gradient.applied);
+        print_message("stiffness %g: %.1e left\n", stiffness, sqrt(sheet.system.dot(a, a)) / before);
+        assert_true(sqrt(sheet.system.dot(a, a)) < (stiffness < 1e7 ? 1e-3 : 1e-2) * before);
+    }
+    cd::Carver counted{nullptr};
+    cd::ShiftedLines none;
+    none.carve({3, 3, 8}, counted, counted);
+    double shift[cd::ShiftedLines::kMostShifts + 1];
+    none.shift = shift;
+    none.choose(1, 1e30); // so far apart that nothing covers them
+    assert_true(!none.ready());
+}
+
 void conjugate_gradients_reach_the_dense_answer_and_say_how(void**) {
     for (const Options& o : kSheets) {
         Sheet sheet(o, 41);
@@ -329,6 +391,7 @@ int main() {
         cmocka_unit_test(single_lines_are_solved_as_dense_elimination_does),
         cmocka_unit_test(the_nearest_answer_leaves_nothing_in_the_space),
         cmocka_unit_test(the_v_cycle_is_symmetric_and_close_to_the_inverse),
+        cmocka_unit_test(shifted_lines_are_symmetric_and_leave_next_to_nothing),
         cmocka_unit_test(conjugate_gradients_reach_the_dense_answer_and_say_how),
         cmocka_unit_test(shared_lines_are_solved_as_dense_elimination_does),
     };
