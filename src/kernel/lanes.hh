@@ -175,7 +175,7 @@ template <class L> inline L between(L here, L moving, const double* fraction) {
     signed char sign;
     memcpy(&sign, reinterpret_cast<const char*>(fraction) + (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? 7 : 0), 1);
     const L way = *fraction * (moving - here);
-    return (sign < 0 ? moving : here) + way;
+    return sign < 0 ? moving + way : here + way; // GCC 12 would have a choice of addends in memory
 }
 
 // The widest bundle: two registers at least, since a line's operations wait for each other.

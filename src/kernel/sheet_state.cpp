@@ -47,19 +47,18 @@ template <class S, class T> struct Mover {
     const S *x, *v;
     T *to_x, *to_v;
     size_t row;
-    bool finite = true;
+    Probe probe{};
 
     template <int N> void bundle(size_t u) {
         using L = Lanes<N>;
         const size_t at = row + u;
         const L from = L::load(v + at);
-        L change = move.factor[0] * L::load(move.change[0] + at), probe{};
+        L change = move.factor[0] * L::load(move.change[0] + at);
         for (int k = 1; k < move.changes; ++k) change = change + move.factor[k] * L::load(move.change[k] + at);
         const L new_v = from + move.overshoot * change,
                 new_x = L::load(x + at) + move.move * (from + move.follow * change);
-        store_settled(new_v, to_v + at, probe);
-        store_settled(new_x, to_x + at, probe);
-        finite &= !probe.any_nan();
+        store_settled(new_v, to_v + at, probe.of<N>());
+        store_settled(new_x, to_x + at, probe.of<N>());
     }
 };
 
@@ -97,7 +96,7 @@ template <class S, class T> bool move_nodes(const Grid& grid, const SheetMove& m
     for (size_t r = first; r < first + count; ++r) {
         Mover<S, T> bundles{move, x, v, to_x, to_v, r * grid.pitch};
         along_row(0, grid.columns, bundles);
-        finite &= bundles.finite;
+        finite &= bundles.probe.finite();
     }
     return finite;
 }
