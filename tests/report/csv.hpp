@@ -16,10 +16,14 @@ public:
 
     // One row: text, whole numbers and real numbers as they come.
     template <class... Values>
-    void row(const Values&... values) {
+    static std::string line(const Values&... values) {
         std::string line;
-        ((line += (line.empty() ? "" : ",") + cell(values)), ...);
-        text_ += line + "\n";
+        ((line += "," + cell(values)), ...);
+        return line.substr(1) + "\n";
+    }
+    template <class... Values>
+    void row(const Values&... values) {
+        text_ += line(values...);
     }
 
     const std::string& text() const { return text_; }

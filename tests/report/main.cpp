@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "format.hpp"
+#include "machine.hpp"
 #include "report.hpp"
 #include "timing.hpp"
 
@@ -77,25 +77,12 @@ bool parse(int argc, char** argv, Options& options) {
     return true;
 }
 
-std::string processor() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);)
-        if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-    return "unknown processor";
-}
-
 std::string today() {
     std::time_t seconds = std::time(nullptr);
     char text[32];
     std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&seconds));
     return text;
 }
-
-#if defined(__clang__)
-const char* const kCompiler = "Clang " __VERSION__;
-#else
-const char* const kCompiler = "GCC " __VERSION__;
-#endif
 
 }  // namespace
 
@@ -127,9 +114,9 @@ int main(int argc, char** argv) {
     std::fputs(summary.c_str(), stdout);
     if (options.page) {
         std::vector<std::string> facts = {
-            "Machine: " + processor() + ", one core used. Date: " + today() + ".",
+            "Machine: " + report::processor() + ", one core used. Date: " + today() + ".",
             std::string("Library: ") + cd_build_info() + ".",
-            std::string("This program and the textbook in it: ") + kCompiler + ", " + REPORT_FLAGS + ".",
+            std::string("This program and the textbook in it: ") + report::kCompiler + ", " + REPORT_FLAGS + ".",
             "Run time of this report: " + report::number(report::now() - start, 2) + " s. Main figures: summary.txt; "
             "hashes of every final state, equal in every run: outcomes.csv."};
         report.save_text("index.html", report.page.html(
