@@ -4,6 +4,7 @@
 #include "kernel/advance.hh"
 #include "kernel/explicit_sweep.hh"
 #include "kernel/rod_sweep.hh"
+#include "kernel/segment_sweep.hh"
 #include "kernel/sheet.hh"
 #include "kernel/spring_sweep.hh"
 #include "kernel/water.hh"
@@ -13,6 +14,7 @@ namespace cd {
 template <class T> struct LineKernels {
     bool (*spring_sweep)(const Lines<T>&, const SpringCoefficients&, const Stage&, const Start&, double*, bool, size_t,
                          size_t);
+    bool (*segment_sweep)(const Lines<T>&, const SegmentCoefficients&, const Stage&, const Start&, double*, bool);
     void (*rod_sweep)(const Lines<T>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, size_t,
                       size_t);
     bool (*advance)(const Lines<T>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t, size_t);

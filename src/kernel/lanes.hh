@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
-#ifdef __AVX512F__
+#if defined(__AVX512F__)
 #include <immintrin.h>
 #endif
 
@@ -41,6 +41,17 @@ constexpr LaneKind lane_kind(int n) {
     return (width & (width - 1)) == 0 && width <= kNative ? LaneKind::kVector : LaneKind::kPair;
 }
 
+// Numbers of a vector in another precision. GCC 12 goes from eight floats to eight doubles, and back, by halves.
+template <class To, class From> inline To converted(From a) {
+#if defined(__AVX512F__) && !defined(__clang__)
+    constexpr __mmask8 kAll = 0xff;
+    if constexpr (sizeof(To) == 64 && sizeof(From) == 32) return To(_mm512_maskz_cvtps_pd(kAll, __m256(a)));
+    else if constexpr (sizeof(To) == 32 && sizeof(From) == 64) return To(_mm512_maskz_cvtpd_ps(kAll, __m512d(a)));
+    else
+#endif
+        return __builtin_convertvector(a, To);
+}
+
 // D is double: GCC 12 makes a vector of N of it only where its name depends on the template too.
 template <int N, LaneKind = lane_kind(N), class D = double> struct Lanes;
 
@@ -56,6 +67,7 @@ template <> struct Lanes<1, LaneKind::kSingle, double> {
     friend Lanes operator/(Lanes a, Lanes b) { return {a.v / b.v}; }
     friend Lanes settled(Lanes a, double least) { return {__builtin_fabs(a.v) < least ? 0 : a.v}; }
     friend Lanes select(Lanes by, Lanes a, Lanes b) { return by.v > 0 ? a : b; }
+    friend Lanes by_sign(Lanes by, Lanes a, Lanes b) { return __builtin_signbit(by.v) ? a : b; }
     template <class F> friend Lanes each_lane(Lanes a, F f) { return {f(a.v)}; }
     bool any_nan() const { return v != v; }
 };
@@ -71,14 +83,11 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
         Stored stored;
         if constexpr (N == 3) return {Values{D(from[0]), D(from[1]), D(from[2]), 0}};
         memcpy(&stored, from, N * sizeof(S));
-#ifdef __AVX512F__ // GCC 12 makes five instructions of the one
-        if constexpr (kWidth == 8 && sizeof(S) == 4) return {Values(_mm512_maskz_cvtps_pd(0xff, __m256(stored)))};
-#endif
-        return {__builtin_convertvector(stored, Values)};
+        return {converted<Values>(stored)};
     }
     template <class S> void store(S* to) const {
         typedef S Stored __attribute__((vector_size(kWidth * sizeof(S))));
-        const Stored stored = __builtin_convertvector(v, Stored);
+        const Stored stored = converted<Stored>(v);
         if constexpr (N == 3) {
             for (int j = 0; j < 3; ++j) to[j] = stored[j];
             return;
@@ -100,6 +109,11 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
         typedef decltype(a.v < a.v) Bits;
         const Bits yes = by.v > splat(0).v;
         return {reinterpret_cast<Values>((reinterpret_cast<Bits>(a.v) & yes) | (reinterpret_cast<Bits>(b.v) & ~yes))};
+    }
+    // a where by has its sign bit set, else b
+    friend Lanes by_sign(Lanes by, Lanes a, Lanes b) {
+        typedef decltype(a.v < a.v) Bits;
+        return {reinterpret_cast<Bits>(by.v) < 0 ? a.v : b.v};
     }
     template <class F> friend Lanes each_lane(Lanes a, F f) {
         for (int j = 0; j < N; ++j) a.v[j] = f(a.v[j]);
@@ -131,6 +145,7 @@ template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
     friend Lanes operator/(Lanes x, Lanes y) { return {x.a / y.a, x.b / y.b}; }
     friend Lanes settled(Lanes x, double least) { return {settled(x.a, least), settled(x.b, least)}; }
     friend Lanes select(Lanes by, Lanes x, Lanes y) { return {select(by.a, x.a, y.a), select(by.b, x.b, y.b)}; }
+    friend Lanes by_sign(Lanes by, Lanes x, Lanes y) { return {by_sign(by.a, x.a, y.a), by_sign(by.b, x.b, y.b)}; }
     template <class F> friend Lanes each_lane(Lanes x, F f) { return {each_lane(x.a, f), each_lane(x.b, f)}; }
     bool any_nan() const { return a.any_nan() || b.any_nan(); }
 };
@@ -176,6 +191,14 @@ template <class L> inline L between(L here, L moving, const double* fraction) {
     memcpy(&sign, reinterpret_cast<const char*>(fraction) + (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? 7 : 0), 1);
     const L way = *fraction * (moving - here);
     return sign < 0 ? moving + way : here + way; // GCC 12 would have a choice of addends in memory
+}
+
+// The same to the bit, with a fraction for each lane.
+template <class L> inline L between(L here, L moving, L offset, L fraction, L extra) {
+    return by_sign(fraction, moving + (offset + extra), here + extra) + fraction * (moving + (offset - here));
+}
+template <class L> inline L between(L here, L moving, L offset, L fraction) {
+    return by_sign(fraction, moving + offset, here) + fraction * (moving + (offset - here));
 }
 
 // The widest bundle: two registers at least, since a line's operations wait for each other.

@@ -35,11 +35,14 @@ template <int N, class T> inline Lanes<N> outside(const Lines<T>& lines, const N
     return sum;
 }
 
-// Stores a number where it settles to 0 if it is too small for the state's precision, and adds to the probe what is NaN
-// if it is too large for it.
-template <class T, int N> inline void store_settled(Lanes<N> a, T* to, Lanes<N>& probe) {
-    settled(a, double(Limits<T>::least)).store(to);
+// A number to be stored: settles to 0 if it is too small for the state's precision, and adds to the probe what is NaN if
+// it is too large for it.
+template <class T, int N> inline Lanes<N> settle_and_probe(Lanes<N> a, Lanes<N>& probe) {
     probe = probe + 0.0 * (Limits<T>::to_overflow * a);
+    return settled(a, double(Limits<T>::least));
+}
+template <class T, int N> inline void store_settled(Lanes<N> a, T* to, Lanes<N>& probe) {
+    settle_and_probe<T>(a, probe).store(to);
 }
 
 // Ends a stage for the node at `at`, given the sweep's answer: either keeps w for the stage that follows, or moves.

@@ -9,6 +9,7 @@
 #include "model/stages.hh"
 #include "solve/ring_closure.hh"
 #include "solve/rod_line.hh"
+#include "solve/segment_line.hh"
 #include "solve/spring_line.hh"
 
 namespace cd {
@@ -32,12 +33,13 @@ struct StageSystem {
 // The chain's coefficients, rows of one number per node, handed out to those who need one (chain.cpp counts them).
 struct Rows {
     double* next;
-    size_t nodes;
+    size_t length;
 
-    explicit Rows(const Chain& c) : next(c.coefficients.data), nodes(c.nodes) {}
-    double* take(bool needed = true) {
-        double* const row = needed ? next : nullptr;
-        if (needed) next += nodes;
+    explicit Rows(const Chain& c) : next(c.coefficients.data), length(row_length(c)) {}
+    double* take(bool needed = true) { return needed ? take(length) : nullptr; }
+    double* take(size_t numbers) {
+        double* const row = next;
+        next += numbers;
         return row;
     }
 };
@@ -48,12 +50,12 @@ struct GainRows {
     GainRows(const Chain& c, Rows& rows)
         : gravity(rows.take()), drag(rows.take()), force(rows.take(bool(c.force))), attach(rows.take(bool(c.target))) {}
 
-    // Gains of node i when `grounded` is what resists it.
-    void set(const StageSystem& s, size_t i, double grounded) const {
-        gravity[i] = mass_of(s.c, i) / grounded;
-        drag[i] = (s.h * drag_of(s.c, i) + s.h * s.h * tie_of(s.c, i)) / grounded;
-        if (force) force[i] = s.h / grounded;
-        if (attach) attach[i] = s.h * tie_of(s.c, i) / grounded;
+    // Gains of node i, at place `at`, when `grounded` is what resists it.
+    void set(const StageSystem& s, size_t i, double grounded, size_t at) const {
+        gravity[at] = mass_of(s.c, i) / grounded;
+        drag[at] = (s.h * drag_of(s.c, i) + s.h * s.h * tie_of(s.c, i)) / grounded;
+        if (force) force[at] = s.h / grounded;
+        if (attach) attach[at] = s.h * tie_of(s.c, i) / grounded;
     }
     NodeGains gains(const Chain& c) const {
         const bool drags =
@@ -132,7 +134,7 @@ template <class T> struct SpringStep {
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
             factor_spring_line(c.nodes, system, carry, pull,
-                               [&](size_t i, double grounded) { gains.set(system, i, grounded); });
+                               [&](size_t i, double grounded) { gains.set(system, i, grounded, i); });
             if (closing) set_closing(c, closing);
         }
         coefficients = {carry, pull, c.has_welds ? closing : nullptr, gains.gains(c)};
@@ -140,6 +142,35 @@ template <class T> struct SpringStep {
     bool operator()(size_t first, size_t count) const {
         return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
             return chain.kernels->of(T()).spring_sweep(lines, coefficients, stage, start, row, keep, first, count);
+        });
+    }
+};
+
+// Springs of one long strand.
+template <class T> struct SegmentStep {
+    Chain& chain;
+    Lines<T> lines;
+    SegmentCoefficients coefficients;
+    Stages stages;
+
+    SegmentStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of<T>(c)), stages(c, dt) {
+        Rows rows(c);
+        const GainRows gains(c, rows);
+        const SegmentRows segment{rows.take(), rows.take(),          rows.take(),
+                                  rows.take(), rows.take(kSegments), rows.take(kSegments)};
+        if (refactor) {
+            const StageSystem system{c, stage_share(c, dt)};
+            const Segments segments(c.nodes);
+            factor_segment_line(c.nodes, system, segment, [&](size_t i, double grounded) {
+                gains.set(system, i, grounded, segments.place(i));
+            });
+        }
+        coefficients = {segment.carry, segment.pull, segment.share,  segment.reach,
+                        segment.reply, segment.pass, gains.gains(c)};
+    }
+    bool operator()(size_t, size_t) const {
+        return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
+            return chain.kernels->of(T()).segment_sweep(lines, coefficients, stage, start, row, keep);
         });
     }
 };
@@ -159,7 +190,7 @@ template <class T> struct RodStep {
             const StageSystem system{c, stage_share(c, dt)};
             factor_rod_line(c.nodes, system, rod);
             for (size_t i = 0; i < c.nodes; ++i) {
-                gains.set(system, i, system.ground(i));
+                gains.set(system, i, system.ground(i), i);
                 has_bend[i] = bend_of(c, i) > 0 ? 1 : 0;
             }
             if (closing) set_closing(c, closing);
@@ -262,6 +293,7 @@ template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
         c.of_change = of_change({c, stage_share(c, dt)});
     }
     if (is_rod(c)) return run(c, RodStep<T>(c, dt, refactor), count);
+    if (takes_segments(c) && !c.has_welds) return run(c, SegmentStep<T>(c, dt, refactor), count);
     return run(c, SpringStep<T>(c, dt, refactor), count);
 }
 

@@ -13,6 +13,10 @@ inline double share(double a, double b) {
 // The same as a fraction for between() (kernel/lanes.hh): a share above 1/2 as that of b, with its sign bit set.
 inline double fraction(double a, double b) { return a <= b ? share(a, b) : -share(b, a); }
 
+// What such a fraction stands for, and what it leaves of 1.
+inline double of_fraction(double f) { return __builtin_signbit(f) ? 1 + f : f; }
+inline double rest_of_fraction(double f) { return __builtin_signbit(f) ? -f : 1 - f; }
+
 // a b / (a + b): the stiffness of two springs one behind the other.
 inline double series(double a, double b) {
     if (a == b) return a / 2;

@@ -25,9 +25,10 @@
 
 namespace cd {
 
-// System: double ground(i), spring(i). Gains: void operator()(i, r) is told what grounds node i in all.
-template <class System, class Gains>
-void factor_spring_line(size_t nodes, const System& system, double* carry, double* pull, Gains gains) {
+// System: double ground(i), spring(i). Row: double& operator[](i). Gains: void operator()(i, r) is told what grounds
+// node i in all.
+template <class System, class Row, class Gains>
+void factor_spring_line(size_t nodes, const System& system, Row carry, Row pull, Gains gains) {
     double hanging = 0; // the spring to ground that all nodes on the left amount to
     for (size_t i = 0; i < nodes; ++i) {
         const double ground = system.ground(i), grounded = ground + hanging;

@@ -1,0 +1,81 @@
+// Tiles: eight numbers from each of eight streams, turned so that a bundle of lanes holds one number of every stream.
+// Turned in squares of a register's width, in the precision of what is stored.
+#pragma once
+
+#include <utility>
+
+#include "kernel/lanes.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+constexpr int kTile = 8;
+
+// A register of what is stored, and what takes part of it together with another: of two rows that are `kStep` apart in
+// a square, the columns that belong to the first (or, kUpper, the second) once the square is turned.
+template <class T> struct Square {
+    static constexpr int kSide = kNative;
+    typedef T Row __attribute__((vector_size(kSide * sizeof(T))));
+
+    template <int kStep, bool kUpper, int... kColumns>
+    static Row exchange(Row a, Row b, std::integer_sequence<int, kColumns...>) {
+        return __builtin_shufflevector(
+            a, b, ((kColumns & kStep) ? (kUpper ? kSide + kColumns : kSide + kColumns - kStep)
+                                      : (kUpper ? kColumns + kStep : kColumns))...);
+    }
+    template <int kStep> static void turn(Row* rows) {
+        if constexpr (kStep > 0) {
+            constexpr std::make_integer_sequence<int, kSide> columns{};
+            for (int i = 0; i < kSide; ++i) {
+                if (i & kStep) continue;
+                const Row a = rows[i], b = rows[i + kStep];
+                rows[i] = exchange<kStep, false>(a, b, columns);
+                rows[i + kStep] = exchange<kStep, true>(a, b, columns);
+            }
+            turn<kStep / 2>(rows);
+        }
+    }
+    static void turn(Row* rows) { turn<kSide / 2>(rows); }
+};
+
+template <int N> inline Lanes<N> join(const Lanes<kNative>* parts) {
+    if constexpr (N == kNative) return *parts;
+    else return {join<N / 2>(parts), join<N / 2>(parts + N / 2 / kNative)};
+}
+template <int N> inline void split(Lanes<N> whole, Lanes<kNative>* parts) {
+    if constexpr (N == kNative) *parts = whole;
+    else split(whole.a, parts), split(whole.b, parts + N / 2 / kNative);
+}
+
+// Streams lie `stride` apart.
+template <class T> inline void load_tile(const T* from, size_t stride, Lanes<kTile>* out) {
+    using S = Square<T>;
+    typename S::Row rows[S::kSide];
+    Lanes<kNative> parts[kTile][kTile / kNative];
+    for (int number = 0; number < kTile; number += S::kSide)
+        for (int stream = 0; stream < kTile; stream += S::kSide) {
+            for (int i = 0; i < S::kSide; ++i)
+                memcpy(&rows[i], from + size_t(stream + i) * stride + number, sizeof rows[i]);
+            S::turn(rows);
+            for (int i = 0; i < S::kSide; ++i)
+                parts[number + i][stream / S::kSide] = {converted<decltype(Lanes<kNative>::v)>(rows[i])};
+        }
+    for (int i = 0; i < kTile; ++i) out[i] = join<kTile>(parts[i]);
+}
+template <class T> inline void store_tile(const Lanes<kTile>* in, T* to, size_t stride) {
+    using S = Square<T>;
+    typename S::Row rows[S::kSide];
+    Lanes<kNative> parts[kTile][kTile / kNative];
+    for (int i = 0; i < kTile; ++i) split<kTile>(in[i], parts[i]);
+    for (int number = 0; number < kTile; number += S::kSide)
+        for (int stream = 0; stream < kTile; stream += S::kSide) {
+            for (int i = 0; i < S::kSide; ++i)
+                rows[i] = converted<typename S::Row>(parts[number + i][stream / S::kSide].v);
+            S::turn(rows);
+            for (int i = 0; i < S::kSide; ++i)
+                memcpy(to + size_t(stream + i) * stride + number, &rows[i], sizeof rows[i]);
+        }
+}
+
+} // namespace CD_ISA
+} // namespace cd

@@ -1,0 +1,64 @@
+// A long line in segments, for lanes: series-spring elimination (spring_line.hh) of eight parts side by side.
+//
+//      head       segment 0         segment 1     ...     segment 7
+//      o-o-o   o-o-o-o-o-o-o-o   o-o-o-o-o-o-o-o       o-o-o-o-o-o-o-o
+//
+// Going right every segment starts at once, as if the one before it left it at 0. What is missing then is as much of the
+// true start as the carries let through,
+//      y_j = y'_j + reach_j start,        reach_j = carry_0 ... carry_j,
+// so the last nodes, one after the other, tell the true starts. (A better guess than 0, such as what the first node would
+// do by itself, leaves its rounding in all that follows: 50 times the error of a stiff random state in float64.)
+// Going left, a segment's first node would follow
+//      w_0 = sum over its nodes of weight_j (y_j - F_j)  +  pass (w_next - F_next),
+//      weight_j = pull_0 ... pull_{j-1} (1 - pull_j),    pass = pull_0 ... pull_last,
+// with F_j what the springs between it and node j wish in all. The sum is gathered while going right; of the start it
+// takes up `reply`. One after the other, from the right, the first nodes are then known, and all segments go left at
+// once. Weights, reaches and passes are products and sums of what lies in [0, 1], all blends stay blends, and with
+// kSegments fixed the result is the same whatever number of lanes a register holds.
+#pragma once
+
+#include "kernel/segment_sweep.hh"
+#include "solve/spring_line.hh"
+
+namespace cd {
+
+struct SegmentRows { // one number per node, where Segments says
+    double *carry, *pull, *share, *reach;
+    double *reply, *pass; // one per segment
+};
+
+// A row that is told the numbers of nodes in their order.
+struct PlacedRow {
+    double* data;
+    Segments segments;
+    double& operator[](size_t node) const { return data[segments.place(node)]; }
+};
+
+// For gains see factor_spring_line.
+template <class System, class Gains>
+void factor_segment_line(size_t nodes, const System& system, const SegmentRows& out, Gains gains) {
+    const Segments segments(nodes);
+    const PlacedRow carry{out.carry, segments}, pull{out.pull, segments};
+    factor_spring_line(nodes, system, carry, pull, gains);
+    pull[nodes - 1] = 0;
+
+    // Numbers as small as that do not matter, and could make subnormal ones.
+    const auto product = [](double a, double b) { return a * b < 0x1p-400 ? 0 : a * b; };
+    for (size_t k = 0; k < kSegments; ++k) {
+        double reach = 1, left = 1, gathered = 0, reply = 0; // left: the weight of all that is further right
+        for (size_t j = 0; j < segments.length; ++j) {
+            const size_t at = kSegments * j + k;
+            reach = product(reach, of_fraction(out.carry[at]));
+            out.reach[at] = reach;
+            const double weight = product(left, rest_of_fraction(out.pull[at]));
+            left = product(left, of_fraction(out.pull[at]));
+            out.share[at] = fraction(weight, gathered);
+            reply = between(Lanes<1>{reply}, Lanes<1>{reach}, Lanes<1>{0}, out.share[at]).v;
+            gathered += weight;
+        }
+        out.reply[k] = reply;
+        out.pass[k] = fraction(left, gathered);
+    }
+}
+
+} // namespace cd
