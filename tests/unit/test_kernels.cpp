@@ -9,6 +9,7 @@ extern "C" {
 #include "contdyn/base.h"
 #include "kernel/kernels.hh"
 #include "solve/rod_line.hh"
+#include "solve/segment_line.hh"
 #include "solve/spring_line.hh"
 
 namespace {
@@ -64,6 +65,24 @@ template <class T> void step_all(const cd::Kernels& set, State<T>& state) {
     kernels.drift(state.lines(), 0.1, 0, kLines);
 }
 
+// Long lines in segments, with and without what else acts: one to four of them.
+template <class T> void step_segments(const cd::Kernels& set, State<T>& state) {
+    static double rows[5][kNodes * kLines], y[kNodes * kLines], reply[cd::kSegments], pass[cd::kSegments];
+    for (size_t lines = 1; lines <= 4; ++lines) {
+        const size_t nodes = kNodes * kLines / lines;
+        for (double& row : rows[4]) row = 0.02;
+        cd::factor_segment_line(nodes, Line{}, {rows[0], rows[1], rows[2], rows[3], reply, pass},
+                                [](size_t, double) {});
+        const cd::Lines<T> all{nodes, lines, lines, state.position[0], state.velocity[0], nullptr, nullptr};
+        for (const double* drag : {(const double*)nullptr, (const double*)rows[4]}) {
+            const cd::SegmentCoefficients c{rows[0], rows[1], rows[2], rows[3], reply,
+                                            pass,    {rows[4], nullptr, drag, nullptr}};
+            const cd::Stage stage{7, 1, 0.1, {1, -2, 3}, 0};
+            assert_true(set.of(T()).segment_sweep(all, c, stage, {}, y, false));
+        }
+    }
+}
+
 // Explicit steps of `count` like lines side by side. One alone takes its nodes side by side.
 template <class T> void step_explicitly(const cd::Kernels& set, T* x, T* v, size_t count) {
     double stiffness[kNodes], inertia[kNodes], weight[kNodes];
@@ -85,10 +104,12 @@ template <class T> void check_sets() {
     static State<T> plain(1);
     plain = State<T>(1);
     step_all(*sets[0], plain);
+    step_segments(*sets[0], plain);
     for (size_t k = 1; k < count; ++k) {
         static State<T> state(1);
         state = State<T>(1);
         step_all(*sets[k], state);
+        step_segments(*sets[k], state);
         if (memcmp(&state, &plain, sizeof plain) != 0) fail_msg("%s differs from %s", sets[k]->name, sets[0]->name);
     }
     print_message("%zu sets of kernels, the fastest %s\n", count, cd::best_kernels().name);
