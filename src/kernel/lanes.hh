@@ -205,10 +205,18 @@ template <class L> inline L between(L here, L moving, L offset, L fraction) {
 constexpr int kWidest = kNative < 4 ? 4 : 8;
 
 // Calls f.template bundle<N>(first) for bundles of lanes that together cover [first, first + count): the widest while
-// they last, then narrower ones; three stay together, for the three components of a single strand.
-template <class F> void for_each_bundle(size_t first, size_t count, F& f) {
+// they last, then narrower ones; three stay together, for the three components of a single strand. kMost: wider still.
+template <int kMost = kWidest, class F> void for_each_bundle(size_t first, size_t count, F& f) {
     while (count > 0) {
         int n;
+        if constexpr (kMost > kWidest) {
+            if (count >= size_t(kMost)) {
+                f.template bundle<kMost>(first);
+                first += size_t(kMost);
+                count -= size_t(kMost);
+                continue;
+            }
+        }
         if (count >= size_t(kWidest)) f.template bundle<kWidest>(first), n = kWidest;
         else if (count >= 4) f.template bundle<4>(first), n = 4;
         else if (count == 3) f.template bundle<3>(first), n = 3;

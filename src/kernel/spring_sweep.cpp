@@ -1,3 +1,4 @@
+// What did not pay: scratch for short lines on the stack, which costs GCC its registers: half as fast.
 #include "kernel/spring_sweep.hh"
 
 #include "kernel/line_lanes.hh"
@@ -6,6 +7,8 @@ namespace cd {
 namespace CD_ISA {
 
 namespace {
+
+constexpr int kMost = 16; // lines that are swept together: of a register's width, each operation would wait for the last
 
 // kPlain: nothing acts but springs and gravity, and the stage is for w, from the state.
 template <class T, bool kPlain> struct Sweep {
@@ -28,7 +31,7 @@ template <class T, bool kPlain> struct Sweep {
 
     // y_i: what node i and all that hangs on its left would do without the rest.
     //     y_i = between v_i and y_{i-1} + e_{i-1} at carry_i, and what acts on it from outside
-    template <int N> void forward(size_t first) const {
+    template <int N> void forward(size_t first, double* sums, size_t step) const {
         using L = Lanes<N>;
         const L gravity = lane_gravity<N>(lines, stage.gravity, first);
         StateLanes<N> left{};
@@ -36,25 +39,26 @@ template <class T, bool kPlain> struct Sweep {
         for (size_t i = 0; i < lines.nodes; ++i) {
             const size_t at = i * lines.pitch + first;
             const StateLanes<N> here = state<N>(at);
+            fetch_next_bundle<N>(lines, at);
             const L v = kPlain ? here.v : (1 - stage.of_change) * here.v;
             const L own =
                 kPlain ? c.gains.gravity[i] * gravity : outside<N>(lines, c.gains, i, at, gravity, here.x, here.v);
             sum = i == 0 ? v + own : between(v, sum, wish<N>(i - 1, left, here), c.carry[i], own);
             if (i % kSettleEvery == 0) sum = settled(sum, Limits<double>::least);
-            sum.store(y + at);
+            sum.store(sums + i * step);
             left = here;
         }
     }
 
     // The answer at node i: between y_i and its right neighbour's less e_i at pull_i. Then the node moves.
-    template <int N> void backward(size_t first) {
+    template <int N> void backward(size_t first, const double* sums, size_t step) {
         using L = Lanes<N>;
         StateLanes<N> right{};
         L answer{}, probe{};
         for (size_t i = lines.nodes; i-- > 0;) {
             const size_t at = i * lines.pitch + first;
             const StateLanes<N> here = state<N>(at);
-            const L sum = L::load(y + at), none{};
+            const L sum = L::load(sums + i * step), none{};
             answer = i + 1 == lines.nodes ? sum : between(sum, answer, none - wish<N>(i, here, right), c.pull[i]);
             if (i % kSettleEvery == 0) answer = settled(answer, Limits<double>::least);
             right = here;
@@ -64,8 +68,11 @@ template <class T, bool kPlain> struct Sweep {
     }
 
     template <int N> void bundle(size_t first) {
-        forward<N>(first);
-        backward<N>(first);
+        // Nothing else reads y of a plain stage: a bundle's lies in one piece.
+        double* const sums = kPlain ? y + first * lines.nodes : y + first;
+        const size_t step = kPlain ? N : lines.pitch;
+        forward<N>(first, sums, step);
+        backward<N>(first, sums, step);
     }
 };
 
@@ -77,11 +84,11 @@ template <class T> bool spring_sweep(const Lines<T>& lines, const SpringCoeffici
         !c.gains.force && !c.gains.drag && !c.gains.attach && !c.closing && !start.w && !keep && stage.of_change == 0;
     if (plain) {
         Sweep<T, true> bundles{lines, c, stage, start, y, nullptr};
-        for_each_bundle(first, count, bundles);
+        for_each_bundle<kMost>(first, count, bundles);
         return bundles.finite;
     }
     Sweep<T, false> bundles{lines, c, stage, start, y, keep ? y : nullptr};
-    for_each_bundle(first, count, bundles);
+    for_each_bundle<kMost>(first, count, bundles);
     return bundles.finite;
 }
 
