@@ -25,10 +25,11 @@ template <class T> struct Sweep {
     }
     size_t after(size_t i) const { return i + 1 < lines.nodes ? i + 1 : 0; }
 
+    template <int N> StateLanes<N> state(size_t i, size_t first) const { return {x<N>(i, first), v<N>(i, first)}; }
+
     // k_i (dx + damping dv): the force of spring i on its left node.
-    template <int N> Lanes<N> tension(size_t i, size_t first) const {
-        const size_t j = after(i);
-        return c.stiffness[i] * ((x<N>(j, first) - x<N>(i, first)) + c.damping * (v<N>(j, first) - v<N>(i, first)));
+    template <int N> Lanes<N> tension(size_t i, const StateLanes<N>& left, const StateLanes<N>& right) const {
+        return c.stiffness[i] * ((right.x - left.x) + c.damping * (right.v - left.v));
     }
     // b_j times the second difference at node j = i + 1; i: its left neighbour.
     template <int N> Lanes<N> moment(size_t i, size_t first) const {
@@ -42,14 +43,18 @@ template <class T> struct Sweep {
         const size_t n = lines.nodes, z = n - 1;
         const L dv_gravity = lane_gravity<N>(lines, gravity, first);
         // what closes the ring is taken from the old state, before the first nodes move
-        const L closing = c.ring ? tension<N>(z, first) : L{};
+        const L closing = c.ring ? tension<N>(z, state<N>(z, first), state<N>(0, first)) : L{};
         const L moment_last = c.ring && c.bend ? moment<N>(z - 1, first) : L{};
         const L moment_first = c.ring && c.bend ? moment<N>(z, first) : L{};
         L tension_left = closing, moment_left = moment_last, moment_here = moment_first, probe{};
+        StateLanes<N> next = state<N>(0, first);
         for (size_t i = 0; i < n; ++i) {
             const size_t at = i * lines.pitch + first;
-            const L x_old = x<N>(i, first), v_old = v<N>(i, first);
-            const L tension_right = i < z ? tension<N>(i, first) : closing;
+            const StateLanes<N> here = next;
+            const L x_old = here.x, v_old = here.v;
+            if (i < z) next = state<N>(i + 1, first);
+            fetch_next_bundle<N>(lines, at);
+            const L tension_right = i < z ? tension<N>(i, here, next) : closing;
             L force = tension_right - tension_left;
             tension_left = tension_right;
             if (c.bend) {
@@ -68,68 +73,106 @@ template <class T> struct Sweep {
     }
 };
 
-// The plain case of a single line, nodes side by side: springs, gravity, and a position that moves by the new velocity.
-// Rounds exactly as Sweep does. A bundle is stored only when the next one has read its old state.
-template <class T> struct Along {
-    const Lines<T>& lines;
-    const ExplicitCoefficients& c;
-    double dt, gravity;
+// The plain case of few lines with no gaps between nodes: springs, gravity, and a position that moves by the new
+// velocity. Goes along the numbers of all lines, whose neighbours are `pitch` away. Rounds exactly as Sweep does. A bundle
+// is stored only when the next one has read its old state. kUniform: springs are alike, and nodes but for the ends.
+template <class T, bool kUniform> struct Along {
+    const Lines<T> lines; // values, which stores to the state cannot be taken to change
+    const ExplicitCoefficients c;
+    double dt;
+    const double* gravity;
     bool finite = true;
 
+    static constexpr int kSide = 8, kMostLines = 4;
+    double falls[kSide + kMostLines] = {}; // gravity of number m of the lines at [m % pitch]
+
     template <int N> struct Moved {
-        size_t i;
+        size_t m;
         StateLanes<N> to;
     };
-    // Nodes i to i + N - 1, with springs on both sides of each.
-    template <int N> Moved<N> move(size_t i, Lanes<N> x_left) const {
-        using L = Lanes<N>;
-        const L x = L::load(lines.position + i), v = L::load(lines.velocity + i);
-        const L right = L::load(c.stiffness + i) * (L::load(lines.position + i + 1) - x);
-        return finish<N>(i, x, v, right - L::load(c.stiffness + i - 1) * (x - x_left));
+    template <int N> Lanes<N> of_row(const double* row, size_t m) const {
+        if (kUniform) return Lanes<N>::splat(row[1]);
+        return Lanes<N>::load(row + m); // of a single line
     }
-    template <int N> Moved<N> finish(size_t i, Lanes<N> x, Lanes<N> v, Lanes<N> force) const {
+    // Numbers m to m + N - 1, with springs on both sides of each; m is of `line`.
+    template <int N> Moved<N> move(size_t m, size_t line, Lanes<N> x_left) const {
         using L = Lanes<N>;
-        const L v_new = v + (L::load(c.inertia + i) * force + L::load(c.gains.gravity + i) * L::splat(gravity));
-        return {i, {x + dt * v_new, v_new}};
+        const size_t p = lines.pitch;
+        const L x = L::load(lines.position + m), v = L::load(lines.velocity + m);
+        const L right =
+            (kUniform ? L::splat(c.stiffness[0]) : L::load(c.stiffness + m)) * (L::load(lines.position + m + p) - x);
+        const L left = (kUniform ? L::splat(c.stiffness[0]) : L::load(c.stiffness + m - 1)) * (x - x_left);
+        return finish<N>(m, line, x, v, right - left, of_row<N>(c.inertia, m), of_row<N>(c.gains.gravity, m));
+    }
+    template <int N> Moved<N> finish(size_t m, size_t line, Lanes<N> x, Lanes<N> v, Lanes<N> force, Lanes<N> inertia,
+                                     Lanes<N> gain) const {
+        const Lanes<N> v_new = v + (inertia * force + gain * Lanes<N>::load(falls + line));
+        return {m, {x + dt * v_new, v_new}};
     }
     template <int N> void store(const Moved<N>& moved, Lanes<N>& probe) const {
-        store_settled(moved.to.v, lines.velocity + moved.i, probe);
-        store_settled(moved.to.x, lines.position + moved.i, probe);
+        store_settled(moved.to.v, lines.velocity + moved.m, probe);
+        store_settled(moved.to.x, lines.position + moved.m, probe);
     }
 
     void run() {
-        constexpr int kSide = 8;
         using One = Lanes<1>;
         const T* const x = lines.position;
-        const size_t last = lines.nodes - 1;
-        One probe{}, left = One::load(x);
+        const size_t p = lines.pitch, last = (lines.nodes - 1) * p;
+        for (size_t m = 0; m < kSide + kMostLines; ++m) falls[m] = gravity[m % p % lines.components];
+        One probe{}, left[kMostLines];
         Lanes<kSide> probes{};
-        const One first_pull = One::load(c.stiffness) * (One::load(x + 1) - left);
-        const Moved<1> first = finish<1>(0, left, One::load(lines.velocity), first_pull - One{});
-        size_t i = 1;
-        if (i + kSide <= last) {
-            Moved<kSide> held = move<kSide>(i, Lanes<kSide>::load(x + i - 1));
-            store(first, probe);
-            for (i += kSide; i + kSide <= last; i += kSide) {
-                const Moved<kSide> next = move<kSide>(i, Lanes<kSide>::load(x + i - 1));
+        Moved<1> first[kMostLines];
+        for (size_t l = 0; l < p; ++l) {
+            left[l] = One::load(x + l);
+            const One pull = One{c.stiffness[0]} * (One::load(x + p + l) - left[l]);
+            first[l] = finish<1>(l, l, left[l], One::load(lines.velocity + l), pull - One{}, One{c.inertia[0]},
+                                 One{c.gains.gravity[0]});
+        }
+        size_t m = p, line = 0;
+        const auto go_on = [&](size_t numbers) {
+            m += numbers;
+            line = (line + numbers % p) % p;
+        };
+        if (m + kSide <= last) {
+            const size_t turn = kSide % p;
+            Moved<kSide> held = move<kSide>(m, line, Lanes<kSide>::load(x + m - p));
+            for (size_t l = 0; l < p; ++l) store(first[l], probe);
+            go_on(kSide);
+            while (m + kSide <= last) {
+                const Moved<kSide> next = move<kSide>(m, line, Lanes<kSide>::load(x + m - p));
                 store(held, probes);
                 held = next;
+                m += kSide;
+                line += turn;
+                if (line >= p) line -= p;
             }
-            left = One::load(x + i - 1);
+            for (size_t l = 0; l < p; ++l) left[(line + l) % p] = One::load(x + m + l - p);
             store(held, probes);
         } else {
-            store(first, probe);
+            for (size_t l = 0; l < p; ++l) store(first[l], probe);
         }
-        for (; i < last; ++i) {
-            const One here = One::load(x + i);
-            store(move<1>(i, left), probe);
-            left = here;
+        for (; m < last; go_on(1)) {
+            const One here = One::load(x + m);
+            store(move<1>(m, line, left[line]), probe);
+            left[line] = here;
         }
-        const One here = One::load(x + last), last_pull = One::load(c.stiffness + last - 1) * (here - left);
-        store(finish<1>(last, here, One::load(lines.velocity + last), One{} - last_pull), probe);
+        const size_t z = lines.nodes - 1;
+        for (; m < last + p; go_on(1)) {
+            const One here = One::load(x + m), pull = One{c.stiffness[z - 1]} * (here - left[line]);
+            store(finish<1>(m, line, here, One::load(lines.velocity + m), One{} - pull, One{c.inertia[z]},
+                            One{c.gains.gravity[z]}),
+                  probe);
+        }
         finite = !probe.any_nan() && !probes.any_nan();
     }
 };
+
+template <bool kUniform, class T>
+bool along(const Lines<T>& lines, const ExplicitCoefficients& c, double dt, const double* gravity) {
+    Along<T, kUniform> numbers{lines, c, dt, gravity};
+    numbers.run();
+    return numbers.finite;
+}
 
 template <class T> struct Drift {
     const Lines<T>& lines;
@@ -150,13 +193,12 @@ template <class T> struct Drift {
 template <class T> bool explicit_sweep(const Lines<T>& lines, const ExplicitCoefficients& c, double dt,
                                        const double* gravity, Carrier carrier, size_t first, size_t count) {
     const bool plain = !c.bend && !c.ring && c.damping == 0 && !c.gains.force && !c.gains.drag && !c.gains.attach;
-    if (lines.pitch == 1 && lines.nodes > 1 && plain && carrier == Carrier::kNewVelocity) {
-        Along<T> nodes{lines, c, dt, gravity[0]};
-        nodes.run();
-        return nodes.finite;
+    if (plain && carrier == Carrier::kNewVelocity && lines.nodes > 1 && count == lines.pitch && count <= 4) {
+        if (c.uniform) return along<true>(lines, c, dt, gravity);
+        if (count == 1) return along<false>(lines, c, dt, gravity);
     }
     Sweep<T> bundles{lines, c, dt, gravity, carrier};
-    for_each_bundle(first, count, bundles);
+    for_each_bundle<16>(first, count, bundles);
     return bundles.finite;
 }
 

@@ -16,6 +16,7 @@ struct ExplicitCoefficients {
     NodeGains gains;         // of what changes v directly
     double damping;          // [s]
     bool ring;
+    bool uniform = false; // springs are alike, and inertia and gravity's gain of all nodes but the ends
 };
 
 namespace CD_ISA {

@@ -187,8 +187,7 @@ template <class T, int kLines> struct Sweep {
                     if (falls) acting = gravity[l] * load(c.gains.gravity, j + i);
                     if (!kPlain && c.gains.force) acting = acting + load(c.gains.force, j + i) * force[m];
                     if (!kPlain && c.gains.drag) acting = acting - load(c.gains.drag, j + i) * here.v;
-                    if (!kPlain && c.gains.attach)
-                        acting = acting - load(c.gains.attach, j + i) * (here.x - target[m]);
+                    if (!kPlain && c.gains.attach) acting = acting - load(c.gains.attach, j + i) * (here.x - target[m]);
                     const L own = kPlain ? here.v : (1 - stage.of_change) * here.v;
                     sum[l] = between(own, sum[l], wish(left[l], here), load(c.carry, j + i), acting);
                     if (i == 0) sum[l] = settled(sum[l], Limits<double>::least);

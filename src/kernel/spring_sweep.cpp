@@ -8,7 +8,8 @@ namespace CD_ISA {
 
 namespace {
 
-constexpr int kMost = 16; // lines that are swept together: of a register's width, each operation would wait for the last
+constexpr int kMost =
+    16; // lines that are swept together: of a register's width, each operation would wait for the last
 
 // kPlain: nothing acts but springs and gravity, and the stage is for w, from the state.
 template <class T, bool kPlain> struct Sweep {

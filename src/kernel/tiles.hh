@@ -19,9 +19,9 @@ template <class T> struct Square {
 
     template <int kStep, bool kUpper, int... kColumns>
     static Row exchange(Row a, Row b, std::integer_sequence<int, kColumns...>) {
-        return __builtin_shufflevector(
-            a, b, ((kColumns & kStep) ? (kUpper ? kSide + kColumns : kSide + kColumns - kStep)
-                                      : (kUpper ? kColumns + kStep : kColumns))...);
+        return __builtin_shufflevector(a, b,
+                                       ((kColumns & kStep) ? (kUpper ? kSide + kColumns : kSide + kColumns - kStep)
+                                                           : (kUpper ? kColumns + kStep : kColumns))...);
     }
     template <int kStep> static void turn(Row* rows) {
         if constexpr (kStep > 0) {

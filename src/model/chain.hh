@@ -23,8 +23,8 @@ struct Chain : Body, ChainSettings {
     // what steps need, none of it state: see chain_step.cpp
     Array<double> ring_response;
     RingClosure closure;
-    bool has_welds;
-    double of_change; // see Stage
+    bool has_welds, uniform; // uniform: see ExplicitCoefficients
+    double of_change;        // see Stage
 
     // f(array, array of another chain...) for each field, in the order in which they are kept; and for every array.
     template <class F, class... C> static void each_field(F f, C&... c) {

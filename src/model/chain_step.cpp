@@ -82,7 +82,14 @@ void set_closing(const Chain& c, double* closing) {
     for (size_t i = 0; i < c.springs; ++i) closing[i] = welded(c, i) ? 0 : 1;
 }
 
-// ---- the three kinds of step ----------------------------------------------------------------------------------------
+// Whether the numbers of a row from `first` to before `end` are all the same.
+bool is_uniform(const double* row, size_t first, size_t end) {
+    for (size_t i = first + 1; i < end; ++i)
+        if (row[i] != row[first]) return false;
+    return true;
+}
+
+// ---- the kinds of step ----------------------------------------------------------------------------------------------
 
 template <class T> Lines<T> lines_of(Chain& c) {
     return {c.nodes,
@@ -161,11 +168,10 @@ template <class T> struct SegmentStep {
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
             const Segments segments(c.nodes);
-            factor_segment_line(c.nodes, system, segment, [&](size_t i, double grounded) {
-                gains.set(system, i, grounded, segments.place(i));
-            });
+            factor_segment_line(c.nodes, system, segment,
+                                [&](size_t i, double grounded) { gains.set(system, i, grounded, segments.place(i)); });
         }
-        coefficients = {segment.carry, segment.pull, segment.share,  segment.reach,
+        coefficients = {segment.carry, segment.pull, segment.share, segment.reach,
                         segment.reply, segment.pass, gains.gains(c)};
     }
     bool operator()(size_t, size_t) const {
@@ -245,7 +251,10 @@ template <class T> struct ExplicitStep {
                 if (gains.attach) gains.attach[i] = dt * tie_of(c, i) / mass;
             }
         }
-        coefficients = {stiffness, bend, inertia, gains.gains(c), c.damping, c.ring != 0};
+        if (refactor)
+            c.uniform = is_uniform(stiffness, 0, c.springs) && is_uniform(inertia, 1, c.springs) &&
+                        is_uniform(gains.gravity, 1, c.springs);
+        coefficients = {stiffness, bend, inertia, gains.gains(c), c.damping, c.ring != 0, c.uniform};
         for (size_t k = 0; k < 4; ++k) gravity[k] = dt * c.gravity[k];
         const bool new_velocity = c.method == CD_METHOD_SYMPLECTIC_EULER;
         carrier = !new_velocity ? Carrier::kOldVelocity : c.has_welds ? Carrier::kNothing : Carrier::kNewVelocity;

@@ -83,19 +83,21 @@ template <class T> void step_segments(const cd::Kernels& set, State<T>& state) {
     }
 }
 
-// Explicit steps of `count` like lines side by side. One alone takes its nodes side by side.
-template <class T> void step_explicitly(const cd::Kernels& set, T* x, T* v, size_t count) {
+// Explicit steps of `count` like lines side by side. One alone takes its nodes side by side, and so do up to four of
+// which all springs and nodes are alike.
+template <class T> void step_explicitly(const cd::Kernels& set, T* x, T* v, size_t count, bool uniform = false) {
     double stiffness[kNodes], inertia[kNodes], weight[kNodes];
     for (size_t i = 0; i < kNodes; ++i) {
-        stiffness[i] = 1 + double(i % 3);
-        inertia[i] = 0.01 * double(1 + i % 2);
-        weight[i] = 1;
+        const bool end = i == 0 || i + 1 == kNodes;
+        stiffness[i] = uniform ? 2 : 1 + double(i % 3);
+        inertia[i] = uniform ? (end ? 0 : 0.02) : 0.01 * double(1 + i % 2);
+        weight[i] = uniform && end ? 0.5 : 1;
     }
-    const cd::ExplicitCoefficients c{stiffness, nullptr, inertia, {weight, nullptr, nullptr, nullptr}, 0, false};
-    const double gravity[4] = {-0.3, -0.3, -0.3, 0};
+    const cd::ExplicitCoefficients c{stiffness, nullptr, inertia, {weight, nullptr, nullptr, nullptr}, 0, false, uniform};
+    const double gravity[4] = {-0.3, -0.3, -0.3, -0.3};
     for (int step = 0; step < 20; ++step)
-        assert_true(set.of(T()).explicit_sweep({kNodes, count, count, x, v, nullptr, nullptr}, c, 0.1, gravity,
-                                               cd::Carrier::kNewVelocity, 0, count));
+        assert_true(set.of(T()).explicit_sweep({kNodes, count, count < 4 ? count : 4, x, v, nullptr, nullptr}, c, 0.1,
+                                               gravity, cd::Carrier::kNewVelocity, 0, count));
 }
 
 template <class T> void check_sets() {
@@ -136,6 +138,24 @@ template <class T> void check_alone() {
         step_explicitly<T>(*sets[k], x3[0], v3[0], 3);
         for (size_t i = 0; i < kNodes; ++i)
             for (size_t j = 0; j < 3; ++j) assert_true(x3[i][j] == x[i] && v3[i][j] == v[i]);
+
+        // six lines are swept from node to node, few go along all numbers
+        T x6[kNodes][6], v6[kNodes][6];
+        const auto fill = [&](T* to_x, T* to_v, size_t lines) {
+            for (size_t m = 0; m < kNodes * lines; ++m) {
+                to_x[m] = start.position[m / lines][m % lines];
+                to_v[m] = start.velocity[m / lines][m % lines];
+            }
+        };
+        fill(x6[0], v6[0], 6);
+        step_explicitly<T>(*sets[k], x6[0], v6[0], 6, true);
+        for (size_t lines = 1; lines <= 4; ++lines) {
+            T few_x[kNodes * 4], few_v[kNodes * 4];
+            fill(few_x, few_v, lines);
+            step_explicitly<T>(*sets[k], few_x, few_v, lines, true);
+            for (size_t m = 0; m < kNodes * lines; ++m)
+                assert_true(few_x[m] == x6[m / lines][m % lines] && few_v[m] == v6[m / lines][m % lines]);
+        }
     }
 }
 
