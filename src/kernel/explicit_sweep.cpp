@@ -128,21 +128,15 @@ template <class T, bool kUniform> struct Along {
             first[l] = finish<1>(l, l, left[l], One::load(lines.velocity + l), pull - One{}, One{c.inertia[0]},
                                  One{c.gains.gravity[0]});
         }
-        size_t m = p, line = 0;
-        const auto go_on = [&](size_t numbers) {
-            m += numbers;
-            line = (line + numbers % p) % p;
-        };
+        size_t m = p, line = 0; // m % p
         if (m + kSide <= last) {
-            const size_t turn = kSide % p;
             Moved<kSide> held = move<kSide>(m, line, Lanes<kSide>::load(x + m - p));
             for (size_t l = 0; l < p; ++l) store(first[l], probe);
-            go_on(kSide);
-            while (m + kSide <= last) {
+            const size_t turn = kSide % p;
+            for (m += kSide, line = turn; m + kSide <= last; m += kSide) {
                 const Moved<kSide> next = move<kSide>(m, line, Lanes<kSide>::load(x + m - p));
                 store(held, probes);
                 held = next;
-                m += kSide;
                 line += turn;
                 if (line >= p) line -= p;
             }
@@ -151,17 +145,16 @@ template <class T, bool kUniform> struct Along {
         } else {
             for (size_t l = 0; l < p; ++l) store(first[l], probe);
         }
-        for (; m < last; go_on(1)) {
+        for (; m < last; ++m, line = (line + 1) % p) {
             const One here = One::load(x + m);
             store(move<1>(m, line, left[line]), probe);
             left[line] = here;
         }
         const size_t z = lines.nodes - 1;
-        for (; m < last + p; go_on(1)) {
+        for (; m < last + p; ++m, line = (line + 1) % p) {
             const One here = One::load(x + m), pull = One{c.stiffness[z - 1]} * (here - left[line]);
-            store(finish<1>(m, line, here, One::load(lines.velocity + m), One{} - pull, One{c.inertia[z]},
-                            One{c.gains.gravity[z]}),
-                  probe);
+            const One inertia{c.inertia[z]}, gain{c.gains.gravity[z]};
+            store(finish<1>(m, line, here, One::load(lines.velocity + m), One{} - pull, inertia, gain), probe);
         }
         finite = !probe.any_nan() && !probes.any_nan();
     }
