@@ -61,6 +61,7 @@ template <> struct Lanes<1, LaneKind::kSingle, double> {
     static Lanes splat(double a) { return {a}; }
     template <class S> static Lanes load(const S* from) { return {double(*from)}; }
     template <class S> void store(S* to) const { *to = S(v); }
+    template <class S> Lanes rounded_to() const { return {double(S(v))}; } // what a stored number is
     friend Lanes operator+(Lanes a, Lanes b) { return {a.v + b.v}; }
     friend Lanes operator-(Lanes a, Lanes b) { return {a.v - b.v}; }
     friend Lanes operator*(Lanes a, Lanes b) { return {a.v * b.v}; }
@@ -93,6 +94,10 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
             return;
         }
         memcpy(to, &stored, N * sizeof(S));
+    }
+    template <class S> Lanes rounded_to() const {
+        typedef S Stored __attribute__((vector_size(kWidth * sizeof(S))));
+        return {converted<Values>(converted<Stored>(v))};
     }
     friend Lanes operator+(Lanes a, Lanes b) { return {a.v + b.v}; }
     friend Lanes operator-(Lanes a, Lanes b) { return {a.v - b.v}; }
@@ -139,6 +144,7 @@ template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
         a.store(to);
         b.store(to + kFirst);
     }
+    template <class S> Lanes rounded_to() const { return {a.template rounded_to<S>(), b.template rounded_to<S>()}; }
     friend Lanes operator+(Lanes x, Lanes y) { return {x.a + y.a, x.b + y.b}; }
     friend Lanes operator-(Lanes x, Lanes y) { return {x.a - y.a, x.b - y.b}; }
     friend Lanes operator*(Lanes x, Lanes y) { return {x.a * y.a, x.b * y.b}; }

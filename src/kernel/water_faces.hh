@@ -38,7 +38,7 @@ template <int N> typename WaterLine<N>::FaceRange WaterLine<N>::measure_faces(co
 // out of nothing, 20 times what there was at Courant numbers of 100.
 template <int N> void WaterLine<N>::size_up(FaceRange depths) {
     const L one = L::splat(1);
-    long_step = select(wave() * depths.most - L::splat(2.5 * 2.5), one, L{});
+    long_step = select(wave() * depths.most - L::splat(kLongStep), one, L{});
     even = 1.1 * depths.least - depths.most;
     if (alone) thins = axis.corrections > 0 ? one : long_step;
     ahead = one;

@@ -33,7 +33,7 @@ template <int N> void WaterLine<N>::add_to_transfers(L more) const {
 template <int N> void WaterLine<N>::limit_transfers() {
     L least, deepest;
     fill_cells(least, deepest);
-    strained = larger(larger(-least, thins), wave() * deepest - L::splat(1e4));
+    strained = larger(larger(-least, thins), wave() * deepest - L::splat(kVeryLongStep));
     if (!any_positive(larger(-least, thins))) return;
     for (size_t i = 0; i <= n; ++i) put(rest, i, at(transfer, i));
     for (size_t i = 0; i < n; ++i) share_out(i);

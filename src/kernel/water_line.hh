@@ -13,6 +13,9 @@
 namespace cd {
 namespace CD_ISA {
 
+// Squares of cells that waves cross, from which on a step is long, and very long, for a line.
+constexpr double kLongStep = 2.5 * 2.5, kVeryLongStep = 1e4;
+
 template <int N> struct WaterLine {
     using L = Lanes<N>;
 
@@ -148,8 +151,11 @@ template <int N> struct WaterLine {
         for (size_t i = 0; i <= n; ++i) settle_face(i);
     }
 
+    bool step_calm(); // water_calm.hh: the same for most lines; false, and nothing has changed, for others
+
     // A sweep's whole step.
     void step() {
+        if (step_calm()) return;
         alone = true;
         look();
         for (size_t i = 0; i <= n && axis.corrections > 1; ++i) put(start_face, i, at(face, i));
@@ -174,6 +180,7 @@ template <int N> struct WaterLine {
 } // namespace CD_ISA
 } // namespace cd
 
+#include "kernel/water_calm.hh"
 #include "kernel/water_faces.hh"
 #include "kernel/water_limit.hh"
 #include "kernel/water_momentum.hh"

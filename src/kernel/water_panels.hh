@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel/lines.hh"
+#include "kernel/tiles.hh"
 #include "kernel/water_line.hh"
 
 namespace cd {
@@ -15,14 +16,15 @@ struct Place {
     size_t at(size_t i, size_t lane) const { return i * along + (first + lane) * across; }
 };
 
-// f(panel index, element index) for `count` numbers of each line, in an order that is kind to both memories.
-template <int N, class F> inline void each_element(const Place& p, size_t count, const F& f) {
-    constexpr size_t kBlock = 8;
-    for (size_t i = 0; i < count; i += kBlock) {
-        const size_t end = count - i < kBlock ? count : i + kBlock;
-        for (size_t lane = 0; lane < p.lanes; ++lane)
-            for (size_t k = i; k < end; ++k) f(k * N + lane, p.at(k, lane));
-    }
+// f(panel index, element index) for the numbers [first, end) of each line.
+template <int N, class F> inline void each_element(const Place& p, size_t first, size_t end, const F& f) {
+    for (size_t lane = 0; lane < p.lanes; ++lane)
+        for (size_t i = first; i < end; ++i) f(i * N + lane, p.at(i, lane));
+}
+
+// Lines that lie along memory go through tiles as far as those reach.
+template <int N> inline size_t in_tiles(const Place& p, size_t count) {
+    return N == kTile && p.along == 1 && p.lanes == N ? count / kTile * kTile : 0;
 }
 
 template <int N, class T> void fetch(const Place& p, size_t count, const T* from, double* panel) {
@@ -30,8 +32,14 @@ template <int N, class T> void fetch(const Place& p, size_t count, const T* from
         for (size_t i = 0; i < count; ++i) Lanes<N>::load(from + p.at(i, 0)).store(panel + i * N);
         return;
     }
+    const size_t tiled = in_tiles<N>(p, count);
+    for (size_t i = 0; i < tiled; i += kTile) {
+        Lanes<kTile> numbers[kTile];
+        load_tile(from + p.at(i, 0), p.across, numbers);
+        for (size_t k = 0; k < kTile; ++k) numbers[k].store(panel + (i + k) * N);
+    }
     if (p.lanes < N) memset(panel, 0, count * N * sizeof(double));
-    each_element<N>(p, count, [&](size_t in, size_t at) { panel[in] = double(from[at]); });
+    each_element<N>(p, tiled, count, [&](size_t in, size_t at) { panel[in] = double(from[at]); });
 }
 
 template <int N, class T> void put(const Place& p, size_t count, const double* panel, T* to) {
@@ -39,7 +47,13 @@ template <int N, class T> void put(const Place& p, size_t count, const double* p
         for (size_t i = 0; i < count; ++i) Lanes<N>::load(panel + i * N).store(to + p.at(i, 0));
         return;
     }
-    each_element<N>(p, count, [&](size_t in, size_t at) { to[at] = T(panel[in]); });
+    const size_t tiled = in_tiles<N>(p, count);
+    for (size_t i = 0; i < tiled; i += kTile) {
+        Lanes<kTile> numbers[kTile];
+        for (size_t k = 0; k < kTile; ++k) numbers[k] = Lanes<kTile>::load(panel + (i + k) * N);
+        store_tile(numbers, to + p.at(i, 0), p.across);
+    }
+    each_element<N>(p, tiled, count, [&](size_t in, size_t at) { to[at] = T(panel[in]); });
 }
 
 // A number as it will be stored: 0 where it is too small. probe gets NaN for what is too large.
@@ -61,17 +75,21 @@ template <int N> struct Rounding<N, double> {
 };
 template <int N> struct Rounding<N, float> {
     using L = Lanes<N>;
-    L owed{};
+    L owed{}, shallowest = L::splat(1e300); // of what is stored and wet
 
     L operator()(L d) {
         const L exact = d + owed, takes = select(d + (owed + owed), d, L{}); // > 0: wet, and deeper than what is owed
-        float rounded[N];
-        select(takes, exact, d).store(rounded);
-        const L stored = L::load(rounded);
+        const L stored = select(takes, exact, d).template rounded_to<float>();
         owed = select(takes, exact - stored, owed + (d - stored));
+        shallowest = select(stored, smaller(stored, shallowest), shallowest);
         return stored;
     }
     void hand_back(size_t cells, double* depth) {
+        // Not where even the shallowest cell is too deep for it, as in most water.
+        const L bit_more = (1 + 0x1p-20) * owed, d = shallowest;
+        const L more = size_of((d + bit_more).template rounded_to<float>() - d);
+        const L less = size_of((d - bit_more).template rounded_to<float>() - d);
+        if (!any_positive(larger(more, less))) return;
         for (size_t i = cells; i-- > 0;) {
             if (i % 16 == 15 && !any_positive(size_of(owed))) return;
             (*this)(L::load(depth + i * N)).store(depth + i * N);
