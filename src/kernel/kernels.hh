@@ -17,6 +17,8 @@ template <class T> struct LineKernels {
     bool (*segment_sweep)(const Lines<T>&, const SegmentCoefficients&, const Stage&, const Start&, double*, bool);
     void (*rod_sweep)(const Lines<T>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, size_t,
                       size_t);
+    bool (*rod_step)(const Lines<T>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, bool,
+                     size_t, size_t);
     bool (*advance)(const Lines<T>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t, size_t);
     bool (*explicit_sweep)(const Lines<T>&, const ExplicitCoefficients&, double, const double*, Carrier, size_t,
                            size_t);

@@ -8,12 +8,16 @@ namespace CD_ISA {
 
 namespace {
 
-template <class T> struct Sweep {
+constexpr int kMost = 16; // lines that are swept together
+
+// kEnds: the way back ends the stage too.
+template <class T, bool kEnds> struct Sweep {
     const Lines<T>& lines;
     const RodCoefficients& c;
     const Stage& stage;
     const Start& start;
     double *value, *slope;
+    bool keep = false, finite = true;
 
     template <int N> StateLanes<N> state(size_t i, size_t first) const {
         return load_start<N>(lines, start, i * lines.pitch + first);
@@ -44,6 +48,7 @@ template <class T> struct Sweep {
             before = left;
             left = here;
             here = state<N>(i, first);
+            fetch_next_bundle<N>(lines, at);
             const L own = (1 - stage.of_change) * here.v + outside<N>(lines, c.gains, i, at, gravity, here.x, here.v);
             if (i == 0) {
                 u = own;
@@ -61,10 +66,10 @@ template <class T> struct Sweep {
     }
 
     // The answer at node i is its right neighbour's less the difference between them, d.
-    template <int N> void backward(size_t first) const {
+    template <int N> void backward(size_t first) {
         using L = Lanes<N>;
         StateLanes<N> left = state<N>(lines.nodes - 1, first), here{}, right{}; // nodes i - 1, i and i + 1
-        L answer{}, d{};
+        L answer{}, d{}, probe{};
         for (size_t i = lines.nodes; i-- > 0;) {
             const size_t at = i * lines.pitch + first;
             right = here;
@@ -82,8 +87,10 @@ template <class T> struct Sweep {
                 answer = settled(answer, Limits<double>::least);
                 d = settled(d, Limits<double>::least);
             }
-            answer.store(value + at);
+            if (kEnds) end_stage<N>(lines, stage, here, answer, keep ? value : nullptr, at, probe);
+            else answer.store(value + at);
         }
+        finite &= !probe.any_nan();
     }
 
     template <int N> void bundle(size_t first) {
@@ -96,13 +103,27 @@ template <class T> struct Sweep {
 
 template <class T> void rod_sweep(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage,
                                   const Start& start, double* value, double* slope, size_t first, size_t count) {
-    Sweep<T> bundles{lines, c, stage, start, value, slope};
-    for_each_bundle(first, count, bundles);
+    Sweep<T, false> bundles{lines, c, stage, start, value, slope};
+    for_each_bundle<kMost>(first, count, bundles);
+}
+
+template <class T> bool rod_step(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage,
+                                 const Start& start, double* value, double* slope, bool keep, size_t first,
+                                 size_t count) {
+    Sweep<T, true> bundles{lines, c, stage, start, value, slope, keep};
+    for_each_bundle<kMost>(first, count, bundles);
+    return bundles.finite;
 }
 
 #if CD_WITH_FLOAT32
 template void rod_sweep(const Lines<float>&, const RodCoefficients&, const Stage&, const Start&, double*, double*,
                         size_t, size_t);
+template bool rod_step(const Lines<float>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, bool,
+                       size_t, size_t);
+#endif
+#if CD_WITH_FLOAT64
+template bool rod_step(const Lines<double>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, bool,
+                       size_t, size_t);
 #endif
 #if CD_WITH_FLOAT64 || CD_WITH_MEMBRANE // a membrane's planes are double
 template void rod_sweep(const Lines<double>&, const RodCoefficients&, const Stage&, const Start&, double*, double*,

@@ -220,6 +220,7 @@ template <class T> struct RodStep {
         const LineKernels<T>& kernels = chain.kernels->of(T());
         double* const slope = chain.scratch.data + size_t(stages.count) * chain.nodes * chain.pitch;
         const bool finite = stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
+            if (!chain.ring) return kernels.rod_step(lines, coefficients, stage, start, row, slope, keep, first, count);
             kernels.rod_sweep(lines, coefficients, stage, start, row, slope, first, count);
             return kernels.advance(lines, stage, start, chain.closure, row, keep, first, count);
         });

@@ -58,7 +58,11 @@ template <class T> void step_all(const cd::Kernels& set, State<T>& state) {
     const cd::RodCoefficients rods{rows[3], rows[4], rows[5],  rows[6], rows[7], rows[8],
                                    rows[9], nullptr, rows[10], gains,   pin};
     kernels.rod_sweep(state.lines(), rods, stage, {}, y[0], slope[0], 0, kLines);
+    static State<T> at_once(1);
+    at_once = state;
     assert_true(kernels.advance(state.lines(), stage, {}, {}, y[0], false, 0, kLines));
+    assert_true(kernels.rod_step(at_once.lines(), rods, stage, {}, y[0], slope[0], false, 0, kLines));
+    assert_memory_equal(&at_once, &state, sizeof state);
     const cd::ExplicitCoefficients explicits{rows[11], rows[0], rows[11], gains, 0.01, false};
     const double gravity[4] = {0.1, 0.2, 0.3, 0};
     assert_true(kernels.explicit_sweep(state.lines(), explicits, 0.1, gravity, cd::Carrier::kOldVelocity, 0, kLines));
