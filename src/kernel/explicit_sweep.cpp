@@ -74,8 +74,9 @@ template <class T> struct Sweep {
 };
 
 // The plain case of few lines with no gaps between nodes: springs, gravity, and a position that moves by the new
-// velocity. Goes along the numbers of all lines, whose neighbours are `pitch` away. Rounds exactly as Sweep does. A bundle
-// is stored only when the next one has read its old state. kUniform: springs are alike, and nodes but for the ends.
+// velocity. Goes along the numbers of all lines, whose neighbours are `pitch` away. Rounds exactly as Sweep does. A
+// bundle is stored only when the next one has read its old state. kUniform: springs are alike, and nodes but for the
+// ends: one number each in place of a row, which in float32 is three times the state.
 template <class T, bool kUniform> struct Along {
     const Lines<T> lines; // values, which stores to the state cannot be taken to change
     const ExplicitCoefficients c;

@@ -17,8 +17,8 @@ template <int N, class T> inline StateLanes<N> load_start(const Lines<T>& lines,
     return {x + start.move * w, w + start.overshoot * (w - v)};
 }
 
-// Asks for what the next bundle needs at this node: its numbers are a few bytes on, but its nodes a page and more apart,
-// where no processor looks ahead.
+// Asks for what the next bundle needs at this node: its numbers are a few bytes on, but its nodes a page and more
+// apart, where no processor looks ahead.
 template <int N, class T> inline void fetch_next_bundle(const Lines<T>& lines, size_t at) {
     constexpr size_t kLine = 64 / sizeof(T);
     for (size_t ahead = at + N; ahead < at + 2 * N; ahead += kLine) {
@@ -45,8 +45,8 @@ template <int N, class T> inline Lanes<N> outside(const Lines<T>& lines, const N
     return sum;
 }
 
-// A number to be stored: settles to 0 if it is too small for the state's precision, and adds to the probe what is NaN if
-// it is too large for it.
+// A number to be stored: settles to 0 if it is too small for the state's precision, and adds to the probe what is NaN
+// if it is too large for it.
 template <class T, int N> inline Lanes<N> settle_and_probe(Lanes<N> a, Lanes<N>& probe) {
     probe = probe + 0.0 * (Limits<T>::to_overflow * a);
     return settled(a, double(Limits<T>::least));

@@ -3,11 +3,11 @@
 //      head       segment 0         segment 1     ...     segment 7
 //      o-o-o   o-o-o-o-o-o-o-o   o-o-o-o-o-o-o-o       o-o-o-o-o-o-o-o
 //
-// Going right every segment starts at once, as if the one before it left it at 0. What is missing then is as much of the
-// true start as the carries let through,
+// Going right every segment starts at once, as if the one before it left it at 0. What is missing then is as much of
+// the true start as the carries let through,
 //      y_j = y'_j + reach_j start,        reach_j = carry_0 ... carry_j,
-// so the last nodes, one after the other, tell the true starts. (A better guess than 0, such as what the first node would
-// do by itself, leaves its rounding in all that follows: 50 times the error of a stiff random state in float64.)
+// so the last nodes, one after the other, tell the true starts. (A better guess than 0, such as what the first node
+// would do by itself, leaves its rounding in all that follows: 50 times the error of a stiff random state in float64.)
 // Going left, a segment's first node would follow
 //      w_0 = sum over its nodes of weight_j (y_j - F_j)  +  pass (w_next - F_next),
 //      weight_j = pull_0 ... pull_{j-1} (1 - pull_j),    pass = pull_0 ... pull_last,

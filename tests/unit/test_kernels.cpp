@@ -79,8 +79,8 @@ template <class T> void step_segments(const cd::Kernels& set, State<T>& state) {
                                 [](size_t, double) {});
         const cd::Lines<T> all{nodes, lines, lines, state.position[0], state.velocity[0], nullptr, nullptr};
         for (const double* drag : {(const double*)nullptr, (const double*)rows[4]}) {
-            const cd::SegmentCoefficients c{rows[0], rows[1], rows[2], rows[3], reply,
-                                            pass,    {rows[4], nullptr, drag, nullptr}};
+            const cd::SegmentCoefficients c{
+                rows[0], rows[1], rows[2], rows[3], reply, pass, {rows[4], nullptr, drag, nullptr}};
             const cd::Stage stage{7, 1, 0.1, {1, -2, 3}, 0};
             assert_true(set.of(T()).segment_sweep(all, c, stage, {}, y, false));
         }
@@ -97,7 +97,8 @@ template <class T> void step_explicitly(const cd::Kernels& set, T* x, T* v, size
         inertia[i] = uniform ? (end ? 0 : 0.02) : 0.01 * double(1 + i % 2);
         weight[i] = uniform && end ? 0.5 : 1;
     }
-    const cd::ExplicitCoefficients c{stiffness, nullptr, inertia, {weight, nullptr, nullptr, nullptr}, 0, false, uniform};
+    const cd::NodeGains gains{weight, nullptr, nullptr, nullptr};
+    const cd::ExplicitCoefficients c{stiffness, nullptr, inertia, gains, 0, false, uniform};
     const double gravity[4] = {-0.3, -0.3, -0.3, -0.3};
     for (int step = 0; step < 20; ++step)
         assert_true(set.of(T()).explicit_sweep({kNodes, count, count < 4 ? count : 4, x, v, nullptr, nullptr}, c, 0.1,
