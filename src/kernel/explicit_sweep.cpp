@@ -192,7 +192,7 @@ template <class T> bool explicit_sweep(const Lines<T>& lines, const ExplicitCoef
         if (count == 1) return along<false>(lines, c, dt, gravity);
     }
     Sweep<T> bundles{lines, c, dt, gravity, carrier};
-    for_each_bundle<16>(first, count, bundles);
+    for_each_bundle<kLinesAtOnce>(first, count, bundles);
     return bundles.finite;
 }
 

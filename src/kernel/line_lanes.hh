@@ -7,6 +7,9 @@
 namespace cd {
 namespace CD_ISA {
 
+// Lines that are swept together: two registers, or each operation would wait for the last.
+constexpr int kLinesAtOnce = kNative < 8 ? kWidest : 2 * kNative;
+
 // The state at one node.
 template <int N> struct StateLanes { Lanes<N> x, v; };
 template <int N, class T> inline StateLanes<N> load_start(const Lines<T>& lines, const Start& start, size_t at) {

@@ -8,8 +8,6 @@ namespace CD_ISA {
 
 namespace {
 
-constexpr int kMost = 16; // lines that are swept together
-
 // kEnds: the way back ends the stage too.
 template <class T, bool kEnds> struct Sweep {
     const Lines<T>& lines;
@@ -104,14 +102,14 @@ template <class T, bool kEnds> struct Sweep {
 template <class T> void rod_sweep(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage,
                                   const Start& start, double* value, double* slope, size_t first, size_t count) {
     Sweep<T, false> bundles{lines, c, stage, start, value, slope};
-    for_each_bundle<kMost>(first, count, bundles);
+    for_each_bundle<kLinesAtOnce>(first, count, bundles);
 }
 
 template <class T> bool rod_step(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage,
                                  const Start& start, double* value, double* slope, bool keep, size_t first,
                                  size_t count) {
     Sweep<T, true> bundles{lines, c, stage, start, value, slope, keep};
-    for_each_bundle<kMost>(first, count, bundles);
+    for_each_bundle<kLinesAtOnce>(first, count, bundles);
     return bundles.finite;
 }
 

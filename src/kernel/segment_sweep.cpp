@@ -1,6 +1,6 @@
 // What did not pay: unrolling the eight nodes of a tile, so that they stay in registers: as fast, and the code twice as
-// long. A form of its own for 1 to 4 lines where more than springs and gravity acts: a fifth faster for three times the
-// code.
+// long. A form of its own for every number of lines where more than springs and gravity acts: three times the code.
+// Tiles turned in functions of their own where vectors are wide: a tenth slower, for the registers around the call.
 #include "kernel/segment_sweep.hh"
 
 #include "kernel/line_lanes.hh"
@@ -98,6 +98,28 @@ template <class T> struct Head {
     }
 };
 
+// `count` numbers of every segment: tiles, and one by one what fills none.
+template <class T>
+__attribute__((noinline)) void load_numbers(const T* from, size_t stride, size_t count, Lanes<kTile>* out) {
+    size_t m = 0;
+    for (; m + kTile <= count; m += kTile) load_tile(from + m, stride, out + m);
+    for (; m < count; ++m) {
+        double numbers[kTile];
+        for (size_t k = 0; k < kSegments; ++k) numbers[k] = double(from[k * stride + m]);
+        out[m] = Lanes<kTile>::load(numbers);
+    }
+}
+template <class T>
+__attribute__((noinline)) void store_numbers(const Lanes<kTile>* in, T* to, size_t stride, size_t count) {
+    size_t m = 0;
+    for (; m + kTile <= count; m += kTile) store_tile(in + m, to + m, stride);
+    for (; m < count; ++m) {
+        T numbers[kTile];
+        in[m].store(numbers);
+        for (size_t k = 0; k < kSegments; ++k) to[k * stride + m] = numbers[k];
+    }
+}
+
 // kLines lines side by side in memory, of which a lane is a segment, when nothing acts but springs and gravity and the
 // stage is for w, from the state. 0: any number of lines, and anything may act.
 template <class T, int kLines> struct Sweep {
@@ -132,32 +154,19 @@ template <class T, int kLines> struct Sweep {
     // ---- nodes j to j + nodes of every segment, eight but at the segments' ends ---------------------------------
 
     size_t stride() const { return segments.length * size_t(count()); }
-    T* at_node(T* of, size_t j) const { return of + (segments.head + j) * size_t(count()); }
-    const T* at_node(const T* of, size_t j) const { return of + (segments.head + j) * size_t(count()); }
+    size_t at_node(size_t j) const { return (segments.head + j) * size_t(count()); }
+    // Around a call all registers are saved: it pays only where tiles take much code.
+    static constexpr bool kTurnsHere = kPlain && kNative > 2;
 
     void load_nodes(const T* of, size_t j, size_t nodes, L* out) const {
-        const T* const from = at_node(of, j);
-        if (nodes == N) {
-            for (int l = 0; l < count(); ++l) load_tile(from + l * N, stride(), out + l * N);
-            return;
-        }
-        for (size_t m = 0; m < nodes * size_t(count()); ++m) {
-            double numbers[N];
-            for (size_t k = 0; k < kSegments; ++k) numbers[k] = double(from[k * stride() + m]);
-            out[m] = L::load(numbers);
-        }
+        const T* const from = of + at_node(j);
+        if (!kTurnsHere || nodes < N) return load_numbers(from, stride(), nodes * size_t(count()), out);
+        for (int l = 0; l < count(); ++l) load_tile(from + l * N, stride(), out + l * N);
     }
     void store_nodes(const L* in, T* of, size_t j, size_t nodes) const {
-        T* const to = at_node(of, j);
-        if (nodes == N) {
-            for (int l = 0; l < count(); ++l) store_tile(in + l * N, to + l * N, stride());
-            return;
-        }
-        for (size_t m = 0; m < nodes * size_t(count()); ++m) {
-            T numbers[N];
-            in[m].store(numbers);
-            for (size_t k = 0; k < kSegments; ++k) to[k * stride() + m] = numbers[k];
-        }
+        T* const to = of + at_node(j);
+        if (!kTurnsHere || nodes < N) return store_numbers(in, to, stride(), nodes * size_t(count()));
+        for (int l = 0; l < count(); ++l) store_tile(in + l * N, to + l * N, stride());
     }
 
     // ---- going right --------------------------------------------------------------------------------------------
@@ -282,7 +291,6 @@ template <class T> bool segment_sweep(const Lines<T>& lines, const SegmentCoeffi
     case 1: return sweep<T, 1>(lines, c, stage, start, y, keep);
     case 2: return sweep<T, 2>(lines, c, stage, start, y, keep);
     case 3: return sweep<T, 3>(lines, c, stage, start, y, keep);
-    case 4: return sweep<T, 4>(lines, c, stage, start, y, keep);
     default: return sweep<T, 0>(lines, c, stage, start, y, keep);
     }
 }

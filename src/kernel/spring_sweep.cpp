@@ -8,9 +8,6 @@ namespace CD_ISA {
 
 namespace {
 
-constexpr int kMost =
-    16; // lines that are swept together: of a register's width, each operation would wait for the last
-
 // kPlain: nothing acts but springs and gravity, and the stage is for w, from the state.
 template <class T, bool kPlain> struct Sweep {
     const Lines<T>& lines;
@@ -85,11 +82,11 @@ template <class T> bool spring_sweep(const Lines<T>& lines, const SpringCoeffici
         !c.gains.force && !c.gains.drag && !c.gains.attach && !c.closing && !start.w && !keep && stage.of_change == 0;
     if (plain) {
         Sweep<T, true> bundles{lines, c, stage, start, y, nullptr};
-        for_each_bundle<kMost>(first, count, bundles);
+        for_each_bundle<kLinesAtOnce>(first, count, bundles);
         return bundles.finite;
     }
     Sweep<T, false> bundles{lines, c, stage, start, y, keep ? y : nullptr};
-    for_each_bundle<kMost>(first, count, bundles);
+    for_each_bundle<kLinesAtOnce>(first, count, bundles);
     return bundles.finite;
 }
 
