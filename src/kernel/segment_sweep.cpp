@@ -1,5 +1,5 @@
 // What did not pay: unrolling the eight nodes of a tile, so that they stay in registers: as fast, and the code twice as
-// long. A form of its own for every number of lines where more than springs and gravity acts: three times the code.
+// long. A form of its own for 2 and 4 lines where more than springs and gravity acts: not for so much code.
 // Tiles turned in functions of their own where vectors are wide: a tenth slower, for the registers around the call.
 #include "kernel/segment_sweep.hh"
 
@@ -120,11 +120,10 @@ __attribute__((noinline)) void store_numbers(const Lanes<kTile>* in, T* to, size
     }
 }
 
-// kLines lines side by side in memory, of which a lane is a segment, when nothing acts but springs and gravity and the
-// stage is for w, from the state. 0: any number of lines, and anything may act.
-template <class T, int kLines> struct Sweep {
-    static constexpr bool kPlain = kLines > 0;
-    static constexpr int kMost = kPlain ? kLines : kMostLines, N = kTile;
+// kLines lines side by side in memory, 0: any number; a lane is a segment. kPlain: nothing acts but springs and
+// gravity, and the stage is for w, from the state.
+template <class T, int kLines, bool kPlain> struct Sweep {
+    static constexpr int kMost = kLines > 0 ? kLines : kMostLines, N = kTile;
     using L = Lanes<N>;
     using Nodes = L[N * kMost]; // of a tile: line l of node i at [i * count + l]
 
@@ -137,7 +136,7 @@ template <class T, int kLines> struct Sweep {
     const Segments segments{lines.nodes};
     Ends ends[kMost] = {};
 
-    int count() const { return kPlain ? kLines : int(lines.pitch); }
+    int count() const { return kLines > 0 ? kLines : int(lines.pitch); }
     static L load(const double* row, size_t j) { return L::load(row + N * j); }
     size_t scratch(size_t j, int l) const { return (j * size_t(count()) + size_t(l)) * N; }
 
@@ -277,9 +276,9 @@ template <class T, int kLines> struct Sweep {
     Head<T> head(int l) const { return {lines, c, stage, start, y, keep, segments, size_t(l)}; }
 };
 
-template <class T, int kLines> bool sweep(const Lines<T>& lines, const SegmentCoefficients& c, const Stage& stage,
-                                          const Start& start, double* y, bool keep) {
-    return Sweep<T, kLines>{lines, c, stage, start, y, keep}.run();
+template <class T, int kLines, bool kPlain> bool sweep(const Lines<T>& lines, const SegmentCoefficients& c,
+                                                       const Stage& stage, const Start& start, double* y, bool keep) {
+    return Sweep<T, kLines, kPlain>{lines, c, stage, start, y, keep}.run();
 }
 
 } // namespace
@@ -287,12 +286,12 @@ template <class T, int kLines> bool sweep(const Lines<T>& lines, const SegmentCo
 template <class T> bool segment_sweep(const Lines<T>& lines, const SegmentCoefficients& c, const Stage& stage,
                                       const Start& start, double* y, bool keep) {
     const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !start.w && !keep && stage.of_change == 0;
-    switch (plain ? lines.pitch : 0) {
-    case 1: return sweep<T, 1>(lines, c, stage, start, y, keep);
-    case 2: return sweep<T, 2>(lines, c, stage, start, y, keep);
-    case 3: return sweep<T, 3>(lines, c, stage, start, y, keep);
-    default: return sweep<T, 0>(lines, c, stage, start, y, keep);
-    }
+    if (plain && lines.pitch == 1) return sweep<T, 1, true>(lines, c, stage, start, y, keep);
+    if (plain && lines.pitch == 2) return sweep<T, 2, true>(lines, c, stage, start, y, keep);
+    if (plain && lines.pitch == 3) return sweep<T, 3, true>(lines, c, stage, start, y, keep);
+    if (lines.pitch == 1) return sweep<T, 1, false>(lines, c, stage, start, y, keep);
+    if (lines.pitch == 3) return sweep<T, 3, false>(lines, c, stage, start, y, keep);
+    return sweep<T, 0, false>(lines, c, stage, start, y, keep);
 }
 
 #if CD_WITH_FLOAT32
