@@ -53,8 +53,8 @@ const Kernels kernels = {
     {},
 #endif
 #if CD_WITH_MEMBRANE || CD_WITH_WATER
-    {pull_separable, pull_general, apply, moments, energies, solve_lines, filter_lines, smooth_lines, shift_down, shift_up, transpose,
-     combine, multiply, wrap, dot, aggregate, spread,
+    {pull_separable, pull_general, apply, moments, energies, solve_lines, filter_lines, smooth_lines, shift_down,
+     shift_up, transpose, combine, multiply, wrap, dot, aggregate, spread,
 #if CD_WITH_MEMBRANE && CD_WITH_FLOAT32
      state_kernels<float>(),
 #else

@@ -130,7 +130,8 @@ template <class S, class T> bool move_nodes(const Grid& grid, const SheetMove& m
 // start from x and v. looked: scratch, kLookedRows rows. With `carries`, all rows at once.
 template <class S, class T> void sweep_down(const Grid& grid, const UniformStage<T>& stage, const S* x, const S* v,
                                             double* plane, double* looked, size_t first, size_t count);
-// The filters down the columns, but for the first one if it is `carried`; moves by that. below: scratch, a row. Parts are of the columns.
+// The filters down the columns, but for the first one if it is `carried`; moves by that. below: scratch, a row. Parts
+// are of the columns.
 template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried,
                                           const SheetMove& move, double* plane, double* below, const S* x, const S* v,
                                           T* to_x, T* to_v, size_t first, size_t count);

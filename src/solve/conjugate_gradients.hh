@@ -12,8 +12,8 @@ struct Convergence {
     bool reached = true;
 };
 
-// Of a separable sheet shifted lines, where shifts cover its rates, else V-cycles. With bend, (G + p L) (G + q L), G the root of
-// the ground, stands for the system: a V-cycle for each factor.
+// Of a separable sheet shifted lines, where shifts cover its rates, else V-cycles. With bend, (G + p L) (G + q L), G
+// the root of the ground, stands for the system: a V-cycle for each factor.
 struct Preconditioner {
     ShiftedLines lines;
     Parts bands, strips;

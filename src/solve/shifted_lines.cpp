@@ -21,7 +21,7 @@ void ShiftedLines::carve(const Grid& grid, Carver& coefficients, Carver& scratch
 }
 
 void ShiftedLines::choose(double least, double greatest) {
-    constexpr double kEnd = 1.08; // so far the outer ones lie inside, which serves the ends and what lies next to them alike
+    constexpr double kEnd = 1.08; // so far the outer ones lie inside, for the ends and what lies next to them alike
     for (const double step : {2.0, 4.0}) {
         size_t k = 0;
         double p = least * kEnd;
