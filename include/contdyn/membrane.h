@@ -25,10 +25,10 @@
  *      alike can be combined to. It is a little slower, and not quite linear: sums of scenes move as sums only about.
  *   CD_SOLVER_COUPLED      the system itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On
  *      uniform sheets without bend and rings, held by whole rows and columns, it takes one or two iterations of some
- *      ten alternating solves, elsewhere multigrid: tens of times the cost. Take it for stiff cloth that hangs, bears loads, is driven or thrown, and
- *      for stiff parts that move against each other, of which alternating finds the common motion only. It needs many
- *      iterations where springs or masses vary at random by decades, and where a plate with free edges has much more
- *      bend than stretch.
+ *      ten alternating solves each, elsewhere multigrid: tens of times the cost. Take it for stiff cloth that hangs,
+ *      bears loads, is driven or thrown, and for stiff parts that move against each other, of which alternating finds
+ *      the common motion only. It needs many iterations where springs or masses vary at random by decades, and where a
+ *      plate with free edges has much more bend than stretch.
  * lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance; the momentum of a free
  * sheet is kept too, of one torn into parts that of each part. On uniform sheets, alternating, the energy so kept
  * counts the extra mass in what moves; in CD_FLOAT32 each rounding of a velocity is then a kick of so many times its

@@ -22,7 +22,7 @@ bool edges_only(const Membrane& m, const MembraneFeatures& f) {
 }
 
 // What goes to a thread at a time, at the least.
-constexpr size_t kBandRows = 24, kStripColumns = 128, kPart = 1 << 13;
+constexpr size_t kBandRows = 24, kStripColumns = 128, kPart = 1 << 12;
 
 } // namespace
 

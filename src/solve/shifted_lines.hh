@@ -1,5 +1,5 @@
-// Alternating directions with shifts (Peaceman and Rachford 1955; Wachspress): an approximate answer for the system of a
-// separable sheet, S = A_u M_v + M_u A_v, by solves of lines alone.
+// Alternating directions with shifts (Peaceman and Rachford 1955; Wachspress): an approximate answer for the system of
+// a separable sheet, S = A_u M_v + M_u A_v, by solves of lines alone.
 //
 // With M the masses and one shift p after the other, from x = 0,
 //      (M^-1 A_u + p) t = M^-1 r - z,      z = (M^-1 A_v - p) x,      (M^-1 A_v + p) x <- z + 2 p t,
