@@ -62,8 +62,13 @@ template <class S, class T> struct MoveUp {
     }
 };
 
-// The rows of a strip are too short and too far apart for processors to see them coming.
-constexpr size_t kAhead = 12;
+// Going up, and in strips, rows lie too far apart for processors to see them coming. So many rows ahead are fetched; 0
+// where all stays in the cache.
+inline size_t rows_ahead(const Grid& grid, size_t count) {
+    constexpr size_t kCached = 1 << 17, kFetched = 1536; // numbers
+    if (grid.rows * grid.pitch < kCached) return 0;
+    return count < kFetched ? kFetched / count : 1;
+}
 template <class S> inline void fetch(const S* from, size_t count) {
     for (size_t i = 0; i < count; i += 64 / sizeof(S)) __builtin_prefetch(from + i);
 }
@@ -83,16 +88,18 @@ template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& 
                                           const SheetMove& move, double* plane, double* below, const S* x, const S* v,
                                           T* to_x, T* to_v, size_t first, size_t count) {
     bool finite = true;
-    const bool strip = count < grid.columns;
+    const size_t ahead = rows_ahead(grid, count);
     for (size_t r = 1; r < grid.rows && !carried; ++r) {
-        if (strip && r + kAhead < grid.rows) fetch(plane + (r + kAhead) * grid.pitch + first, count);
+        if (ahead > 0 && r + ahead < grid.rows) fetch(plane + (r + ahead) * grid.pitch + first, count);
         along_row(first, count, CarryDown(grid, filter, plane, r));
     }
     for (size_t r = grid.rows; r-- > 0;) {
         const size_t row = r * grid.pitch;
-        if (strip && r >= kAhead) {
-            fetch(x + row - kAhead * grid.pitch + first, count);
-            fetch(v + row - kAhead * grid.pitch + first, count);
+        if (ahead > 0 && r >= ahead) {
+            const size_t there = row - ahead * grid.pitch + first;
+            fetch(plane + there, count);
+            fetch(x + there, count);
+            fetch(v + there, count);
         }
         MoveUp<S, T> step{r + 1 == grid.rows, filter.pull[r], plane + row,           below,          x + row,  v + row,
                           to_x + row,         to_v + row,     r % kSettleEvery == 0, move.overshoot, move.move};
