@@ -6,7 +6,7 @@
 
 #include "kernel/line_lanes.hh"
 #include "kernel/sheet.hh"
-#include "kernel/tile.hh"
+#include "kernel/tiles.hh"
 
 namespace cd {
 namespace CD_ISA {
@@ -30,6 +30,16 @@ struct CarryDown {
         (settles ? settled(sum, Limits<double>::least) : sum).store(row + u);
     }
 };
+
+// N rows of N numbers turned over.
+template <int N> inline void turn_tile(Lanes<N>* tile) {
+    if constexpr (N > 1) {
+        typename Square<double>::Row rows[N];
+        for (int i = 0; i < N; ++i) rows[i] = tile[i].v;
+        Square<double>::turn(rows);
+        for (int i = 0; i < N; ++i) tile[i].v = rows[i];
+    }
+}
 
 // A tile on its way along the rows. moving: the rows' numbers before the tile, in, and its last ones, out.
 template <int N> inline void forward(double* to, size_t pitch, const double* carry, bool settles, Lanes<N>& moving) {
