@@ -1,0 +1,64 @@
+"""contdyn: ropes, hair, sheets, drums and water that never blow up.
+
+    from contdyn import Chain, End, Node
+
+    rope = Chain(strands=1, springs=100, components=2)
+    rope.position = [[i / 100, 0] for i in range(101)]   # metres
+    rope.stiffness, rope.gravity = 4.905, (0, -9.81)
+    rope.set_end(End.FIRST, Node.PINNED)
+    rope.step(1 / 60, 60)
+    print(rope.position[0, -1])
+
+Chain, Membrane and Water are the three objects of the C library; their methods have its functions' names, its set_ and
+get_ pairs are properties. A field of the state is an array that shows the object's own memory, read-only and without a
+copy; assigning to it writes it. Arrays are NumPy's where it is installed, else a View. Quantities are in SI units, or in
+any other consistent set.
+"""
+from typing import Tuple
+
+from . import _library
+from ._api import (BedRule, Border, Edge, End, Field, MassRule, Method, Momentum, Node, Precision, Side, Solver, Status)
+from ._arrays import Array, View
+from ._body import Attachment, Energy
+from ._callbacks import Allocator, Parallel, Task
+from ._sheet import Convergence, Tolerance, Vertices
+from .chain import Chain, ChainShape
+from .errors import (DisabledError, DivergedError, Error, FormatError, HandleError, InvalidEnumError, InvalidValueError,
+                     MismatchError, NullError, OutOfMemoryError, RangeError, SizeError, ToleranceError,
+                     UnsupportedError)
+from .membrane import Membrane, MembraneShape, Ring, Stiffness
+from .water import (Account, Limited, Sample, SideState, Water, WaterEnergy, WaterShape, WaterVertices)
+
+__all__ = [
+    "Account", "Allocator", "Array", "Attachment", "BedRule", "Border", "Chain", "ChainShape", "Convergence",
+    "DisabledError", "DivergedError", "Edge", "End", "Energy", "Error", "Field", "FormatError", "HandleError",
+    "InvalidEnumError", "InvalidValueError", "Limited", "MassRule", "Membrane", "MembraneShape", "Method",
+    "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Parallel", "Precision", "RangeError", "Ring",
+    "Sample", "Side", "SideState", "SizeError", "Solver", "Status", "Stiffness", "Task", "Tolerance", "ToleranceError",
+    "UnsupportedError", "Vertices", "View", "Water", "WaterEnergy", "WaterShape", "WaterVertices", "build_info",
+    "library_path", "status_name", "version",
+]
+
+
+def version() -> Tuple[int, int, int]:
+    """The library's version: (major, minor, patch)."""
+    number = _library.library.cd_version()
+    return number // 1000000, number // 1000 % 1000, number % 1000
+
+
+def build_info() -> str:
+    """Compiler, target and what was left out of this build of the library, in one line."""
+    return str(_library.library.cd_build_info().decode())
+
+
+def status_name(status: int) -> str:
+    """Name of a status, such as "CD_ERROR_VALUE"; "CD_ERROR_UNKNOWN" for a number that is none."""
+    return str(_library.library.cd_status_name(status).decode())
+
+
+def library_path() -> str:
+    """The shared library in use, as it was found: CONTDYN_LIBRARY, beside the package, a build tree, the system's."""
+    return _library.path
+
+
+__version__: str = _library.library.cd_version_string().decode()

@@ -1,0 +1,497 @@
+"""The C API as data. Made by generate.py from ../api.json: do not edit."""
+from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64,
+                    c_void_p)
+from enum import IntEnum
+from typing import Any, Dict, NamedTuple, Tuple
+
+VERSION = (0, 1, 0)
+
+
+class Status(IntEnum):
+    """What a call of the C API returns."""
+
+    OK = 0
+    #: a pointer that may not be null is null
+    ERROR_NULL = 1
+    #: the handle is of another kind, or already released
+    ERROR_HANDLE = 2
+    #: a number outside its valid range, or NaN or infinity where it has no meaning
+    ERROR_VALUE = 3
+    #: not one of the enumeration's values
+    ERROR_ENUM = 4
+    #: an index, a range or a buffer length that does not fit the object
+    ERROR_RANGE = 5
+    #: a size that cannot be represented in memory
+    ERROR_SIZE = 6
+    #: the allocator returned null
+    ERROR_MEMORY = 7
+    #: the field is not switched on: see enable_field
+    ERROR_DISABLED = 8
+    #: a combination this object or this build cannot do
+    ERROR_UNSUPPORTED = 9
+    #: the state left the finite range during a step
+    ERROR_DIVERGED = 10
+    #: the bytes to load are damaged, or of another version or kind
+    ERROR_FORMAT = 11
+    #: the two objects, or the object and the bytes, differ in shape or precision
+    ERROR_MISMATCH = 12
+    #: an iterative solve ended short of its tolerance
+    ERROR_TOLERANCE = 13
+
+
+class Precision(IntEnum):
+    """What an object stores and computes in; chosen when it is made."""
+
+    FLOAT32 = 0
+    FLOAT64 = 1
+
+
+class Method(IntEnum):
+    """How a step advances the state by dt. Method.IMPLICIT is the default, with lambda = 1/2."""
+
+    #: Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is backward Euler; for lambda >= 1/2
+    #: bounded at every dt
+    IMPLICIT = 0
+    #: Kass 1997, eq. 13; without damping it grows at every dt
+    FORWARD_EULER = 1
+    #: the new velocity moves the position; bounded up to stable_dt
+    SYMPLECTIC_EULER = 2
+    #: two implicit stages with gamma = 1 - 1/sqrt(2) (SDIRK2): second order, and L-stable: motion too fast for dt dies
+    #: out
+    STIFF_SECOND = 3
+
+
+class Solver(IntEnum):
+    """How the two-dimensional system of an implicit step is solved."""
+
+    #: rows, then columns: Kass 1997, section 9
+    ALTERNATING = 0
+    #: both at once, to a tolerance
+    COUPLED = 1
+
+
+class MassRule(IntEnum):
+    """How the total mass is dealt out to the nodes."""
+
+    #: every node the same: the notes' rule, first order in space
+    EQUAL = 0
+    #: nodes on a border half as heavy as those inside: second order in space
+    HALF_ENDS = 1
+
+
+class Node(IntEnum):
+    """What holds a node. The values are also those of the field Field.PIN."""
+
+    FREE = 0
+    #: infinite mass, at rest
+    PINNED = 1
+    #: infinite mass, moves with the velocity written to it
+    DRIVEN = 2
+    #: border nodes only: free, with the impedance sqrt(stiffness mass) that sends no echo back
+    MATCHED = 3
+
+
+class Field(IntEnum):
+    """Per-node and per-spring data; which object has which is in its own header."""
+
+    POSITION = 0
+    VELOCITY = 1
+    FORCE = 2
+    MASS = 3
+    STIFFNESS = 4
+    BEND = 5
+    PIN = 6
+    TARGET = 7
+    STIFFNESS_U = 8
+    STIFFNESS_V = 9
+    MASK = 10
+    DEPTH = 11
+    BED = 12
+    SURFACE = 13
+    VELOCITY_X = 14
+    VELOCITY_Y = 15
+    SOURCE = 16
+    PRESSURE = 17
+    FORCE_X = 18
+    FORCE_Y = 19
+    WALL_X = 20
+    WALL_Y = 21
+
+
+class End(IntEnum):
+    """The two ends of a chain."""
+
+    FIRST = 0
+    LAST = 1
+
+
+class Edge(IntEnum):
+    """The four edges of a membrane. A corner belongs to two."""
+
+    #: the nodes with u = 0
+    U_FIRST = 0
+    #: u = nu
+    U_LAST = 1
+    #: v = 0
+    V_FIRST = 2
+    #: v = nv
+    V_LAST = 3
+
+
+class Side(IntEnum):
+    """The four sides."""
+
+    #: x = 0
+    X_FIRST = 0
+    #: x = nx dx
+    X_LAST = 1
+    #: y = 0
+    Y_FIRST = 2
+    #: y = ny dy
+    Y_LAST = 3
+
+
+class Border(IntEnum):
+    """What is at a side."""
+
+    WALL = 0
+    #: water of a given level outside, into which waves run without an echo
+    OPEN = 1
+    #: a given discharge comes in; if negative, leaves as far as there is water
+    INFLOW = 2
+    #: goes on at the opposite side
+    PERIODIC = 3
+
+
+class Momentum(IntEnum):
+    """Whether water carries its momentum along."""
+
+    LINEAR = 0
+    ADVECTED = 1
+
+
+class BedRule(IntEnum):
+    """What a write to CD_BED leaves as it is."""
+
+    #: the depth: water rides on the bed, volume is kept
+    LIFTS_WATER = 0
+    #: the surface of wet cells: the account tells the volume that a write brings or takes
+    KEEPS_SURFACE = 1
+
+
+class FieldInfo(NamedTuple):
+    """What an object has of a field: one value per what, and for each component; always there; shown by view."""
+
+    per: Tuple[str, ...]
+    components: bool
+    always: bool
+    viewable: bool
+    unit: str
+
+
+FIELDS: Dict[str, Dict[int, FieldInfo]] = {
+    "chain": {
+        Field.POSITION: FieldInfo(("strand", "node"), True, True, True, "m"),
+        Field.VELOCITY: FieldInfo(("strand", "node"), True, True, True, "m/s"),
+        Field.FORCE: FieldInfo(("strand", "node"), True, False, True, "N"),
+        Field.TARGET: FieldInfo(("strand", "node"), True, False, True, "m"),
+        Field.MASS: FieldInfo(("node",), False, False, False, "kg"),
+        Field.STIFFNESS: FieldInfo(("spring",), False, False, False, "N/m"),
+        Field.BEND: FieldInfo(("node",), False, False, False, "N/m"),
+        Field.PIN: FieldInfo(("node",), False, True, False, "-"),
+    },
+    "membrane": {
+        Field.POSITION: FieldInfo(("node",), True, True, True, "m"),
+        Field.VELOCITY: FieldInfo(("node",), True, True, True, "m/s"),
+        Field.FORCE: FieldInfo(("node",), True, False, True, "N"),
+        Field.TARGET: FieldInfo(("node",), True, False, True, "m"),
+        Field.MASS: FieldInfo(("node",), False, False, False, "kg"),
+        Field.STIFFNESS_U: FieldInfo(("spring",), False, False, False, "N/m"),
+        Field.STIFFNESS_V: FieldInfo(("spring",), False, False, False, "N/m"),
+        Field.PIN: FieldInfo(("node",), False, False, False, "-"),
+        Field.MASK: FieldInfo(("node",), False, False, False, "-"),
+    },
+    "water": {
+        Field.DEPTH: FieldInfo(("cell",), False, True, True, "m"),
+        Field.BED: FieldInfo(("cell",), False, True, True, "m"),
+        Field.SURFACE: FieldInfo(("cell",), False, True, False, "m"),
+        Field.VELOCITY_X: FieldInfo(("x-face",), False, True, True, "m/s"),
+        Field.VELOCITY_Y: FieldInfo(("y-face",), False, True, True, "m/s"),
+        Field.SOURCE: FieldInfo(("cell",), False, False, True, "m/s"),
+        Field.PRESSURE: FieldInfo(("cell",), False, False, True, "Pa"),
+        Field.FORCE_X: FieldInfo(("x-face",), False, False, True, "m/s^2"),
+        Field.FORCE_Y: FieldInfo(("y-face",), False, False, True, "m/s^2"),
+        Field.MASK: FieldInfo(("cell",), False, False, False, "-"),
+        Field.WALL_X: FieldInfo(("x-face",), False, False, False, "-"),
+        Field.WALL_Y: FieldInfo(("y-face",), False, False, False, "-"),
+    },
+}
+
+ALLOCATE_FUNCTION = CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
+RELEASE_FUNCTION = CFUNCTYPE(None, c_void_p, c_void_p, c_size_t, c_size_t)
+
+
+class Allocator(Structure):
+    """cd_allocator."""
+
+    _fields_ = [
+        ("user", c_void_p),
+        ("allocate", ALLOCATE_FUNCTION),
+        ("release", RELEASE_FUNCTION),
+    ]
+
+
+TASK_FUNCTION = CFUNCTYPE(None, c_void_p, c_size_t)
+RUN_FUNCTION = CFUNCTYPE(None, c_void_p, c_size_t, TASK_FUNCTION, c_void_p)
+
+
+class Parallel(Structure):
+    """cd_parallel."""
+
+    _fields_ = [
+        ("user", c_void_p),
+        ("run", RUN_FUNCTION),
+    ]
+
+
+TYPES: Dict[str, Any] = {
+    "handle": c_void_p,
+    "pointer": c_void_p,
+    "status": c_int32,
+    "int": c_int32,
+    "uint": c_uint32,
+    "uint64": c_uint64,
+    "size": c_size_t,
+    "double": c_double,
+    "text": c_char_p,
+    "nothing": None,
+    "handle*": POINTER(c_void_p),
+    "pointer*": POINTER(c_void_p),
+    "int*": POINTER(c_int32),
+    "uint64*": POINTER(c_uint64),
+    "size*": POINTER(c_size_t),
+    "double*": POINTER(c_double),
+    "Allocator*": POINTER(Allocator),
+    "Parallel*": POINTER(Parallel),
+}
+
+# What each function returns: its parameters' names and types.
+FUNCTIONS: Dict[str, str] = {
+    "cd_status_name": "text: status int",
+    "cd_error_message": "text:",
+    "cd_version": "uint:",
+    "cd_version_string": "text:",
+    "cd_build_info": "text:",
+    "cd_chain_create": ("status: strands size, springs size, components size, precision int, allocator Allocator*, "
+                        "out_chain handle*"),
+    "cd_chain_destroy": "nothing: chain handle",
+    "cd_chain_get_shape": ("status: chain handle, out_strands size*, out_springs size*, out_components size*, "
+                           "out_precision int*"),
+    "cd_chain_set_method": "status: chain handle, method int",
+    "cd_chain_get_method": "status: chain handle, out_method int*",
+    "cd_chain_set_lambda": "status: chain handle, lambda double",
+    "cd_chain_get_lambda": "status: chain handle, out_lambda double*",
+    "cd_chain_set_parallel": "status: chain handle, parallel Parallel*",
+    "cd_chain_set_mass": "status: chain handle, mass double",
+    "cd_chain_get_mass": "status: chain handle, out_mass double*",
+    "cd_chain_set_mass_rule": "status: chain handle, rule int",
+    "cd_chain_get_mass_rule": "status: chain handle, out_rule int*",
+    "cd_chain_set_stiffness": "status: chain handle, stiffness double",
+    "cd_chain_get_stiffness": "status: chain handle, out_stiffness double*",
+    "cd_chain_set_bend": "status: chain handle, bend double",
+    "cd_chain_get_bend": "status: chain handle, out_bend double*",
+    "cd_chain_set_drag": "status: chain handle, drag double",
+    "cd_chain_get_drag": "status: chain handle, out_drag double*",
+    "cd_chain_set_stiffness_damping": "status: chain handle, seconds double",
+    "cd_chain_get_stiffness_damping": "status: chain handle, out_seconds double*",
+    "cd_chain_set_gravity": "status: chain handle, gravity pointer, count size",
+    "cd_chain_get_gravity": "status: chain handle, out_gravity pointer, count size",
+    "cd_chain_set_end": "status: chain handle, end int, kind int",
+    "cd_chain_get_end": "status: chain handle, end int, out_kind int*",
+    "cd_chain_set_ring": "status: chain handle, ring int",
+    "cd_chain_get_ring": "status: chain handle, out_ring int*",
+    "cd_chain_enable_field": "status: chain handle, field int",
+    "cd_chain_disable_field": "status: chain handle, field int",
+    "cd_chain_write_f32": ("status: chain handle, field int, first_strand size, strands size, first size, n size, "
+                           "values pointer, count size"),
+    "cd_chain_write_f64": ("status: chain handle, field int, first_strand size, strands size, first size, n size, "
+                           "values pointer, count size"),
+    "cd_chain_read_f32": ("status: chain handle, field int, first_strand size, strands size, first size, n size, "
+                          "out_values pointer, count size"),
+    "cd_chain_read_f64": ("status: chain handle, field int, first_strand size, strands size, first size, n size, "
+                          "out_values pointer, count size"),
+    "cd_chain_view": ("status: chain handle, field int, out_data pointer*, out_strand_stride size*, out_node_stride "
+                      "size*, out_component_stride size*"),
+    "cd_chain_impulse": "status: chain handle, strand size, node size, impulse pointer, count size",
+    "cd_chain_attach": "status: chain handle, node size, stiffness double, damping double, target pointer, count size",
+    "cd_chain_detach": "status: chain handle, node size",
+    "cd_chain_get_attachment": "status: chain handle, node size, out_stiffness double*, out_damping double*",
+    "cd_chain_cut": "status: chain handle, spring size",
+    "cd_chain_weld": "status: chain handle, spring size",
+    "cd_chain_step": "status: chain handle, dt double, count size",
+    "cd_chain_stable_dt": "status: chain handle, out_dt double*",
+    "cd_chain_get_time": "status: chain handle, out_time double*",
+    "cd_chain_get_steps": "status: chain handle, out_steps uint64*",
+    "cd_chain_get_factorizations": "status: chain handle, out_count uint64*",
+    "cd_chain_get_energy": "status: chain handle, out_kinetic double*, out_elastic double*, out_gravity double*",
+    "cd_chain_get_momentum": "status: chain handle, out_momentum pointer, count size",
+    "cd_chain_sample": "status: chain handle, strand size, at pointer, n size, out_positions pointer, out_count size",
+    "cd_chain_get_memory": "status: chain handle, out_bytes size*",
+    "cd_chain_hash": "status: chain handle, out_hash uint64*",
+    "cd_chain_save_size": "status: chain handle, out_size size*",
+    "cd_chain_save": "status: chain handle, buffer pointer, size size, out_written size*",
+    "cd_chain_load": "status: chain handle, bytes pointer, size size",
+    "cd_chain_copy_state": "status: chain handle, source handle",
+    "cd_chain_reset": "status: chain handle",
+    "cd_membrane_create": ("status: nu size, nv size, components size, precision int, allocator Allocator*, "
+                           "out_membrane handle*"),
+    "cd_membrane_destroy": "nothing: membrane handle",
+    "cd_membrane_get_shape": ("status: membrane handle, out_nu size*, out_nv size*, out_components size*, "
+                              "out_precision int*"),
+    "cd_membrane_set_method": "status: membrane handle, method int",
+    "cd_membrane_get_method": "status: membrane handle, out_method int*",
+    "cd_membrane_set_lambda": "status: membrane handle, lambda double",
+    "cd_membrane_get_lambda": "status: membrane handle, out_lambda double*",
+    "cd_membrane_set_solver": "status: membrane handle, solver int",
+    "cd_membrane_get_solver": "status: membrane handle, out_solver int*",
+    "cd_membrane_set_tolerance": "status: membrane handle, tolerance double, most_iterations size",
+    "cd_membrane_get_tolerance": "status: membrane handle, out_tolerance double*, out_most_iterations size*",
+    "cd_membrane_get_convergence": "status: membrane handle, out_iterations size*, out_residual double*",
+    "cd_membrane_set_parallel": "status: membrane handle, parallel Parallel*",
+    "cd_membrane_set_mass": "status: membrane handle, mass double",
+    "cd_membrane_get_mass": "status: membrane handle, out_mass double*",
+    "cd_membrane_set_mass_rule": "status: membrane handle, rule int",
+    "cd_membrane_get_mass_rule": "status: membrane handle, out_rule int*",
+    "cd_membrane_set_stiffness": "status: membrane handle, along_u double, along_v double",
+    "cd_membrane_get_stiffness": "status: membrane handle, out_along_u double*, out_along_v double*",
+    "cd_membrane_set_bend": "status: membrane handle, bend double",
+    "cd_membrane_get_bend": "status: membrane handle, out_bend double*",
+    "cd_membrane_set_drag": "status: membrane handle, drag double",
+    "cd_membrane_get_drag": "status: membrane handle, out_drag double*",
+    "cd_membrane_set_stiffness_damping": "status: membrane handle, seconds double",
+    "cd_membrane_get_stiffness_damping": "status: membrane handle, out_seconds double*",
+    "cd_membrane_set_gravity": "status: membrane handle, gravity pointer, count size",
+    "cd_membrane_get_gravity": "status: membrane handle, out_gravity pointer, count size",
+    "cd_membrane_set_pressure": "status: membrane handle, pressure double",
+    "cd_membrane_get_pressure": "status: membrane handle, out_pressure double*",
+    "cd_membrane_set_edge": "status: membrane handle, edge int, kind int",
+    "cd_membrane_get_edge": "status: membrane handle, edge int, out_kind int*",
+    "cd_membrane_set_ring": "status: membrane handle, along_u int, along_v int",
+    "cd_membrane_get_ring": "status: membrane handle, out_along_u int*, out_along_v int*",
+    "cd_membrane_enable_field": "status: membrane handle, field int",
+    "cd_membrane_disable_field": "status: membrane handle, field int",
+    "cd_membrane_write_f32": ("status: membrane handle, field int, first_u size, first_v size, n_u size, n_v size, "
+                              "values pointer, count size"),
+    "cd_membrane_write_f64": ("status: membrane handle, field int, first_u size, first_v size, n_u size, n_v size, "
+                              "values pointer, count size"),
+    "cd_membrane_read_f32": ("status: membrane handle, field int, first_u size, first_v size, n_u size, n_v size, "
+                             "out_values pointer, count size"),
+    "cd_membrane_read_f64": ("status: membrane handle, field int, first_u size, first_v size, n_u size, n_v size, "
+                             "out_values pointer, count size"),
+    "cd_membrane_view": ("status: membrane handle, field int, out_data pointer*, out_u_stride size*, out_v_stride "
+                         "size*, out_component_stride size*"),
+    "cd_membrane_impulse": "status: membrane handle, u double, v double, radius double, impulse pointer, count size",
+    "cd_membrane_attach": ("status: membrane handle, u size, v size, stiffness double, damping double, target pointer, "
+                           "count size"),
+    "cd_membrane_detach": "status: membrane handle, u size, v size",
+    "cd_membrane_get_attachment": ("status: membrane handle, u size, v size, out_stiffness double*, out_damping "
+                                   "double*"),
+    "cd_membrane_step": "status: membrane handle, dt double, count size",
+    "cd_membrane_stable_dt": "status: membrane handle, out_dt double*",
+    "cd_membrane_get_time": "status: membrane handle, out_time double*",
+    "cd_membrane_get_steps": "status: membrane handle, out_steps uint64*",
+    "cd_membrane_get_factorizations": "status: membrane handle, out_count uint64*",
+    "cd_membrane_get_energy": "status: membrane handle, out_kinetic double*, out_elastic double*, out_gravity double*",
+    "cd_membrane_get_momentum": "status: membrane handle, out_momentum pointer, count size",
+    "cd_membrane_get_volume": "status: membrane handle, out_volume double*",
+    "cd_membrane_sample": "status: membrane handle, at pointer, n size, out_positions pointer, out_count size",
+    "cd_membrane_get_memory": "status: membrane handle, out_bytes size*",
+    "cd_membrane_hash": "status: membrane handle, out_hash uint64*",
+    "cd_membrane_write_vertices": ("status: membrane handle, buffer pointer, size size, stride size, position_offset "
+                                   "size, normal_offset size"),
+    "cd_membrane_get_index_count": "status: membrane handle, out_count size*",
+    "cd_membrane_write_indices": "status: membrane handle, buffer pointer, size size, index_size size",
+    "cd_membrane_save_size": "status: membrane handle, out_size size*",
+    "cd_membrane_save": "status: membrane handle, buffer pointer, size size, out_written size*",
+    "cd_membrane_load": "status: membrane handle, bytes pointer, size size",
+    "cd_membrane_copy_state": "status: membrane handle, source handle",
+    "cd_membrane_reset": "status: membrane handle",
+    "cd_water_create": ("status: nx size, ny size, dx double, dy double, precision int, allocator Allocator*, "
+                        "out_water handle*"),
+    "cd_water_destroy": "nothing: water handle",
+    "cd_water_get_shape": ("status: water handle, out_nx size*, out_ny size*, out_dx double*, out_dy double*, "
+                           "out_precision int*"),
+    "cd_water_set_method": "status: water handle, method int",
+    "cd_water_get_method": "status: water handle, out_method int*",
+    "cd_water_set_lambda": "status: water handle, lambda double",
+    "cd_water_get_lambda": "status: water handle, out_lambda double*",
+    "cd_water_set_momentum": "status: water handle, momentum int",
+    "cd_water_get_momentum": "status: water handle, out_momentum int*",
+    "cd_water_set_corrections": "status: water handle, corrections size",
+    "cd_water_get_corrections": "status: water handle, out_corrections size*",
+    "cd_water_set_solver": "status: water handle, solver int",
+    "cd_water_get_solver": "status: water handle, out_solver int*",
+    "cd_water_set_tolerance": "status: water handle, tolerance double, most_iterations size",
+    "cd_water_get_tolerance": "status: water handle, out_tolerance double*, out_most_iterations size*",
+    "cd_water_get_convergence": "status: water handle, out_iterations size*, out_residual double*",
+    "cd_water_set_first": "status: water handle, along_y int",
+    "cd_water_get_first": "status: water handle, out_along_y int*",
+    "cd_water_set_parallel": "status: water handle, parallel Parallel*",
+    "cd_water_set_gravity": "status: water handle, gravity double",
+    "cd_water_get_gravity": "status: water handle, out_gravity double*",
+    "cd_water_set_density": "status: water handle, density double",
+    "cd_water_get_density": "status: water handle, out_density double*",
+    "cd_water_set_drag": "status: water handle, drag double",
+    "cd_water_get_drag": "status: water handle, out_drag double*",
+    "cd_water_set_manning": "status: water handle, manning double",
+    "cd_water_get_manning": "status: water handle, out_manning double*",
+    "cd_water_set_side": "status: water handle, side int, kind int, value double, rate double",
+    "cd_water_get_side": "status: water handle, side int, out_kind int*, out_value double*, out_rate double*",
+    "cd_water_set_bed_rule": "status: water handle, rule int",
+    "cd_water_get_bed_rule": "status: water handle, out_rule int*",
+    "cd_water_enable_field": "status: water handle, field int",
+    "cd_water_disable_field": "status: water handle, field int",
+    "cd_water_write_f32": ("status: water handle, field int, first_x size, first_y size, n_x size, n_y size, values "
+                           "pointer, count size"),
+    "cd_water_write_f64": ("status: water handle, field int, first_x size, first_y size, n_x size, n_y size, values "
+                           "pointer, count size"),
+    "cd_water_read_f32": ("status: water handle, field int, first_x size, first_y size, n_x size, n_y size, out_values "
+                          "pointer, count size"),
+    "cd_water_read_f64": ("status: water handle, field int, first_x size, first_y size, n_x size, n_y size, out_values "
+                          "pointer, count size"),
+    "cd_water_view": "status: water handle, field int, out_data pointer*, out_x_stride size*, out_y_stride size*",
+    "cd_water_add_volume": "status: water handle, x double, y double, radius double, volume double, out_added double*",
+    "cd_water_add_volume_rectangle": ("status: water handle, first_x size, first_y size, n_x size, n_y size, volume "
+                                      "double, out_added double*"),
+    "cd_water_add_source": "status: water handle, x double, y double, radius double, rate double",
+    "cd_water_add_source_rectangle": ("status: water handle, first_x size, first_y size, n_x size, n_y size, rate "
+                                      "double"),
+    "cd_water_splash": "status: water handle, x double, y double, radius double, height double",
+    "cd_water_impulse": "status: water handle, x double, y double, radius double, impulse_x double, impulse_y double",
+    "cd_water_step": "status: water handle, dt double, count size",
+    "cd_water_stable_dt": "status: water handle, out_dt double*",
+    "cd_water_get_time": "status: water handle, out_time double*",
+    "cd_water_get_steps": "status: water handle, out_steps uint64*",
+    "cd_water_get_factorizations": "status: water handle, out_count uint64*",
+    "cd_water_get_limited": "status: water handle, out_cells uint64*, out_volume double*",
+    "cd_water_get_volume": "status: water handle, out_volume double*",
+    "cd_water_get_account": ("status: water handle, out_initial double*, out_in double*, out_out double*, out_error "
+                             "double*"),
+    "cd_water_restart_account": "status: water handle",
+    "cd_water_get_energy": "status: water handle, out_kinetic double*, out_potential double*",
+    "cd_water_get_wet_area": "status: water handle, out_area double*",
+    "cd_water_get_courant": "status: water handle, dt double, out_courant double*",
+    "cd_water_sample": ("status: water handle, at pointer, n size, out_surface pointer, out_depth pointer, out_normal "
+                        "pointer, out_velocity pointer"),
+    "cd_water_get_memory": "status: water handle, out_bytes size*",
+    "cd_water_hash": "status: water handle, out_hash uint64*",
+    "cd_water_write_vertices": ("status: water handle, buffer pointer, size size, stride size, position_offset size, "
+                                "normal_offset size, depth_offset size"),
+    "cd_water_get_index_count": "status: water handle, skip_dry int, out_count size*",
+    "cd_water_write_indices": "status: water handle, skip_dry int, buffer pointer, size size, index_size size",
+    "cd_water_save_size": "status: water handle, out_size size*",
+    "cd_water_save": "status: water handle, buffer pointer, size size, out_written size*",
+    "cd_water_load": "status: water handle, bytes pointer, size size",
+    "cd_water_copy_state": "status: water handle, source handle",
+    "cd_water_reset": "status: water handle",
+}

@@ -1,0 +1,54 @@
+"""What chain and membrane have in common: nodes with mass, joined by springs."""
+from typing import NamedTuple, Optional, Sequence, Tuple
+
+from ._api import Field, MassRule
+from ._arrays import Values, row
+from ._object import Object
+from ._properties import Reading, ReadingPerComponent, Setting, SettingPerComponent, State
+
+
+class Energy(NamedTuple):
+    """Energies of the free nodes [J]; lambda = 1/2 keeps their sum."""
+
+    kinetic: float
+    #: stretch, bend and attachments
+    elastic: float
+    #: -sum m g x
+    gravity: float
+
+
+class Attachment(NamedTuple):
+    """What ties a node to its target."""
+
+    #: N/m
+    stiffness: float
+    #: N s/m
+    damping: float
+
+
+class Body(Object):
+    """Nodes with 1 to 4 components that never mix, joined by springs."""
+
+    mass = Setting(float, "Mass [kg], > 0, of one strand or of the sheet, dealt out by mass_rule; default 1.")
+    mass_rule = Setting(MassRule, "How the mass is dealt out to the nodes, a MassRule; default MassRule.EQUAL.")
+    bend = Setting(float, "Bend stiffness [N/m], >= 0; default 0.")
+    stiffness_damping = Setting(float, "Stiffness damping [s], >= 0: stretch and bend damp at this time constant; a mode "
+                                       "of angular frequency w loses amplitude at (drag + stiffness_damping w^2) / 2.")
+    gravity = SettingPerComponent("Gravity [m/s^2], one number per component; default 0.")
+    energy = Reading(Energy, "Energies of all there is [J]: kinetic, elastic, gravity.")
+    momentum = ReadingPerComponent("Momentum of the free nodes [kg m/s], one number per component.")
+
+    position = State(Field.POSITION, "Positions [m], shown without a copy; assigned, they are written.")
+    velocity = State(Field.VELOCITY, "Velocities [m/s], likewise. Those of pinned nodes are 0 and stay so.")
+    force = State(Field.FORCE, "Forces [N], likewise, once enable_field(Field.FORCE) has been called.")
+    target = State(Field.TARGET, "Where attach pulls to [m], likewise, once a node is attached.")
+
+    def _attach(self, node: Tuple[int, ...], stiffness: float, damping: float, target: Optional[Values]) -> None:
+        if target is None:
+            self._call("attach", *node, stiffness, damping, None, 0)
+        else:
+            numbers = row(target)
+            self._call("attach", *node, stiffness, damping, numbers.address, numbers.count)
+
+    def _attachment(self, node: Sequence[int]) -> Attachment:
+        return Attachment(*self._get("get_attachment", *node))

@@ -1,0 +1,150 @@
+"""A chain of nodes joined by springs: massive spring, rope, hair, spline."""
+from typing import Any, List, NamedTuple, Optional, Tuple
+
+from . import _arrays
+from ._api import End, Field, Node, Precision
+from ._arrays import Array, Values, row
+from ._body import Attachment, Body
+from ._callbacks import Allocator
+from ._object import rest
+from ._properties import Reading, Setting
+
+
+class ChainShape(NamedTuple):
+    """What a chain was made with."""
+
+    strands: int
+    springs: int
+    components: int
+    precision: Precision
+
+    @property
+    def nodes(self) -> int:
+        """Nodes of a strand: springs + 1."""
+        return self.springs + 1
+
+
+class Chain(Body, kind="chain"):
+    """`strands` strands of `springs` springs and springs + 1 nodes, which share mass, stiffness, pins and ends.
+
+    Arrays of positions, velocities, forces and targets have the shape (strands, nodes, components); those of masses,
+    bends and pins (nodes,); of stiffnesses (springs,), in a ring one more.
+
+    Rest length is zero: a free chain draws together, and one stretched evenly is held by its ends. A new chain lies with
+    every node at the origin, at rest and free, mass 1, stiffness 1, without bend, gravity and damping, with
+    Method.IMPLICIT and lambda 1/2. The C header chain.h tells the energies, equations and limits.
+    """
+
+    def __init__(self, strands: int, springs: int, components: int, precision: Precision = Precision.FLOAT64, *,
+                 allocator: Optional[Allocator] = None) -> None:
+        """strands >= 1; springs >= 0 (0: a single node); components 1 to 4; precision: what the state is stored in."""
+        self._create(allocator, strands, springs, components, precision)
+        self._components = components
+
+    shape = Reading(lambda *numbers: ChainShape(*numbers[:3], Precision(numbers[3])),
+                    "(strands, springs, components, precision) and nodes, as it was made.")
+
+    # ---- parameters -------------------------------------------------------------------------------------------------
+
+    stiffness = Setting(float, "Stretch stiffness k [N/m], >= 0; k times the number of springs for each of them; default "
+                               "1. Waves run along the chain in sqrt(mass / k) seconds.")
+    ring = Setting(bool, "Whether the last node is joined to the first; needs 3 nodes. Totals are dealt out anew.")
+
+    def set_end(self, end: End, kind: Node) -> None:
+        """What holds an end of every strand: the same as writing Field.PIN there. Node.MATCHED sends no echo back."""
+        self._call("set_end", end, kind)
+
+    def get_end(self, end: End) -> Node:
+        """What holds an end."""
+        return Node(self._get("get_end", end)[0])
+
+    # ---- fields -----------------------------------------------------------------------------------------------------
+
+    def _extents(self, field: Field) -> Tuple[int, int]:
+        """Strands, and nodes or springs."""
+        per = self._known(field).per
+        strands, springs, *_ = self._made_of
+        places = springs + self.ring if "spring" in per else springs + 1
+        return (strands if "strand" in per else 1), places
+
+    def _shape_of(self, field: Field, strands: int, n: int) -> Tuple[int, ...]:
+        return (strands, n, self._components) if self._fields[field].components else (n,)
+
+    def _whole(self, field: Field) -> Tuple[int, ...]:
+        return self._shape_of(field, *self._extents(field))
+
+    def _axes(self, strides: List[int]) -> List[int]:
+        return strides
+
+    def read(self, field: Field, first_strand: int = 0, strands: Optional[int] = None, first: int = 0,
+             n: Optional[int] = None, *, precision: Optional[Precision] = None, out: Any = None) -> Any:
+        """A copy of a field, of strands [first_strand, first_strand + strands) and nodes (or springs) [first, first + n).
+
+        None stands for all the rest. The array has the shape (strands, n, components), of fields that the strands share
+        (n,), and the object's precision or the one asked for. `out`: a dense array of float32 or float64 to fill, which
+        is given back.
+        """
+        place, shape = self._range(field, first_strand, strands, first, n)
+        return self._read(field, place, shape, precision, out)
+
+    def write(self, field: Field, values: Values, first_strand: int = 0, strands: Optional[int] = None, first: int = 0,
+              n: Optional[int] = None) -> None:
+        """Writes a field, of strands [first_strand, first_strand + strands) and nodes (or springs) [first, first + n).
+
+        values: an array of the shape that read gives, nested sequences, all numbers in one row, or one for all places.
+        """
+        place, shape = self._range(field, first_strand, strands, first, n)
+        self._write(field, place, shape, values)
+
+    def _range(self, field: Field, first_strand: int, strands: Optional[int], first: int, n: Optional[int]) -> Any:
+        all_strands, all_places = self._extents(field)
+        strands = rest(first_strand, strands, all_strands, "strands")
+        n = rest(first, n, all_places, "places")
+        return (first_strand, strands, first, n), self._shape_of(field, strands, n)
+
+    def _write_all(self, field: Field, values: Values) -> None:
+        self.write(field, values)
+
+    # ---- acting on it -----------------------------------------------------------------------------------------------
+
+    def impulse(self, strand: int, node: int, impulse: Values) -> None:
+        """Adds impulse [N s], one number per component, to a node; a pinned or driven one takes none."""
+        numbers = row(impulse)
+        self._call("impulse", strand, node, numbers.address, numbers.count)
+
+    def attach(self, node: int, stiffness: float, damping: float, target: Optional[Values] = None) -> None:
+        """Ties a node of every strand to its target by a spring of `stiffness` [N/m] and `damping` [N s/m], both >= 0.
+
+        target [m]: one number per component, given to every strand; None: each node's present position. Move it
+        afterwards by writing Field.TARGET, which this switches on.
+        """
+        self._attach((node,), stiffness, damping, target)
+
+    def detach(self, node: int) -> None:
+        """Loosens a node from its target."""
+        self._call("detach", node)
+
+    def get_attachment(self, node: int) -> Attachment:
+        """(stiffness, damping) that tie a node to its target; zeros if none do."""
+        return self._attachment((node,))
+
+    def cut(self, spring: int) -> None:
+        """Cuts a spring: stiffness 0. Switches Field.STIFFNESS on. Bend is not cut with it."""
+        self._call("cut", spring)
+
+    def weld(self, spring: int) -> None:
+        """Makes a spring rigid: its two nodes share one velocity from now on. Switches Field.STIFFNESS on."""
+        self._call("weld", spring)
+
+    # ---- measuring --------------------------------------------------------------------------------------------------
+
+    def sample(self, strand: int, at: Values) -> Array:
+        """Positions [m] of one strand at n places along it, linear between nodes; shape (n, components), float64.
+
+        at: n numbers in [0, springs], of a ring to springs + 1.
+        """
+        places = row(at)
+        positions = _arrays.empty((places.count, self._components), "d")
+        numbers = _arrays.target(positions, places.count * self._components)
+        self._call("sample", strand, places.address, places.count, numbers.address, numbers.count)
+        return positions

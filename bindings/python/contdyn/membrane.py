@@ -1,0 +1,179 @@
+"""A membrane: a sheet of nodes joined by springs in two directions: drum, cloth, flag, thin plate."""
+from typing import Any, List, NamedTuple, Optional, Tuple
+
+from . import _arrays
+from ._api import Edge, Field, Node, Precision
+from ._arrays import Array, Values, row
+from ._body import Attachment, Body
+from ._callbacks import Allocator
+from ._properties import Reading, Setting, SettingOfSeveral
+from ._sheet import Sheet, Vertices
+
+
+class MembraneShape(NamedTuple):
+    """What a membrane was made with."""
+
+    nu: int
+    nv: int
+    components: int
+    precision: Precision
+
+    @property
+    def nodes(self) -> Tuple[int, int]:
+        """Nodes along v and along u: (nv + 1, nu + 1), as in arrays."""
+        return self.nv + 1, self.nu + 1
+
+
+class Stiffness(NamedTuple):
+    """Stretch stiffness along the two directions [N/m]."""
+
+    along_u: float
+    along_v: float
+
+
+class Ring(NamedTuple):
+    """Which directions are closed to a ring."""
+
+    along_u: bool
+    along_v: bool
+
+
+class Membrane(Body, Sheet, kind="membrane"):
+    """`nu` springs along u, `nv` along v, and (nu + 1) (nv + 1) nodes.
+
+    Arrays have v first: those of positions, velocities, forces and targets the shape (nv + 1, nu + 1, components), of
+    masses, pins and masks (nv + 1, nu + 1), of stiffnesses along u (nv + 1, nu), along v (nv, nu + 1); in a ring there
+    are as many springs as nodes.
+
+    Rest length is zero: a free sheet draws together, and one stretched evenly is held by its edges. A new membrane lies
+    with every node at the origin, at rest and free, mass 1, stiffness 1 along both directions, without bend, gravity
+    and damping, with Method.IMPLICIT, lambda 1/2 and Solver.ALTERNATING. The C header membrane.h tells which solver to
+    take, the energies, equations and limits.
+    """
+
+    def __init__(self, nu: int, nv: int, components: int, precision: Precision = Precision.FLOAT64, *,
+                 allocator: Optional[Allocator] = None) -> None:
+        """nu, nv >= 0 (0: a single row or column of nodes); components 1 to 4; precision: what it is stored in."""
+        self._create(allocator, nu, nv, components, precision)
+        self._components = components
+
+    shape = Reading(lambda *numbers: MembraneShape(*numbers[:3], Precision(numbers[3])),
+                    "(nu, nv, components, precision) and nodes, as it was made.")
+
+    # ---- parameters -------------------------------------------------------------------------------------------------
+
+    stiffness = SettingOfSeveral(Stiffness, "Stretch stiffness (along_u, along_v) [N/m], >= 0: a sheet stretched evenly "
+                                            "along u by d holds k_u d^2 / 2; default (1, 1).")
+    pressure = Setting(float, "Pressure [Pa] on the sheet along its normal x_u x x_v; 3 components only; default 0.")
+    ring = SettingOfSeveral(lambda u, v: Ring(bool(u), bool(v)),
+                            "Whether the last nodes (along_u, along_v) are joined to the first; needs 3 nodes.")
+
+    def set_edge(self, edge: Edge, kind: Node) -> None:
+        """What holds an edge; a corner is pinned if either of its edges is, else driven if either is."""
+        self._call("set_edge", edge, kind)
+
+    def get_edge(self, edge: Edge) -> Node:
+        """What was set last for an edge, whatever was written to Field.PIN since."""
+        return Node(self._get("get_edge", edge)[0])
+
+    # ---- fields -----------------------------------------------------------------------------------------------------
+
+    def _places(self, field: Field) -> Tuple[int, int]:
+        nu, nv, *_ = self._made_of
+        ring = self.ring
+        along_u = nu + ring.along_u if field == Field.STIFFNESS_U else nu + 1
+        along_v = nv + ring.along_v if field == Field.STIFFNESS_V else nv + 1
+        return along_u, along_v
+
+    def _axes(self, strides: List[int]) -> List[int]:
+        along_u, along_v, component = strides
+        return [along_v, along_u, component]
+
+    def read(self, field: Field, first_u: int = 0, first_v: int = 0, n_u: Optional[int] = None,
+             n_v: Optional[int] = None, *, precision: Optional[Precision] = None, out: Any = None) -> Any:
+        """A copy of a field, of the nodes (or springs) [first_u, first_u + n_u) x [first_v, first_v + n_v).
+
+        None stands for all the rest. The array has the shape (n_v, n_u, components), of fields without components
+        (n_v, n_u), and the object's precision or the one asked for. `out`: a dense array of float32 or float64 to fill,
+        which is given back.
+        """
+        place, shape = self._rectangle(field, (first_u, first_v), (n_u, n_v))
+        return self._read(field, place, shape, precision, out)
+
+    def write(self, field: Field, values: Values, first_u: int = 0, first_v: int = 0, n_u: Optional[int] = None,
+              n_v: Optional[int] = None) -> None:
+        """Writes a field, of the nodes (or springs) [first_u, first_u + n_u) x [first_v, first_v + n_v).
+
+        values: an array of the shape that read gives, nested sequences, all numbers in one row, or one for all places.
+        """
+        place, shape = self._rectangle(field, (first_u, first_v), (n_u, n_v))
+        self._write(field, place, shape, values)
+
+    # ---- acting on it -----------------------------------------------------------------------------------------------
+
+    def impulse(self, u: float, v: float, radius: float, impulse: Values) -> None:
+        """Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs from (u, v).
+
+        u in [0, nu], v in [0, nv], radius >= 0; all on the nearest node if there is none that near.
+        """
+        numbers = row(impulse)
+        self._call("impulse", u, v, radius, numbers.address, numbers.count)
+
+    def attach(self, u: int, v: int, stiffness: float, damping: float, target: Optional[Values] = None) -> None:
+        """Ties node (u, v) to its target by a spring of `stiffness` [N/m] and `damping` [N s/m], both >= 0.
+
+        target [m]: one number per component; None: its present position. Move it afterwards by writing Field.TARGET,
+        which this switches on.
+        """
+        self._attach((u, v), stiffness, damping, target)
+
+    def detach(self, u: int, v: int) -> None:
+        """Loosens node (u, v) from its target."""
+        self._call("detach", u, v)
+
+    def get_attachment(self, u: int, v: int) -> Attachment:
+        """(stiffness, damping) that tie node (u, v) to its target; zeros if none do."""
+        return self._attachment((u, v))
+
+    # ---- measuring --------------------------------------------------------------------------------------------------
+
+    volume = Reading(float, "Volume between the sheet and the origin [m^3]; 3 components only.")
+
+    def sample(self, at: Values) -> Array:
+        """Positions [m] at n places on the sheet, bilinear between nodes; shape (n, components), float64.
+
+        at: shape (n, 2), places (u, v) with u in [0, nu], of a ring to nu + 1, and v likewise.
+        """
+        places = _arrays.pairs(at)
+        n = places.count // 2
+        positions = _arrays.empty((n, self._components), "d")
+        numbers = _arrays.target(positions, n * self._components)
+        self._call("sample", places.address, n, numbers.address, numbers.count)
+        return positions
+
+    # ---- drawing ----------------------------------------------------------------------------------------------------
+
+    def vertices(self) -> Vertices:
+        """A vertex for every node, number v (nu + 1) + u: positions and smooth unit normals. See write_vertices."""
+        nu, nv, *_ = self._made_of
+        numbers = self._vertices(0, (nu + 1) * (nv + 1))
+        return Vertices(numbers[:, :3], numbers[:, 3:6])
+
+    def write_vertices(self, buffer: Any, stride: int, position_offset: int, normal_offset: Optional[int]) -> None:
+        """Writes a vertex for every node into a writable buffer, vertex i at byte i * stride.
+
+        Its position as 3 float32 at position_offset, its unit normal as 3 float32 at normal_offset (None: no normals).
+        A membrane of 1 component is drawn as the height z over the unit square. Bytes between are left alone.
+        """
+        self._write_vertices(buffer, stride, position_offset, normal_offset)
+
+    index_count = Reading(int, "How many indices write_indices writes now: 3 per triangle.")
+
+    def indices(self) -> Array:
+        """The triangles as vertex numbers, counter-clockwise seen from where the normal points: shape (n, 3)."""
+        nu, nv, *_ = self._made_of
+        return self._indices(self.index_count, (nu + 1) * (nv + 1))
+
+    def write_indices(self, buffer: Any, index_size: int) -> None:
+        """Writes the triangles into a writable buffer, as unsigned numbers of index_size 2 or 4 bytes."""
+        self._write_indices(buffer, index_size)
