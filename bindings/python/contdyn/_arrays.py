@@ -35,7 +35,7 @@ class View:
 
     __slots__ = ("_numbers", "_start", "_steps", "shape")
 
-    def __init__(self, numbers: "memoryview[Any]", shape: Sequence[int], steps: Sequence[int], start: int = 0) -> None:
+    def __init__(self, numbers: memoryview, shape: Sequence[int], steps: Sequence[int], start: int = 0) -> None:
         self._numbers = numbers  # one-dimensional; start and steps count numbers in it
         self._start = start
         self._steps = tuple(steps)
@@ -119,7 +119,7 @@ class View:
             return self._numbers[self._start]
         return [item.tolist() if isinstance(item, View) else item for item in self]
 
-    def whole(self) -> "memoryview[Any]":
+    def whole(self) -> memoryview:
         """The memory itself in one row; the view must show all of it, in order."""
         if self._steps != tuple(prod(self.shape[k + 1:]) for k in range(self.ndim)) or self.size != len(self._numbers):
             raise ValueError("the view is not dense, or a part of another")
@@ -138,7 +138,7 @@ class Dense(NamedTuple):
     """Numbers one after the other in memory, for as long as this lives."""
 
     address: int
-    count: int
+    length: int
     precision: Precision
     pointed_at: Any
 
@@ -168,8 +168,8 @@ def row(values: Values) -> Dense:
 def pairs(values: Values) -> Dense:
     """Places of two numbers each, in one row, in float64."""
     places = row(values)
-    if places.count % 2:
-        raise RangeError(f"{places.count} numbers are no pairs")
+    if places.length % 2:
+        raise RangeError(f"{places.length} numbers are no pairs")
     return places
 
 
@@ -200,7 +200,7 @@ def _taken_numpy(values: Values, precision: Optional[Precision]) -> _Taken:
         raise TypeError(f"values of type {given.dtype} are no real numbers")
     if precision is None:
         precision = Precision.FLOAT32 if given.dtype == numpy.float32 else Precision.FLOAT64
-    return _Taken(numpy.require(given, _FORMATS[precision], "CA"), given.shape)
+    return _Taken(numpy.require(given, _FORMATS[precision], ("C", "A")), given.shape)
 
 
 def _taken(values: Values, precision: Optional[Precision]) -> _Taken:
@@ -216,10 +216,10 @@ def _taken(values: Values, precision: Optional[Precision]) -> _Taken:
         return _Taken(array.array(_FORMATS[precision or Precision.FLOAT64], numbers), shape)
     wanted = _FORMATS[precision] if precision is not None else "f" if memory.format == "f" else "d"
     if memory.format == wanted and memory.c_contiguous:
-        numbers = array.array(wanted)
-        numbers.frombytes(memory.cast("B") if memory.nbytes else b"")
-        return _Taken(numbers, memory.shape)
-    return _Taken(array.array(wanted, _nested(memory.tolist())[1]), memory.shape)
+        copied = array.array(wanted)
+        copied.frombytes(memory.cast("B") if memory.nbytes else b"")
+        return _Taken(copied, memory.shape or ())
+    return _Taken(array.array(wanted, _nested(memory.tolist())[1]), memory.shape or ())
 
 
 def _nested(values: Any) -> Tuple[Tuple[int, ...], List[float]]:
@@ -245,7 +245,7 @@ def empty(shape: Sequence[int], kind: str) -> Any:
     return dense_view(memoryview(array.array(kind, bytes(prod(shape) * array.array(kind).itemsize))), shape)
 
 
-def dense_view(numbers: "memoryview[Any]", shape: Sequence[int]) -> View:
+def dense_view(numbers: memoryview, shape: Sequence[int]) -> View:
     steps = [prod(shape[k + 1:]) for k in range(len(shape))]
     return View(numbers, shape, steps)
 
@@ -263,7 +263,7 @@ def target(out: Any, count: int) -> Dense:
     return Dense(address_of(memory), count, precision, out)
 
 
-def address_of(memory: "memoryview[Any]") -> int:
+def address_of(memory: memoryview) -> int:
     """Where a writable, dense buffer lies; it must be kept alive by other means."""
     return addressof(c_char.from_buffer(memory)) if memory.nbytes else addressof(_NOTHING)
 
@@ -275,6 +275,7 @@ def show(memory: Any, precision: Precision, shape: Sequence[int], strides: Seque
     """A read-only array over a ctypes array of bytes, which it keeps alive."""
     shown = memoryview(memory).toreadonly()
     if numpy is not None:
-        return numpy.ndarray(shape, _FORMATS[precision], shown, 0, strides)
+        flat = numpy.frombuffer(shown, _FORMATS[precision])  # its flag `writeable` cannot be set any more
+        return numpy.ndarray(shape, flat.dtype, flat, 0, strides)
     numbers = shown.cast("B").cast(_FORMATS[precision])
     return View(numbers, shape, [stride // numbers.itemsize for stride in strides])

@@ -29,6 +29,8 @@ class Attachment(NamedTuple):
 class Body(Object):
     """Nodes with 1 to 4 components that never mix, joined by springs."""
 
+    __slots__ = ()
+
     mass = Setting(float, "Mass [kg], > 0, of one strand or of the sheet, dealt out by mass_rule; default 1.")
     mass_rule = Setting(MassRule, "How the mass is dealt out to the nodes, a MassRule; default MassRule.EQUAL.")
     bend = Setting(float, "Bend stiffness [N/m], >= 0; default 0.")
@@ -48,7 +50,7 @@ class Body(Object):
             self._call("attach", *node, stiffness, damping, None, 0)
         else:
             numbers = row(target)
-            self._call("attach", *node, stiffness, damping, numbers.address, numbers.count)
+            self._call("attach", *node, stiffness, damping, numbers.address, numbers.length)
 
     def _attachment(self, node: Sequence[int]) -> Attachment:
         return Attachment(*self._get("get_attachment", *node))

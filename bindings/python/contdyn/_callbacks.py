@@ -55,7 +55,7 @@ class Runner:
             self.own = ThreadPoolExecutor(way - 1, "contdyn") if way > 1 else None
         self.threads = way if isinstance(way, int) else getattr(way, "_max_workers", os.cpu_count() or 1) + 1
         self.executor = self.own if isinstance(way, int) else way if isinstance(way, Executor) else None
-        self.run_parts = way if callable(way) else self._share
+        self.run_parts: Callable[[int, Task], Any] = way if callable(way) else self._share
         self.struct = _api.Parallel(None, _api.RUN_FUNCTION(self._run))
 
     def _run(self, _user: Any, count: int, task: Any, context: Any) -> None:
@@ -102,7 +102,7 @@ class Runner:
 class Parts:
     """The parts of one piece of parallel work: each can be done once, and none once all are over."""
 
-    def __init__(self, count: int, do: Callable[[int], None]) -> None:
+    def __init__(self, count: int, do: Callable[[int], Any]) -> None:
         self.left: List[bool] = [True] * count
         self.running = 0
         self.over = False

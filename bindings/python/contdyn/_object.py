@@ -21,7 +21,7 @@ class Handle(c_void_p):
     """Owns one object of the library. All that may still reach its memory holds one: the Python object until it is
     closed, every array that shows a field, and, being its argument, every call on its way."""
 
-    destroy: Callable[["Handle"], None]
+    destroy: Callable[..., Any]
     allocator: Optional[_api.Allocator] = None
     runner: Optional[Runner] = None
     shown: Dict[Field, "weakref.ref[CArray[c_char]]"]
@@ -56,9 +56,13 @@ class Object:
     _kind: ClassVar[str]
     _c: ClassVar[Functions]
     _fields: ClassVar[Dict[int, FieldInfo]]
-    _handle: Optional[Handle] = None
+    __slots__ = ("_handle", "_made_of", "_precision", "_components", "_parallel", "_step", "__weakref__")
+    _handle: Optional[Handle]
+    _made_of: Tuple[Any, ...]
     _precision: Precision
-    _components = 1
+    _components: int
+    _parallel: Parallel
+    _step: Callable[..., int]
 
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)
@@ -68,7 +72,6 @@ class Object:
     # ---- life -------------------------------------------------------------------------------------------------------
 
     def _create(self, allocator: Optional[Allocator], *arguments: Any) -> None:
-        self._made_of = arguments
         struct = allocator_struct(allocator) if allocator is not None else None
         self._step = self._c.step.raw
         made = c_void_p()
@@ -78,7 +81,11 @@ class Object:
         handle = Handle(made.value)
         handle.destroy, handle.allocator, handle.shown = self._c.destroy.raw, struct, {}
         self._handle = handle
-        self._precision = Precision(self._get("get_shape")[-1])
+        *sizes, precision = self._get("get_shape")
+        self._precision = Precision(precision)
+        self._made_of = (*sizes, self._precision)
+        self._components = sizes[-1] if self._kind != "water" else 1
+        self._parallel = None
 
     def close(self) -> None:
         """Releases the object: calls on it raise HandleError from now on. Closing twice does nothing.
@@ -100,7 +107,8 @@ class Object:
         self.close()
 
     def __repr__(self) -> str:
-        shape = ", ".join(map(str, self._made_of))
+        *sizes, precision = self._made_of if self.closed else self._get("get_shape")
+        shape = ", ".join(map(str, (*sizes, Precision(precision).name)))
         return f"<{'closed ' if self.closed else ''}{type(self).__name__}({shape})>"
 
     def __reduce__(self) -> Tuple[Any, ...]:
@@ -141,8 +149,6 @@ class Object:
         """
         return self._parallel
 
-    _parallel: Parallel = None
-
     @parallel.setter
     def parallel(self, way: Parallel) -> None:
         runner = Runner(way) if way is not None else None
@@ -150,7 +156,9 @@ class Object:
         assert self._handle is not None
         self._handle.runner = runner
         self._parallel = way
-        self._step = self._c.step.raw if runner is None else self._step_in_parallel
+        self._step = self._c.step.raw
+        if runner is not None:
+            self._step = self._step_in_parallel
 
     def _step_in_parallel(self, handle: Optional[Handle], dt: float, count: int) -> int:
         status = self._c.step.raw(handle, dt, count)
@@ -218,7 +226,8 @@ class Object:
         last = sum((extent - 1) * stride for extent, stride in zip(shape, axes))
         size = last + (8 if precision == Precision.FLOAT64 else 4) if prod(shape) else 0
         assert self._handle is not None and data.value is not None
-        return _arrays.show(self._handle.memory(Field(field), data.value, size), precision, shape, axes)
+        shown: Array = _arrays.show(self._handle.memory(Field(field), data.value, size), precision, shape, axes)
+        return shown
 
     def _axes(self, strides: List[int]) -> List[int]:
         """The strides of `view` in the order of an array's dimensions."""
@@ -245,13 +254,13 @@ class Object:
             raise TypeError("out has a precision of its own")
         numbers = _arrays.target(out, prod(shape))
         name = "read_f32" if numbers.precision == Precision.FLOAT32 else "read_f64"
-        self._call(name, field, *place, numbers.address, numbers.count)
+        self._call(name, field, *place, numbers.address, numbers.length)
         return out
 
     def _write(self, field: Field, place: Sequence[int], shape: Tuple[int, ...], values: Values) -> None:
         numbers = _arrays.dense(values, shape, None)
         name = "write_f32" if numbers.precision == Precision.FLOAT32 else "write_f64"
-        self._call(name, field, *place, numbers.address, numbers.count)
+        self._call(name, field, *place, numbers.address, numbers.length)
 
     def _write_all(self, field: Field, values: Values) -> None:
         raise NotImplementedError

@@ -1,6 +1,6 @@
 """Properties over the get_ and set_ functions of the C API."""
 from ctypes import c_double
-from typing import TYPE_CHECKING, Any, Callable, Generic, Iterable, Optional, Tuple, TypeVar, Union, overload
+from typing import TYPE_CHECKING, Any, Callable, Generic, Iterable, NoReturn, Optional, Tuple, TypeVar, Union, overload
 
 from ._api import Field
 from ._arrays import Array, Values, row
@@ -31,7 +31,7 @@ class Reading(Generic[T]):
             return self
         return self.make(*an_object._get("get_" + self.name))
 
-    def __set__(self, an_object: "Object", value: T) -> None:
+    def __set__(self, an_object: "Object", value: NoReturn) -> None:
         raise AttributeError(f"{self.name} can be read only")
 
 
@@ -66,7 +66,7 @@ class ReadingPerComponent(Reading[Tuple[float, ...]]):
 class SettingPerComponent(ReadingPerComponent):
     def __set__(self, an_object: "Object", value: Values) -> None:
         numbers = row(value)
-        an_object._call("set_" + self.name, numbers.address, numbers.count)
+        an_object._call("set_" + self.name, numbers.address, numbers.length)
 
 
 class State:

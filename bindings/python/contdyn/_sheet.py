@@ -41,6 +41,8 @@ class Vertices(NamedTuple):
 class Sheet(Object):
     """A lattice in two directions. Arrays have the second direction first: [v][u], [y][x], as in the C API."""
 
+    __slots__ = ()
+
     solver = Setting(Solver, "How implicit steps solve their system, a Solver; default Solver.ALTERNATING.")
     tolerance = SettingOfSeveral(Tolerance, "When Solver.COUPLED is content: (tolerance, most_iterations).")
     convergence = Reading(Convergence, "What the last call of step did with Solver.COUPLED: (iterations, residual).")

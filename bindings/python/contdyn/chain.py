@@ -35,13 +35,14 @@ class Chain(Body, kind="chain"):
     Method.IMPLICIT and lambda 1/2. The C header chain.h tells the energies, equations and limits.
     """
 
+    __slots__ = ()
+
     def __init__(self, strands: int, springs: int, components: int, precision: Precision = Precision.FLOAT64, *,
                  allocator: Optional[Allocator] = None) -> None:
         """strands >= 1; springs >= 0 (0: a single node); components 1 to 4; precision: what the state is stored in."""
         self._create(allocator, strands, springs, components, precision)
-        self._components = components
 
-    shape = Reading(lambda *numbers: ChainShape(*numbers[:3], Precision(numbers[3])),
+    shape = Reading(lambda strands, springs, components, precision: ChainShape(strands, springs, components, Precision(precision)),
                     "(strands, springs, components, precision) and nodes, as it was made.")
 
     # ---- parameters -------------------------------------------------------------------------------------------------
@@ -110,7 +111,7 @@ class Chain(Body, kind="chain"):
     def impulse(self, strand: int, node: int, impulse: Values) -> None:
         """Adds impulse [N s], one number per component, to a node; a pinned or driven one takes none."""
         numbers = row(impulse)
-        self._call("impulse", strand, node, numbers.address, numbers.count)
+        self._call("impulse", strand, node, numbers.address, numbers.length)
 
     def attach(self, node: int, stiffness: float, damping: float, target: Optional[Values] = None) -> None:
         """Ties a node of every strand to its target by a spring of `stiffness` [N/m] and `damping` [N s/m], both >= 0.
@@ -144,7 +145,7 @@ class Chain(Body, kind="chain"):
         at: n numbers in [0, springs], of a ring to springs + 1.
         """
         places = row(at)
-        positions = _arrays.empty((places.count, self._components), "d")
-        numbers = _arrays.target(positions, places.count * self._components)
-        self._call("sample", strand, places.address, places.count, numbers.address, numbers.count)
+        positions: Array = _arrays.empty((places.length, self._components), "d")
+        numbers = _arrays.target(positions, places.length * self._components)
+        self._call("sample", strand, places.address, places.length, numbers.address, numbers.length)
         return positions

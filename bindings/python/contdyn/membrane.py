@@ -51,13 +51,14 @@ class Membrane(Body, Sheet, kind="membrane"):
     take, the energies, equations and limits.
     """
 
+    __slots__ = ()
+
     def __init__(self, nu: int, nv: int, components: int, precision: Precision = Precision.FLOAT64, *,
                  allocator: Optional[Allocator] = None) -> None:
         """nu, nv >= 0 (0: a single row or column of nodes); components 1 to 4; precision: what it is stored in."""
         self._create(allocator, nu, nv, components, precision)
-        self._components = components
 
-    shape = Reading(lambda *numbers: MembraneShape(*numbers[:3], Precision(numbers[3])),
+    shape = Reading(lambda nu, nv, components, precision: MembraneShape(nu, nv, components, Precision(precision)),
                     "(nu, nv, components, precision) and nodes, as it was made.")
 
     # ---- parameters -------------------------------------------------------------------------------------------------
@@ -117,7 +118,7 @@ class Membrane(Body, Sheet, kind="membrane"):
         u in [0, nu], v in [0, nv], radius >= 0; all on the nearest node if there is none that near.
         """
         numbers = row(impulse)
-        self._call("impulse", u, v, radius, numbers.address, numbers.count)
+        self._call("impulse", u, v, radius, numbers.address, numbers.length)
 
     def attach(self, u: int, v: int, stiffness: float, damping: float, target: Optional[Values] = None) -> None:
         """Ties node (u, v) to its target by a spring of `stiffness` [N/m] and `damping` [N s/m], both >= 0.
@@ -145,10 +146,10 @@ class Membrane(Body, Sheet, kind="membrane"):
         at: shape (n, 2), places (u, v) with u in [0, nu], of a ring to nu + 1, and v likewise.
         """
         places = _arrays.pairs(at)
-        n = places.count // 2
-        positions = _arrays.empty((n, self._components), "d")
+        n = places.length // 2
+        positions: Array = _arrays.empty((n, self._components), "d")
         numbers = _arrays.target(positions, n * self._components)
-        self._call("sample", places.address, n, numbers.address, numbers.count)
+        self._call("sample", places.address, n, numbers.address, numbers.length)
         return positions
 
     # ---- drawing ----------------------------------------------------------------------------------------------------
@@ -172,7 +173,8 @@ class Membrane(Body, Sheet, kind="membrane"):
     def indices(self) -> Array:
         """The triangles as vertex numbers, counter-clockwise seen from where the normal points: shape (n, 3)."""
         nu, nv, *_ = self._made_of
-        return self._indices(self.index_count, (nu + 1) * (nv + 1))
+        indices: Array = self._indices(self.index_count, (nu + 1) * (nv + 1))
+        return indices
 
     def write_indices(self, buffer: Any, index_size: int) -> None:
         """Writes the triangles into a writable buffer, as unsigned numbers of index_size 2 or 4 bytes."""

@@ -91,12 +91,14 @@ class Water(Sheet, kind="water"):
     steps suit, and where the model is right.
     """
 
+    __slots__ = ()
+
     def __init__(self, nx: int, ny: int, dx: float, dy: float, precision: Precision = Precision.FLOAT64, *,
                  allocator: Optional[Allocator] = None) -> None:
         """nx, ny >= 1; dx, dy [m]; precision: what depth, bed, velocities and the fields are stored in."""
         self._create(allocator, nx, ny, dx, dy, precision)
 
-    shape = Reading(lambda *numbers: WaterShape(*numbers[:4], Precision(numbers[4])),
+    shape = Reading(lambda nx, ny, dx, dy, precision: WaterShape(nx, ny, dx, dy, Precision(precision)),
                     "(nx, ny, dx, dy, precision), as it was made or loaded.")
 
     # ---- method -----------------------------------------------------------------------------------------------------
@@ -214,7 +216,7 @@ class Water(Sheet, kind="water"):
         at: shape (n, 2), places (x, y) [m].
         """
         places = _arrays.pairs(at)
-        n = places.count // 2
+        n = places.length // 2
         sample = Sample(*(_arrays.empty(shape, "d") for shape in ((n,), (n,), (n, 3), (n, 2))))
         addresses = [_arrays.target(values, n * times).address for values, times in zip(sample, (1, 1, 3, 2))]
         self._call("sample", places.address, n, *addresses)
@@ -244,7 +246,8 @@ class Water(Sheet, kind="water"):
     def indices(self, skip_dry: bool = False) -> Array:
         """The triangles as vertex numbers, counter-clockwise seen from above: shape (n, 3)."""
         nx, ny, *_ = self._made_of
-        return self._indices(self.get_index_count(skip_dry), nx * ny, skip_dry)
+        indices: Array = self._indices(self.get_index_count(skip_dry), nx * ny, skip_dry)
+        return indices
 
     def write_indices(self, skip_dry: bool, buffer: Any, index_size: int) -> None:
         """Writes the triangles into a writable buffer, as unsigned numbers of index_size 2 or 4 bytes."""

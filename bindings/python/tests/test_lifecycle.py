@@ -1,0 +1,177 @@
+"""Making, closing, copying objects; what is left when they are gone."""
+import copy
+import gc
+import pickle
+import unittest
+
+import contdyn
+from contdyn import Chain, HandleError, Membrane, Precision, Water
+
+from support import KINDS, Heap, api, make, moving
+
+# What each function takes, beyond the object; by the C API's name without its prefix.
+ARGUMENTS = {
+    "set_end": (0, 0), "get_end": (0,), "set_edge": (0, 0), "get_edge": (0,), "set_side": (0, 0), "get_side": (0,),
+    "enable_field": (2,), "disable_field": (2,), "view": (0,), "cut": (0,), "weld": (0,), "step": (0.01,),
+    "get_courant": (0.1,), "add_volume": (0, 0, 1, 1), "add_volume_rectangle": (0, 0, 1, 1, 1),
+    "add_source": (0, 0, 1, 1), "add_source_rectangle": (0, 0, 1, 1, 1), "splash": (0, 0, 1, 1), "load": (b"",),
+}
+ARGUMENTS_OF = {
+    ("chain", "impulse"): (0, 0, [0] * 3), ("membrane", "impulse"): (0, 0, 0, [0] * 3),
+    ("water", "impulse"): (0, 0, 1, 0, 0), ("chain", "attach"): (0, 1, 0), ("membrane", "attach"): (0, 0, 1, 0),
+    ("chain", "detach"): (0,), ("membrane", "detach"): (0, 0), ("chain", "get_attachment"): (0,),
+    ("membrane", "get_attachment"): (0, 0), ("chain", "sample"): (0, [0]), ("membrane", "sample"): ([0, 0],),
+    ("water", "sample"): ([0, 0],), ("membrane", "write_vertices"): (bytearray(480), 24, 0, 12),
+    ("water", "write_vertices"): (bytearray(560), 28, 0, 12, 24),
+    ("membrane", "write_indices"): (bytearray(400), 4), ("water", "write_indices"): (False, bytearray(400), 4),
+    ("chain", "read"): (0,), ("membrane", "read"): (0,), ("water", "read"): (11,), ("chain", "write"): (0, 0),
+    ("membrane", "write"): (0, 0), ("water", "write"): (11, 0),
+}
+VALUES = {"gravity": 0, "ring": 0, "stiffness": 0, "tolerance": 0, "parallel": 2}
+
+
+def uses(kind_name):
+    """Every way to call the library on an object: its name, and a function of the object."""
+    kind = KINDS[kind_name]
+    for function in api()["functions"]:
+        short = function["short"]
+        if function["object"] != kind_name or short in ("create", "destroy"):
+            continue
+        plain = short.replace("_f32", "").replace("_f64", "")
+        name = plain[4:] if plain.startswith(("get_", "set_")) else plain
+        name = "lambda_" if name == "lambda" else name
+        if plain.startswith("get_") and not hasattr(kind, plain):
+            yield short, lambda made, name=name: getattr(made, name)
+        elif plain.startswith("set_") and not hasattr(kind, plain):
+            value = (0, 0) if isinstance(getattr(kind, name), contdyn._properties.SettingOfSeveral) else VALUES.get(name, 1)
+            yield short, lambda made, name=name, value=value: setattr(made, name, value)
+        elif short == "copy_state":
+            yield short, lambda made, kind=kind: made.copy_state(make(kind))
+        else:
+            arguments = ARGUMENTS_OF.get((kind_name, plain), ARGUMENTS.get(plain, ()))
+            yield short, lambda made, plain=plain, arguments=arguments: getattr(made, plain)(*arguments)
+
+
+class Life(unittest.TestCase):
+    def test_a_closed_object_refuses_every_call(self):
+        for kind_name, kind in KINDS.items():
+            for name, use in uses(kind_name):
+                with self.subTest(kind_name, function=name):
+                    made = make(kind)
+                    made.close()
+                    with self.assertRaisesRegex(HandleError, f"this {kind.__name__} is closed") as caught:
+                        use(made)
+                    self.assertIsInstance(caught.exception, ValueError)
+                    self.assertEqual(caught.exception.status, contdyn.Status.ERROR_HANDLE)
+
+    def test_what_a_closed_object_refuses_an_open_one_does(self):
+        for kind_name, kind in KINDS.items():
+            for name, use in uses(kind_name):
+                with self.subTest(kind_name, function=name):
+                    try:
+                        use(make(kind))
+                    except contdyn.Error as error:
+                        self.assertNotIsInstance(error, HandleError)
+
+    def test_closing_twice_does_nothing(self):
+        for kind in KINDS.values():
+            made = make(kind)
+            self.assertFalse(made.closed)
+            made.close()
+            made.close()
+            self.assertTrue(made.closed)
+            self.assertIn("closed", repr(made))
+
+    def test_a_with_statement_closes_also_when_it_fails(self):
+        for kind in KINDS.values():
+            with self.assertRaises(ZeroDivisionError), make(kind) as made:
+                raise ZeroDivisionError
+            self.assertTrue(made.closed)
+
+    def test_all_memory_goes_back_when_closed_or_forgotten(self):
+        for kind in KINDS.values():
+            for way in ("close", "forget"):
+                with self.subTest(kind.__name__, way=way):
+                    heap = Heap()
+                    made = make(kind, allocator=heap)
+                    self.assertEqual(heap.bytes, made.memory)
+                    if way == "close":
+                        made.close()
+                    else:
+                        del made
+                        gc.collect()
+                    self.assertEqual(heap.blocks, {})
+
+    def test_what_fails_to_be_made_leaves_nothing(self):
+        for kind, arguments in ((Chain, (0, 1, 1)), (Membrane, (1, 1, 9)), (Water, (0, 1, 1, 1))):
+            heap = Heap()
+            with self.assertRaises(contdyn.InvalidValueError):
+                kind(*arguments, allocator=heap)
+            self.assertEqual(heap.blocks, {})
+
+    def test_shapes_are_told_as_made(self):
+        self.assertEqual(Chain(2, 5, 3, Precision.FLOAT32).shape, (2, 5, 3, Precision.FLOAT32))
+        self.assertEqual(Chain(2, 5, 3).shape.nodes, 6)
+        self.assertEqual(Membrane(4, 3, 2).shape, (4, 3, 2, Precision.FLOAT64))
+        self.assertEqual(Membrane(4, 3, 2).shape.nodes, (4, 5))
+        self.assertEqual(Water(5, 4, 0.5, 0.25).shape, (5, 4, 0.5, 0.25, Precision.FLOAT64))
+        self.assertEqual(repr(Water(5, 4, 0.5, 0.25)), "<Water(5, 4, 0.5, 0.25, FLOAT64)>")
+
+    def test_unknown_attributes_cannot_be_set_by_a_slip(self):
+        for name in ("time", "energy", "stiffnes"):
+            with self.subTest(name), self.assertRaises(AttributeError):
+                setattr(make(Chain), name, 1)
+
+
+class Keeping(unittest.TestCase):
+    def test_save_and_load(self):
+        for kind in KINDS.values():
+            for precision in Precision:
+                made, other = moving(kind, precision), make(kind, precision)
+                state = made.save()
+                self.assertEqual(len(state), made.save_size())
+                for form in (state, bytearray(state), memoryview(state)):
+                    other.reset()
+                    other.load(form)
+                    self.assertEqual(other.hash(), made.hash())
+                self.assertEqual((other.time, other.steps), (made.time, made.steps))
+
+    def test_copy_state(self):
+        for kind in KINDS.values():
+            made, other = moving(kind), make(kind)
+            other.copy_state(made)
+            self.assertEqual(other.hash(), made.hash())
+            closed = make(kind)
+            closed.close()
+            with self.assertRaisesRegex(HandleError, "the source"):
+                other.copy_state(closed)
+            with self.assertRaises(TypeError):
+                other.copy_state(make(Water if kind is Chain else Chain))
+
+    def test_copies_and_pickles_go_on_alike(self):
+        for kind in KINDS.values():
+            made = moving(kind)
+            others = [copy.copy(made), copy.deepcopy(made), pickle.loads(pickle.dumps(made))]
+            for each in (made, *others):
+                each.step(0.01, 5)
+            self.assertEqual({each.hash() for each in others}, {made.hash()})
+
+    def test_reset(self):
+        for kind in KINDS.values():
+            made = moving(kind)
+            made.reset()
+            self.assertEqual((made.hash(), made.time, made.steps), (make(kind).hash(), 0, 0))
+
+    def test_damaged_bytes_change_nothing(self):
+        for kind in KINDS.values():
+            made = moving(kind)
+            before, state = made.hash(), bytearray(made.save())
+            state[-1] ^= 1
+            for bad in (b"", bytes(state), bytes(state[:40])):
+                with self.assertRaises(contdyn.FormatError):
+                    made.load(bad)
+            self.assertEqual(made.hash(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()
