@@ -43,6 +43,7 @@ class View:
 
     @property
     def ndim(self) -> int:
+        """How many dimensions."""
         return len(self.shape)
 
     @property
@@ -52,18 +53,22 @@ class View:
 
     @property
     def strides(self) -> Tuple[int, ...]:
+        """Bytes from one place to the next, along each dimension."""
         return tuple(step * self.itemsize for step in self._steps)
 
     @property
     def itemsize(self) -> int:
+        """Bytes of a number."""
         return self._numbers.itemsize
 
     @property
     def format(self) -> str:
+        """The numbers' type, as in struct: f, d, H or I."""
         return self._numbers.format
 
     @property
     def readonly(self) -> bool:
+        """Whether the numbers cannot be assigned."""
         return self._numbers.readonly
 
     def __len__(self) -> int:
@@ -152,7 +157,7 @@ def dense(values: Values, shape: Sequence[int], precision: Optional[Precision]) 
     One number stands for all of them. Otherwise shapes must agree, but for dimensions of 1; one row of all will do.
     """
     taken = _taken_numpy(values, precision) if numpy is not None else _taken(values, precision)
-    if taken.shape == () and shape:
+    if taken.shape == ():
         taken = taken.filled(prod(shape))
     elif prod(taken.shape) != prod(shape) or (len(taken.shape) > 1 and _long(taken.shape) != _long(shape)):
         raise RangeError(f"values of shape {tuple(taken.shape)} for places of shape {tuple(shape)}")

@@ -1,0 +1,225 @@
+"""Every way in which a call on a chain can fail, as the C header lists them: the exception, its message, and that nothing
+has changed."""
+import math
+import re
+import unittest
+
+import contdyn
+from contdyn import Chain, End, Field, Method, Node, Precision
+
+from support import Heap, api, moving
+
+NAN, INF = math.nan, math.inf
+
+
+def hungry(kind_of_change):
+    """The change on a chain whose allocator gives no more."""
+
+    def use(chain):
+        heap = Heap()
+        with Chain(2, 5, 3, allocator=heap) as poor:
+            heap.most = heap.given
+            kind_of_change(poor)
+
+    return use
+
+
+def pin_two(chain):
+    chain.write(Field.PIN, [1, 1], first=2, n=2)
+
+
+def diverge(chain):
+    chain.method = Method.FORWARD_EULER
+    chain.stiffness = 1e30
+    chain.step(1e10, 100)
+
+
+def setting(name, value):
+    return lambda chain: setattr(chain, name, value)
+
+
+BAD_NUMBERS = (NAN, INF, -INF, -1.0, 1e300)
+# Function of the C API, the error that its comment lists, what makes it fail (after what, if two), what it must tell.
+CASES = [
+    ("create", "SIZE", lambda c: Chain(1, 2**60, 4), "1152921504606846976"),
+    ("create", "VALUE", lambda c: Chain(0, 1, 1), "strands is 0"),
+    ("create", "VALUE", lambda c: Chain(1, 1, 0), "components is 0"),
+    ("create", "VALUE", lambda c: Chain(1, 1, 5), "components is 5"),
+    ("create", "ENUM", lambda c: Chain(1, 1, 1, 7), "precision is 7"),
+    ("create", "MEMORY", lambda c: Chain(1, 1, 1, allocator=Heap(0)), "no memory"),
+    ("create", "RANGE", lambda c: Chain(-1, 1, 1), "strands is -1"),
+    ("create", "RANGE", lambda c: Chain(1, 2**64 + 1, 1), "springs is 18446744073709551617"),
+    ("set_method", "ENUM", setting("method", 4), "method is 4"),
+    ("set_method", "ENUM", setting("method", -1), "method is -1"),
+    ("set_method", "RANGE", setting("method", 2**32), "method is 4294967296"),
+    ("set_method", "MEMORY", hungry(setting("method", Method.STIFF_SECOND)), "memory"),
+    *(("set_lambda", "VALUE", setting("lambda_", x), "lambda is") for x in (NAN, -0.1, 1.1, INF)),
+    *(("set_mass", "VALUE", setting("mass", x), "mass is") for x in (*BAD_NUMBERS, 0)),
+    *(("set_stiffness", "VALUE", setting("stiffness", x), "stiffness is") for x in BAD_NUMBERS),
+    *(("set_bend", "VALUE", setting("bend", x), "bend is") for x in BAD_NUMBERS),
+    ("set_bend", "MEMORY", hungry(setting("bend", 1.0)), "memory"),
+    *(("set_drag", "VALUE", setting("drag", x), "drag is") for x in BAD_NUMBERS),
+    *(("set_stiffness_damping", "VALUE", setting("stiffness_damping", x), "is") for x in BAD_NUMBERS),
+    ("set_mass_rule", "ENUM", setting("mass_rule", 2), "rule is 2"),
+    ("set_gravity", "VALUE", setting("gravity", (0, NAN, 0)), "nan"),
+    ("set_gravity", "RANGE", setting("gravity", (0, 1)), "2"),
+    ("set_end", "ENUM", lambda c: c.set_end(2, Node.FREE), "end is 2"),
+    ("set_end", "ENUM", lambda c: c.set_end(End.LAST, 4), "kind is 4"),
+    ("set_end", "UNSUPPORTED", (setting("ring", True), lambda c: c.set_end(End.LAST, Node.MATCHED)), "ring"),
+    ("get_end", "ENUM", lambda c: c.get_end(-1), "end is -1"),
+    ("set_ring", "VALUE", setting("ring", 2), "ring is 2"),
+    ("set_ring", "UNSUPPORTED", lambda c: setattr(Chain(1, 1, 1), "ring", True), "2 nodes"),
+    ("set_ring", "UNSUPPORTED", (lambda c: c.set_end(End.FIRST, Node.MATCHED), setting("ring", True)), "matched"),
+    ("set_ring", "MEMORY", hungry(setting("ring", True)), "memory"),
+    ("enable_field", "ENUM", lambda c: c.enable_field(99), "field is 99"),
+    ("enable_field", "ENUM", lambda c: c.enable_field(Field.DEPTH), "field"),
+    ("enable_field", "MEMORY", hungry(lambda c: c.enable_field(Field.FORCE)), "memory"),
+    ("disable_field", "ENUM", lambda c: c.disable_field(99), "field is 99"),
+    ("disable_field", "UNSUPPORTED", lambda c: c.disable_field(Field.PIN), "CD_PIN"),
+    ("write_f64", "ENUM", lambda c: c.write(Field.DEPTH, 1), "field"),
+    ("write_f64", "DISABLED", lambda c: c.write(Field.FORCE, 1), "CD_FORCE"),
+    ("write_f64", "RANGE", lambda c: c.write(Field.POSITION, 1, first=5, n=2), r"\[5, 7\) of 6"),
+    ("write_f64", "RANGE", lambda c: c.write(Field.POSITION, 1, first_strand=3), "strands"),
+    ("write_f64", "RANGE", lambda c: c.write(Field.POSITION, [1.0, 2.0]), r"\(2,\)"),
+    ("write_f64", "RANGE", lambda c: c.write(Field.POSITION, 1, first=-1), "-1"),
+    ("write_f64", "VALUE", lambda c: c.write(Field.POSITION, [0, 1, NAN], 0, 1, 0, 1), r"values\[2\] is"),
+    ("write_f64", "VALUE", lambda c: c.write(Field.PIN, 5), r"values\[0\] is 5"),
+    ("write_f64", "UNSUPPORTED", (lambda c: c.weld(2), pin_two), "pinned or driven"),
+    ("read_f64", "ENUM", lambda c: c.read(-5), "field is -5"),
+    ("read_f64", "DISABLED", lambda c: c.read(Field.BEND), "CD_BEND"),
+    ("read_f64", "RANGE", lambda c: c.read(Field.PIN, first=7), "of 6"),
+    ("read_f64", "RANGE", lambda c: c.read(Field.POSITION, strands=-1), "-1"),
+    ("view", "ENUM", lambda c: c.view(99), "field is 99"),
+    ("view", "DISABLED", lambda c: c.view(Field.TARGET), "CD_TARGET"),
+    ("view", "UNSUPPORTED", lambda c: c.view(Field.PIN), "CD_PIN"),
+    ("impulse", "RANGE", lambda c: c.impulse(2, 0, (0, 0, 0)), "strand is 2"),
+    ("impulse", "RANGE", lambda c: c.impulse(0, 6, (0, 0, 0)), "node is 6"),
+    ("impulse", "RANGE", lambda c: c.impulse(0, 0, (0, 0)), "2"),
+    ("impulse", "VALUE", lambda c: c.impulse(0, 0, (0, INF, 0)), "inf"),
+    ("attach", "RANGE", lambda c: c.attach(6, 1, 1), "node is 6"),
+    ("attach", "RANGE", lambda c: c.attach(0, 1, 1, (1, 2)), "2"),
+    ("attach", "VALUE", lambda c: c.attach(0, -1, 1), "stiffness is -1"),
+    ("attach", "VALUE", lambda c: c.attach(0, 1, NAN), "damping is"),
+    ("attach", "VALUE", lambda c: c.attach(0, 1, 1, (1, NAN, 2)), "nan"),
+    ("attach", "MEMORY", hungry(lambda c: c.attach(0, 1, 1)), "memory"),
+    ("detach", "RANGE", lambda c: c.detach(6), "node is 6"),
+    ("get_attachment", "RANGE", lambda c: c.get_attachment(6), "node is 6"),
+    ("cut", "RANGE", lambda c: c.cut(5), "spring is 5"),
+    ("cut", "MEMORY", hungry(lambda c: c.cut(0)), "memory"),
+    ("weld", "RANGE", lambda c: c.weld(5), "spring is 5"),
+    ("weld", "MEMORY", hungry(lambda c: c.weld(0)), "memory"),
+    ("weld", "UNSUPPORTED", (pin_two, lambda c: c.weld(2)), "pinned or driven"),
+    *(("step", "VALUE", lambda c, x=x: c.step(x), "dt is") for x in (0, -1, NAN, INF, 1e31, 1e-31)),
+    ("step", "RANGE", lambda c: c.step(0.01, -1), "count is -1"),
+    ("step", "RANGE", lambda c: c.step(0.01, 2**64), "count is 18446744073709551616"),
+    ("sample", "RANGE", lambda c: c.sample(2, [0]), "strand is 2"),
+    ("sample", "VALUE", lambda c: c.sample(0, [5.5]), "5.5"),
+    ("sample", "VALUE", lambda c: c.sample(0, [0, NAN]), "nan"),
+    ("load", "FORMAT", lambda c: c.load(b"not a chain"), "11 bytes"),
+    ("load", "FORMAT", lambda c: c.load(contdyn.Water(1, 1, 1, 1).save()), "chain"),
+    ("load", "MISMATCH", lambda c: c.load(Chain(2, 6, 3).save()), "6"),
+    ("load", "MISMATCH", lambda c: c.load(Chain(2, 5, 3, Precision.FLOAT32).save()), "precision 0"),
+    ("copy_state", "MISMATCH", lambda c: c.copy_state(Chain(2, 4, 3)), "4"),
+]
+
+# Listed in the comments, and not to be had from Python.
+NOT_TO_BE_HAD = {
+    ("create", "UNSUPPORTED"): "for a precision that the build leaves out; this one has both",
+    ("save", "RANGE"): "save makes a buffer of the right size",
+    ("get_gravity", "RANGE"): "the count is always that of the components",
+    ("get_momentum", "RANGE"): "likewise",
+}
+
+
+def listed():
+    """(functions that share a comment, error) as the comments of chain.h list them."""
+    groups = {}
+    for function in api()["functions"]:
+        if function["object"] == "chain":
+            groups.setdefault(function["doc"] or function["name"], []).append(function["short"])
+    for doc, shorts in groups.items():
+        for error in set(re.findall(r"CD_ERROR_([A-Z]+)", doc)):
+            yield shorts, error
+
+
+class Errors(unittest.TestCase):
+    def test_each_failure_has_its_exception_and_message_and_changes_nothing(self):
+        for k, (function, error, use, message) in enumerate(CASES):
+            with self.subTest(k, function=function, error=error, message=message):
+                chain = moving(Chain)
+                if isinstance(use, tuple):
+                    prepare, use = use
+                    prepare(chain)
+                before = chain.hash()
+                with self.assertRaisesRegex(contdyn.Error, message) as caught:
+                    use(chain)
+                self.assertEqual(caught.exception.status, contdyn.Status["ERROR_" + error])
+                self.assertEqual(chain.hash(), before)
+
+    def test_messages_name_the_function(self):
+        with self.assertRaisesRegex(contdyn.InvalidValueError, "^cd_chain_set_mass: mass is -2"):
+            moving(Chain).mass = -2
+
+    def test_every_error_that_the_header_lists_is_here(self):
+        tried = {(function, error) for function, error, _, _ in CASES} | {("step", "DIVERGED"), ("load", "MEMORY"),
+                                                                         ("copy_state", "MEMORY")}
+        for shorts, error in listed():
+            if error in ("NULL",):  # no null pointer is passed from Python
+                continue
+            here = {(short, error) for short in shorts}
+            with self.subTest(functions=shorts, error=error):
+                self.assertTrue(here & (tried | set(NOT_TO_BE_HAD)))
+
+    def test_divergence_is_told_and_can_be_left(self):
+        chain = moving(Chain)
+        with self.assertRaises(contdyn.DivergedError) as caught:
+            diverge(chain)
+        self.assertIsInstance(caught.exception, ArithmeticError)
+        self.assertEqual(chain.steps, 103)
+        chain.read(Field.POSITION)
+        with self.assertRaises(contdyn.DivergedError):
+            chain.step(0.01)
+        chain.reset()
+        chain.step(0.01)
+
+    def test_no_memory_for_what_is_loaded(self):
+        source = moving(Chain)
+        source.enable_field(Field.FORCE)
+        for use in (lambda chain: chain.load(source.save()), lambda chain: chain.copy_state(source)):
+            heap = Heap()
+            chain = moving(Chain, allocator=heap)
+            before, heap.most = chain.hash(), heap.given
+            with self.assertRaises(contdyn.OutOfMemoryError):
+                use(chain)
+            self.assertEqual(chain.hash(), before)
+
+    def test_an_unreached_tolerance_is_told(self):
+        sheet = contdyn.Membrane(16, 16, 1)
+        sheet.solver, sheet.stiffness, sheet.tolerance = contdyn.Solver.COUPLED, (1e6, 1e3), (1e-14, 1)
+        sheet.impulse(3, 5, 2, [1])
+        with self.assertRaises(contdyn.ToleranceError):
+            sheet.step(1)
+        self.assertEqual(sheet.steps, 1)
+        self.assertGreater(sheet.convergence.residual, 1e-14)
+
+    def test_wrong_types(self):
+        chain = moving(Chain)
+        for use in (lambda: setattr(chain, "mass", "1"), lambda: setattr(chain, "mass", None), lambda: chain.step("1"),
+                    lambda: chain.step(0.01, 1.5), lambda: chain.step(), lambda: chain.cut(1.0), lambda: chain.cut("1"),
+                    lambda: setattr(chain, "gravity", "123"), lambda: chain.write(Field.POSITION, "abc"),
+                    lambda: chain.write(Field.POSITION, b"abc"), lambda: chain.write(Field.POSITION, 1j),
+                    lambda: chain.write("position", 1), lambda: chain.load(3), lambda: chain.load("text"),
+                    lambda: chain.set_end("first", 1), lambda: Chain("1", 2, 3), lambda: Chain(1.0, 2, 3),
+                    lambda: setattr(chain, "parallel", "many"), lambda: setattr(chain, "parallel", True)):
+            before = chain.hash()
+            with self.assertRaises(TypeError):
+                use()
+            self.assertEqual(chain.hash(), before)
+        for use in (lambda: setattr(contdyn.Membrane(2, 2, 1), "stiffness", 1), lambda: chain.read("position"),
+                    lambda: setattr(contdyn.Membrane(2, 2, 1), "stiffness", (1, 2, 3))):
+            with self.assertRaises(TypeError):
+                use()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,283 @@
+"""What each function does to its object, seen through the others."""
+import math
+import unittest
+from array import array
+
+import contdyn
+from contdyn import (BedRule, Border, Chain, Edge, End, Field, MassRule, Membrane, Method, Momentum, Node, Precision, Side,
+                     Solver, Water)
+
+from support import KINDS, make, moving
+
+
+def close(test, found, expected, digits=12):
+    test.assertEqual(len(found), len(expected))
+    for one, other in zip(found, expected):
+        test.assertAlmostEqual(one, other, digits)
+
+
+class Everyone(unittest.TestCase):
+    def test_parameters_come_back(self):
+        shared = {"method": Method.SYMPLECTIC_EULER, "lambda_": 0.75, "drag": 0.5}
+        body = {"mass": 2.5, "mass_rule": MassRule.HALF_ENDS, "bend": 0.25, "stiffness_damping": 0.125,
+                "gravity": (1.0, 2.0, 3.0)}
+        own = {
+            Chain: {**body, "stiffness": 3.0, "ring": True},
+            Membrane: {**body, "stiffness": (3.0, 4.0), "ring": (True, False), "solver": Solver.COUPLED,
+                       "tolerance": (1e-4, 7), "pressure": 0.5},
+            Water: {"momentum": Momentum.ADVECTED, "solver": Solver.COUPLED, "tolerance": (1e-4, 7), "first": 1,
+                    "gravity": 1.5, "density": 900.0, "manning": 0.03, "bed_rule": BedRule.KEEPS_SURFACE},
+        }
+        for kind in KINDS.values():
+            for name, value in {**shared, **own[kind]}.items():
+                with self.subTest(kind.__name__, parameter=name):
+                    made = make(kind)
+                    self.assertNotEqual(getattr(made, name), value)
+                    setattr(made, name, value)
+                    self.assertEqual(getattr(made, name), value)
+                    self.assertIs(type(getattr(made, name)), type(getattr(make(kind), name)))
+
+    def test_time_steps_and_factorizations(self):
+        for kind in KINDS.values():
+            made = make(kind)
+            if kind is Water:
+                made.depth = 1
+            made.step(0.25)
+            made.step(0.25, 3)
+            made.step(0.25, count=0)
+            self.assertEqual((made.time, made.steps), (1.0, 4))
+            self.assertGreaterEqual(made.factorizations, 1)
+            self.assertGreater(made.memory, 0)
+
+    def test_stable_dt_is_the_limit(self):
+        for kind in (Chain, Membrane):
+            made = moving(kind)
+            made.method = Method.SYMPLECTIC_EULER
+            dt = made.stable_dt()
+            before = sum(made.energy)
+            made.step(0.9 * dt, 500)
+            self.assertLess(sum(made.energy), 100 * before)
+            made.step(1.2 * dt, 500)
+            self.assertGreater(sum(made.energy), 1e6 * before)
+        self.assertEqual(Chain(1, 0, 1).stable_dt(), math.inf)
+        self.assertGreater(moving(Water).stable_dt(), 0)
+
+    def test_fields_take_memory_only_while_they_are_on(self):
+        for kind, field in ((Chain, Field.FORCE), (Membrane, Field.MASK), (Water, Field.SOURCE)):
+            made = make(kind)
+            before = made.memory
+            made.enable_field(field)
+            self.assertGreater(made.memory, before)
+            made.disable_field(field)
+            self.assertEqual(made.memory, before)
+
+
+class Chains(unittest.TestCase):
+    def setUp(self):
+        self.chain = Chain(1, 4, 2)
+        self.chain.position = [[0, 0], [1, 0], [2, 0], [3, 0], [4, 0]]
+
+    def test_energy_and_momentum(self):
+        chain = self.chain
+        chain.velocity = [1, 2] * 5
+        chain.gravity = (0, -10)
+        close(self, chain.energy, (2.5, 0.5 * 4 * 4, 0))
+        close(self, chain.momentum, (1, 2))
+
+    def test_impulse(self):
+        self.chain.impulse(0, 1, [0.1, 0.2])
+        close(self, self.chain.velocity[0, 1].tolist(), (0.5, 1.0))
+        self.chain.impulse(0, 1, array("d", [0.1, 0.2]))
+        close(self, self.chain.velocity[0, 1].tolist(), (1.0, 2.0))
+
+    def test_attachments(self):
+        self.chain.attach(2, 30, 0.5)
+        self.assertEqual(self.chain.target.tolist()[0][2], [2, 0])
+        self.chain.attach(3, 40, 0, (7, 8))
+        self.assertEqual(self.chain.target.tolist()[0][3], [7, 8])
+        self.assertEqual(self.chain.get_attachment(2), (30, 0.5))
+        self.assertEqual(self.chain.get_attachment(3).stiffness, 40)
+        self.chain.detach(2)
+        self.assertEqual(self.chain.get_attachment(2), (0, 0))
+
+    def test_cut_and_weld(self):
+        self.chain.cut(1)
+        self.chain.weld(3)
+        self.assertEqual(self.chain.read(Field.STIFFNESS).tolist(), [4, 0, 4, math.inf])
+
+    def test_ends(self):
+        self.chain.set_end(End.FIRST, Node.PINNED)
+        self.chain.set_end(End.LAST, Node.DRIVEN)
+        self.assertIs(self.chain.get_end(End.FIRST), Node.PINNED)
+        self.assertEqual(self.chain.read(Field.PIN).tolist(), [1, 0, 0, 0, 2])
+        self.chain.write(Field.VELOCITY, [0, 3], 0, 1, 4, 1)
+        self.chain.step(1)
+        close(self, self.chain.position[0, 4].tolist(), (4, 3))
+
+    def test_sample(self):
+        self.assertEqual(self.chain.sample(0, [0.5, 3.25]).tolist(), [[0.5, 0], [3.25, 0]])
+        self.assertEqual(self.chain.sample(0, 2).tolist(), [[2, 0]])
+        self.assertEqual(self.chain.sample(0, []).tolist(), [])
+
+
+class Membranes(unittest.TestCase):
+    def setUp(self):
+        self.sheet = Membrane(2, 3, 3)  # over [0, 2] x [0, 3]
+        self.sheet.position = [[[u, v, 0] for u in range(3)] for v in range(4)]
+
+    def test_sides_of_arrays(self):
+        self.assertEqual(self.sheet.read(Field.POSITION, 1, 2, 1, 1).tolist(), [[[1, 2, 0]]])
+        self.assertEqual(self.sheet.position[2, 1].tolist(), [1, 2, 0])
+        self.assertEqual(self.sheet.sample([[0.5, 2.5], [2, 0]]).tolist(), [[0.5, 2.5, 0], [2, 0, 0]])
+        with self.assertRaises(contdyn.RangeError):
+            self.sheet.sample([1, 2, 3])
+
+    def test_edges_and_mask(self):
+        self.sheet.set_edge(Edge.U_FIRST, Node.PINNED)
+        self.assertIs(self.sheet.get_edge(Edge.U_FIRST), Node.PINNED)
+        self.sheet.enable_field(Field.PIN)
+        self.assertEqual(self.sheet.read(Field.PIN).tolist(), [[1, 0, 0]] * 4)
+
+    def test_impulse_energy_momentum(self):
+        self.sheet.impulse(1, 1, 0, (0, 0, 0.5))
+        close(self, self.sheet.momentum, (0, 0, 0.5))
+        self.assertAlmostEqual(self.sheet.energy.kinetic, 0.5**2 * 12 / 2)
+
+    def test_attachments(self):
+        self.sheet.attach(2, 3, 10, 0.25, (1, 1, 1))
+        self.assertEqual(self.sheet.get_attachment(2, 3), (10, 0.25))
+        self.assertEqual(self.sheet.target[3, 2].tolist(), [1, 1, 1])
+        self.sheet.attach(0, 1, 10, 0)
+        self.assertEqual(self.sheet.target[1, 0].tolist(), [0, 1, 0])
+        self.sheet.detach(2, 3)
+        self.assertEqual(self.sheet.get_attachment(2, 3), (0, 0))
+
+    def test_volume_under_a_lifted_sheet(self):
+        self.sheet.position = [[[u, v, 0.5] for u in range(3)] for v in range(4)]
+        self.assertAlmostEqual(self.sheet.volume, 0.5 * 6 / 3)
+
+    def test_convergence(self):
+        self.assertEqual(self.sheet.convergence, (0, 0))
+        self.sheet.solver = Solver.COUPLED
+        self.sheet.step(0.1)
+        self.assertGreater(self.sheet.convergence.iterations, 0)
+
+    def test_vertices_and_triangles(self):
+        vertices, triangles = self.sheet.vertices(), self.sheet.indices()
+        self.assertEqual(vertices.position.tolist(), [[u, v, 0] for v in range(4) for u in range(3)])
+        self.assertEqual(vertices.normal.tolist(), [[0, 0, 1]] * 12)
+        self.assertEqual((triangles.shape, self.sheet.index_count), ((12, 3), 36))
+        self.assertEqual(sorted(triangles[0].tolist()), [0, 1, 4])
+        buffer = bytearray(b"\x07" * (12 * 20))
+        self.sheet.write_vertices(buffer, 20, 4, None)
+        self.assertEqual(memoryview(buffer).cast("f")[6:9].tolist(), [1, 0, 0])
+        self.assertEqual(buffer[:4] + buffer[16:20], b"\x07" * 8)
+        numbers = array("I", bytes(144))
+        self.sheet.write_indices(numbers, 4)
+        self.assertEqual(list(numbers), [k for triangle in triangles.tolist() for k in triangle])
+        for use in (lambda: self.sheet.write_vertices(bytearray(100), 24, 0, 12),
+                    lambda: self.sheet.write_indices(bytearray(100), 4),
+                    lambda: self.sheet.write_vertices(bytearray(480), 24, 0, 13)):
+            with self.assertRaises(contdyn.RangeError):
+                use()
+        with self.assertRaises(TypeError):
+            self.sheet.write_vertices(bytes(288), 24, 0, 12)
+
+    def test_many_vertices_take_longer_numbers(self):
+        self.assertEqual(Membrane(255, 256, 1).indices().itemsize, 4)
+        self.assertEqual(Membrane(250, 250, 1).indices().itemsize, 2)
+
+
+class Waters(unittest.TestCase):
+    def setUp(self):
+        self.water = Water(6, 4, 0.5, 0.25)  # 3 m x 1 m
+        self.water.depth = 0.5
+
+    def test_volumes(self):
+        water = self.water
+        self.assertAlmostEqual(water.volume, 1.5)
+        self.assertAlmostEqual(water.add_volume(1.5, 0.5, 0.5, 0.25), 0.25)
+        self.assertAlmostEqual(water.add_volume_rectangle(0, 0, 6, 4, -100), -1.75)
+        self.assertAlmostEqual(water.account.went_out, 1.75)
+        self.assertAlmostEqual(water.account.came_in, 0.25)
+        self.assertEqual(water.wet_area, 0)
+        water.restart_account()
+        self.assertEqual(water.account.went_out, 0)
+
+    def test_surface_and_bed(self):
+        self.water.bed = 0.25
+        self.assertEqual(self.water.read(Field.SURFACE).tolist(), [[0.75] * 6] * 4)
+        self.water.write(Field.SURFACE, 1)
+        self.assertEqual(self.water.depth.tolist(), [[0.75] * 6] * 4)
+
+    def test_sources(self):
+        self.water.add_source(1.5, 0.5, 0.6, 0.3)
+        self.water.add_source_rectangle(0, 0, 2, 2, -0.1)
+        self.water.step(0.01, 100)
+        self.assertAlmostEqual(self.water.volume, 1.5 + 0.2, 9)
+
+    def test_sides(self):
+        self.water.set_side(Side.X_FIRST, Border.OPEN, 0.5, 0.125)
+        self.water.set_side(Side.Y_LAST, Border.PERIODIC)
+        self.water.step(0.5)
+        self.assertEqual(self.water.get_side(Side.X_FIRST), (Border.OPEN, 0.5625, 0.125))
+        self.assertIs(self.water.get_side(Side.Y_FIRST).kind, Border.PERIODIC)
+
+    def test_splash_and_impulse(self):
+        before = self.water.hash()
+        self.water.splash(1.5, 0.5, 0.4, 0.1)
+        self.assertNotEqual(self.water.hash(), before)
+        self.assertAlmostEqual(self.water.volume, 1.5)
+        self.water.impulse(1.5, 0.5, 0.5, 10, 0)
+        self.assertGreater(self.water.energy.kinetic, 0)
+
+    def test_large_steps(self):
+        self.water.momentum = Momentum.ADVECTED
+        self.water.corrections = 2
+        self.assertEqual(self.water.corrections, 2)
+        self.assertEqual(self.water.lambda_, 0.5)
+
+    def test_courant_and_limits(self):
+        self.assertAlmostEqual(self.water.get_courant(0.1), math.sqrt(9.81 * 0.5) * 0.1 / 0.25)
+        self.water.depth = [[1e-3] * 3 + [1] * 3] * 4
+        self.water.momentum = Momentum.ADVECTED
+        self.water.step(0.5, 3)
+        self.assertEqual(len(self.water.limited), 2)
+        self.water.solver = Solver.COUPLED
+        self.water.step(0.01)
+        self.assertGreater(self.water.convergence.iterations, 0)
+
+    def test_sample(self):
+        sample = self.water.sample([[1, 0.5], [2.9, 0.1]])
+        self.assertEqual(sample.surface.tolist(), [0.5, 0.5])
+        self.assertEqual(sample.depth.tolist(), [0.5, 0.5])
+        self.assertEqual(sample.normal.tolist(), [[0, 0, 1]] * 2)
+        self.assertEqual(sample.velocity.tolist(), [[0, 0]] * 2)
+        with self.assertRaises(contdyn.InvalidValueError):
+            self.water.sample([[5, 0]])
+
+    def test_vertices_and_triangles(self):
+        self.water.depth = [[0.5, 0, 0, 0, 0, 0]] + [[0] * 6] * 3
+        vertices = self.water.vertices()
+        self.assertEqual(vertices.position.tolist()[0], [0.25, 0.125, 0.5])
+        self.assertEqual(vertices.depth.tolist()[:2], [0.5, 0])
+        self.assertEqual(vertices.normal.shape, (24, 3))
+        self.assertEqual(self.water.get_index_count(), 6 * 15)
+        self.assertEqual(self.water.indices().shape, (30, 3))
+        self.assertEqual(self.water.indices(skip_dry=True).shape, (2, 3))
+        buffer = bytearray(24 * 16)
+        self.water.write_vertices(buffer, 16, 0, None, 12)
+        self.assertEqual(memoryview(buffer).cast("f")[:4].tolist(), [0.25, 0.125, 0.5, 0.5])
+        numbers = array("H", bytes(12))
+        self.water.write_indices(True, numbers, 2)
+        self.assertEqual(list(numbers), [k for triangle in self.water.indices(True).tolist() for k in triangle])
+
+    def test_float32(self):
+        water = Water(4, 4, 1, 1, Precision.FLOAT32)
+        water.depth = 0.1
+        self.assertEqual(water.depth.itemsize, 4)
+        self.assertNotEqual(water.read(Field.DEPTH)[0, 0], 0.1)
+
+
+if __name__ == "__main__":
+    unittest.main()
