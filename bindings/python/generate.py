@@ -140,8 +140,8 @@ def function(entry, enums):
 def module(api):
     enums = {enum["name"] for enum in api["enums"]}
     yield '"""The C API as data. Made by generate.py from ../api.json: do not edit."""'
-    yield "from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64,"
-    yield "                    c_void_p)"
+    yield "from ctypes import CFUNCTYPE, POINTER, Structure"
+    yield "from ctypes import c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p"
     yield "from enum import IntEnum"
     yield "from typing import Any, Dict, NamedTuple, Tuple"
     yield ""
@@ -153,7 +153,7 @@ def module(api):
     yield ""
     yield ""
     yield "class FieldInfo(NamedTuple):"
-    yield '    """What an object has of a field: one value per what, and for each component; always there; shown by view."""'
+    yield '    """One value per what, and for each component; always there; shown by view; its unit."""'
     yield ""
     yield "    per: Tuple[str, ...]"
     yield "    components: bool"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What a step costs from Python over the same step from C, in one process: the same objects, stepped by turns from a loop
-in C (step.c, compiled here by `cc`) and from a loop in Python; the least of many rounds of each."""
+"""What a step costs from Python over the same step from C, in one process: the same objects, stepped by turns from a
+loop in C (step.c, compiled here by `cc`) and from a loop in Python; the least of many rounds of each."""
 import ctypes
 import platform
 import subprocess

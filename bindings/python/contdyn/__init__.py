@@ -11,8 +11,8 @@
 
 Chain, Membrane and Water are the three objects of the C library; their methods have its functions' names, its set_ and
 get_ pairs are properties. A field of the state is an array that shows the object's own memory, read-only and without a
-copy; assigning to it writes it. Arrays are NumPy's where it is installed, else a View. Quantities are in SI units, or in
-any other consistent set.
+copy; assigning to it writes it. Arrays are NumPy's where it is installed, else a View. Quantities are in SI units, or
+in any other consistent set.
 """
 from typing import Tuple
 

@@ -1,6 +1,6 @@
 """The C API as data. Made by generate.py from ../api.json: do not edit."""
-from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64,
-                    c_void_p)
+from ctypes import CFUNCTYPE, POINTER, Structure
+from ctypes import c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
 from enum import IntEnum
 from typing import Any, Dict, NamedTuple, Tuple
 
@@ -180,7 +180,7 @@ class BedRule(IntEnum):
 
 
 class FieldInfo(NamedTuple):
-    """What an object has of a field: one value per what, and for each component; always there; shown by view."""
+    """One value per what, and for each component; always there; shown by view; its unit."""
 
     per: Tuple[str, ...]
     components: bool

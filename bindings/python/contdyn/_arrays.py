@@ -115,8 +115,8 @@ class View:
         return View(self._numbers, shape, steps, start)
 
     def _places(self) -> Iterator[int]:
-        axes = [range(0, extent * step, step) if step else [0] * extent for extent, step in zip(self.shape, self._steps)]
-        return (self._start + sum(offsets) for offsets in product(*axes))
+        for place in product(*map(range, self.shape)):
+            yield self._start + sum(i * step for i, step in zip(place, self._steps))
 
     def tolist(self) -> Any:
         """The numbers as nested lists."""

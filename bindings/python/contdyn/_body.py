@@ -34,8 +34,9 @@ class Body(Object):
     mass = Setting(float, "Mass [kg], > 0, of one strand or of the sheet, dealt out by mass_rule; default 1.")
     mass_rule = Setting(MassRule, "How the mass is dealt out to the nodes, a MassRule; default MassRule.EQUAL.")
     bend = Setting(float, "Bend stiffness [N/m], >= 0; default 0.")
-    stiffness_damping = Setting(float, "Stiffness damping [s], >= 0: stretch and bend damp at this time constant; a mode "
-                                       "of angular frequency w loses amplitude at (drag + stiffness_damping w^2) / 2.")
+    stiffness_damping = Setting(float, "Stiffness damping [s], >= 0: stretch and bend damp at this time constant; a "
+                                       "mode of angular frequency w loses amplitude at the rate "
+                                       "(drag + stiffness_damping w^2) / 2.")
     gravity = SettingPerComponent("Gravity [m/s^2], one number per component; default 0.")
     energy = Reading(Energy, "Energies of all there is [J]: kinetic, elastic, gravity.")
     momentum = ReadingPerComponent("Momentum of the free nodes [kg m/s], one number per component.")

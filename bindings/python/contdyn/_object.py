@@ -90,7 +90,7 @@ class Object:
     def close(self) -> None:
         """Releases the object: calls on it raise HandleError from now on. Closing twice does nothing.
 
-        Arrays that show its fields stay valid, with the numbers as they are; its memory goes when the last of them does.
+        Arrays that show its fields stay valid, with the numbers as they are; its memory goes when the last one does.
         """
         self._handle = None
 
@@ -136,8 +136,8 @@ class Object:
     # ---- method -----------------------------------------------------------------------------------------------------
 
     method = Setting(Method, "How steps are made, a Method; default Method.IMPLICIT.")
-    lambda_ = Setting(float, "lambda of Method.IMPLICIT, in [0, 1]: 1/2 keeps energy and is second order, the default of "
-                             "chains and membranes; above it fast motion dies out; 1 is backward Euler.")
+    lambda_ = Setting(float, "lambda of Method.IMPLICIT, in [0, 1]: 1/2 keeps energy and is second order, the "
+                             "default of chains and membranes; above it fast motion dies out; 1 is backward Euler.")
 
     @property
     def parallel(self) -> Parallel:
@@ -166,7 +166,7 @@ class Object:
             handle.runner.raise_kept()
         return status
 
-    # ---- parameters and measures of all of them -----------------------------------------------------------------------
+    # ---- parameters -------------------------------------------------------------------------------------------------
 
     drag = Setting(float, "Drag [1/s], >= 0: velocities die out at this rate; default 0.")
 

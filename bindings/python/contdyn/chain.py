@@ -30,8 +30,8 @@ class Chain(Body, kind="chain"):
     Arrays of positions, velocities, forces and targets have the shape (strands, nodes, components); those of masses,
     bends and pins (nodes,); of stiffnesses (springs,), in a ring one more.
 
-    Rest length is zero: a free chain draws together, and one stretched evenly is held by its ends. A new chain lies with
-    every node at the origin, at rest and free, mass 1, stiffness 1, without bend, gravity and damping, with
+    Rest length is zero: a free chain draws together, and one stretched evenly is held by its ends. A new chain lies
+    with every node at the origin, at rest and free, mass 1, stiffness 1, without bend, gravity and damping, with
     Method.IMPLICIT and lambda 1/2. The C header chain.h tells the energies, equations and limits.
     """
 
@@ -42,13 +42,14 @@ class Chain(Body, kind="chain"):
         """strands >= 1; springs >= 0 (0: a single node); components 1 to 4; precision: what the state is stored in."""
         self._create(allocator, strands, springs, components, precision)
 
-    shape = Reading(lambda strands, springs, components, precision: ChainShape(strands, springs, components, Precision(precision)),
+    shape = Reading(lambda strands, springs, components, precision:
+                    ChainShape(strands, springs, components, Precision(precision)),
                     "(strands, springs, components, precision) and nodes, as it was made.")
 
     # ---- parameters -------------------------------------------------------------------------------------------------
 
-    stiffness = Setting(float, "Stretch stiffness k [N/m], >= 0; k times the number of springs for each of them; default "
-                               "1. Waves run along the chain in sqrt(mass / k) seconds.")
+    stiffness = Setting(float, "Stretch stiffness k [N/m], >= 0; k times the number of springs for each of them; "
+                               "default 1. Waves run along the chain in sqrt(mass / k) seconds.")
     ring = Setting(bool, "Whether the last node is joined to the first; needs 3 nodes. Totals are dealt out anew.")
 
     def set_end(self, end: End, kind: Node) -> None:
@@ -79,7 +80,7 @@ class Chain(Body, kind="chain"):
 
     def read(self, field: Field, first_strand: int = 0, strands: Optional[int] = None, first: int = 0,
              n: Optional[int] = None, *, precision: Optional[Precision] = None, out: Any = None) -> Any:
-        """A copy of a field, of strands [first_strand, first_strand + strands) and nodes (or springs) [first, first + n).
+        """A copy of a field: strands [first_strand, first_strand + strands), nodes (or springs) [first, first + n).
 
         None stands for all the rest. The array has the shape (strands, n, components), of fields that the strands share
         (n,), and the object's precision or the one asked for. `out`: a dense array of float32 or float64 to fill, which
@@ -90,7 +91,7 @@ class Chain(Body, kind="chain"):
 
     def write(self, field: Field, values: Values, first_strand: int = 0, strands: Optional[int] = None, first: int = 0,
               n: Optional[int] = None) -> None:
-        """Writes a field, of strands [first_strand, first_strand + strands) and nodes (or springs) [first, first + n).
+        """Writes a field: strands [first_strand, first_strand + strands), nodes (or springs) [first, first + n).
 
         values: an array of the shape that read gives, nested sequences, all numbers in one row, or one for all places.
         """

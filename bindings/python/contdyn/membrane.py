@@ -63,8 +63,8 @@ class Membrane(Body, Sheet, kind="membrane"):
 
     # ---- parameters -------------------------------------------------------------------------------------------------
 
-    stiffness = SettingOfSeveral(Stiffness, "Stretch stiffness (along_u, along_v) [N/m], >= 0: a sheet stretched evenly "
-                                            "along u by d holds k_u d^2 / 2; default (1, 1).")
+    stiffness = SettingOfSeveral(Stiffness, "Stretch stiffness (along_u, along_v) [N/m], >= 0: a sheet stretched "
+                                            "evenly along u by d holds k_u d^2 / 2; default (1, 1).")
     pressure = Setting(float, "Pressure [Pa] on the sheet along its normal x_u x x_v; 3 components only; default 0.")
     ring = SettingOfSeveral(lambda u, v: Ring(bool(u), bool(v)),
                             "Whether the last nodes (along_u, along_v) are joined to the first; needs 3 nodes.")

@@ -240,7 +240,7 @@ class Water(Sheet, kind="water"):
         self._write_vertices(buffer, stride, position_offset, normal_offset, depth_offset)
 
     def get_index_count(self, skip_dry: bool = False) -> int:
-        """How many indices write_indices writes now: 3 per triangle. skip_dry: squares without a wet cell are left out."""
+        """How many indices write_indices writes now: 3 per triangle. skip_dry leaves out squares without a wet cell."""
         return int(self._get("get_index_count", skip_dry)[0])
 
     def indices(self, skip_dry: bool = False) -> Array:

@@ -154,7 +154,8 @@ class Views(unittest.TestCase):
 
     def setUp(self):
         self.numbers = wave((2, 3, 4))
-        self.view = _arrays.dense_view(memoryview(array("d", [x for a in self.numbers for b in a for x in b])), (2, 3, 4))
+        row = array("d", [number for table in self.numbers for line in table for number in line])
+        self.view = _arrays.dense_view(memoryview(row), (2, 3, 4))
 
     def test_indices(self):
         view, numbers = self.view, self.numbers

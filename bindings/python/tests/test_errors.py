@@ -1,5 +1,5 @@
-"""Every way in which a call on a chain can fail, as the C header lists them: the exception, its message, and that nothing
-has changed."""
+"""Every way in which a call on a chain can fail, as the C header lists them: the exception, its message, and that
+nothing has changed."""
 import math
 import re
 import unittest

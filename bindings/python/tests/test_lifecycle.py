@@ -5,7 +5,7 @@ import pickle
 import unittest
 
 import contdyn
-from contdyn import Chain, HandleError, Membrane, Precision, Water
+from contdyn import Chain, HandleError, Membrane, Precision, Water, _properties
 
 from support import KINDS, Heap, api, make, moving
 
@@ -43,7 +43,8 @@ def uses(kind_name):
         if plain.startswith("get_") and not hasattr(kind, plain):
             yield short, lambda made, name=name: getattr(made, name)
         elif plain.startswith("set_") and not hasattr(kind, plain):
-            value = (0, 0) if isinstance(getattr(kind, name), contdyn._properties.SettingOfSeveral) else VALUES.get(name, 1)
+            several = isinstance(getattr(kind, name), _properties.SettingOfSeveral)
+            value = (0, 0) if several else VALUES.get(name, 1)
             yield short, lambda made, name=name, value=value: setattr(made, name, value)
         elif short == "copy_state":
             yield short, lambda made, kind=kind: made.copy_state(make(kind))

@@ -4,8 +4,8 @@ import unittest
 from array import array
 
 import contdyn
-from contdyn import (BedRule, Border, Chain, Edge, End, Field, MassRule, Membrane, Method, Momentum, Node, Precision, Side,
-                     Solver, Water)
+from contdyn import (BedRule, Border, Chain, Edge, End, Field, MassRule, Membrane, Method, Momentum, Node, Precision,
+                     Side, Solver, Water)
 
 from support import KINDS, make, moving
 

@@ -1,4 +1,4 @@
-"""The package against api.json: nothing of the C API is missing, and what it is called follows from the C API's names."""
+"""The package against api.json: nothing of the C API is missing, and its names follow from those of the C API."""
 import enum
 import inspect
 import subprocess
@@ -126,6 +126,7 @@ class Reach(unittest.TestCase):
             self.assertTrue(hasattr(_library.library, name), name)
         self.assertEqual(contdyn.__version__, ".".join(map(str, contdyn.version())))
         self.assertEqual(contdyn.__version__, api()["version"])
+        self.assertEqual(contdyn.__version__, _library.library.cd_version_string().decode())
         self.assertEqual(contdyn.library_path(), _library.path)
 
     def test_words_of_the_library(self):

@@ -1,0 +1,126 @@
+"""Builds the package for pip (PEP 517), with nothing but the standard library, CMake and a C++ compiler.
+
+    pip wheel --no-index bindings/python        a wheel that contains the library
+
+The library is built from the sources around this folder; in a source distribution they lie in its folder `library`.
+Environment: CONTDYN_LIBRARY, a shared library to put into the wheel instead of building one; CMAKE_ARGS, options for
+CMake, such as -DCMAKE_CXX_COMPILER=clang++.
+"""
+import base64
+import hashlib
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tarfile
+import tempfile
+import zipfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+SOURCES = HERE / "library" if (HERE / "library").exists() else HERE.parents[1]
+VERSION = ".".join(re.findall(r"#define CD_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)",
+                              (SOURCES / "include" / "contdyn" / "base.h").read_text(encoding="utf-8")))
+NAME = f"contdyn-{VERSION}"
+LIBRARY = {"darwin": f"libcontdyn.{VERSION[0]}.dylib", "win32": "contdyn.dll"}.get(
+    sys.platform, f"libcontdyn.so.{VERSION.split('.', maxsplit=1)[0]}")
+
+STRIPPED = ["-DCMAKE_SHARED_LINKER_FLAGS=-s"] if sys.platform == "linux" else []
+
+
+def metadata():
+    return f"""\
+Metadata-Version: 2.1
+Name: contdyn
+Version: {VERSION}
+Summary: Ropes, hair, sheets, drums and water that never blow up
+Requires-Python: >=3.9
+Provides-Extra: numpy
+Requires-Dist: numpy; extra == "numpy"
+Description-Content-Type: text/markdown
+
+""" + (HERE / "README.md").read_text(encoding="utf-8")
+
+
+def tag():
+    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
+    return f"py3-none-{platform}"
+
+
+def library(folder):
+    """The shared library, built in a folder or given."""
+    given = os.environ.get("CONTDYN_LIBRARY")
+    if given:
+        return Path(given)
+    subprocess.run(["cmake", "-S", SOURCES, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DCONTDYN_TESTS=OFF",
+                    "-DCONTDYN_REPORT=OFF", *STRIPPED, *shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
+    subprocess.run(["cmake", "--build", folder, "--config", "Release", "--target", "contdyn",
+                    "--parallel", str(os.cpu_count() or 1)], check=True)
+    for pattern in ("libcontdyn.so", "libcontdyn.dylib", "*contdyn.dll"):
+        for found in Path(folder).rglob(pattern):
+            return found
+    raise FileNotFoundError(f"CMake has built no shared library in {folder}")
+
+
+# ---- what pip calls -------------------------------------------------------------------------------------------------
+
+
+def get_requires_for_build_wheel(_settings=None):
+    return []
+
+
+def get_requires_for_build_sdist(_settings=None):
+    return []
+
+
+def prepare_metadata_for_build_wheel(directory, _settings=None):
+    info = Path(directory, f"{NAME}.dist-info")
+    info.mkdir()
+    (info / "METADATA").write_text(metadata(), encoding="utf-8")
+    return info.name
+
+
+def build_wheel(directory, _settings=None, _metadata_directory=None):
+    name = f"{NAME}-{tag()}.whl"
+    record = []
+    with tempfile.TemporaryDirectory() as folder, \
+            zipfile.ZipFile(Path(directory, name), "w", zipfile.ZIP_DEFLATED) as wheel:
+
+        def put(where, data, mode=0o644):
+            entry = zipfile.ZipInfo(where, (1980, 1, 1, 0, 0, 0))  # the same bytes whenever it is built
+            entry.external_attr, entry.compress_type = (0o100000 | mode) << 16, zipfile.ZIP_DEFLATED
+            wheel.writestr(entry, data)
+            digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
+            record.append(f"{where},sha256={digest},{len(data)}")
+
+        for source in sorted((HERE / "contdyn").glob("*.py*")):
+            if source.is_file():
+                put(f"contdyn/{source.name}", source.read_bytes())
+        put("contdyn/py.typed", b"")
+        put(f"contdyn/{LIBRARY}", library(folder).read_bytes(), 0o755)
+        info = f"{NAME}.dist-info"
+        put(f"{info}/METADATA", metadata().encode())
+        put(f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: contdyn\nRoot-Is-Purelib: false\nTag: {tag()}\n".encode())
+        put(f"{info}/RECORD", "\n".join([*record, f"{info}/RECORD,,", ""]).encode())
+    return name
+
+
+def build_sdist(directory, _settings=None):
+    """This folder, and beside it as `library` what the library is built from."""
+    name = f"{NAME}.tar.gz"
+    with tempfile.TemporaryDirectory() as folder, tarfile.open(Path(directory, name), "w:gz") as archive:
+        tree = Path(folder, NAME)
+        shutil.copytree(HERE, tree, ignore=shutil.ignore_patterns("__pycache__", ".*", "build", "library"))
+        for part in ("CMakeLists.txt", "include", "src", "pkgconfig", "bindings"):
+            source, target = SOURCES / part, tree / "library" / part
+            if source.is_dir():
+                shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__", "python"))
+            else:
+                target.parent.mkdir(exist_ok=True)
+                shutil.copy(source, target)
+        (tree / "PKG-INFO").write_text(metadata(), encoding="utf-8")
+        archive.add(tree, NAME)
+    return name

@@ -1,0 +1,50 @@
+"""The gallery runs: with Matplotlib, if it is installed, and without."""
+import importlib.util
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import contdyn
+from support import NUMPY, PYTHON
+
+EXAMPLES = sorted((PYTHON / "examples").glob("*.py"))
+WITHOUT = "import runpy, sys\nfor name in sys.argv.pop(1).split(','): sys.modules[name] = None\n" \
+          "sys.argv.pop(0)\nrunpy.run_path(sys.argv[0], run_name='__main__')\n"
+
+
+class Examples(unittest.TestCase):
+    def run_in(self, folder, *arguments):
+        environment = {**os.environ, "CONTDYN_LIBRARY": contdyn.library_path(),
+                       "PYTHONPATH": str(Path(contdyn.__file__).parents[1])}
+        done = subprocess.run([sys.executable, *map(str, arguments)], cwd=folder, env=environment, capture_output=True,
+                              text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def test_they_are_three(self):
+        self.assertEqual([path.stem for path in EXAMPLES], ["drum", "pool", "rope"])
+
+    @unittest.skipUnless(NUMPY and importlib.util.find_spec("matplotlib"), "Matplotlib is not installed")
+    def test_pictures(self):
+        for path in EXAMPLES:
+            with self.subTest(path.name), tempfile.TemporaryDirectory() as folder:
+                self.assertIn(f"{path.stem}.png", self.run_in(folder, path))
+                picture = Path(folder, f"{path.stem}.png").read_bytes()
+                self.assertEqual(picture[:4], b"\x89PNG")
+                self.assertGreater(len(picture), 20000)
+
+    def test_numbers(self):
+        missing = "matplotlib" if NUMPY else "matplotlib,numpy"
+        for path in EXAMPLES:
+            with self.subTest(path.name), tempfile.TemporaryDirectory() as folder:
+                said = self.run_in(folder, "-c", WITHOUT, missing, path)
+                self.assertGreater(len(said.splitlines()), 4)
+                self.assertNotIn("nan", said)
+                self.assertEqual(list(Path(folder).iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

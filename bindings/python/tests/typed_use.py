@@ -1,0 +1,37 @@
+"""Read by mypy, not run: what a user writes has the types that it should."""
+from concurrent.futures import ThreadPoolExecutor
+
+import contdyn
+from contdyn import Array, Chain, Edge, Energy, Field, Membrane, Method, Node, Water
+
+
+def use() -> float:
+    with Chain(1, 10, 3) as rope:
+        rope.method = Method.IMPLICIT
+        rope.mass, rope.ring, rope.gravity = 1, True, (0, 0, -9.81)
+        rope.position = [[0.0, 0.0, 0.0]] * 11
+        shown: Array = rope.position
+        energy: Energy = rope.energy
+        rope.step(0.01)
+        rope.parallel = ThreadPoolExecutor()
+    with Membrane(4, 4, 1) as drum:
+        drum.stiffness = 20, 20
+        drum.set_edge(Edge.U_FIRST, Node.PINNED)
+        along_u: float = drum.stiffness.along_u
+    pool = Water(4, 4, 1, 1, contdyn.Precision.FLOAT32)
+    pool.depth = 0.5
+    added: float = pool.add_volume(1, 1, 1, 1)
+    heights: Array = pool.sample([[1, 1]]).surface
+    copy = pool.read(Field.DEPTH)
+    return energy.kinetic + along_u + added + float(shown[0, 0, 0]) + float(heights[0]) + float(copy[0, 0])
+
+
+def misuse() -> None:
+    rope = Chain(1, 10, 3)
+    rope.mass = "heavy"  # WRONG
+    rope.method = Node.PINNED  # WRONG
+    rope.energy = Energy(0, 0, 0)  # WRONG
+    rope.step()  # WRONG
+    rope.mas = 1  # WRONG
+    rope.set_end("first", Node.PINNED)  # WRONG
+    Water(4, 4, 1, 1).splash(1, 1, 1)  # WRONG
