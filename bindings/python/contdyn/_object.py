@@ -54,6 +54,7 @@ class Object:
     """
 
     _kind: ClassVar[str]
+    _own_class: ClassVar[Type["Object"]]  # Chain, Membrane or Water
     _c: ClassVar[Functions]
     _fields: ClassVar[Dict[int, FieldInfo]]
     __slots__ = ("_handle", "_made_of", "_precision", "_components", "_parallel", "_step", "__weakref__")
@@ -67,7 +68,8 @@ class Object:
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)
         if kind:
-            cls._kind, cls._c, cls._fields = kind, Functions(f"cd_{kind}_"), FIELDS[kind]
+            cls._kind, cls._own_class = kind, cls
+            cls._c, cls._fields = Functions(f"cd_{kind}_"), FIELDS[kind]
 
     # ---- life -------------------------------------------------------------------------------------------------------
 
@@ -113,7 +115,7 @@ class Object:
 
     def __reduce__(self) -> Tuple[Any, ...]:
         """Copies and pickles hold what save() gives: not the allocator, and not `parallel`."""
-        return _restored, (type(self), self._made_of, self.save())
+        return _restored, (type(self), self._made_of, self.save()), getattr(self, "__dict__", None) or None
 
     # ---- calls ------------------------------------------------------------------------------------------------------
 
@@ -290,18 +292,18 @@ class Object:
         state = bytes(memoryview(data))
         shown = self._shown_fields()
         if shown:  # which fields would stay is known to an object that loads the same
-            with type(self)(*self._made_of) as trial:
+            with self._own_class(*self._made_of) as trial:
                 trial._call("load", state, len(state))
                 self._refuse_to_lose(shown, trial)
         self._call("load", state, len(state))
 
-    def copy_state(self: Self, source: Self) -> None:
+    def copy_state(self, source: "Object") -> None:
         """Becomes what `source` is, as save and load would, without the bytes; of the same shape and precision.
 
         BufferError if an array shows a field that would be switched off.
         """
-        if not isinstance(source, type(self)):
-            raise TypeError(f"source is a {type(source).__name__}, must be a {type(self).__name__}")
+        if not isinstance(source, self._own_class):
+            raise TypeError(f"source is a {type(source).__name__}, must be a {self._own_class.__name__}")
         if source._handle is None:
             raise HandleError(f"the source, a {type(source).__name__}, is closed")
         self._refuse_to_lose(self._shown_fields(), source)
@@ -328,7 +330,8 @@ class Object:
 
 
 def _restored(kind: Type[Object], made_of: Tuple[Any, ...], state: bytes) -> Object:
-    restored = kind(*made_of)
+    restored = kind.__new__(kind)
+    kind._own_class.__init__(restored, *made_of)
     restored.load(state)
     return restored
 

@@ -6,9 +6,9 @@ installed, else told in numbers.
 """
 import cmath
 import math
-import sys
-
 from contdyn import Edge, Field, Membrane, Node
+
+from show import show
 
 SIDE, RADIUS = 64, 0.25  # springs, m
 RATE, SHOWN = 4000, (8, 24, 48, 96)  # 1/s, steps after which the skin is shown
@@ -88,16 +88,5 @@ def draw(pyplot, path):
     print(f"{path}: {SIDE + 1} x {SIDE + 1} nodes, {LISTENED} steps")
 
 
-def main():
-    try:
-        import matplotlib
-    except ImportError:
-        tell()
-        return
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-    draw(pyplot, sys.argv[1] if len(sys.argv) > 1 else "drum.png")
-
-
 if __name__ == "__main__":
-    main()
+    show(draw, tell, "drum")

@@ -5,9 +5,9 @@ numbers.
     pool.py [FILE]      the picture; pool.png if none is given
 """
 import math
-import sys
-
 from contdyn import Field, Momentum, Precision, Water
+
+from show import show
 
 NX, NY, CELL = 192, 128, 1 / 32  # 6 m x 4 m
 LEVEL = 0.5  # m
@@ -67,16 +67,5 @@ def draw(pyplot, path):
     print(f"{path}: {NX} x {NY} cells, {SHOWN[-1]} steps")
 
 
-def main():
-    try:
-        import matplotlib
-    except ImportError:
-        tell()
-        return
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-    draw(pyplot, sys.argv[1] if len(sys.argv) > 1 else "pool.png")
-
-
 if __name__ == "__main__":
-    main()
+    show(draw, tell, "pool")

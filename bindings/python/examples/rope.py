@@ -3,9 +3,9 @@
 
     rope.py [FILE]      the picture; rope.png if none is given
 """
-import sys
-
 from contdyn import Chain, End, Node
+
+from show import show
 
 LENGTH, NODES, FRAMES, RATE = 2.0, 201, 90, 60  # m, -, -, 1/s
 
@@ -59,16 +59,5 @@ def draw(pyplot, path):
     print(f"{path}: {NODES} nodes, {FRAMES} frames")
 
 
-def main():
-    try:
-        import matplotlib
-    except ImportError:
-        tell()
-        return
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-    draw(pyplot, sys.argv[1] if len(sys.argv) > 1 else "rope.png")
-
-
 if __name__ == "__main__":
-    main()
+    show(draw, tell, "rope")

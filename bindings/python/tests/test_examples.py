@@ -10,9 +10,15 @@ from pathlib import Path
 import contdyn
 from support import NUMPY, PYTHON
 
-EXAMPLES = sorted((PYTHON / "examples").glob("*.py"))
-WITHOUT = "import runpy, sys\nfor name in sys.argv.pop(1).split(','): sys.modules[name] = None\n" \
-          "sys.argv.pop(0)\nrunpy.run_path(sys.argv[0], run_name='__main__')\n"
+EXAMPLES = [PYTHON / "examples" / f"{name}.py" for name in ("rope", "drum", "pool")]
+WITHOUT = """
+import os, runpy, sys
+for name in sys.argv.pop(1).split(","):
+    sys.modules[name] = None
+sys.argv.pop(0)
+sys.path.insert(0, os.path.dirname(sys.argv[0]))
+runpy.run_path(sys.argv[0], run_name="__main__")
+"""
 
 
 class Examples(unittest.TestCase):
@@ -23,9 +29,6 @@ class Examples(unittest.TestCase):
                               text=True, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return done.stdout
-
-    def test_they_are_three(self):
-        self.assertEqual([path.stem for path in EXAMPLES], ["drum", "pool", "rope"])
 
     @unittest.skipUnless(NUMPY and importlib.util.find_spec("matplotlib"), "Matplotlib is not installed")
     def test_pictures(self):

@@ -157,6 +157,23 @@ class Keeping(unittest.TestCase):
                 each.step(0.01, 5)
             self.assertEqual({each.hash() for each in others}, {made.hash()})
 
+    def test_classes_of_the_users_own(self):
+        class Rope(Chain):
+            def __init__(self, name):
+                super().__init__(1, 4, 1)
+                self.name = name
+
+        rope = Rope("mine")
+        rope.enable_field(contdyn.Field.FORCE)
+        shown = rope.force
+        rope.load(rope.save())
+        self.assertEqual(shown.tolist(), [[[0]] * 5])
+        twin = copy.copy(rope)
+        self.assertEqual((type(twin), twin.name, twin.hash()), (Rope, "mine", rope.hash()))
+        plain = Chain(1, 4, 1)
+        plain.copy_state(rope)
+        rope.copy_state(plain)
+
     def test_reset(self):
         for kind in KINDS.values():
             made = moving(kind)
