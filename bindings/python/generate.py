@@ -122,7 +122,7 @@ def fields(a_object):
         per = ", ".join(f'"{place}"' for place in field["per"])
         per += "," if len(field["per"]) == 1 else ""
         flags = ", ".join(str(field[flag]) for flag in ("components", "always", "viewable"))
-        yield f'        Field.{field["name"][3:]}: FieldInfo(({per}), {flags}, "{field["unit"]}"),'
+        yield f'        Field.{field["name"][3:]}: FieldInfo(({per}), {flags}),'
     yield "    },"
 
 
@@ -153,13 +153,12 @@ def module(api):
     yield ""
     yield ""
     yield "class FieldInfo(NamedTuple):"
-    yield '    """One value per what, and for each component; always there; shown by view; its unit."""'
+    yield '    """One value per what, and for each component; always there; shown by view."""'
     yield ""
     yield "    per: Tuple[str, ...]"
     yield "    components: bool"
     yield "    always: bool"
     yield "    viewable: bool"
-    yield "    unit: str"
     yield ""
     yield ""
     yield "FIELDS: Dict[str, Dict[int, FieldInfo]] = {"

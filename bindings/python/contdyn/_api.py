@@ -180,50 +180,49 @@ class BedRule(IntEnum):
 
 
 class FieldInfo(NamedTuple):
-    """One value per what, and for each component; always there; shown by view; its unit."""
+    """One value per what, and for each component; always there; shown by view."""
 
     per: Tuple[str, ...]
     components: bool
     always: bool
     viewable: bool
-    unit: str
 
 
 FIELDS: Dict[str, Dict[int, FieldInfo]] = {
     "chain": {
-        Field.POSITION: FieldInfo(("strand", "node"), True, True, True, "m"),
-        Field.VELOCITY: FieldInfo(("strand", "node"), True, True, True, "m/s"),
-        Field.FORCE: FieldInfo(("strand", "node"), True, False, True, "N"),
-        Field.TARGET: FieldInfo(("strand", "node"), True, False, True, "m"),
-        Field.MASS: FieldInfo(("node",), False, False, False, "kg"),
-        Field.STIFFNESS: FieldInfo(("spring",), False, False, False, "N/m"),
-        Field.BEND: FieldInfo(("node",), False, False, False, "N/m"),
-        Field.PIN: FieldInfo(("node",), False, True, False, "-"),
+        Field.POSITION: FieldInfo(("strand", "node"), True, True, True),
+        Field.VELOCITY: FieldInfo(("strand", "node"), True, True, True),
+        Field.FORCE: FieldInfo(("strand", "node"), True, False, True),
+        Field.TARGET: FieldInfo(("strand", "node"), True, False, True),
+        Field.MASS: FieldInfo(("node",), False, False, False),
+        Field.STIFFNESS: FieldInfo(("spring",), False, False, False),
+        Field.BEND: FieldInfo(("node",), False, False, False),
+        Field.PIN: FieldInfo(("node",), False, True, False),
     },
     "membrane": {
-        Field.POSITION: FieldInfo(("node",), True, True, True, "m"),
-        Field.VELOCITY: FieldInfo(("node",), True, True, True, "m/s"),
-        Field.FORCE: FieldInfo(("node",), True, False, True, "N"),
-        Field.TARGET: FieldInfo(("node",), True, False, True, "m"),
-        Field.MASS: FieldInfo(("node",), False, False, False, "kg"),
-        Field.STIFFNESS_U: FieldInfo(("spring",), False, False, False, "N/m"),
-        Field.STIFFNESS_V: FieldInfo(("spring",), False, False, False, "N/m"),
-        Field.PIN: FieldInfo(("node",), False, False, False, "-"),
-        Field.MASK: FieldInfo(("node",), False, False, False, "-"),
+        Field.POSITION: FieldInfo(("node",), True, True, True),
+        Field.VELOCITY: FieldInfo(("node",), True, True, True),
+        Field.FORCE: FieldInfo(("node",), True, False, True),
+        Field.TARGET: FieldInfo(("node",), True, False, True),
+        Field.MASS: FieldInfo(("node",), False, False, False),
+        Field.STIFFNESS_U: FieldInfo(("spring",), False, False, False),
+        Field.STIFFNESS_V: FieldInfo(("spring",), False, False, False),
+        Field.PIN: FieldInfo(("node",), False, False, False),
+        Field.MASK: FieldInfo(("node",), False, False, False),
     },
     "water": {
-        Field.DEPTH: FieldInfo(("cell",), False, True, True, "m"),
-        Field.BED: FieldInfo(("cell",), False, True, True, "m"),
-        Field.SURFACE: FieldInfo(("cell",), False, True, False, "m"),
-        Field.VELOCITY_X: FieldInfo(("x-face",), False, True, True, "m/s"),
-        Field.VELOCITY_Y: FieldInfo(("y-face",), False, True, True, "m/s"),
-        Field.SOURCE: FieldInfo(("cell",), False, False, True, "m/s"),
-        Field.PRESSURE: FieldInfo(("cell",), False, False, True, "Pa"),
-        Field.FORCE_X: FieldInfo(("x-face",), False, False, True, "m/s^2"),
-        Field.FORCE_Y: FieldInfo(("y-face",), False, False, True, "m/s^2"),
-        Field.MASK: FieldInfo(("cell",), False, False, False, "-"),
-        Field.WALL_X: FieldInfo(("x-face",), False, False, False, "-"),
-        Field.WALL_Y: FieldInfo(("y-face",), False, False, False, "-"),
+        Field.DEPTH: FieldInfo(("cell",), False, True, True),
+        Field.BED: FieldInfo(("cell",), False, True, True),
+        Field.SURFACE: FieldInfo(("cell",), False, True, False),
+        Field.VELOCITY_X: FieldInfo(("x-face",), False, True, True),
+        Field.VELOCITY_Y: FieldInfo(("y-face",), False, True, True),
+        Field.SOURCE: FieldInfo(("cell",), False, False, True),
+        Field.PRESSURE: FieldInfo(("cell",), False, False, True),
+        Field.FORCE_X: FieldInfo(("x-face",), False, False, True),
+        Field.FORCE_Y: FieldInfo(("y-face",), False, False, True),
+        Field.MASK: FieldInfo(("cell",), False, False, False),
+        Field.WALL_X: FieldInfo(("x-face",), False, False, False),
+        Field.WALL_Y: FieldInfo(("y-face",), False, False, False),
     },
 }
 

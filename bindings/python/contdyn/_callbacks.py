@@ -3,9 +3,11 @@ import os
 import sys
 import threading
 from concurrent.futures import Executor, ThreadPoolExecutor
+from operator import index
 from typing import Any, Callable, List, Optional, Protocol, Union
 
 from . import _api
+from .errors import Error
 
 #: What a `parallel` callable gets: task(i) does the i-th part, on any thread.
 Task = Callable[[int], None]
@@ -23,19 +25,28 @@ class Allocator(Protocol):
         """Gets back what allocate gave."""
 
 
-def allocator_struct(allocator: Allocator) -> _api.Allocator:
-    """The C struct; it must live as long as the object."""
+class Provider:
+    """A caller's allocator, as the C API wants it. What it raises is kept, and stands for no memory."""
 
-    def allocate(_user: Any, size: int, alignment: int) -> int:
+    def __init__(self, allocator: Allocator) -> None:
+        self.kept: Optional[BaseException] = None
+        self.allocator = allocator
+        self.struct = _api.Allocator(None, _api.ALLOCATE_FUNCTION(self._allocate), _api.RELEASE_FUNCTION(self._release))
+
+    def _allocate(self, _user: Any, size: int, alignment: int) -> int:
         try:
-            return allocator.allocate(size, alignment) or 0
-        except MemoryError:
+            return index(self.allocator.allocate(size, alignment) or 0)
+        except BaseException as error:  # raised as the cause of OutOfMemoryError
+            self.kept = error
             return 0
 
-    def release(_user: Any, address: int, size: int, alignment: int) -> None:
-        allocator.release(address, size, alignment)
+    def _release(self, _user: Any, address: int, size: int, alignment: int) -> None:
+        self.allocator.release(address, size, alignment)
 
-    return _api.Allocator(None, _api.ALLOCATE_FUNCTION(allocate), _api.RELEASE_FUNCTION(release))
+    def cause(self, error: Error) -> Error:
+        """The error, with what the allocator raised for its cause."""
+        error.__cause__, self.kept = self.kept, None
+        return error
 
 
 class Runner:

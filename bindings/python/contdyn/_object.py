@@ -6,10 +6,10 @@ from math import prod
 from types import TracebackType
 from typing import Any, Callable, ClassVar, Dict, List, Optional, Sequence, Tuple, Type, TypeVar
 
-from . import _api, _arrays
+from . import _arrays
 from ._api import FIELDS, Field, FieldInfo, Method, Precision
 from ._arrays import Array, Values
-from ._callbacks import Allocator, Parallel, Runner, allocator_struct
+from ._callbacks import Allocator, Parallel, Provider, Runner
 from ._library import MOST, Functions, failure
 from ._properties import Reading, Setting
 from .errors import DisabledError, Error, HandleError, InvalidEnumError, RangeError
@@ -22,7 +22,7 @@ class Handle(c_void_p):
     closed, every array that shows a field, and, being its argument, every call on its way."""
 
     destroy: Callable[..., Any]
-    allocator: Optional[_api.Allocator] = None
+    provider: Optional[Provider] = None
     runner: Optional[Runner] = None
     shown: Dict[Field, "weakref.ref[CArray[c_char]]"]
 
@@ -74,14 +74,14 @@ class Object:
     # ---- life -------------------------------------------------------------------------------------------------------
 
     def _create(self, allocator: Optional[Allocator], *arguments: Any) -> None:
-        struct = allocator_struct(allocator) if allocator is not None else None
+        provider = Provider(allocator) if allocator is not None else None
         self._step = self._c.step.raw
         made = c_void_p()
-        status = self._c.create(*arguments, byref(struct) if struct else None, byref(made))
+        status = self._c.create(*arguments, byref(provider.struct) if provider else None, byref(made))
         if status:
-            raise failure(status)
+            raise provider.cause(failure(status)) if provider else failure(status)
         handle = Handle(made.value)
-        handle.destroy, handle.allocator, handle.shown = self._c.destroy.raw, struct, {}
+        handle.destroy, handle.provider, handle.shown = self._c.destroy.raw, provider, {}
         self._handle = handle
         *sizes, precision = self._get("get_shape")
         self._precision = Precision(precision)
@@ -133,7 +133,8 @@ class Object:
     def _failure(self, status: int) -> Error:
         if self._handle is None:
             return HandleError(f"this {type(self).__name__} is closed")
-        return failure(status)
+        provider = self._handle.provider
+        return provider.cause(failure(status)) if provider else failure(status)
 
     # ---- method -----------------------------------------------------------------------------------------------------
 
@@ -147,7 +148,7 @@ class Object:
 
         A number: of threads, this one among them. A concurrent.futures.ThreadPoolExecutor: its threads and this one.
         A function run(count, task): it calls task(i) once for every i in range(count), in any order, on any threads,
-        and returns when all are done. What it raises is raised again when the step is over.
+        and returns when all are done. What it raises is raised again when the step is over. It leaves the object alone.
         """
         return self._parallel
 

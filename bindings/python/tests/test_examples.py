@@ -1,5 +1,7 @@
 """The gallery runs: with Matplotlib, if it is installed, and without."""
+import contextlib
 import importlib.util
+import io
 import os
 import subprocess
 import sys
@@ -22,6 +24,13 @@ runpy.run_path(sys.argv[0], run_name="__main__")
 
 
 class Examples(unittest.TestCase):
+    def test_the_one_in_the_package(self):
+        lines = [line[4:] for line in contdyn.__doc__.splitlines() if line.startswith("    ")]
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            exec("\n".join(lines), {})
+        self.assertIn("-1.95", said.getvalue())
+
     def run_in(self, folder, *arguments):
         environment = {**os.environ, "CONTDYN_LIBRARY": contdyn.library_path(),
                        "PYTHONPATH": str(Path(contdyn.__file__).parents[1])}

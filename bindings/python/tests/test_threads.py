@@ -210,16 +210,28 @@ class Memory(unittest.TestCase):
                 self.assertIsInstance(caught.exception, MemoryError)
                 self.assertEqual(heap.blocks, {})
 
-    def test_an_allocator_that_raises_memory_error(self):
-        class Empty:
+    def test_what_an_allocator_raises_is_the_cause(self):
+        class Broken(Heap):
+            broken = True
+
             def allocate(self, size, alignment):
-                raise MemoryError
+                if self.broken is True:
+                    raise ZeroDivisionError
+                return super().allocate(size, alignment) if not self.broken else "no address"
 
-            def release(self, address, size, alignment):
-                raise AssertionError
-
-        with self.assertRaises(contdyn.OutOfMemoryError):
-            Chain(1, 1, 1, allocator=Empty())
+        heap = Broken()
+        with self.assertRaises(contdyn.OutOfMemoryError) as caught:
+            Chain(1, 1, 1, allocator=heap)
+        self.assertIsInstance(caught.exception.__cause__, ZeroDivisionError)
+        heap.broken = False
+        chain = Chain(1, 1, 1, allocator=heap)
+        heap.broken = "in another way"
+        with self.assertRaises(contdyn.OutOfMemoryError) as caught:
+            chain.enable_field(contdyn.Field.FORCE)
+        self.assertIsInstance(caught.exception.__cause__, TypeError)
+        with self.assertRaises(contdyn.InvalidValueError) as caught:
+            chain.mass = -1
+        self.assertIsNone(caught.exception.__cause__)
 
 
 if __name__ == "__main__":
