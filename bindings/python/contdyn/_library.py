@@ -18,9 +18,10 @@ _FILE_NAMES = {
 def _candidates() -> Iterator[str]:
     """Where the library may be, the likeliest first: in a wheel, a build tree, an installation."""
     here = Path(__file__).resolve().parent
+    root = here.joinpath("..", "..", "..").resolve()
     folders = [here]
-    if (here.parents[2] / "include" / "contdyn" / "contdyn.h").exists():  # the package lies in the project's sources
-        folders += [here.parents[2] / "build" / "src"]
+    if (root / "include" / "contdyn" / "contdyn.h").exists():  # the package lies in the project's sources
+        folders.append(root / "build" / "src")
     for folder in folders:
         yield from (str(folder / name) for name in _FILE_NAMES if (folder / name).exists())
     yield _FILE_NAMES[0]  # wherever the system's loader looks
