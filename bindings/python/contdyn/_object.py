@@ -1,4 +1,5 @@
 """What chain, membrane and water have in common."""
+import threading
 import weakref
 from ctypes import ArgumentError, byref, c_char, c_size_t, c_void_p, create_string_buffer
 from ctypes import Array as CArray
@@ -49,21 +50,22 @@ class Handle(c_void_p):
 class Object:
     """An object of the library. Use it in a `with` statement, close() it, or leave that to Python.
 
-    One object may be used from one thread at a time, distinct objects from different threads at once; steps run
-    without Python's global lock.
+    Calls run without Python's global lock: distinct objects from different threads at once, those on one object one after
+    the other.
     """
 
     _kind: ClassVar[str]
     _own_class: ClassVar[Type["Object"]]  # Chain, Membrane or Water
     _c: ClassVar[Functions]
     _fields: ClassVar[Dict[int, FieldInfo]]
-    __slots__ = ("_handle", "_made_of", "_precision", "_components", "_parallel", "_step", "__weakref__")
+    __slots__ = ("_handle", "_made_of", "_precision", "_components", "_parallel", "_step", "_lock", "__weakref__")
     _handle: Optional[Handle]
     _made_of: Tuple[Any, ...]
     _precision: Precision
     _components: int
     _parallel: Parallel
     _step: Callable[..., int]
+    _lock: "threading._RLock"
 
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)
@@ -75,7 +77,7 @@ class Object:
 
     def _create(self, allocator: Optional[Allocator], *arguments: Any) -> None:
         provider = Provider(allocator) if allocator is not None else None
-        self._step = self._c.step.raw
+        self._step, self._lock = self._c.step.raw, threading.RLock()
         made = c_void_p()
         status = self._c.create(*arguments, byref(provider.struct) if provider else None, byref(made))
         if status:
@@ -120,7 +122,9 @@ class Object:
     # ---- calls ------------------------------------------------------------------------------------------------------
 
     def _call(self, name: str, *arguments: Any) -> None:
-        status = getattr(self._c, name)(self._handle, *arguments)
+        function = getattr(self._c, name)
+        with self._lock:
+            status = function(self._handle, *arguments)
         if status:
             raise self._failure(status)
 
@@ -131,9 +135,10 @@ class Object:
         return [result.value for result in results]
 
     def _failure(self, status: int) -> Error:
-        if self._handle is None:
+        handle = self._handle
+        if handle is None:
             return HandleError(f"this {type(self).__name__} is closed")
-        provider = self._handle.provider
+        provider = handle.provider
         return provider.cause(failure(status)) if provider else failure(status)
 
     # ---- method -----------------------------------------------------------------------------------------------------
@@ -148,20 +153,22 @@ class Object:
 
         A number: of threads, this one among them. A concurrent.futures.ThreadPoolExecutor: its threads and this one.
         A function run(count, task): it calls task(i) once for every i in range(count), in any order, on any threads,
-        and returns when all are done. What it raises is raised again when the step is over. It leaves the object alone.
+        and returns when all are done. What it raises is raised again when the step is over. It must not call the object.
         """
         return self._parallel
 
     @parallel.setter
     def parallel(self, way: Parallel) -> None:
         runner = Runner(way) if way is not None else None
-        self._call("set_parallel", byref(runner.struct) if runner else None)
-        assert self._handle is not None
-        self._handle.runner = runner
-        self._parallel = way
-        self._step = self._c.step.raw
-        if runner is not None:
-            self._step = self._step_in_parallel
+        with self._lock:
+            handle = self._handle
+            self._call("set_parallel", byref(runner.struct) if runner else None)
+            assert handle is not None
+            handle.runner = runner
+            self._parallel = way
+            self._step = self._c.step.raw
+            if runner is not None:
+                self._step = self._step_in_parallel
 
     def _step_in_parallel(self, handle: Optional[Handle], dt: float, count: int) -> int:
         status = self._c.step.raw(handle, dt, count)
@@ -183,10 +190,11 @@ class Object:
         """
         if not 0 <= count <= _MOST_STEPS:
             self._c.step.refuse(2, count)
-        try:
-            status = self._step(self._handle, dt, count)
-        except ArgumentError:
-            status = self._c.step(self._handle, dt, count)  # tells what is wrong
+        with self._lock:
+            try:
+                status = self._step(self._handle, dt, count)
+            except ArgumentError:
+                status = self._c.step(self._handle, dt, count)  # tells what is wrong
         if status:
             raise self._failure(status)
 
@@ -211,9 +219,10 @@ class Object:
 
         BufferError while an array shows the field; nothing has changed then.
         """
-        if self._handle is not None and self._handle.is_shown(field) is not None:
-            raise BufferError(f"{_name(field)} cannot be switched off while an array shows it")
-        self._call("disable_field", field)
+        with self._lock:
+            if self._handle is not None and self._handle.is_shown(field) is not None:
+                raise BufferError(f"{_name(field)} cannot be switched off while an array shows it")
+            self._call("disable_field", field)
 
     def view(self, field: Field) -> Array:
         """A field in the object's own memory: a read-only array without a copy, of the object's precision.
@@ -224,12 +233,14 @@ class Object:
         shape, precision = self._whole(field), self._precision
         dimensions = len(getattr(self._c, "view").results) - 1
         data, strides = c_void_p(), [c_size_t() for _ in range(dimensions)]
-        self._call("view", field, byref(data), *map(byref, strides))
-        axes = self._axes([stride.value for stride in strides])
-        last = sum((extent - 1) * stride for extent, stride in zip(shape, axes))
-        size = last + (8 if precision == Precision.FLOAT64 else 4) if prod(shape) else 0
-        assert self._handle is not None and data.value is not None
-        shown: Array = _arrays.show(self._handle.memory(Field(field), data.value, size), precision, shape, axes)
+        with self._lock:
+            handle = self._handle
+            self._call("view", field, byref(data), *map(byref, strides))
+            assert handle is not None and data.value is not None
+            axes = self._axes([stride.value for stride in strides])
+            last = sum((extent - 1) * stride for extent, stride in zip(shape, axes))
+            memory = handle.memory(Field(field), data.value, last + (8 if precision == Precision.FLOAT64 else 4))
+        shown: Array = _arrays.show(memory, precision, shape, axes)
         return shown
 
     def _axes(self, strides: List[int]) -> List[int]:
@@ -291,12 +302,13 @@ class Object:
         FormatError, MismatchError: nothing has changed.
         """
         state = bytes(memoryview(data))
-        shown = self._shown_fields()
-        if shown:  # which fields would stay is known to an object that loads the same
-            with self._own_class(*self._made_of) as trial:
-                trial._call("load", state, len(state))
-                self._refuse_to_lose(shown, trial)
-        self._call("load", state, len(state))
+        with self._lock:
+            shown = self._shown_fields()
+            if shown:  # which fields would stay is known to an object that loads the same
+                with self._own_class(*self._made_of) as trial:
+                    trial._call("load", state, len(state))
+                    self._refuse_to_lose(shown, trial)
+            self._call("load", state, len(state))
 
     def copy_state(self, source: "Object") -> None:
         """Becomes what `source` is, as save and load would, without the bytes; of the same shape and precision.
@@ -305,17 +317,21 @@ class Object:
         """
         if not isinstance(source, self._own_class):
             raise TypeError(f"source is a {type(source).__name__}, must be a {self._own_class.__name__}")
-        if source._handle is None:
-            raise HandleError(f"the source, a {type(source).__name__}, is closed")
-        self._refuse_to_lose(self._shown_fields(), source)
-        self._call("copy_state", source._handle)
+        first, second = sorted((self, source), key=id)  # two that copy each other must not wait for each other
+        with first._lock, second._lock:
+            handle = source._handle
+            if handle is None:
+                raise HandleError(f"the source, a {type(source).__name__}, is closed")
+            self._refuse_to_lose(self._shown_fields(), source)
+            self._call("copy_state", handle)
 
     def _shown_fields(self) -> List[Field]:
         """Fields that could be switched off and that an array shows."""
-        if self._handle is None:
+        handle = self._handle
+        if handle is None:
             return []
-        return [field for field in self._handle.shown
-                if not self._fields[field].always and self._handle.is_shown(field) is not None]
+        return [field for field in handle.shown
+                if not self._fields[field].always and handle.is_shown(field) is not None]
 
     @staticmethod
     def _refuse_to_lose(shown: List[Field], other: "Object") -> None:

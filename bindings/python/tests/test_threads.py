@@ -1,4 +1,5 @@
 """Objects on threads of the caller, steps spread over threads, memory from the caller."""
+import gc
 import threading
 import unittest
 from concurrent.futures import ThreadPoolExecutor
@@ -21,6 +22,55 @@ class Threads(unittest.TestCase):
         alone = {kind: run(kind) for kind in KINDS.values()}
         with ThreadPoolExecutor(4) as pool:
             self.assertEqual(list(pool.map(run, kinds)), [alone[kind] for kind in kinds])
+
+    def test_one_object_on_many_threads(self):
+        """Whatever they do at once, each call finds the object whole."""
+        def use(made, kind, k):
+            field = [field for field, info in kind._fields.items() if info.viewable and not info.always][0]
+            other = make(kind)
+            for turn in range(60):
+                way = (k + turn) % 6
+                try:
+                    if way == 0:
+                        made.enable_field(field)
+                    elif way == 1:
+                        made.disable_field(field)
+                    elif way == 2:
+                        made.view(field).tolist()
+                    elif way == 3:
+                        made.load(made.save())
+                    elif way == 4:
+                        made.copy_state(other)
+                        other.copy_state(made)
+                    else:
+                        made.method = turn // 6 % 3
+                    made.step(1e-4)
+                except (BufferError, contdyn.DisabledError):
+                    pass
+
+        for kind in KINDS.values():
+            heap = Heap()
+            made = moving(kind, allocator=heap)
+            with ThreadPoolExecutor(6) as pool:
+                for done in [pool.submit(use, made, kind, k) for k in range(6)]:
+                    done.result()
+            made.step(1e-4)
+            made.close()
+            gc.collect()
+            self.assertEqual(heap.blocks, {})
+
+    def test_two_that_copy_each_other(self):
+        for kind in KINDS.values():
+            one, other = make(kind), moving(kind)
+
+            def copy(to, source):
+                for _ in range(300):
+                    to.copy_state(source)
+
+            with ThreadPoolExecutor(2) as pool:
+                for done in [pool.submit(copy, one, other), pool.submit(copy, other, one)]:
+                    done.result(60)
+            self.assertEqual(one.hash(), other.hash())
 
     def test_each_thread_has_its_own_message(self):
         def fail(mass):
