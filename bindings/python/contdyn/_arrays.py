@@ -122,7 +122,7 @@ class View:
         """The numbers as nested lists."""
         if not self.shape:
             return self._numbers[self._start]
-        return [item.tolist() if isinstance(item, View) else item for item in self]
+        return [part.tolist() for part in self] if self.ndim > 1 else next(self._rows()).tolist()
 
     def whole(self) -> memoryview:
         """The memory itself in one row; the view must show all of it, in order."""
@@ -132,7 +132,20 @@ class View:
 
     def flat(self) -> "array.array[float]":
         """A copy of the numbers in one row."""
-        return array.array(self.format, (self._numbers[place] for place in self._places()))
+        copy: "array.array[float]" = array.array(self.format)
+        for numbers in self._rows():
+            copy.frombytes(numbers.tobytes())
+        return copy
+
+    def _rows(self) -> Iterator[memoryview]:
+        """The numbers along the last dimension, row by row."""
+        n, step = (self.shape[-1], self._steps[-1]) if self.shape else (1, 1)
+        for place in product(*map(range, self.shape[:-1])):
+            start = self._start + sum(i * step for i, step in zip(place, self._steps))
+            if step > 0:
+                yield self._numbers[start:start + n * step:step]
+            else:
+                yield memoryview(array.array(self.format, (self._numbers[start + i * step] for i in range(n))))
 
 
 if not TYPE_CHECKING:
@@ -196,7 +209,8 @@ class _Taken(NamedTuple):
             kind = Precision.FLOAT32 if self.numbers.dtype == numpy.float32 else Precision.FLOAT64
             return Dense(self.numbers.ctypes.data, self.numbers.size, kind, self.numbers)
         kind = Precision.FLOAT32 if self.numbers.typecode == "f" else Precision.FLOAT64
-        return Dense(self.numbers.buffer_info()[0], len(self.numbers), kind, self.numbers)
+        address = self.numbers.buffer_info()[0] or addressof(_NOTHING)
+        return Dense(address, len(self.numbers), kind, self.numbers)
 
 
 def _taken_numpy(values: Values, precision: Optional[Precision]) -> _Taken:
@@ -228,6 +242,8 @@ def _taken(values: Values, precision: Optional[Precision]) -> _Taken:
 
 
 def _nested(values: Any) -> Tuple[Tuple[int, ...], List[float]]:
+    if isinstance(values, View):
+        return values.shape, values.flat().tolist()
     if hasattr(values, "__float__") or hasattr(values, "__index__"):
         return (), [float(values)]
     if isinstance(values, (str, bytes)):

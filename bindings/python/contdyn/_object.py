@@ -50,7 +50,7 @@ class Handle(c_void_p):
 class Object:
     """An object of the library. Use it in a `with` statement, close() it, or leave that to Python.
 
-    Calls run without Python's global lock: distinct objects from different threads at once, those on one object one after
+    Calls run without Python's global lock: on distinct objects from different threads at once, on one object one after
     the other.
     """
 
@@ -153,7 +153,8 @@ class Object:
 
         A number: of threads, this one among them. A concurrent.futures.ThreadPoolExecutor: its threads and this one.
         A function run(count, task): it calls task(i) once for every i in range(count), in any order, on any threads,
-        and returns when all are done. What it raises is raised again when the step is over. It must not call the object.
+        and returns when all are done. What it raises is raised again when the step is over. It must not call
+        the object.
         """
         return self._parallel
 

@@ -33,6 +33,7 @@ class Writing(unittest.TestCase):
         chain = Chain(2, 5, 3)
         chain.position = self.numbers
         forms["what a view gives"] = chain.position
+        forms["views in a list"] = [chain.position[0], list(chain.position[1])]
         forms["what a read gives"] = chain.read(Field.POSITION, precision=Precision.FLOAT32)
         if NUMPY:
             numpy = _arrays.numpy
@@ -165,6 +166,9 @@ class Views(unittest.TestCase):
         self.assertEqual(view[:, 1].tolist(), [numbers[0][1], numbers[1][1]])
         self.assertEqual(view[0, ::-1, 1:3].tolist(), [row[1:3] for row in numbers[0][::-1]])
         self.assertEqual(view[:, :, 5:].tolist(), [[[], [], []]] * 2)
+        self.assertEqual(view[:, 1, 3].flat().tolist(), [numbers[0][1][3], numbers[1][1][3]])
+        self.assertEqual(view[1, 2, ::-2].flat().tolist(), numbers[1][2][::-2])
+        self.assertEqual(view[:, :, 2:].flat().tolist(), [x for table in numbers for line in table for x in line[2:]])
         self.assertEqual([part.tolist() for part in view], numbers)
         self.assertEqual([float(x) for x in view[0, 0]], numbers[0][0])
         for bad in (2, (0, 3), (0, 0, 0, 0)):

@@ -1,5 +1,5 @@
-"""The package as pip installs it, into environments of their own and without a network: from a source distribution, which
-builds the library, and with a library given; and all that README.md says, by a new user in an empty folder."""
+"""The package as pip installs it, into environments of their own and without a network: from a source distribution,
+which builds the library, and with a library given; and all that README.md says, by a new user in an empty folder."""
 import os
 import re
 import shutil
