@@ -292,8 +292,9 @@ class Object:
 
     def save(self) -> bytes:
         """The whole state: shape, parameters, fields, time; all the future depends on but the callbacks."""
-        buffer, written = create_string_buffer(self.save_size()), c_size_t()
-        self._call("save", buffer, len(buffer), byref(written))
+        with self._lock:
+            buffer, written = create_string_buffer(self.save_size()), c_size_t()
+            self._call("save", buffer, len(buffer), byref(written))
         return buffer.raw[:written.value]
 
     def load(self, data: Any) -> None:

@@ -67,8 +67,9 @@ class Sheet(Object):
         return (*first, n_first, n_second), (n_second, n_first, *self._values_per_place(field))
 
     def _write_all(self, field: Field, values: Values) -> None:
-        place, shape = self._rectangle(field, (0, 0), (None, None))
-        self._write(field, place, shape, values)
+        with self._lock:
+            place, shape = self._rectangle(field, (0, 0), (None, None))
+            self._write(field, place, shape, values)
 
     def _vertices(self, extra: int, count: int) -> Any:
         """position, normal and `extra` numbers more of each vertex."""

@@ -86,8 +86,9 @@ class Chain(Body, kind="chain"):
         (n,), and the object's precision or the one asked for. `out`: a dense array of float32 or float64 to fill, which
         is given back.
         """
-        place, shape = self._range(field, first_strand, strands, first, n)
-        return self._read(field, place, shape, precision, out)
+        with self._lock:
+            place, shape = self._range(field, first_strand, strands, first, n)
+            return self._read(field, place, shape, precision, out)
 
     def write(self, field: Field, values: Values, first_strand: int = 0, strands: Optional[int] = None, first: int = 0,
               n: Optional[int] = None) -> None:
@@ -95,8 +96,9 @@ class Chain(Body, kind="chain"):
 
         values: an array of the shape that read gives, nested sequences, all numbers in one row, or one for all places.
         """
-        place, shape = self._range(field, first_strand, strands, first, n)
-        self._write(field, place, shape, values)
+        with self._lock:
+            place, shape = self._range(field, first_strand, strands, first, n)
+            self._write(field, place, shape, values)
 
     def _range(self, field: Field, first_strand: int, strands: Optional[int], first: int, n: Optional[int]) -> Any:
         all_strands, all_places = self._extents(field)

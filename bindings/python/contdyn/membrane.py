@@ -98,8 +98,9 @@ class Membrane(Body, Sheet, kind="membrane"):
         (n_v, n_u), and the object's precision or the one asked for. `out`: a dense array of float32 or float64 to fill,
         which is given back.
         """
-        place, shape = self._rectangle(field, (first_u, first_v), (n_u, n_v))
-        return self._read(field, place, shape, precision, out)
+        with self._lock:
+            place, shape = self._rectangle(field, (first_u, first_v), (n_u, n_v))
+            return self._read(field, place, shape, precision, out)
 
     def write(self, field: Field, values: Values, first_u: int = 0, first_v: int = 0, n_u: Optional[int] = None,
               n_v: Optional[int] = None) -> None:
@@ -107,8 +108,9 @@ class Membrane(Body, Sheet, kind="membrane"):
 
         values: an array of the shape that read gives, nested sequences, all numbers in one row, or one for all places.
         """
-        place, shape = self._rectangle(field, (first_u, first_v), (n_u, n_v))
-        self._write(field, place, shape, values)
+        with self._lock:
+            place, shape = self._rectangle(field, (first_u, first_v), (n_u, n_v))
+            self._write(field, place, shape, values)
 
     # ---- acting on it -----------------------------------------------------------------------------------------------
 
@@ -173,7 +175,8 @@ class Membrane(Body, Sheet, kind="membrane"):
     def indices(self) -> Array:
         """The triangles as vertex numbers, counter-clockwise seen from where the normal points: shape (n, 3)."""
         nu, nv, *_ = self._made_of
-        indices: Array = self._indices(self.index_count, (nu + 1) * (nv + 1))
+        with self._lock:
+            indices: Array = self._indices(self.index_count, (nu + 1) * (nv + 1))
         return indices
 
     def write_indices(self, buffer: Any, index_size: int) -> None:

@@ -155,8 +155,9 @@ class Water(Sheet, kind="water"):
         None stands for all the rest. The array has the shape (n_y, n_x), and the object's precision or the one asked
         for. `out`: a dense array of float32 or float64 to fill, which is given back.
         """
-        place, shape = self._rectangle(field, (first_x, first_y), (n_x, n_y))
-        return self._read(field, place, shape, precision, out)
+        with self._lock:
+            place, shape = self._rectangle(field, (first_x, first_y), (n_x, n_y))
+            return self._read(field, place, shape, precision, out)
 
     def write(self, field: Field, values: Values, first_x: int = 0, first_y: int = 0, n_x: Optional[int] = None,
               n_y: Optional[int] = None) -> None:
@@ -164,8 +165,9 @@ class Water(Sheet, kind="water"):
 
         values: an array of the shape that read gives, nested sequences, all numbers in one row, or one for all places.
         """
-        place, shape = self._rectangle(field, (first_x, first_y), (n_x, n_y))
-        self._write(field, place, shape, values)
+        with self._lock:
+            place, shape = self._rectangle(field, (first_x, first_y), (n_x, n_y))
+            self._write(field, place, shape, values)
 
     # ---- acting on it -----------------------------------------------------------------------------------------------
     # Discs have their centre at (x, y) [m] and a radius [m] >= 0; shares fall off from the centre.
@@ -246,7 +248,8 @@ class Water(Sheet, kind="water"):
     def indices(self, skip_dry: bool = False) -> Array:
         """The triangles as vertex numbers, counter-clockwise seen from above: shape (n, 3)."""
         nx, ny, *_ = self._made_of
-        indices: Array = self._indices(self.get_index_count(skip_dry), nx * ny, skip_dry)
+        with self._lock:
+            indices: Array = self._indices(self.get_index_count(skip_dry), nx * ny, skip_dry)
         return indices
 
     def write_indices(self, skip_dry: bool, buffer: Any, index_size: int) -> None:

@@ -5,7 +5,7 @@ import unittest
 from concurrent.futures import ThreadPoolExecutor
 
 import contdyn
-from contdyn import Chain, Water
+from contdyn import Chain, Field, Water
 
 from support import KINDS, Heap, large, make, moving
 
@@ -23,13 +23,29 @@ class Threads(unittest.TestCase):
         with ThreadPoolExecutor(4) as pool:
             self.assertEqual(list(pool.map(run, kinds)), [alone[kind] for kind in kinds])
 
+    @staticmethod
+    def change(made, kind, way, turn):
+        """More that calls of the library one after the other are made of."""
+        if way == 5:
+            made.method = turn // 6 % 3
+        elif kind is Water:
+            made.depth = turn % 3 / 4
+            made.indices(skip_dry=True)
+        elif kind is Chain:
+            made.ring = turn // 2 % 2
+            made.enable_field(Field.STIFFNESS)
+            made.read(Field.STIFFNESS)
+        else:
+            made.ring = turn // 2 % 2, 0
+            made.indices()
+
     def test_one_object_on_many_threads(self):
         """Whatever they do at once, each call finds the object whole."""
         def use(made, kind, k):
             field = [field for field, info in kind._fields.items() if info.viewable and not info.always][0]
             other = make(kind)
-            for turn in range(60):
-                way = (k + turn) % 6
+            for turn in range(80):
+                way = (k + turn) % 8
                 try:
                     if way == 0:
                         made.enable_field(field)
@@ -43,7 +59,7 @@ class Threads(unittest.TestCase):
                         made.copy_state(other)
                         other.copy_state(made)
                     else:
-                        made.method = turn // 6 % 3
+                        self.change(made, kind, way, turn)
                     made.step(1e-4)
                 except (BufferError, contdyn.DisabledError):
                     pass
