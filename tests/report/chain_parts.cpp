@@ -19,6 +19,7 @@ void report_chain(Report& report) {
     report_chain_hanging(report);
     report_chain_growth(report);
     report_chain_figure2(report);
+    report_chain_atlas(report);
     report_chain_extremes(report);
     report_chain_scenes(report);
 }

@@ -8,9 +8,7 @@ namespace {
 
 const long double kPi = 3.141592653589793238462643383279502884L;
 
-struct Matrix {  // of one step on (x, v/omega)
-    double a, b, c, d;
-};
+using Matrix = StepMatrix;
 
 Matrix operator*(const Matrix& p, const Matrix& q) {
     return {p.a * q.a + p.b * q.c, p.a * q.b + p.b * q.d, p.c * q.a + p.d * q.c, p.c * q.b + p.d * q.d};
@@ -24,16 +22,17 @@ Matrix power(Matrix base, std::size_t exponent) {
 }
 
 // dw = -dt w^2 (x + h v) / D in each stage of h = lambda dt, with a = (h w_u)^2, b = (h w_v)^2: coupled D = 1 + a + b,
-// alternating D = (1 + a)(1 + b).
+// alternating D = (1 + a)(1 + b). What is left of x is 1 - lambda^2 w^2 dt^2 / D = (D - a - b) / D.
 Matrix implicit_step(const Method& method, double lambda, double u, double v) {
     const double squared = u * u + v * v, z = std::sqrt(squared);
     const double a = lambda * lambda * u * u, b = lambda * lambda * v * v;
-    const double d = method.solver == CD_SOLVER_COUPLED ? 1 + a + b : (1 + a) * (1 + b), pull = squared / d;
-    return {1 - lambda * pull, z * (1 - lambda * lambda * pull), -z / d, 1 - lambda * pull};
+    const double left = method.solver == CD_SOLVER_COUPLED ? 1 : 1 + a * b, d = left + a + b, pull = squared / d;
+    return {1 - lambda * pull, z * (left / d), -z / d, 1 - lambda * pull};
 }
 
-// u = omega_u dt, v = omega_v dt.
-Matrix one_step(const Method& method, double u, double v) {
+}  // namespace
+
+StepMatrix one_step(const Method& method, double u, double v) {
     const double squared = u * u + v * v, z = std::sqrt(squared);
     if (method.method == CD_METHOD_FORWARD_EULER) return {1, z, -z, 1};
     if (method.method == CD_METHOD_SYMPLECTIC_EULER) return {1 - squared, z, -z, 1};
@@ -42,8 +41,6 @@ Matrix one_step(const Method& method, double u, double v) {
     const Matrix b = implicit_step(method, 1, gamma * u, gamma * v);
     return b * Matrix{1 + on * (b.a - 1), on * b.b, on * b.c, 1 + on * (b.d - 1)};
 }
-
-}  // namespace
 
 SineModes::SineModes(std::size_t springs, double stiffness_over_mass, const std::vector<double>& position,
                      std::size_t modes)

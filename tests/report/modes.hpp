@@ -39,6 +39,12 @@ private:
     std::vector<double> sum(const std::vector<double>& amplitude, std::size_t stride) const;
 };
 
+// What one step makes of a mode's (x, v/omega), where u = omega_u dt and v = omega_v dt: (a x + b v, c x + d v).
+struct StepMatrix {
+    double a, b, c, d;
+};
+StepMatrix one_step(const Method& method, double u, double v);
+
 // What a method, in exact arithmetic, makes of a mode of amplitude 1 released from rest: its amplitude after `steps`.
 // The mode's angular frequency is sqrt(omega_u^2 + omega_v^2), from the two directions of a sheet, or from one.
 double mode_after(const Method& method, double omega_u, double omega_v, double dt, std::size_t steps);

@@ -11,10 +11,12 @@ const char* const kStyle = R"css(
 :root{color-scheme:light dark;
 --bg:#fcfcfa;--card:#f3f2ee;--fg:#1c1b1a;--muted:#5d5b57;--grid:#dcdad4;--minor:#efede8;
 --heat:#d9601a;--hot:#1c1b1a;--link:#0a62a8;
---c0:#6b6965;--c1:#0a6fb5;--c2:#d1520a;--c3:#0b8a63;--c4:#a8468c;--c5:#b88400;--c6:#2b9ac4;--c7:#24221f;--c8:#8a5a2b}
+--c0:#6b6965;--c1:#0a6fb5;--c2:#d1520a;--c3:#0b8a63;--c4:#a8468c;--c5:#b88400;--c6:#2b9ac4;--c7:#24221f;--c8:#8a5a2b;
+--f0:#b9d8ee;--f1:#e4ecd9;--f2:#f0a04b;--f3:#8c2f1f;--odd:#c4007a}
 @media (prefers-color-scheme:dark){:root{--bg:#151617;--card:#1f2123;--fg:#e9e7e2;--muted:#a5a39d;--grid:#383a3d;
 --minor:#242628;--heat:#c2571a;--hot:#fff;--link:#7cc0f5;
---c0:#a9a69f;--c1:#58b1f2;--c2:#ff8f52;--c3:#3ecb9c;--c4:#e290cc;--c5:#edc244;--c6:#8ad6f5;--c7:#f4f1ea;--c8:#c99b6d}}
+--c0:#a9a69f;--c1:#58b1f2;--c2:#ff8f52;--c3:#3ecb9c;--c4:#e290cc;--c5:#edc244;--c6:#8ad6f5;--c7:#f4f1ea;--c8:#c99b6d;
+--f0:#27506e;--f1:#2f3f35;--f2:#c27a26;--f3:#f0b7a4;--odd:#ff6ec7}}
 *{box-sizing:border-box}
 body{margin:0 auto;padding:24px 20px 60px;max-width:1120px;background:var(--bg);color:var(--fg);
 font:16px/1.55 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
@@ -56,6 +58,8 @@ svg .hot{fill:var(--hot)}
 svg .grid{stroke:var(--grid);stroke-width:1}
 svg .minor{stroke:var(--minor);stroke-width:1}
 svg .frame{stroke:var(--muted);stroke-width:1}
+svg .limit{fill:none;stroke:var(--fg);stroke-width:1.6;stroke-linejoin:round}
+svg .odd{fill:none;stroke:var(--odd);stroke-width:1.6}
 svg .guide{stroke:var(--muted);stroke-width:1;stroke-dasharray:3 3}
 @media (max-width:520px){body{padding:14px 14px 40px}h1{font-size:1.6rem}.heads{gap:8px}.heads li{padding:10px 14px}
 th,td{padding-right:1em}td.l:nth-child(n+3){min-width:10.5em}

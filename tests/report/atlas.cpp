@@ -1,0 +1,144 @@
+#include "atlas.hpp"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <map>
+
+#include "format.hpp"
+
+namespace report {
+namespace {
+
+const double kGrown = 3, kDamped = std::log10(0.5);  // log10 of the energy's ratio
+const double kSlack = 0.02;                          // what rounding may move it by
+
+Fate fate_at(double highest, double last) {
+    return highest >= kGrown ? Fate::growing : last <= kDamped ? Fate::damped : Fate::bounded;
+}
+
+double thousandths(double value) { return std::round(value * 1e3) / 1e3; }
+
+// Where, along y and with x fixed, theory's likeliest fate changes: to a fiftieth of a decade.
+double border(const AtlasCase& chart, double x, double low, double high) {
+    const Fate below = chart.theory(x, low).likeliest();
+    while (high / low > 1.05) {
+        const double middle = std::sqrt(low * high);
+        (chart.theory(x, middle).likeliest() == below ? low : high) = middle;
+    }
+    return std::sqrt(low * high);
+}
+
+// Each change of fate of a column is joined to the same change of the column before.
+std::vector<std::vector<FateMap::Point>> limits_of(const AtlasCase& chart, const std::vector<Fate>& theory) {
+    std::vector<std::vector<FateMap::Point>> lines;
+    std::map<std::pair<Fate, Fate>, std::pair<std::size_t, std::size_t>> open;  // last column, line
+    const std::size_t columns = chart.x.values.size();
+    for (std::size_t i = 0; i < columns; ++i)
+        for (std::size_t j = 0; j + 1 < chart.y.values.size(); ++j) {
+            const Fate below = theory[j * columns + i], above = theory[(j + 1) * columns + i];
+            if (below == above) continue;
+            const double x = chart.x.values[i], y = border(chart, x, chart.y.values[j], chart.y.values[j + 1]);
+            auto known = open.find({below, above});
+            if (known == open.end() || known->second.first + 1 != i) {
+                lines.push_back({});
+                open[{below, above}] = {i, lines.size() - 1};
+                known = open.find({below, above});
+            }
+            lines[known->second.second].push_back({x, y});
+            known->second.first = i;
+        }
+    return lines;
+}
+
+// The wrong cells of a chart in words: what is there instead of what, over which range.
+std::string whereabouts(const AtlasCase& chart, const std::vector<Fate>& practice, const std::vector<Fate>& theory,
+                        const std::vector<bool>& differs) {
+    struct Range {
+        std::size_t cells = 0;
+        double x[2] = {INFINITY, 0}, y[2] = {INFINITY, 0};
+    };
+    std::map<std::pair<Fate, Fate>, Range> ranges;
+    for (std::size_t k = 0; k < differs.size(); ++k) {
+        if (!differs[k]) continue;
+        const double x = chart.x.values[k % chart.x.values.size()], y = chart.y.values[k / chart.x.values.size()];
+        Range& range = ranges[{practice[k], theory[k]}];
+        ++range.cells;
+        range.x[0] = std::fmin(range.x[0], x), range.x[1] = std::fmax(range.x[1], x);
+        range.y[0] = std::fmin(range.y[0], y), range.y[1] = std::fmax(range.y[1], y);
+    }
+    std::vector<std::string> words;
+    auto span = [](const double* range) {
+        return range[0] == range[1] ? number(range[0], 2) : number(range[0], 2) + " to " + number(range[1], 2);
+    };
+    for (const auto& [fates, range] : ranges)
+        words.push_back(count(double(range.cells)) + " " + name_of(fates.first) + " instead of " +
+                        name_of(fates.second) + ", " + chart.x.label + " " + span(range.x) + ", step " +
+                        span(range.y) + " s");
+    return list_words(words);
+}
+
+}  // namespace
+
+Fate fate_of(const Course& course) {
+    return course.finite ? fate_at(course.highest, course.last) : Fate::not_finite;
+}
+
+// Lost beyond the precision's range; within three decades of it, which nodes add up decides.
+Expected::Expected(const Course& course, cd_precision precision) {
+    const double range = precision == CD_FLOAT32 ? FLT_MAX_10_EXP : DBL_MAX_10_EXP;
+    if (course.largest > range) open_.push_back(Fate::not_finite);
+    if (course.largest > range + 3) return;
+    open_.push_back(fate_at(course.highest, course.last));
+    if (course.largest > range - 3) open_.push_back(Fate::not_finite);
+    for (double by : {-kSlack, kSlack}) open_.push_back(fate_at(course.highest + by, course.last + by));
+}
+
+bool Expected::allows(Fate fate) const { return std::find(open_.begin(), open_.end(), fate) != open_.end(); }
+
+std::vector<double> decades(double first, double last, double step) {
+    std::vector<double> values;
+    for (double e = first; e <= last + 1e-9; e += step) values.push_back(std::pow(10, e));
+    return values;
+}
+
+std::string Atlas::add(const AtlasCase& chart) {
+    FateMap map;
+    map.title = chart.how.name + ", " + name_of(chart.precision);
+    map.x_label = chart.x.label, map.y_label = chart.y.label;
+    map.x = chart.x.values, map.y = chart.y.values;
+    std::vector<Fate> theory;
+    std::size_t differ = 0;
+    for (double y : chart.y.values)
+        for (double x : chart.x.values) {
+            const Course course = chart.practice(x, y);
+            const Expected expected = chart.theory(x, y);
+            const Fate fate = fate_of(course);
+            const bool agrees = expected.allows(fate);
+            map.fates.push_back(fate);
+            map.differs.push_back(!agrees);
+            theory.push_back(expected.likeliest());
+            differ += !agrees;
+            csv_.row(chart.object, chart.sweep, chart.how.key, name_of(chart.precision), int(chart.judged), x, y,
+                     name_of(fate), name_of(expected.likeliest()), int(agrees), thousandths(course.highest),
+                     thousandths(course.last));
+        }
+    map.limits = limits_of(chart, theory);
+    if (differ)
+        table_.rows.push_back({chart.sweep, chart.how.name, name_of(chart.precision), count(double(theory.size())),
+                               count(double(differ)), whereabouts(chart, map.fates, theory, map.differs)});
+    if (chart.judged) cells_ += theory.size(), differ_ += differ;
+    report_.progress("atlas: " + chart.object + ", " + chart.sweep + ", " + map.title);
+    return render(map);
+}
+
+void Atlas::finish() {
+    if (!table_.rows.empty())
+        report_.page.table(table_, "Every cell where practice and theory differ. One by one they stand in " + object_ +
+                                       "_atlas.csv, with agrees = 0.");
+    report_.save(object_ + "_atlas.csv", csv_);
+    report_.summary(object_ + ".atlas.cells", double(cells_), "cells");
+    report_.summary(object_ + ".atlas.differ_from_theory", double(differ_), "cells");
+}
+
+}  // namespace report
