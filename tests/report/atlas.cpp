@@ -84,13 +84,13 @@ Fate fate_of(const Course& course) {
     return course.finite ? fate_at(course.highest, course.last) : Fate::not_finite;
 }
 
-// Lost beyond the precision's range; within three decades of it, which nodes add up decides.
+// Lost beyond the precision's range; within three decades of it, which nodes add up decides. Forces are in double.
 Expected::Expected(const Course& course, cd_precision precision) {
     const double range = precision == CD_FLOAT32 ? FLT_MAX_10_EXP : DBL_MAX_10_EXP;
     if (course.largest > range) open_.push_back(Fate::not_finite);
     if (course.largest > range + 3) return;
     open_.push_back(fate_at(course.highest, course.last));
-    if (course.largest > range - 3) open_.push_back(Fate::not_finite);
+    if (course.largest > range - 3 || course.force > DBL_MAX_10_EXP - 3) open_.push_back(Fate::not_finite);
     for (double by : {-kSlack, kSlack}) open_.push_back(fate_at(course.highest + by, course.last + by));
 }
 
@@ -108,28 +108,35 @@ std::string Atlas::add(const AtlasCase& chart) {
     map.x_label = chart.x.label, map.y_label = chart.y.label;
     map.x = chart.x.values, map.y = chart.y.values;
     std::vector<Fate> theory;
-    std::size_t differ = 0;
+    std::size_t differ = 0, known = 0;
     for (double y : chart.y.values)
         for (double x : chart.x.values) {
             const Course course = chart.practice(x, y);
             const Expected expected = chart.theory(x, y);
             const Fate fate = fate_of(course);
-            const bool agrees = expected.allows(fate);
+            const bool agrees = expected.allows(fate), documented = chart.documented && chart.documented(x, y);
             map.fates.push_back(fate);
             map.differs.push_back(!agrees);
             theory.push_back(expected.likeliest());
             differ += !agrees;
+            known += !agrees && documented;
             csv_.row(chart.object, chart.sweep, chart.how.key, name_of(chart.precision), int(chart.judged), x, y,
-                     name_of(fate), name_of(expected.likeliest()), int(agrees), thousandths(course.highest),
+                     name_of(fate), name_of(expected.likeliest()), int(agrees), int(documented), thousandths(course.highest),
                      thousandths(course.last));
         }
     map.limits = limits_of(chart, theory);
     if (differ)
         table_.rows.push_back({chart.sweep, chart.how.name, name_of(chart.precision), count(double(theory.size())),
                                count(double(differ)), whereabouts(chart, map.fates, theory, map.differs)});
-    if (chart.judged) cells_ += theory.size(), differ_ += differ;
+    if (chart.judged) cells_ += theory.size(), differ_ += differ, documented_ += known;
     report_.progress("atlas: " + chart.object + ", " + chart.sweep + ", " + map.title);
     return render(map);
+}
+
+std::string Atlas::agreement() const {
+    const std::string where = precisions().size() > 1 ? ", in both precisions" : "";
+    if (differ_ == 0) return "all " + count(double(cells_)) + " cells are as theory has them" + where;
+    return count(double(cells_ - differ_)) + " of " + count(double(cells_)) + " cells are as theory has them" + where;
 }
 
 void Atlas::finish() {
@@ -139,6 +146,7 @@ void Atlas::finish() {
     report_.save(object_ + "_atlas.csv", csv_);
     report_.summary(object_ + ".atlas.cells", double(cells_), "cells");
     report_.summary(object_ + ".atlas.differ_from_theory", double(differ_), "cells");
+    report_.summary(object_ + ".atlas.differ_undocumented", double(differ_ - documented_), "cells");
 }
 
 }  // namespace report

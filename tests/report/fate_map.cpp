@@ -19,7 +19,8 @@ std::string fill_of(Fate fate) { return "fill:var(--f" + std::to_string(int(fate
 
 std::string box(double x, double y, double width, double height, const std::string& style) {
     return "<rect" + attribute("x", px(x)) + attribute("y", px(y)) + attribute("width", px(width)) +
-           attribute("height", px(height)) + attribute("style", style) + "/>\n";
+           attribute("height", px(height)) + attribute("shape-rendering", "crispEdges") +
+           attribute("style", style) + "/>\n";
 }
 
 std::string cross_at(double x, double y, double r) {

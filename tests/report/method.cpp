@@ -84,6 +84,7 @@ const Method& method(Way way) {
          false,
          {7, Marker::diamond},
          CD_SOLVER_COUPLED},
+        {"forward", "forward Euler", CD_METHOD_FORWARD_EULER, 0, false, {4, Marker::triangle}},
         {"explicit", "explicit", CD_METHOD_SYMPLECTIC_EULER, 0, false, {2, Marker::square}},
         water("explicit_advected", "explicit advected", {2, Marker::triangle}, 0, CD_METHOD_SYMPLECTIC_EULER),
         {"textbook", "textbook", CD_METHOD_IMPLICIT, 1, true, {0, Marker::cross, Dash::dotted}},

@@ -56,6 +56,7 @@ enum class Way {
     water_four_corrections,
     water_coupled,
     water_coupled_half,
+    water_forward,
     water_explicit,
     water_explicit_advected,
     water_textbook,

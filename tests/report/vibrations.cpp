@@ -58,6 +58,7 @@ Course course_of(const std::vector<Vibration>& modes, const Method& how, double 
         for (std::size_t i = 0; i < moving.size(); ++i) {
             energies[i] = moving[i].log_energy();
             course.largest = std::fmax(course.largest, moving[i].log_size());
+            course.force = std::fmax(course.force, moving[i].log_size() + 2 * std::log10(moving[i].omega));
         }
         course.last = sum_of(energies) - first;
         course.highest = std::fmax(course.highest, course.last);

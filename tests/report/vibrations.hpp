@@ -13,7 +13,7 @@ namespace report {
 // How a run's energy goes, by the logarithm to base 10 of its ratio to that at the start.
 struct Course {
     double highest = -INFINITY, last = 0;
-    double largest = -INFINITY;  // log10 of the largest number of the state: of theory only
+    double largest = -INFINITY, force = -INFINITY;  // of theory: log10 of the largest position or velocity and of w^2 x
     bool finite = true;
 };
 

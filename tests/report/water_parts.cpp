@@ -6,6 +6,7 @@ void report_water(Report& report) {
     report_water_precision(report);
     report_water_thacker(report);
     report_water_dam(report);
+    report_water_atlas(report);
     report_water_growth(report);
     report_water_volume(report);
     report_water_cost(report);
