@@ -1,5 +1,4 @@
-// The stability atlas: what becomes of a scene's energy over two parameters, one of them the step, beside what theory
-// says.
+// The stability atlas: what becomes of a scene's energy over two parameters, beside what theory says.
 #ifndef REPORT_ATLAS_HPP
 #define REPORT_ATLAS_HPP
 
@@ -42,10 +41,10 @@ struct AtlasCase {
     std::string object, sweep;  // "chain", "stiffness"
     Method how;
     cd_precision precision;
-    AtlasAxis x, y;  // y: the step [s]
+    AtlasAxis x, y;
     std::function<Course(double, double)> practice;
     std::function<Expected(double, double)> theory;
-    std::function<bool(double, double)> documented = {};  // where the headers say that the library is not bounded
+    std::function<std::string(double, double)> finding = {};  // why a cell is known to differ; empty: it must not
     bool judged = true;  // false: how the textbook differs is no fault of the library's
 };
 
@@ -65,9 +64,9 @@ public:
 private:
     Report& report_;
     std::string object_;
-    Csv csv_{"object,sweep,method,precision,judged,x,dt_s,practice,theory,agrees,documented,highest_log10,last_log10"};
-    Table table_{{"sweep", "method", "precision", "cells", "differ", "where"}, {}, {1, 2, 5}};
-    std::size_t cells_ = 0, differ_ = 0, documented_ = 0;
+    Csv csv_{"object,sweep,method,precision,judged,x,y,practice,theory,agrees,finding,highest_log10,last_log10"};
+    Table table_{{"sweep", "method", "precision", "cells", "differ", "where", "why"}, {}, {1, 2, 5, 6}};
+    std::size_t cells_ = 0, differ_ = 0, known_ = 0;
 };
 
 

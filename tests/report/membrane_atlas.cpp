@@ -137,6 +137,10 @@ AtlasCase chart(const std::string& sweep, const Method& how, cd_precision precis
         if (open) return Expected({Fate::bounded, Fate::damped});
         return Expected(course_of(known.at(value).second, how, dt), precision);
     };
+    made.finding = [=](double value, double dt) -> std::string {
+        const bool far = sweep == "stiffness" && how.solver == CD_SOLVER_COUPLED && value * dt * dt > 1e28;
+        return far ? "k dt²/m is beyond 10²⁸: dt times the last place of a velocity moves a node as far as it is out" : "";
+    };
     return made;
 }
 

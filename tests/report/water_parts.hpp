@@ -7,6 +7,8 @@
 
 namespace report {
 
+class Atlas;
+
 void report_water_precision(Report& report);
 void report_water_thacker(Report& report);
 void report_water_dam(Report& report);
@@ -15,6 +17,10 @@ void report_water_atlas(Report& report);
 void report_water_cost(Report& report);
 void report_water_volume(Report& report);
 void report_water_scenes(Report& report);
+
+// Streams, on a page of the atlas; violent shores.
+void add_streams(Report& report, Atlas& atlas);
+void report_shores(Report& report);
 
 // A picture of the tide around an island, for the scenes.
 void draw_island(Report& report);
