@@ -29,54 +29,39 @@ Problem shaken(double stiffness, double odd_mass) {
     return problem;
 }
 
-double mass_of(const Problem& problem, std::size_t i) {
-    return problem.node_mass.empty() ? problem.mass_of_node() : problem.node_mass[i];
-}
-
-long double energy_of(const Problem& problem, const std::vector<double>& x, const std::vector<double>& v) {
-    long double twice = 0;
-    for (std::size_t i = 0; i <= kSprings; ++i) twice += (long double)mass_of(problem, i) * v[i] * v[i];
-    for (std::size_t i = 0; i < kSprings; ++i) {
-        const long double stretch = (long double)x[i + 1] - x[i];
-        twice += problem.stiffness_of_spring() * stretch * stretch;
-    }
-    return twice / 2;
+Lattice lattice_of(const Problem& problem) {
+    Lattice lattice{problem.node_mass, {}, {}};
+    if (lattice.mass.empty()) lattice.mass.assign(kSprings + 1, problem.mass_of_node());
+    lattice.held.assign(kSprings + 1, false);
+    lattice.held.front() = lattice.held.back() = true;
+    for (std::size_t i = 0; i < kSprings; ++i) lattice.springs.push_back({i, i + 1, problem.stiffness_of_spring()});
+    return lattice;
 }
 
 Course run(const Problem& problem, const Method& how, cd_precision precision, double dt) {
     std::unique_ptr<Runner> runner = make_runner(problem, how, precision);
-    Watch watch(energy_of(problem, problem.position, problem.velocity));
+    const Lattice lattice = lattice_of(problem);
+    Watch watch(lattice.energy(problem.position, problem.velocity));
     std::size_t made = 0;
     for (std::size_t look : looks()) {
         if (!runner->step(dt, look - made)) {
             watch.lose();
             break;
         }
-        watch.see(energy_of(problem, runner->positions(), runner->velocities()));
+        watch.see(lattice.energy(runner->positions(), runner->velocities()));
         made = look;
     }
     return watch.course();
-}
-
-std::vector<Vibration> modes_of(const Problem& problem) {
-    const std::size_t n = kSprings - 1;
-    const long double k = problem.stiffness_of_spring();
-    std::vector<long double> stiffness(n * n);
-    std::vector<double> mass(n), x(n), v(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        stiffness[i * n + i] = 2 * k;
-        if (i + 1 < n) stiffness[i * n + i + 1] = stiffness[(i + 1) * n + i] = -k;
-        mass[i] = mass_of(problem, i + 1);
-        x[i] = problem.position[i + 1], v[i] = problem.velocity[i + 1];
-    }
-    return vibrations_of(stiffness, mass, x, v);
 }
 
 AtlasCase chart(const std::string& sweep, const Method& how, cd_precision precision, const AtlasAxis& x,
                 const AtlasAxis& y, const std::function<Problem(double)>& problem_at) {
     AtlasCase made{"chain", sweep, how, precision, x, y, {}, {}, {}, !how.textbook};
     std::map<double, std::pair<Problem, std::vector<Vibration>>> known;
-    for (double value : x.values) known[value] = {problem_at(value), modes_of(problem_at(value))};
+    for (double value : x.values) {
+        const Problem problem = problem_at(value);
+        known[value] = {problem, lattice_of(problem).vibrations(problem.position, problem.velocity)};
+    }
     made.practice = [=](double value, double dt) { return run(known.at(value).first, how, precision, dt); };
     made.theory = [=](double value, double dt) {
         return Expected(course_of(known.at(value).second, how, dt), precision);

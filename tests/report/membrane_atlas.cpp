@@ -33,21 +33,22 @@ struct Scene {
 
     double mass(std::size_t k) const { return k == kLine * (kSide / 2) + kSide / 2 ? odd_mass : 1; }
 
-    long double energy(const std::vector<double>& x, const std::vector<double>& v) const {
-        long double kinetic = 0, stretch = 0;
-        for (std::size_t k = 0; k < x.size(); ++k) {
-            kinetic += (long double)mass(k) * v[k] * v[k];
-            const long double right = k % kLine < kSide ? (long double)x[k + 1] - x[k] : 0;
-            const long double above = k / kLine < kSide ? (long double)x[k + kLine] - x[k] : 0;
-            stretch += right * right + above * above;
+    Lattice lattice() const {
+        Lattice lattice;
+        for (std::size_t k = 0; k < problem.nodes(); ++k) {
+            lattice.mass.push_back(mass(k));
+            lattice.held.push_back(problem.is_held(k % kLine, k / kLine));
+            if (k % kLine < kSide) lattice.springs.push_back({k, k + 1, problem.spring_along_u()});
+            if (k / kLine < kSide) lattice.springs.push_back({k, k + kLine, problem.spring_along_u()});
         }
-        return (kinetic + problem.spring_along_u() * stretch) / 2;
+        return lattice;
     }
 };
 
 // A solve that ends short of its tolerance goes on.
 Course run(const Scene& scene, const Method& how, cd_precision precision, double dt) {
-    Watch watch(scene.energy(scene.problem.position, scene.problem.velocity));
+    const Lattice lattice = scene.lattice();
+    Watch watch(lattice.energy(scene.problem.position, scene.problem.velocity));
     std::unique_ptr<Runner> textbook;
     Sheet sheet(kSide, kSide, 1, precision);
     if (how.textbook) {
@@ -80,8 +81,8 @@ Course run(const Scene& scene, const Method& how, cd_precision precision, double
             watch.lose();
             break;
         }
-        watch.see(textbook ? scene.energy(textbook->positions(), textbook->velocities())
-                           : scene.energy(sheet.read(CD_POSITION), sheet.read(CD_VELOCITY)));
+        watch.see(textbook ? lattice.energy(textbook->positions(), textbook->velocities())
+                           : lattice.energy(sheet.read(CD_POSITION), sheet.read(CD_VELOCITY)));
         made = look;
     }
     return watch.course();
@@ -109,19 +110,7 @@ std::vector<Vibration> uniform_modes(const Scene& scene) {
 
 std::vector<Vibration> modes_of(const Scene& scene) {
     if (scene.odd_mass == 1) return uniform_modes(scene);
-    const std::size_t inside = kSide - 1, n = inside * inside;
-    const long double k = scene.problem.spring_along_u();
-    std::vector<long double> stiffness(n * n);
-    std::vector<double> mass, x, v;
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t node = (i / inside + 1) * kLine + i % inside + 1;
-        stiffness[i * n + i] = 4 * k;
-        if (i % inside + 1 < inside) stiffness[i * n + i + 1] = stiffness[(i + 1) * n + i] = -k;
-        if (i + inside < n) stiffness[i * n + i + inside] = stiffness[(i + inside) * n + i] = -k;
-        mass.push_back(scene.mass(node));
-        x.push_back(scene.problem.position[node]), v.push_back(scene.problem.velocity[node]);
-    }
-    return vibrations_of(stiffness, mass, x, v);
+    return scene.lattice().vibrations(scene.problem.position, scene.problem.velocity);
 }
 
 AtlasCase chart(const std::string& sweep, const Method& how, cd_precision precision, const AtlasAxis& x,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace report {
 
@@ -107,8 +108,54 @@ std::vector<Vibration> vibrations_of(std::vector<long double> a, const std::vect
         }
         const long double omega = std::sqrt(squared);
         modes.push_back({double(omega), 0, double(of_x), double(of_v / omega), double(squared)});
+        for (std::size_t i = 0; i < n; ++i) modes.back().shape.push_back(double(vectors[i * n + j] / root[i]));
     }
     return modes;
+}
+
+std::vector<double> positions_after(const std::vector<Vibration>& modes, const Method& how, double dt,
+                                    std::size_t steps) {
+    std::vector<double> positions(modes.front().shape.size());
+    for (const Vibration& m : modes) {
+        Moving mode{one_step(how, m.omega_u * dt, m.omega_v * dt), m.x, m.w, m.weight, m.omega()};
+        for (std::size_t step = 0; step < steps; ++step) mode.advance();
+        const double x = mode.x * std::pow(10, mode.exponent);
+        for (std::size_t i = 0; i < positions.size(); ++i) positions[i] += x * m.shape[i];
+    }
+    return positions;
+}
+
+std::vector<Vibration> Lattice::vibrations(const std::vector<double>& x, const std::vector<double>& v) const {
+    std::vector<std::size_t> number(mass.size(), SIZE_MAX), node;
+    for (std::size_t i = 0; i < mass.size(); ++i)
+        if (!held[i]) number[i] = node.size(), node.push_back(i);
+    const std::size_t n = node.size();
+    std::vector<long double> stiffness(n * n);
+    std::vector<double> m(n), px(n), pv(n);
+    for (const Spring& s : springs) {
+        const std::size_t a = number[s.a], b = number[s.b];
+        if (a < n) stiffness[a * n + a] += s.stiffness;
+        if (b < n) stiffness[b * n + b] += s.stiffness;
+        if (a < n && b < n) stiffness[a * n + b] -= s.stiffness, stiffness[b * n + a] -= s.stiffness;
+    }
+    for (std::size_t i = 0; i < n; ++i) m[i] = mass[node[i]], px[i] = x[node[i]], pv[i] = v[node[i]];
+    std::vector<Vibration> modes = vibrations_of(stiffness, m, px, pv);
+    for (Vibration& mode : modes) {
+        std::vector<double> shape(mass.size());
+        for (std::size_t i = 0; i < n; ++i) shape[node[i]] = mode.shape[i];
+        mode.shape = shape;
+    }
+    return modes;
+}
+
+long double Lattice::energy(const std::vector<double>& x, const std::vector<double>& v) const {
+    long double twice = 0;
+    for (std::size_t i = 0; i < mass.size(); ++i) twice += (long double)mass[i] * v[i] * v[i];
+    for (const Spring& s : springs) {
+        const long double stretch = (long double)x[s.b] - x[s.a];
+        twice += s.stiffness * stretch * stretch;
+    }
+    return twice / 2;
 }
 
 void Watch::see(long double energy) {

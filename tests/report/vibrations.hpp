@@ -24,16 +24,35 @@ struct Vibration {
     double omega_u, omega_v;  // from the two directions of a sheet, or from one
     double x, w;              // position and velocity / omega, of a mode of unit mass
     double weight;            // its energy is weight (x^2 + w^2)
+    std::vector<double> shape = {};  // at each node
 
     double omega() const { return std::hypot(omega_u, omega_v); }
 };
 
 Course course_of(const std::vector<Vibration>& modes, const Method& how, double dt);
 
+// Positions of all nodes after so many steps.
+std::vector<double> positions_after(const std::vector<Vibration>& modes, const Method& how, double dt,
+                                    std::size_t steps);
+
 // The modes of `stiffness` (square, symmetric, row after row) and `mass` with their share of x and v, by Jacobi
 // rotations. What does not swing is left out.
 std::vector<Vibration> vibrations_of(std::vector<long double> stiffness, const std::vector<double>& mass,
                                      const std::vector<double>& x, const std::vector<double>& v);
+
+// The same of nodes joined by springs, some of them held. A held node has no share of any shape.
+struct Lattice {
+    struct Spring {
+        std::size_t a, b;
+        double stiffness;
+    };
+    std::vector<double> mass;
+    std::vector<bool> held;
+    std::vector<Spring> springs;
+
+    std::vector<Vibration> vibrations(const std::vector<double>& x, const std::vector<double>& v) const;
+    long double energy(const std::vector<double>& x, const std::vector<double>& v) const;
+};
 
 // The course of a run, from its energies. `energy` may be as large as long double holds.
 class Watch {

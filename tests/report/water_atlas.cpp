@@ -156,7 +156,8 @@ void report_water_atlas(Report& report) {
         }
     report.page.figure(deep, fate_legend(),
                        "Depth and step: " + atlas.agreement() + "; drawn is " + name_of(precisions().front()) +
-                           ". Explicit steps are bounded below dt = 2/ω and lost above it. λ = 1/2 is bounded, and "
+                           ". Explicit steps are bounded below dt = 2/ω; above it they grow, until the limiter, which lets no cell give "
+                           "more than it has, holds them. λ = 1/2 is bounded, and "
                            "λ = 0.55 and λ = 1 damp what is too fast for the step, until the step is so long that the "
                            "water itself runs across cells: there ripples grow until shores and walls hold them.",
                        300);
