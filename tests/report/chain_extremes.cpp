@@ -4,6 +4,7 @@
 #include <random>
 
 #include "chain_parts.hpp"
+#include "chain_reference.hpp"
 #include "format.hpp"
 #include "modes.hpp"
 #include "plot.hpp"
@@ -14,60 +15,9 @@ namespace {
 const double kFrame = 1.0 / 60;
 const std::size_t kSprings = 1000;
 
-// The same methods in long double, by model.md's series-spring elimination. Each step solves for
-//     q = x + lambda dt v + lambda^2 dt dv,   (M + lambda^2 dt^2 K) q = M (x + lambda dt v),
-// whose right side holds no stiffness and so loses nothing however stiff the springs are.
-class Reference {
-public:
-    Reference(const Problem& p, double spring)
-        : x(p.position.begin(), p.position.end()), v(p.velocity.begin(), p.velocity.end()),
-          mass_(p.node_mass.begin(), p.node_mass.end()), spring_(spring) {}
-
-    void step(const Method& how, long double dt) {
-        if (std::isinf(spring_)) return move_rigidly(dt);
-        if (how.method != CD_METHOD_STIFF_SECOND) return solve(how.lambda, dt);
-        const long double gamma = 1 - std::sqrt(0.5L), h = gamma * dt, ratio = (1 - gamma) / gamma;
-        std::vector<long double> x0 = x, v0 = v;
-        solve(1, h);
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            x[i] = x0[i] + ratio * (x[i] - x0[i]);
-            v[i] = v0[i] + ratio * (v[i] - v0[i]);
-        }
-        solve(1, h);
-    }
-
-    std::vector<long double> x, v;
-
-private:
-    std::vector<long double> mass_;
-    long double spring_;
-
-    void move_rigidly(long double dt) {
-        long double mass = 0, momentum = 0;
-        for (std::size_t i = 0; i < x.size(); ++i) mass += mass_[i], momentum += mass_[i] * v[i];
-        for (std::size_t i = 0; i < x.size(); ++i) v[i] = momentum / mass, x[i] += dt * v[i];
-    }
-
-    void solve(long double lambda, long double dt) {
-        const std::size_t n = x.size();
-        const long double s = lambda * lambda * dt * dt * spring_;
-        std::vector<long double> w(n), p(n), q(n);
-        long double grounding = mass_[0];
-        for (std::size_t i = 0; i < n; ++i) {
-            q[i] = mass_[i] * (x[i] + lambda * dt * v[i]) + (i > 0 ? w[i - 1] * q[i - 1] : 0);
-            long double spring = i + 1 < n ? s : 0;
-            w[i] = spring / (grounding + spring);
-            p[i] = 1 / (grounding + spring);
-            if (i + 1 < n) grounding = mass_[i + 1] + grounding * w[i];
-        }
-        for (std::size_t i = n; i-- > 0;) q[i] = p[i] * q[i] + (i + 1 < n ? w[i] * q[i + 1] : 0);
-        for (std::size_t i = 0; i < n; ++i) {
-            long double change = (q[i] - x[i] - lambda * dt * v[i]) / (lambda * lambda * dt);
-            x[i] += dt * (v[i] + lambda * change);
-            v[i] += change;
-        }
-    }
-};
+Reference reference_of(const Problem& p, double spring) {
+    return Reference(p.node_mass, std::vector<double>(p.springs, spring), p.position, p.velocity);
+}
 
 double relative(const std::vector<double>& got, const std::vector<long double>& right) {
     return relative_error(got, std::vector<double>(right.begin(), right.end()));
@@ -105,7 +55,7 @@ Outcome welded_outcome(const Problem& problem, const Method& how, cd_precision p
     check(cd_chain_set_method(chain.get(), how.method));
     if (how.method == CD_METHOD_IMPLICIT) check(cd_chain_set_lambda(chain.get(), how.lambda));
     for (std::size_t i = 0; i < kSprings; ++i) check(cd_chain_weld(chain.get(), i));
-    Reference reference(problem, INFINITY);
+    Reference reference = reference_of(problem, INFINITY);
     Outcome outcome;
     for (std::size_t done = 1; done <= steps; ++done) {
         check(cd_chain_step(chain.get(), kFrame, 1));
@@ -123,7 +73,7 @@ Outcome outcome_of(double spring, const Method& how, cd_precision precision, std
     if (std::isinf(spring) && !how.textbook) return welded_outcome(problem, how, precision, steps);
     problem.stiffness = spring / double(kSprings);
     std::unique_ptr<Runner> runner = make_runner(problem, how, precision);
-    Reference reference(problem, spring);
+    Reference reference = reference_of(problem, spring);
     Outcome outcome;
     for (std::size_t done = 1; done <= steps; ++done) {
         runner->step(kFrame, 1);

@@ -20,6 +20,7 @@ void report_chain(Report& report) {
     report_chain_growth(report);
     report_chain_figure2(report);
     report_chain_atlas(report);
+    report_chain_survival(report);
     report_chain_extremes(report);
     report_chain_scenes(report);
 }

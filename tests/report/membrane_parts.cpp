@@ -7,6 +7,7 @@ void report_membrane(Report& report) {
     report_membrane_stiff(report);
     report_membrane_sluggish(report);
     report_membrane_atlas(report);
+    report_membrane_survival(report);
     report_membrane_growth(report);
     report_membrane_cost(report);
     report_membrane_iterations(report);

@@ -12,6 +12,7 @@ void report_membrane_stiff(Report& report);
 void report_membrane_sluggish(Report& report);
 void report_membrane_growth(Report& report);
 void report_membrane_atlas(Report& report);
+void report_membrane_survival(Report& report);
 void report_membrane_cost(Report& report);
 void report_membrane_iterations(Report& report);
 void report_membrane_scenes(Report& report);

@@ -7,6 +7,7 @@ void report_water(Report& report) {
     report_water_thacker(report);
     report_water_dam(report);
     report_water_atlas(report);
+    report_water_survival(report);
     report_water_growth(report);
     report_water_volume(report);
     report_water_cost(report);

@@ -14,6 +14,7 @@ void report_water_thacker(Report& report);
 void report_water_dam(Report& report);
 void report_water_growth(Report& report);
 void report_water_atlas(Report& report);
+void report_water_survival(Report& report);
 void report_water_cost(Report& report);
 void report_water_volume(Report& report);
 void report_water_scenes(Report& report);
