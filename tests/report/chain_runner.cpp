@@ -47,6 +47,7 @@ public:
         if (problem.pin_first) check(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_PINNED));
         if (problem.pin_last) check(cd_chain_set_end(chain, CD_END_LAST, CD_NODE_PINNED));
         check(cd_chain_set_gravity(chain, &problem.gravity, 1));
+        check(cd_chain_set_drag(chain, problem.drag));
         const double origin = 0;
         if (problem.tie > 0) check(cd_chain_attach(chain, problem.springs, problem.tie, 0, &origin, 1));
         if (!problem.node_mass.empty()) {
@@ -91,6 +92,7 @@ public:
         chain_.pin_first = problem.pin_first;
         chain_.pin_last = problem.pin_last;
         chain_.gravity = Real(problem.gravity);
+        chain_.drag = Real(problem.drag);
         chain_.tie = Real(problem.tie);
         if (!problem.node_mass.empty()) chain_.mass.assign(problem.node_mass.begin(), problem.node_mass.end());
         reset();
@@ -144,6 +146,7 @@ double stable_dt(const Problem& problem) {
     check(cd_chain_set_stiffness(chain.get(), problem.stiffness));
     if (problem.pin_first) check(cd_chain_set_end(chain.get(), CD_END_FIRST, CD_NODE_PINNED));
     if (problem.pin_last) check(cd_chain_set_end(chain.get(), CD_END_LAST, CD_NODE_PINNED));
+    check(cd_chain_set_drag(chain.get(), problem.drag));
     const double origin = 0;
     if (problem.tie > 0) check(cd_chain_attach(chain.get(), problem.springs, problem.tie, 0, &origin, 1));
     double dt = 0;

@@ -35,7 +35,7 @@ struct Problem {
     std::size_t springs = 1;
     double mass = 1, stiffness = 1;  // totals; each node mass/(springs + 1), each spring stiffness * springs
     bool pin_first = false, pin_last = false;
-    double gravity = 0;
+    double gravity = 0, drag = 0;
     double tie = 0;                           // stiffness of a spring from the last node to the origin
     std::vector<double> node_mass;            // empty: from the total
     std::vector<double> position, velocity;   // empty: zero

@@ -29,7 +29,7 @@ struct TextbookChain {
     std::vector<Real> mass, stiffness;  // per node, per spring
     std::vector<Real> x, v;
     bool pin_first = false, pin_last = false;
-    Real gravity = 0, tie = 0;
+    Real gravity = 0, drag = 0, tie = 0;
 
     TextbookChain(std::size_t node_count, Real node_mass, Real spring_stiffness)
         : nodes(node_count), mass(nodes, node_mass), stiffness(nodes - 1, spring_stiffness), x(nodes), v(nodes),
@@ -52,7 +52,7 @@ struct TextbookChain {
             Real left = i > 0 ? stiffness[i - 1] : 0, right = i + 1 < nodes ? stiffness[i] : tie;
             lower_[i] = -scale * left;
             upper_[i] = i + 1 < nodes ? -scale * right : 0;
-            diagonal_[i] = mass[i] + scale * (left + right);
+            diagonal_[i] = mass[i] * (1 + lambda * dt * drag) + scale * (left + right);
             force_[i] *= dt;
         }
         if (pin_first) hold_row(0);
@@ -67,7 +67,7 @@ struct TextbookChain {
 private:
     std::vector<Real> there_, force_, lower_, diagonal_, upper_, change_, gamma_;
 
-    // m g - K (x + ahead v)
+    // m g - K (x + ahead v) - drag m v
     void find_force(Real ahead) {
         const std::size_t last = nodes - 1;
         for (std::size_t i = 0; i < nodes; ++i) there_[i] = x[i] + ahead * v[i];
@@ -77,6 +77,8 @@ private:
         force_[0] = mass[0] * gravity + stiffness[0] * (there_[1] - there_[0]);
         force_[last] =
             mass[last] * gravity - stiffness[last - 1] * (there_[last] - there_[last - 1]) - tie * there_[last];
+        if (drag > 0)
+            for (std::size_t i = 0; i < nodes; ++i) force_[i] -= mass[i] * drag * v[i];
     }
 
     void hold_ends() {

@@ -46,7 +46,8 @@ double height_after(const Method& how, double omega_x, double omega_y, double dt
     }
     if (how.is_explicit()) {
         const double w = omega * omega * dt;
-        return omega * power({{{1 - w * dt, dt, 0}, {-w, 1, 0}, {0, 0, 0}}}, steps)[0][1];
+        const double moved = how.method == CD_METHOD_SYMPLECTIC_EULER ? w * dt : 0;  // the new velocity moves the water
+        return omega * power({{{1 - moved, dt, 0}, {-w, 1, 0}, {0, 0, 0}}}, steps)[0][1];
     }
     if (how.solver == CD_SOLVER_COUPLED) return omega * power(sweep(1, omega, dt, how.lambda), steps)[0][1];
     const Matrix x = sweep(1, omega_x, dt, how.lambda), y = sweep(2, omega_y, dt, how.lambda);
