@@ -22,6 +22,7 @@ void report_chain(Report& report) {
     report_chain_atlas(report);
     report_chain_survival(report);
     report_chain_extremes(report);
+    report_chain_cost(report);
     report_chain_scenes(report);
 }
 

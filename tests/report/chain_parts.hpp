@@ -17,6 +17,7 @@ void report_chain_figure2(Report& report);
 void report_chain_extremes(Report& report);
 void report_chain_atlas(Report& report);
 void report_chain_survival(Report& report);
+void report_chain_cost(Report& report);
 void report_chain_scenes(Report& report);
 
 // A bump of height 1 and standard deviation 1/20 at two fifths of the chain; exactly 0 at both ends.

@@ -17,11 +17,12 @@
 namespace {
 
 const char* const kUsage =
-    "usage: contdyn_report [--out DIR] [--only PART[,PART...]] [--short | --full] [--csv]\n"
+    "usage: contdyn_report [--out DIR] [--only PART[,PART...]] [--short | --full] [--csv] [--sizes FILE]\n"
     "  --out DIR     where to write index.html and the CSV files; default: report\n"
-    "  --only PARTS  of: chain,membrane,water\n"
+    "  --only PARTS  of: chain,membrane,water,library\n"
     "  --short       coarse, half a minute; default: four or five minutes; --full: nothing scaled up, hours\n"
-    "  --csv         no page\n";
+    "  --csv         no page\n"
+    "  --sizes FILE  what the target library_sizes wrote; default: library_sizes.csv\n";
 
 struct Part {
     const char* name;
@@ -37,10 +38,11 @@ const std::vector<Part> kParts = {
 #ifdef REPORT_WATER
     {"water", report::report_water},
 #endif
+    {"library", report::report_library},
 };
 
 struct Options {
-    std::string folder = "report";
+    std::string folder = "report", sizes = "library_sizes.csv";
     std::vector<std::string> only;
     report::Extent extent = report::Extent::standard;
     bool page = true;
@@ -67,6 +69,7 @@ bool parse(int argc, char** argv, Options& options) {
         std::string argument = argv[i];
         bool more = i + 1 < argc;
         if (argument == "--out" && more) options.folder = argv[++i];
+        else if (argument == "--sizes" && more) options.sizes = argv[++i];
         else if (argument == "--only" && more) {
             if (!split_parts(argv[++i], options.only)) return false;
         } else if (argument == "--short") options.extent = report::Extent::brief;
@@ -99,7 +102,7 @@ int main(int argc, char** argv) {
         return 1;
     }
 
-    report::Report report(options.extent, options.folder);
+    report::Report report(options.extent, options.folder, options.sizes);
     double start = report::now();
     for (const Part& part : kParts) {
         bool wanted = options.only.empty();

@@ -10,6 +10,7 @@ void report_membrane(Report& report) {
     report_membrane_survival(report);
     report_membrane_growth(report);
     report_membrane_cost(report);
+    report_membrane_features(report);
     report_membrane_iterations(report);
     report_membrane_scenes(report);
 }

@@ -14,6 +14,7 @@ void report_membrane_growth(Report& report);
 void report_membrane_atlas(Report& report);
 void report_membrane_survival(Report& report);
 void report_membrane_cost(Report& report);
+void report_membrane_features(Report& report);
 void report_membrane_iterations(Report& report);
 void report_membrane_scenes(Report& report);
 

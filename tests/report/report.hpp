@@ -15,9 +15,11 @@ enum class Extent { brief, standard, full };
 
 class Report {
 public:
-    explicit Report(Extent extent, std::string folder) : extent(extent), folder_(std::move(folder)) {}
+    Report(Extent extent, std::string folder, std::string sizes)
+        : extent(extent), sizes(std::move(sizes)), folder_(std::move(folder)) {}
 
     const Extent extent;
+    const std::string sizes;  // the file that the target library_sizes writes; it need not be there
     Page page;
 
     template <class Value>
@@ -51,6 +53,7 @@ private:
 void report_chain(Report& report);
 void report_membrane(Report& report);
 void report_water(Report& report);
+void report_library(Report& report);
 
 }  // namespace report
 
