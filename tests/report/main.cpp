@@ -19,7 +19,7 @@ namespace {
 const char* const kUsage =
     "usage: contdyn_report [--out DIR] [--only PART[,PART...]] [--short | --full] [--csv] [--sizes FILE]\n"
     "  --out DIR     where to write index.html and the CSV files; default: report\n"
-    "  --only PARTS  of: chain,membrane,water,library\n"
+    "  --only PARTS  of: chain,membrane,water,notes,library\n"
     "  --short       coarse, half a minute; default: four or five minutes; --full: nothing scaled up, hours\n"
     "  --csv         no page\n"
     "  --sizes FILE  what the target library_sizes wrote; default: library_sizes.csv\n";
@@ -37,6 +37,9 @@ const std::vector<Part> kParts = {
 #endif
 #ifdef REPORT_WATER
     {"water", report::report_water},
+#endif
+#ifdef REPORT_NOTES
+    {"notes", report::report_notes},
 #endif
     {"library", report::report_library},
 };

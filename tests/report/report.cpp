@@ -1,5 +1,6 @@
 #include "report.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -24,12 +25,18 @@ void Report::save_text(const std::string& name, const std::string& text) const {
 }
 
 void Report::summary(const std::string& key, double value, const std::string& unit) {
+    figures_[key] = value;
     char text[64];
     std::snprintf(text, sizeof text, "%.4g", value);
     summary(key, text + (unit.empty() ? "" : " " + unit));
 }
 
 void Report::summary(const std::string& key, const std::string& value) { summary_.push_back(key + ": " + value); }
+
+double Report::figure(const std::string& key) const {
+    auto found = figures_.find(key);
+    return found == figures_.end() ? NAN : found->second;
+}
 
 void Report::progress(const std::string& what) const {
     static const double kStart = now();

@@ -2,6 +2,7 @@
 #ifndef REPORT_REPORT_HPP
 #define REPORT_REPORT_HPP
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ public:
     void summary(const std::string& key, double value, const std::string& unit = "");
     void summary(const std::string& key, const std::string& value);
     const std::vector<std::string>& summary_lines() const { return summary_; }
+    double figure(const std::string& key) const;  // NaN if it has not been printed
 
     // The hash of an outcome that must repeat in every run.
     void outcome(const std::string& what, const std::string& hash) { outcomes_.row(what, hash); }
@@ -46,6 +48,7 @@ public:
 private:
     std::string folder_;
     std::vector<std::string> summary_;
+    std::map<std::string, double> figures_;
     Csv outcomes_{"outcome,hash"};
 };
 
@@ -53,6 +56,7 @@ private:
 void report_chain(Report& report);
 void report_membrane(Report& report);
 void report_water(Report& report);
+void report_notes(Report& report);
 void report_library(Report& report);
 
 }  // namespace report

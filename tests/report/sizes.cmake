@@ -1,6 +1,8 @@
 # cmake -DSOURCE=... -DFOLDER=... -DOUT=... -DCOMPILER=... -DC_COMPILER=... -DSTRIP=... -DGENERATOR=... -DFLAGS=... -P
 # sizes.cmake: builds the shared library with each part left out, and writes how large each file is, stripped.
 
+cmake_minimum_required(VERSION 3.20)
+
 set(variants
   "everything|"
   "without chain|CHAIN"
@@ -42,8 +44,7 @@ foreach(variant IN LISTS variants)
   endforeach()
   file(GLOB built ${folder}/src/libcontdyn.so.*.*.*)
   list(GET built 0 library)
-  file(COPY_FILE ${library} ${folder}/stripped.so)
-  execute_process(COMMAND ${STRIP} ${folder}/stripped.so RESULT_VARIABLE status)
+  execute_process(COMMAND ${STRIP} -o ${folder}/stripped.so ${library} RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "${name}: cannot strip ${library}")
   endif()
