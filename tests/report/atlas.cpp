@@ -11,8 +11,8 @@
 namespace report {
 namespace {
 
-const double kGrown = 3, kDamped = std::log10(0.5);  // log10 of the energy's ratio
-const double kSlack = 0.02;                          // what rounding may move it by
+const double kGrown = 3, kDamped = std::log10(0.5); // log10 of the energy's ratio
+const double kSlack = 0.02;                         // what rounding may move it by
 
 Fate fate_at(double highest, double last) {
     return highest >= kGrown ? Fate::growing : last <= kDamped ? Fate::damped : Fate::bounded;
@@ -35,7 +35,7 @@ double border(const AtlasCase& chart, double x, double low, double high) {
 // Each change of fate of a column is joined to the same change of the column before.
 std::vector<std::vector<FateMap::Point>> limits_of(const AtlasCase& chart, const std::vector<Fate>& theory) {
     std::vector<std::vector<FateMap::Point>> lines;
-    std::map<std::pair<Fate, Fate>, std::pair<std::size_t, std::size_t>> open;  // last column, line
+    std::map<std::pair<Fate, Fate>, std::pair<std::size_t, std::size_t>> open; // last column, line
     const std::size_t columns = chart.x.values.size();
     for (std::size_t i = 0; i < columns; ++i)
         for (std::size_t j = 0; j + 1 < chart.y.values.size(); ++j) {
@@ -76,16 +76,14 @@ std::string whereabouts(const AtlasCase& chart, const std::vector<Fate>& practic
     };
     for (const auto& [fates, range] : ranges)
         words.push_back(count(double(range.cells)) + " " + name_of(fates.first) + " instead of " +
-                        name_of(fates.second) + ", " + chart.x.label + " " + span(range.x) + ", " +
-                        chart.y.label + " " + span(range.y));
+                        name_of(fates.second) + ", " + chart.x.label + " " + span(range.x) + ", " + chart.y.label +
+                        " " + span(range.y));
     return list_words(words);
 }
 
-}  // namespace
+} // namespace
 
-Fate fate_of(const Course& course) {
-    return course.finite ? fate_at(course.highest, course.last) : Fate::not_finite;
-}
+Fate fate_of(const Course& course) { return course.finite ? fate_at(course.highest, course.last) : Fate::not_finite; }
 
 // Lost beyond the precision's range; within three decades of it, which nodes add up decides. Forces are in double.
 Expected::Expected(const Course& course, cd_precision precision) {
@@ -156,4 +154,4 @@ void Atlas::finish() {
     report_.summary(object_ + ".atlas.differ_unexplained", double(differ_ - known_), "cells");
 }
 
-}  // namespace report
+} // namespace report

@@ -19,7 +19,7 @@ Fate fate_of(const Course& course);
 class Expected {
 public:
     Expected(const Course& course, cd_precision precision);
-    explicit Expected(std::vector<Fate> open) : open_(std::move(open)) {}  // no numbers, but what must not happen
+    explicit Expected(std::vector<Fate> open) : open_(std::move(open)) {} // no numbers, but what must not happen
 
     Fate likeliest() const { return open_.front(); }
     bool allows(Fate fate) const;
@@ -30,7 +30,7 @@ private:
 };
 
 struct AtlasAxis {
-    std::string key, label;  // in the CSV; on the map
+    std::string key, label; // in the CSV; on the map
     std::vector<double> values;
 };
 
@@ -38,14 +38,14 @@ struct AtlasAxis {
 std::vector<double> decades(double first, double last, double step);
 
 struct AtlasCase {
-    std::string object, sweep;  // "chain", "stiffness"
+    std::string object, sweep; // "chain", "stiffness"
     Method how;
     cd_precision precision;
     AtlasAxis x, y;
     std::function<Course(double, double)> practice;
     std::function<Expected(double, double)> theory;
-    std::function<std::string(double, double)> finding = {};  // why a cell is known to differ; empty: it must not
-    bool judged = true;  // false: how the textbook differs is no fault of the library's
+    std::function<std::string(double, double)> finding = {}; // why a cell is known to differ; empty: it must not
+    bool judged = true; // false: how the textbook differs is no fault of the library's
 };
 
 class Atlas {
@@ -65,11 +65,10 @@ private:
     Report& report_;
     std::string object_;
     Csv csv_{"object,sweep,method,precision,judged,x,y,practice,theory,agrees,finding,highest_log10,last_log10"};
-    Table table_{{"sweep", "method", "precision", "cells", "differ", "where", "why"}, {}, {1, 2, 5, 6}};
+    Table table_{{"sweep", "method", "precision", "cells", "differ", "where", "why"}, {}, {1, 2, 5, 6}, true};
     std::size_t cells_ = 0, differ_ = 0, known_ = 0;
 };
 
-
-}  // namespace report
+} // namespace report
 
 #endif

@@ -15,7 +15,7 @@ const std::size_t kSprings = 16;
 Problem shaken(double stiffness, double odd_mass) {
     Problem problem;
     problem.springs = kSprings;
-    problem.mass = double(kSprings + 1);  // 1 a node
+    problem.mass = double(kSprings + 1); // 1 a node
     problem.stiffness = stiffness * problem.mass;
     problem.pin_first = problem.pin_last = true;
     if (odd_mass != 1) problem.node_mass.assign(kSprings + 1, 1), problem.node_mass[kSprings / 2] = odd_mass;
@@ -75,14 +75,15 @@ Method quarter() {
     return how;
 }
 
-}  // namespace
+} // namespace
 
 void report_chain_atlas(Report& report) {
     report.page.section("chain-atlas", "Chain: the stability atlas");
     report.page.paragraph(
         "A chain of 16 springs with both ends held, from random positions and velocities, 200 steps: what becomes of "
         "its energy, for every stiffness and every step. Growing: it is 1000 times that of the start at any of " +
-        std::to_string(looks().size()) + " looks. Damped: it ends below half. Not finite: the library reports that the "
+        std::to_string(looks().size()) +
+        " looks. Damped: it ends below half. Not finite: the library reports that the "
         "state has left the range of its precision. Theory is the same run in exact arithmetic, the chain taken apart "
         "into its modes and each moved on by its 2 × 2 matrix; lines are where its verdict changes. A cell where the "
         "two disagree bears a cross and is listed.");
@@ -95,8 +96,8 @@ void report_chain_atlas(Report& report) {
     for (const Method& how : {method(Way::forward_euler), method(Way::symplectic_euler), quarter(), method(Way::half),
                               method(Way::backward), method(Way::stiff_second), method(Way::textbook_half)})
         for (cd_precision precision : precisions()) {
-            const std::string map = atlas.add(
-                chart("stiffness", how, precision, stiffness, step, [](double k) { return shaken(k, 1); }));
+            const std::string map =
+                atlas.add(chart("stiffness", how, precision, stiffness, step, [](double k) { return shaken(k, 1); }));
             if (precision == precisions().back()) stiff.push_back(map);
         }
     for (const Method& how : {method(Way::forward_euler), method(Way::symplectic_euler), method(Way::half),
@@ -106,13 +107,14 @@ void report_chain_atlas(Report& report) {
                 atlas.add(chart("mass ratio", how, precision, mass, step, [](double r) { return shaken(1, r); }));
             if (precision == precisions().back()) odd.push_back(map);
         }
-    report.page.figure(stiff, fate_legend(),
-                       "Stiffness and step: " + atlas.agreement() + "; drawn is " +
-                           name_of(precisions().back()) + ". Symplectic Euler is bounded below dt = 2/ω of the fastest "
-                           "mode and lost above it. Forward Euler grows everywhere: below its line too slowly to be "
-                           "seen in 200 steps. With λ = 1/4 energy grows at most ninefold a step, but grows. λ = 1/2 is bounded "
-                           "everywhere; λ = 1 and the stiff second-order method damp what the step cannot resolve.",
-                       300);
+    report.page.figure(
+        stiff, fate_legend(),
+        "Stiffness and step: " + atlas.agreement() + "; drawn is " + name_of(precisions().back()) +
+            ". Symplectic Euler is bounded below dt = 2/ω of the fastest "
+            "mode and lost above it. Forward Euler grows everywhere: below its line too slowly to be "
+            "seen in 200 steps. With λ = 1/4 energy grows at most ninefold a step, but grows. λ = 1/2 is bounded "
+            "everywhere; λ = 1 and the stiff second-order method damp what the step cannot resolve.",
+        300);
     report.page.figure(odd, fate_legend(),
                        "One odd mass in the middle, stiffness over mass 1: a single light node sets the explicit "
                        "limit for all, dt ~ √mass, and does nothing to implicit steps. A heavy node changes nothing.",
@@ -120,4 +122,4 @@ void report_chain_atlas(Report& report) {
     atlas.finish();
 }
 
-}  // namespace report
+} // namespace report

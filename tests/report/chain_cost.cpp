@@ -22,8 +22,7 @@ std::vector<Feature> features(std::size_t springs) {
     const std::size_t middle = springs / 2;
     std::vector<Feature> all = {
         {"plain", "λ = 1/2, uniform, undamped", [](cd_chain*) {}},
-        {"pinned_end", "an end pinned",
-         [](cd_chain* c) { check(cd_chain_set_end(c, CD_END_FIRST, CD_NODE_PINNED)); }},
+        {"pinned_end", "an end pinned", [](cd_chain* c) { check(cd_chain_set_end(c, CD_END_FIRST, CD_NODE_PINNED)); }},
         {"pinned_inside", "a node inside pinned",
          [=](cd_chain* c) {
              const double pinned = CD_NODE_PINNED;
@@ -65,7 +64,7 @@ std::vector<Feature> features(std::size_t springs) {
     return all;
 }
 
-}  // namespace
+} // namespace
 
 void report_chain_cost(Report& report) {
     const std::size_t springs = 1000, steps = report.by_extent<std::size_t>(20, 200, 1000);
@@ -88,8 +87,9 @@ void report_chain_cost(Report& report) {
         costs.push_back({feature.key, feature.name, [=] { check(cd_chain_step(chain->get(), dt, steps)); },
                          double(nodes * steps), double(bytes) / double(nodes)});
     }
-    report_features(report, "chain", costs, "Strands share their factorization and fill the vector's lanes; components "
-                                            "are numbers of one node, which is counted once.");
+    report_features(report, "chain", costs,
+                    "Strands share their factorization and fill the vector's lanes; components "
+                    "are numbers of one node, which is counted once.");
 }
 
-}  // namespace report
+} // namespace report

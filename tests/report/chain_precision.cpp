@@ -122,9 +122,9 @@ void report_chain_precision(Report& report) {
         "down. The error is the greatest over all nodes, relative to the greatest displacement, against the exact "
         "motion of the same chain by its sine modes: the error of the time steps alone, not of the lattice. Every "
         "point is one step size. Times are the least of several runs that take turns, the first left out, and include "
-        "the factorization. A pluck: the chain drawn to a point at three tenths and let go, whose kinks every step rounds "
-        "off. And a rope that falls from its unstretched length and settles by a drag of 2/s, after 2 s. The textbook is the notes as anyone would write them: plain loops, Numerical Recipes' "
-        "elimination.");
+        "the factorization. A pluck: the chain drawn to a point at three tenths and let go, whose kinks every step "
+        "rounds off. And a rope that falls from its unstretched length and settles by a drag of 2/s, after 2 s. The "
+        "textbook is the notes as anyone would write them: plain loops, Numerical Recipes' elimination.");
     WorkTables tables;
     std::vector<std::string> panels, findings;
     std::vector<Series> series;

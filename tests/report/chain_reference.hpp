@@ -1,4 +1,5 @@
-// The library's implicit methods on a chain in long double, by model.md's series-spring elimination. Each step solves for
+// The library's implicit methods on a chain in long double, by model.md's series-spring elimination. Each step solves
+// for
 //     q = x + lambda dt v + lambda^2 dt dv,   (M + lambda^2 dt^2 K) q = M (x + lambda dt v),
 // whose right side holds no stiffness and so loses nothing however stiff the springs are.
 #ifndef REPORT_CHAIN_REFERENCE_HPP
@@ -69,6 +70,6 @@ private:
     }
 };
 
-}  // namespace report
+} // namespace report
 
 #endif

@@ -17,9 +17,9 @@ const double kFrame = 1.0 / 60;
 
 struct Extreme {
     std::string name;
-    double stiffness = 1e4;  // of a spring, over the mass of a node
+    double stiffness = 1e4; // of a spring, over the mass of a node
     double dt = kFrame;
-    double odd_mass = 1, odd_spring = 1;  // one in the middle, over the others
+    double odd_mass = 1, odd_spring = 1; // one in the middle, over the others
 };
 
 struct Rope {
@@ -42,7 +42,7 @@ struct Rope {
             x[i] = double(float(any()));
             v[i] = double(float(std::sqrt(extreme.stiffness) * any()));
         }
-        const std::size_t stiff = kSprings / 3;  // a spring 1e12 times as stiff is not stretched by as much as others
+        const std::size_t stiff = kSprings / 3; // a spring 1e12 times as stiff is not stretched by as much as others
         if (extreme.odd_spring > 1) x[stiff + 1] = x[stiff], v[stiff + 1] = v[stiff];
     }
 };
@@ -97,8 +97,8 @@ Trial run(const Extreme& extreme, const Method& how, cd_precision precision) {
         apart = std::fmax(apart, std::fabs(x[i] - exact[i])), size = std::fmax(size, std::fabs(exact[i]));
     trial.error = apart / size;
     if (how.lambda == 0.5 && how.method == CD_METHOD_IMPLICIT)
-        trial.drift = std::fabs(double(rope.lattice.energy(x, chain->read(CD_VELOCITY)) /
-                                       rope.lattice.energy(rope.x, rope.v)) - 1);
+        trial.drift = std::fabs(
+            double(rope.lattice.energy(x, chain->read(CD_VELOCITY)) / rope.lattice.energy(rope.x, rope.v)) - 1);
     trial.hash = chain->hash();
     time(trial, chain, extreme.dt, kSprings + 1, 4000);
     return trial;
@@ -113,7 +113,7 @@ Trial welded(cd_precision precision) {
     v[3] = 4.5;
     for (std::size_t i = 0; i < kSprings; ++i) check(cd_chain_weld(chain->get(), i));
     chain->write(CD_POSITION, x);
-    for (double& speed : v) speed = 0.5 + 4.0 / double(kSprings + 1);  // what they then share
+    for (double& speed : v) speed = 0.5 + 4.0 / double(kSprings + 1); // what they then share
     chain->write(CD_VELOCITY, v);
     double before = 0, after = 0;
     check(cd_chain_get_momentum(chain->get(), &before, 1));
@@ -138,7 +138,7 @@ Trial tiny(std::size_t nodes, cd_precision precision) {
     if (nodes == 1) check(cd_chain_set_gravity(chain.get(), &gravity, 1));
     else chain.write(CD_POSITION, {1, -1});
     trial.outcome = outcome_of(cd_chain_step(chain.get(), kFrame, kSteps));
-    const double t = kFrame * double(kSteps), omega = std::sqrt(2 * 1 / 0.5);  // two halves of 1 kg, 1 N/m
+    const double t = kFrame * double(kSteps), omega = std::sqrt(2 * 1 / 0.5); // two halves of 1 kg, 1 N/m
     const double exact = nodes == 1 ? gravity * t * t / 2 : mode_after(method(Way::half), omega, 0, kFrame, kSteps);
     trial.error = std::fabs(chain.read(CD_POSITION)[0] - exact) / std::fmax(1, std::fabs(exact));
     trial.hash = chain.hash();
@@ -180,7 +180,7 @@ Trial many(std::size_t steps, bool decays, cd_precision precision) {
     return trial;
 }
 
-}  // namespace
+} // namespace
 
 void report_chain_survival(Report& report) {
     report.page.section("chain-survival", "Chain: extremes");
@@ -209,9 +209,10 @@ void report_chain_survival(Report& report) {
         sheet.add(many(long_run, true, precision));
         sheet.add(many(long_run, false, precision));
     }
-    sheet.finish("Errors are of positions, the greatest over the nodes relative to the greatest, against the "
-                 "same method in extended precision; of what dies out, the energy that is left.",
-                 "Energy is kept by λ = 1/2 only; of the welded chain the column is its momentum.");
+    sheet.finish(
+        "Errors are of positions, the greatest over the nodes relative to the greatest, against the "
+        "same method in extended precision; of what dies out, the energy that is left.",
+        "Energy is kept by λ = 1/2 only; of the welded chain the column is its momentum.");
 }
 
-}  // namespace report
+} // namespace report

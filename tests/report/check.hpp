@@ -11,6 +11,7 @@ using Row = std::map<std::string, std::string>;
 using Checks = std::map<std::string, std::function<void()>>;
 
 extern std::string first, second;  // the folders of the two runs
+extern std::string readme;         // the README's path
 extern int failures;
 
 void expect(bool good, const std::string& what);
@@ -24,5 +25,7 @@ void expect_orders(const std::string& file, const std::string& study, const std:
 Checks chain_checks();
 Checks membrane_checks();
 Checks water_checks();
+Checks atlas_checks();
+Checks readme_checks();
 
 #endif

@@ -19,19 +19,20 @@ std::string fill_of(Fate fate) { return "fill:var(--f" + std::to_string(int(fate
 
 std::string box(double x, double y, double width, double height, const std::string& style) {
     return "<rect" + attribute("x", px(x)) + attribute("y", px(y)) + attribute("width", px(width)) +
-           attribute("height", px(height)) + attribute("shape-rendering", "crispEdges") +
-           attribute("style", style) + "/>\n";
+           attribute("height", px(height)) + attribute("shape-rendering", "crispEdges") + attribute("style", style) +
+           "/>\n";
 }
 
 std::string cross_at(double x, double y, double r) {
     return "<path" + attribute("class", "odd") +
            attribute("d", "M" + px(x - r) + " " + px(y - r) + "L" + px(x + r) + " " + px(y + r) + "M" + px(x - r) +
-                              " " + px(y + r) + "L" + px(x + r) + " " + px(y - r)) + "/>\n";
+                              " " + px(y + r) + "L" + px(x + r) + " " + px(y - r)) +
+           "/>\n";
 }
 
 // One logarithmic axis between two pixels, cells centred on its values.
 struct Scale {
-    double first, last, half, from, to;  // of the logarithms
+    double first, last, half, from, to; // of the logarithms
 
     Scale(const std::vector<double>& values, double from, double to)
         : first(std::log10(values.front())), last(std::log10(values.back())), half(0), from(from), to(to) {
@@ -50,7 +51,7 @@ struct Scale {
     }
 };
 
-}  // namespace
+} // namespace
 
 std::string render(const FateMap& map) {
     const double left = 44, right = map.width - 8, top = 42, bottom = map.height - 42;
@@ -59,7 +60,7 @@ std::string render(const FateMap& map) {
     svg += text_at(2, 15, "title", "start", map.title) + text_at(2, 34, "axis", "start", map.y_label);
     const std::size_t columns = map.x.size();
     for (std::size_t j = 0; j < map.y.size(); ++j)
-        for (std::size_t i = 0, end; i < columns; i = end) {  // a box for a run of cells alike
+        for (std::size_t i = 0, end; i < columns; i = end) { // a box for a run of cells alike
             const Fate fate = map.fates[j * columns + i];
             for (end = i + 1; end < columns && map.fates[j * columns + end] == fate;) ++end;
             svg += box(x.at(map.x[i]) - x.cell() / 2, y.at(map.y[j]) - y.cell() / 2, x.cell() * double(end - i) + 0.3,
@@ -91,4 +92,4 @@ std::string fate_legend() {
     return html + "</ul>\n";
 }
 
-}  // namespace report
+} // namespace report

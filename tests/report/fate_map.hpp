@@ -12,13 +12,13 @@ const char* name_of(Fate fate);
 
 struct FateMap {
     std::string title, x_label, y_label;
-    std::vector<double> x, y;     // the cells' middles, evenly spaced in their logarithms
-    std::vector<Fate> fates;      // of the cell (i, j) at j * x.size() + i
-    std::vector<bool> differs;    // marked with a cross
+    std::vector<double> x, y;  // the cells' middles, evenly spaced in their logarithms
+    std::vector<Fate> fates;   // of the cell (i, j) at j * x.size() + i
+    std::vector<bool> differs; // marked with a cross
     struct Point {
         double x, y;
     };
-    std::vector<std::vector<Point>> limits;  // theory's, as lines
+    std::vector<std::vector<Point>> limits; // theory's, as lines
     double width = 330, height = 250;
 };
 
@@ -27,6 +27,6 @@ std::string render(const FateMap& map);
 // An HTML list of the colours and marks.
 std::string fate_legend();
 
-}  // namespace report
+} // namespace report
 
 #endif

@@ -19,17 +19,18 @@ void report_features(Report& report, const std::string& object, const std::vecto
         const FeatureCost& feature = features[i];
         const double more = feature.bytes - features[0].bytes;
         table.rows.push_back({feature.name, number(nanoseconds(i), 3), number(nanoseconds(i) / nanoseconds(0), 2) + "×",
-                              number(feature.bytes, 3), i == 0 ? "" : (more < 0 ? "−" : "+") + number(std::fabs(more), 3)});
+                              number(feature.bytes, 3),
+                              i == 0 ? "" : (more < 0 ? "−" : "+") + number(std::fabs(more), 3)});
         csv.row(feature.key, nanoseconds(i), nanoseconds(i) / nanoseconds(0), feature.bytes);
         report.summary(object + ".feature.ns_per_node_step." + feature.key, nanoseconds(i), "ns");
         report.summary(object + ".feature.bytes_per_node." + feature.key, feature.bytes, "bytes");
     }
-    report.page.table(table, "A node of the plain " + object + " takes " + number(features[0].bytes, 3) + " bytes and " +
-                                 number(nanoseconds(0), 2) +
+    report.page.table(table, "A node of the plain " + object + " takes " + number(features[0].bytes, 3) +
+                                 " bytes and " + number(nanoseconds(0), 2) +
                                  " ns a step, and a feature costs only where it is switched on. " + caption +
                                  " Memory is all that the object holds. All in one process, in turns.");
     report.save(object + "_features.csv", csv);
     report.progress(object + ": what features cost");
 }
 
-}  // namespace report
+} // namespace report

@@ -31,9 +31,10 @@ void report_library(Report& report) {
         report.summary("library.bytes." + key, bytes, "bytes");
     }
     if (table.rows.empty()) {
-        report.page.paragraph("The sizes were not measured: it takes some minutes and is a target of its own. cmake "
-                              "--build build --target library_sizes builds the library with each part left out; a "
-                              "report made afterwards has its table here.");
+        report.page.paragraph(
+            "The sizes were not measured: it takes some minutes and is a target of its own. cmake "
+            "--build build --target library_sizes builds the library with each part left out; a "
+            "report made afterwards has its table here.");
         return;
     }
     report.page.table(table, "All of the library is " + si(all, "B", 3) + ", " + least_name + " " + si(least, "B", 3) +
@@ -43,4 +44,4 @@ void report_library(Report& report) {
     report.save("library_size.csv", csv);
 }
 
-}  // namespace report
+} // namespace report

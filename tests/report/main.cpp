@@ -112,6 +112,7 @@ int main(int argc, char** argv) {
         for (const std::string& name : options.only) wanted = wanted || name == part.name;
         if (wanted) part.run(report);
     }
+    if (options.extent == report::Extent::standard) report.summary("report.standard", 1);
     report.save_text("outcomes.csv", report.outcomes().text());
 
     std::string summary;

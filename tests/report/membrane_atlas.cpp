@@ -19,7 +19,7 @@ struct Scene {
     Scene(double stiffness, double odd) : odd_mass(odd) {
         problem.nu = problem.nv = kSide;
         problem.edges = Edges::held;
-        problem.mass = double(kLine * kLine);  // 1 a node
+        problem.mass = double(kLine * kLine); // 1 a node
         problem.along_u = problem.along_v = stiffness * double(kLine) / double(kSide);
         std::mt19937 random(7);
         auto any = [&] { return double(float(double(random()) / 2147483648.0 - 1)); };
@@ -121,19 +121,20 @@ AtlasCase chart(const std::string& sweep, const Method& how, cd_precision precis
     made.practice = [=](double value, double dt) { return run(known.at(value).first, how, precision, dt); };
     made.theory = [=](double value, double dt) {
         // Where the directions do not commute, alternating takes the best that lines can give: no modes tell how much.
-        const bool open = known.at(value).first.odd_mass != 1 && !how.is_explicit() &&
-                          how.solver == CD_SOLVER_ALTERNATING;
+        const bool open =
+            known.at(value).first.odd_mass != 1 && !how.is_explicit() && how.solver == CD_SOLVER_ALTERNATING;
         if (open) return Expected({Fate::bounded, Fate::damped});
         return Expected(course_of(known.at(value).second, how, dt), precision);
     };
     made.finding = [=](double value, double dt) -> std::string {
         const bool far = sweep == "stiffness" && how.solver == CD_SOLVER_COUPLED && value * dt * dt > 1e28;
-        return far ? "k dt²/m is beyond 10²⁸: dt times the last place of a velocity moves a node as far as it is out" : "";
+        return far ? "k dt²/m is beyond 10²⁸: dt times the last place of a velocity moves a node as far as it is out"
+                   : "";
     };
     return made;
 }
 
-}  // namespace
+} // namespace
 
 void report_membrane_atlas(Report& report) {
     report.page.section("membrane-atlas", "Membrane: the stability atlas");
@@ -150,15 +151,15 @@ void report_membrane_atlas(Report& report) {
     for (Way way : {Way::forward_euler, Way::symplectic_euler, Way::alternating_half, Way::alternating_backward,
                     Way::alternating_stiff, Way::coupled_half, Way::coupled_backward, Way::coupled_stiff})
         for (cd_precision precision : precisions()) {
-            const std::string map = atlas.add(chart("stiffness", method(way), precision, stiffness, step,
-                                                    [](double k) { return Scene(k, 1); }));
+            const std::string map = atlas.add(
+                chart("stiffness", method(way), precision, stiffness, step, [](double k) { return Scene(k, 1); }));
             if (precision == precisions().back()) stiff.push_back(map);
         }
     for (Way way : {Way::symplectic_euler, Way::alternating_half, Way::alternating_backward, Way::alternating_stiff,
                     Way::coupled_half, Way::coupled_backward})
         for (cd_precision precision : precisions()) {
-            const std::string map =
-                atlas.add(chart("mass ratio", method(way), precision, mass, step, [](double r) { return Scene(1, r); }));
+            const std::string map = atlas.add(
+                chart("mass ratio", method(way), precision, mass, step, [](double r) { return Scene(1, r); }));
             if (precision == precisions().back()) odd.push_back(map);
         }
     report.page.figure(stiff, fate_legend(),
@@ -171,4 +172,4 @@ void report_membrane_atlas(Report& report) {
     atlas.finish();
 }
 
-}  // namespace report
+} // namespace report

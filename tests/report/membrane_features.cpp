@@ -57,13 +57,14 @@ std::vector<Feature> features(std::size_t n) {
     return all;
 }
 
-}  // namespace
+} // namespace
 
 void report_membrane_features(Report& report) {
     const std::size_t n = report.by_extent<std::size_t>(32, 128, 128), nodes = (n + 1) * (n + 1);
     report.page.section("membrane-features", "Membrane: what a feature costs");
     report.page.paragraph("A square sheet of " + std::to_string(n) + " × " + std::to_string(n) + " springs in " +
-                          name_of(precisions().back()) + ", one component, 60 steps a second, if nothing else is said; "
+                          name_of(precisions().back()) +
+                          ", one component, 60 steps a second, if nothing else is said; "
                           "each feature is switched on alone.");
     std::vector<FeatureCost> costs;
     for (const Feature& feature : features(n)) {
@@ -90,4 +91,4 @@ void report_membrane_features(Report& report) {
                     "takes the dearer steps that are safe on any sheet.");
 }
 
-}  // namespace report
+} // namespace report

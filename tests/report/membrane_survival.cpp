@@ -16,9 +16,9 @@ const double kFrame = 1.0 / 60;
 
 struct Extreme {
     std::string name;
-    double stiffness = 1e4;  // of a spring, over the mass of a node
+    double stiffness = 1e4; // of a spring, over the mass of a node
     double dt = kFrame;
-    double odd_mass = 1, odd_spring = 1;  // one in the middle, over the others
+    double odd_mass = 1, odd_spring = 1; // one in the middle, over the others
 
     bool uniform() const { return odd_mass == 1 && odd_spring == 1; }
 };
@@ -38,9 +38,11 @@ struct Cloth {
             const std::size_t i = k % kLine, j = k / kLine;
             lattice.mass.push_back(k == middle ? extreme.odd_mass : 1);
             lattice.held.push_back(i == 0 || j == 0 || i == kSide || j == kSide);
-            if (i < kSide) lattice.springs.push_back({k, k + 1, extreme.stiffness * (k == middle ? extreme.odd_spring : 1)});
+            if (i < kSide)
+                lattice.springs.push_back({k, k + 1, extreme.stiffness * (k == middle ? extreme.odd_spring : 1)});
             if (j < kSide) lattice.springs.push_back({k, k + kLine, extreme.stiffness});
-            if (!lattice.held[k]) x[k] = double(float(any())), v[k] = double(float(std::sqrt(extreme.stiffness) * any()));
+            if (!lattice.held[k])
+                x[k] = double(float(any())), v[k] = double(float(std::sqrt(extreme.stiffness) * any()));
         }
         if (extreme.odd_spring > 1) x[middle + 1] = x[middle], v[middle + 1] = v[middle];
         modes = extreme.uniform()         ? waves(extreme.stiffness)
@@ -123,8 +125,8 @@ Trial run(const Extreme& extreme, const Method& how, cd_precision precision) {
         trial.error = apart / size;
     }
     if (coupled)
-        trial.drift = std::fabs(double(cloth.lattice.energy(x, sheet->read(CD_VELOCITY)) /
-                                       cloth.lattice.energy(cloth.x, cloth.v)) - 1);
+        trial.drift = std::fabs(
+            double(cloth.lattice.energy(x, sheet->read(CD_VELOCITY)) / cloth.lattice.energy(cloth.x, cloth.v)) - 1);
     trial.hash = sheet->hash();
     time(trial, sheet, extreme.dt, kLine * kLine, coupled ? 20 : 1000);
     return trial;
@@ -181,7 +183,7 @@ Trial huge(std::size_t n, cd_precision precision) {
 
 Trial many(std::size_t steps, bool decays, Way way, cd_precision precision) {
     Extreme ordinary{""};
-    ordinary.stiffness = 100;  // of motions slow enough for their energy to be the sheet's
+    ordinary.stiffness = 100; // of motions slow enough for their energy to be the sheet's
     const Cloth cloth(ordinary);
     std::shared_ptr<Sheet> sheet = sheet_of(cloth, ordinary, method(way), precision);
     Trial trial{count(double(steps)) + (decays ? " steps of dying out" : " steps"), method(way).name, precision};
@@ -196,7 +198,7 @@ Trial many(std::size_t steps, bool decays, Way way, cd_precision precision) {
     return trial;
 }
 
-}  // namespace
+} // namespace
 
 void report_membrane_survival(Report& report) {
     report.page.section("membrane-survival", "Membrane: extremes");
@@ -224,10 +226,11 @@ void report_membrane_survival(Report& report) {
         sheet.add(many(long_run, true, Way::alternating_half, precision));
         sheet.add(many(long_run / 50, false, Way::coupled_half, precision));
     }
-    sheet.finish("Errors are of positions, the greatest over the nodes, against the same method in exact arithmetic; "
-                 "alternating steps with an odd mass or spring have none to compare with; of what dies out, the energy "
-                 "that is left.",
-                 "Energy is kept by coupled λ = 1/2; alternating keeps another one, in which heavy modes count more.");
+    sheet.finish(
+        "Errors are of positions, the greatest over the nodes, against the same method in exact arithmetic; "
+        "alternating steps with an odd mass or spring have none to compare with; of what dies out, the energy "
+        "that is left.",
+        "Energy is kept by coupled λ = 1/2; alternating keeps another one, in which heavy modes count more.");
 }
 
-}  // namespace report
+} // namespace report

@@ -47,6 +47,8 @@ th,td{padding:.32em .9em .32em 0;text-align:right;vertical-align:top;border-bott
 th{font-weight:600;color:var(--muted);vertical-align:bottom}
 th.l,td.l{text-align:left}
 td:first-child{white-space:nowrap}
+.wordy td{white-space:normal;min-width:7em}
+.wordy td.l:nth-child(n+3){min-width:15em}
 .files{font-size:.85rem;color:var(--muted)}
 svg text{font:12px system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif;fill:var(--fg)}
 svg .title{font-weight:600;font-size:13px}
@@ -96,7 +98,8 @@ void Page::table(const Table& table, const std::string& caption) {
         return left ? " class=\"l\"" : "";
     };
     std::string& body = parts_.back().body;
-    body += "<figure>\n<div class=\"scroll\"><table>\n<thead><tr>";
+    body += std::string("<figure>\n<div class=\"scroll\"><table") + (table.wordy ? " class=\"wordy\"" : "") +
+            ">\n<thead><tr>";
     for (std::size_t c = 0; c < table.head.size(); ++c)
         body += std::string("<th") + kind(c) + ">" + escape(table.head[c]) + "</th>";
     body += "</tr></thead>\n<tbody>\n";

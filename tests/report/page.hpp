@@ -11,6 +11,7 @@ struct Table {
     std::vector<std::string> head;
     std::vector<std::vector<std::string>> rows;  // plain text; the first column is set left, the others right
     std::vector<std::size_t> left;               // further columns to set left
+    bool wordy = false;                          // cells hold sentences, which may be broken
 };
 
 class Page {

@@ -23,15 +23,20 @@ void SurvivalSheet::finish(const std::string& error_is, const std::string& more)
     auto ordinary = [&](const Trial& of) {
         const Trial* found = nullptr;
         for (const Trial& trial : trials_)
-            if (trial.precision == of.precision && (!found || (trial.how == of.how && found->how != of.how))) found = &trial;
+            if (trial.precision == of.precision && (!found || (trial.how == of.how && found->how != of.how)))
+                found = &trial;
         return found->nanoseconds;
     };
     Table table{{"extreme", "steps by", "precision", "outcome", "worst error", kept_ + " off by",
-                 "ns per node and step", "of the ordinary"}, {}, {1, 2, 3}};
+                 "ns per node and step", "of the ordinary"},
+                {},
+                {1, 2, 3}};
     Csv csv("extreme,method,precision,outcome,error,drift,ns_per_node_step,of_ordinary,hash");
     std::size_t alive = 0;
     double worst_error[2] = {0, 0}, worst_drift[2] = {0, 0}, slowest = 0;
-    auto shown = [](double value) -> std::string { return std::isnan(value) ? "" : value < 1e-17 ? "0" : number(value, 2); };
+    auto shown = [](double value) -> std::string {
+        return std::isnan(value) ? "" : value < 1e-17 ? "0" : number(value, 2);
+    };
     for (const Trial& trial : trials_) {
         const double ratio = trial.nanoseconds / ordinary(trial);
         table.rows.push_back({trial.extreme, trial.how, name_of(trial.precision), trial.outcome, shown(trial.error),
@@ -47,9 +52,9 @@ void SurvivalSheet::finish(const std::string& error_is, const std::string& more)
         worst_drift[narrow] = std::fmax(worst_drift[narrow], trial.drift);
         slowest = std::fmax(slowest, ratio);
     }
-    std::string found = alive == trials_.size() ? "All " + std::to_string(alive) + " survive"
-                                                : std::to_string(alive) + " of " + std::to_string(trials_.size()) +
-                                                      " survive";
+    std::string found = alive == trials_.size()
+                            ? "All " + std::to_string(alive) + " survive"
+                            : std::to_string(alive) + " of " + std::to_string(trials_.size()) + " survive";
     for (cd_precision precision : precisions()) {
         const bool narrow = precision == CD_FLOAT32;
         found += std::string(precision == precisions().front() ? ": " : "; ") + "in " + name_of(precision) +
@@ -66,4 +71,4 @@ void SurvivalSheet::finish(const std::string& error_is, const std::string& more)
     report_.progress(object_ + ": extremes");
 }
 
-}  // namespace report
+} // namespace report

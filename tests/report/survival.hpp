@@ -14,13 +14,13 @@ namespace report {
 struct Trial {
     std::string extreme, how;
     cd_precision precision;
-    std::string outcome = "survives";  // or what the library said
-    double error = NAN;                // the worst, relative; NaN where no exact answer is known
-    double drift = NAN;                // of what must be kept, relative to it
+    std::string outcome = "survives"; // or what the library said
+    double error = NAN;               // the worst, relative; NaN where no exact answer is known
+    double drift = NAN;               // of what must be kept, relative to it
     std::uint64_t hash = 0;
-    double node_steps = 0;             // of one call of `again`
-    std::function<void()> again = {};  // goes on stepping; empty: not timed
-    double nanoseconds = NAN;          // a node and step, by finish
+    double node_steps = 0;            // of one call of `again`
+    std::function<void()> again = {}; // goes on stepping; empty: not timed
+    double nanoseconds = NAN;         // a node and step, by finish
 
     bool survives() const { return outcome == "survives"; }
 };
@@ -46,6 +46,6 @@ private:
 // "survives", or the status's name.
 std::string outcome_of(cd_status status);
 
-}  // namespace report
+} // namespace report
 
 #endif

@@ -41,7 +41,7 @@ double sum_of(const std::vector<double>& logarithms) {
     return most + std::log10(sum);
 }
 
-}  // namespace
+} // namespace
 
 Course course_of(const std::vector<Vibration>& modes, const Method& how, double dt) {
     std::vector<Moving> moving;
@@ -163,4 +163,4 @@ void Watch::see(long double energy) {
     course_.highest = std::fmax(course_.highest, course_.last);
 }
 
-}  // namespace report
+} // namespace report

@@ -13,7 +13,7 @@ namespace report {
 // How a run's energy goes, by the logarithm to base 10 of its ratio to that at the start.
 struct Course {
     double highest = -INFINITY, last = 0;
-    double largest = -INFINITY, force = -INFINITY;  // of theory: log10 of the largest position or velocity and of w^2 x
+    double largest = -INFINITY, force = -INFINITY; // of theory: log10 of the largest position or velocity and of w^2 x
     bool finite = true;
 };
 
@@ -21,10 +21,10 @@ struct Course {
 const std::vector<std::size_t>& looks();
 
 struct Vibration {
-    double omega_u, omega_v;  // from the two directions of a sheet, or from one
-    double x, w;              // position and velocity / omega, of a mode of unit mass
-    double weight;            // its energy is weight (x^2 + w^2)
-    std::vector<double> shape = {};  // at each node
+    double omega_u, omega_v;        // from the two directions of a sheet, or from one
+    double x, w;                    // position and velocity / omega, of a mode of unit mass
+    double weight;                  // its energy is weight (x^2 + w^2)
+    std::vector<double> shape = {}; // at each node
 
     double omega() const { return std::hypot(omega_u, omega_v); }
 };
@@ -67,6 +67,6 @@ private:
     Course course_;
 };
 
-}  // namespace report
+} // namespace report
 
 #endif

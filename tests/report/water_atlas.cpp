@@ -13,7 +13,7 @@ namespace {
 
 const std::size_t kCells = 16;
 
-// water.h: where water runs further than a cell in a step, and in the linear mode from a fifth of that on, ripples grow.
+// water.h: where water runs further than a cell in a step ripples grow, in the linear mode from a fifth of that on.
 const double kRunsFar = 0.2;
 
 // How fast the water moves at first, in units of the speed of its waves: as slow as the precision lets see.
@@ -55,7 +55,7 @@ Course run(const Slice& slice, const Method& how, cd_precision precision, double
     Water water(kCells, 1, 1, 1, precision);
     water.set(how);
     std::vector<double> bed;
-    for (double d : slice.depth) bed.push_back(-d);  // the surface is at 0, to the bit
+    for (double d : slice.depth) bed.push_back(-d); // the surface is at 0, to the bit
     water.write(CD_BED, bed);
     water.write(CD_DEPTH, slice.depth);
     water.write(CD_VELOCITY_X, slice.velocity);
@@ -85,14 +85,14 @@ std::vector<Vibration> modes_of(const Slice& slice) {
         stiffness[(i - 1) * kCells + i] -= pull, stiffness[i * kCells + i - 1] -= pull;
         rate[i - 1] -= flow, rate[i] += flow;
     }
-    std::vector<Vibration> modes = vibrations_of(stiffness, std::vector<double>(kCells, 1),
-                                                 std::vector<double>(kCells), rate);
+    std::vector<Vibration> modes =
+        vibrations_of(stiffness, std::vector<double>(kCells, 1), std::vector<double>(kCells), rate);
     for (Vibration& mode : modes) mode.weight = 1;
     return modes;
 }
 
-// Theory is of small waves. Where they have grown large, water runs far in a step, or the deep half rounds away what the
-// shallow one does, all it says is whether they grow.
+// Theory is of small waves. Where they have grown large, water runs far in a step, or the deep half rounds away what
+// the shallow one does, all it says is whether they grow.
 Expected expected(const Slice& slice, const std::vector<Vibration>& modes, const Method& how, cd_precision precision,
                   double dt, double speed) {
     const Course course = course_of(modes, how, dt);
@@ -126,7 +126,7 @@ AtlasCase chart(const std::string& sweep, const Method& how, cd_precision precis
     return made;
 }
 
-}  // namespace
+} // namespace
 
 void report_water_atlas(Report& report) {
     report.page.section("water-atlas", "Water: the stability atlas");
@@ -141,22 +141,21 @@ void report_water_atlas(Report& report) {
     for (Way way : {Way::water_forward, Way::water_explicit, Way::water_half, Way::water_linear, Way::water_one,
                     Way::water_advected, Way::water_four_corrections})
         for (cd_precision precision : precisions()) {
-            const std::string map = atlas.add(
-                chart("depth", method(way), precision, depth, step,
-                      [=](double d) { return Slice(d, d, gentle(precision)); }));
+            const std::string map = atlas.add(chart("depth", method(way), precision, depth, step,
+                                                    [=](double d) { return Slice(d, d, gentle(precision)); }));
             if (precision == precisions().front()) deep.push_back(map);
         }
     for (Way way : {Way::water_explicit, Way::water_half, Way::water_linear, Way::water_one, Way::water_advected,
                     Way::water_four_corrections})
         for (cd_precision precision : precisions()) {
-            const std::string map = atlas.add(
-                chart("depth ratio", method(way), precision, ratio, step,
-                      [=](double r) { return Slice(1, r, gentle(precision)); }));
+            const std::string map = atlas.add(chart("depth ratio", method(way), precision, ratio, step,
+                                                    [=](double r) { return Slice(1, r, gentle(precision)); }));
             if (precision == precisions().front()) stepped.push_back(map);
         }
     report.page.figure(deep, fate_legend(),
                        "Depth and step: " + atlas.agreement() + "; drawn is " + name_of(precisions().front()) +
-                           ". Explicit steps are bounded below dt = 2/ω; above it they grow, until the limiter, which lets no cell give "
+                           ". Explicit steps are bounded below dt = 2/ω; above it they grow, until the limiter, which "
+                           "lets no cell give "
                            "more than it has, holds them. λ = 1/2 is bounded, and "
                            "λ = 0.55 and λ = 1 damp what is too fast for the step, until the step is so long that the "
                            "water itself runs across cells: there ripples grow until shores and walls hold them.",
@@ -170,4 +169,4 @@ void report_water_atlas(Report& report) {
     report_shores(report);
 }
 
-}  // namespace report
+} // namespace report

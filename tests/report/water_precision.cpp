@@ -120,7 +120,8 @@ void report_water_precision(Report& report) {
     const std::size_t side = report.by_extent<std::size_t>(32, 64, 128);
     Study slice = seiche_study(report, report.by_extent<std::size_t>(100, 400, 400), 1,
                                {Way::water_linear, Way::water_half, Way::water_one, Way::water_advected,
-                                Way::water_four_corrections, Way::water_forward, Way::water_explicit, Way::water_textbook});
+                                Way::water_four_corrections, Way::water_forward, Way::water_explicit,
+                                Way::water_textbook});
     Study pool = seiche_study(report, side, side,
                               {Way::water_linear, Way::water_half, Way::water_one, Way::water_advected,
                                Way::water_coupled_half, Way::water_explicit, Way::water_textbook});

@@ -11,7 +11,7 @@ namespace report {
 namespace {
 
 const std::size_t kCells = 32;
-const double kRipple = 1e-6;  // of the depth
+const double kRipple = 1e-6; // of the depth
 
 // A stream round a ring of cells of 1 m, steps of 1 s: `run` cells a step, waves `courant` cells.
 Course stream(const Method& how, cd_precision precision, double run, double courant) {
@@ -21,7 +21,8 @@ Course stream(const Method& how, cd_precision precision, double run, double cour
     const double deep = courant * courant / kEarth;
     std::mt19937 random(7);
     std::vector<double> depth;
-    for (std::size_t i = 0; i < kCells; ++i) depth.push_back(deep * (1 + kRipple * (double(random()) / 2147483648.0 - 1)));
+    for (std::size_t i = 0; i < kCells; ++i)
+        depth.push_back(deep * (1 + kRipple * (double(random()) / 2147483648.0 - 1)));
     water.write(CD_DEPTH, depth);
     water.write(CD_VELOCITY_X, std::vector<double>(kCells + 1, run));
     auto energy = [&] {
@@ -52,7 +53,7 @@ const std::size_t kSide = 24;
 
 struct Shore {
     std::vector<double> bed, depth;
-    double first = 0;  // energy above that of the same water at rest, over density
+    double first = 0; // energy above that of the same water at rest, over density
 
     Shore() {
         std::mt19937 random(11);
@@ -83,7 +84,8 @@ struct Shore {
         }
         for (std::size_t j = 0; j < kSide; ++j)
             for (std::size_t i = 1; i < kSide; ++i) {
-                if (!u.empty()) sum += (d[j * kSide + i - 1] + d[j * kSide + i]) / 4 * std::pow(u[j * (kSide + 1) + i], 2);
+                if (!u.empty())
+                    sum += (d[j * kSide + i - 1] + d[j * kSide + i]) / 4 * std::pow(u[j * (kSide + 1) + i], 2);
                 if (!v.empty()) sum += (d[(i - 1) * kSide + j] + d[i * kSide + j]) / 4 * std::pow(v[i * kSide + j], 2);
             }
         return sum;
@@ -104,20 +106,20 @@ double highest(const Shore& shore, const Method& how, cd_precision precision, do
         const cd_status status = cd_water_step(water.get(), dt, 1);
         if (status == CD_ERROR_DIVERGED) return INFINITY;
         check(status);
-        most = std::fmax(most, shore.above_rest(water.read(CD_DEPTH), water.read(CD_VELOCITY_X),
-                                                water.read(CD_VELOCITY_Y)));
+        most = std::fmax(most,
+                         shore.above_rest(water.read(CD_DEPTH), water.read(CD_VELOCITY_X), water.read(CD_VELOCITY_Y)));
     }
     return most / shore.first;
 }
 
-}  // namespace
+} // namespace
 
 void add_streams(Report& report, Atlas& atlas) {
     const AtlasAxis run{"run", "cells the stream runs in a step", decades(-3, 3, report.by_extent(1.0, 0.25, 0.125))},
         courant{"courant", "cells a wave runs in a step", decades(-3, 3, report.by_extent(1.0, 0.25, 0.125))};
     std::vector<std::string> maps;
-    for (Way way : {Way::water_half, Way::water_linear, Way::water_one, Way::water_advected,
-                    Way::water_four_corrections}) {
+    for (Way way :
+         {Way::water_half, Way::water_linear, Way::water_one, Way::water_advected, Way::water_four_corrections}) {
         AtlasCase chart{"water", "stream", method(way), precisions().front(), run, courant, {}, {}};
         chart.practice = [way](double u, double c) { return stream(method(way), precisions().front(), u, c); };
         chart.theory = [](double, double) { return Expected({Fate::bounded, Fate::damped}); };
@@ -166,4 +168,4 @@ void report_shores(Report& report) {
     report.progress("water: violent shores");
 }
 
-}  // namespace report
+} // namespace report

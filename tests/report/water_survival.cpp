@@ -83,18 +83,22 @@ std::vector<Scene> scenes(const Report& report) {
                        water.write(CD_BED, over_cells(kSide, kSide, 1, [](double x, double) { return x; }));
                        water.write(CD_DEPTH, std::vector<double>(kSide * kSide, 1e-3));
                    }});
-    all.push_back({"level among random islands", [](Water& water) {
+    all.push_back({"level among random islands",
+                   [](Water& water) {
                        std::mt19937 random(3);
                        std::vector<double> bed;
                        for (std::size_t k = 0; k < kSide * kSide; ++k)
                            bed.push_back(double(float(double(random()) / 1073741824.0 - 2)));
                        level_at(water, bed, 0);
-                   }, still(0)});
-    all.push_back({"level over a cell 10⁶ times as deep", [](Water& water) {
+                   },
+                   still(0)});
+    all.push_back({"level over a cell 10⁶ times as deep",
+                   [](Water& water) {
                        std::vector<double> bed(kSide * kSide, -1);
                        bed[kSide * kSide / 2] = -1e6;
                        level_at(water, bed, 0);
-                   }, still(0)});
+                   },
+                   still(0)});
     all.push_back({"waves over a cell 10⁶ times as deep", [](Water& water) {
                        waves(1, 0.05)(water);
                        const double deep = -1e6;
@@ -121,7 +125,7 @@ std::vector<Scene> scenes(const Report& report) {
     return all;
 }
 
-}  // namespace
+} // namespace
 
 void report_water_survival(Report& report) {
     report.page.section("water-survival", "Water: extremes");
@@ -133,9 +137,10 @@ void report_water_survival(Report& report) {
     for (cd_precision precision : precisions())
         for (Way way : {Way::water_linear, Way::water_advected})
             for (const Scene& scene : scenes(report)) sheet.add(run(scene, way, precision));
-    sheet.finish("Errors, where an exact answer is known, are of lakes that must stay level: the greatest change of the "
-                 "surface over the greatest depth.",
-                 "Volume is compared with the account. Rows, columns and small pools cost more a cell than squares.");
+    sheet.finish(
+        "Errors, where an exact answer is known, are of lakes that must stay level: the greatest change of the "
+        "surface over the greatest depth.",
+        "Volume is compared with the account. Rows, columns and small pools cost more a cell than squares.");
 }
 
-}  // namespace report
+} // namespace report

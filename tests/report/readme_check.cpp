@@ -1,0 +1,118 @@
+// Every figure of the README is one that the report printed. In its section Figures, a number in a table's cell behind
+// the first one, or in bold in the prose, is a figure. A comment below names their keys, in their order:
+//
+//     | lake beside a dry bank: volume gained | 7e-16 | 7.4% |
+//
+//     <!-- figures
+//     =water.lake.contdyn_gained
+//     =water.lake.textbook_gained
+//     -->
+//
+// =key  the same on every machine and in the short form: compared, to the digits that the README gives
+// ~key  the same on every machine, of the standard run alone: compared if that is the run looked at
+// key   a time, or a ratio of times: it must have been printed
+#include <cmath>
+#include <regex>
+#include <sstream>
+
+#include "check.hpp"
+
+std::string readme;
+
+namespace {
+
+std::map<std::string, double> summary() {
+    std::map<std::string, double> figures;
+    std::istringstream text(read(first + "/summary.txt"));
+    for (std::string line; std::getline(text, line);) {
+        const std::size_t colon = line.find(": ");
+        if (colon != std::string::npos) figures[line.substr(0, colon)] = std::strtod(line.c_str() + colon + 2, nullptr);
+    }
+    return figures;
+}
+
+// 1, 6.7, 16 000, 2e-15: as written, with half a unit of the last digit.
+struct Number {
+    std::string text;
+    double value, half;
+};
+
+std::vector<Number> numbers_in(const std::string& text) {
+    static const std::regex kNumber(R"(\d+(?: \d{3})*(?:\.(\d+))?(?:e(-?\d+))?)");
+    std::vector<Number> found;
+    for (std::sregex_iterator it(text.begin(), text.end(), kNumber), end; it != end; ++it) {
+        std::string digits = it->str();
+        for (std::size_t space; (space = digits.find(' ')) != std::string::npos;) digits.erase(space, 1);
+        const double exponent = (*it)[2].matched ? std::stod((*it)[2].str()) : 0;
+        double last = std::pow(10, exponent - double((*it)[1].length()));
+        if (!(*it)[1].matched && !(*it)[2].matched) // zeros that end a whole number may stand for digits
+            for (std::size_t i = digits.size(); i-- > 1 && digits[i] == '0';) last *= 10;
+        found.push_back({it->str(), std::stod(digits), 0.501 * last});
+    }
+    return found;
+}
+
+// What stands in the cells behind the first, or in bold.
+std::string figures_of(const std::string& line) {
+    std::string text;
+    if (line[0] == '|') {
+        const std::size_t second = line.find('|', 1);
+        return second == std::string::npos ? "" : line.substr(second);
+    }
+    for (std::size_t from = line.find("**"); from != std::string::npos; from = line.find("**", from)) {
+        const std::size_t to = line.find("**", from + 2);
+        if (to == std::string::npos) break;
+        text += " | " + line.substr(from + 2, to - from - 2);
+        from = to + 2;
+    }
+    return text;
+}
+
+// The figures and the keys of the section, each in their order.
+void read_section(std::vector<Number>& figures, std::vector<std::string>& keys) {
+    std::istringstream text(read(readme));
+    bool inside = false, comment = false, body = false;
+    for (std::string line; std::getline(text, line);) {
+        if (line.rfind("## ", 0) == 0) inside = line == "## Figures";
+        if (!inside) continue;
+        if (comment) {
+            comment = line != "-->";
+            if (comment) keys.push_back(line);
+            else
+                expect(figures.size() == keys.size(), std::to_string(figures.size()) + " figures and " +
+                                                          std::to_string(keys.size()) + " keys up to " + keys.back());
+            continue;
+        }
+        comment = line == "<!-- figures";
+        const bool row = !line.empty() && line[0] == '|', rule = line.rfind("|---", 0) == 0;
+        if (rule || !row) body = rule; // what stands above the rule names the columns
+        if (rule || comment || (row && !body)) continue;
+        for (const Number& number : numbers_in(figures_of(line))) figures.push_back(number);
+    }
+}
+
+void every_readme_figure_is_printed() {
+    const std::map<std::string, double> printed = summary();
+    const bool standard = printed.count("report.standard") > 0;
+    std::vector<Number> figures;
+    std::vector<std::string> keys;
+    read_section(figures, keys);
+    expect(figures.size() == keys.size(), "figures without a key");
+    std::size_t compared = 0;
+    for (std::size_t i = 0; i < std::min(figures.size(), keys.size()); ++i) {
+        const bool same = keys[i][0] == '=', standards = keys[i][0] == '~';
+        const std::string key = same || standards ? keys[i].substr(1) : keys[i];
+        if (standards && !standard) continue;
+        auto it = printed.find(key);
+        expect(it != printed.end(), "not printed: " + key + ", of which the README says " + figures[i].text);
+        if (it == printed.end() || !(same || standards)) continue;
+        ++compared;
+        expect(std::fabs(std::fabs(it->second) - figures[i].value) <= figures[i].half,
+               key + ": printed " + std::to_string(it->second) + ", the README says " + figures[i].text);
+    }
+    expect(figures.size() >= 30 && compared >= 8, "the README has hardly any figures");
+}
+
+} // namespace
+
+Checks readme_checks() { return {{"every_readme_figure_is_printed", every_readme_figure_is_printed}}; }
