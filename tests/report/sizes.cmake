@@ -11,23 +11,22 @@ set(variants
   "without float32|FLOAT32"
   "without float64|FLOAT64"
   "without AVX-512|AVX512"
-  "without AVX2 and AVX-512|AVX2;AVX512"
-  "chain alone|MEMBRANE;WATER"
-  "membrane alone|CHAIN;WATER"
-  "water alone|CHAIN;MEMBRANE"
-  "chain alone in float32 with plain kernels|MEMBRANE;WATER;FLOAT64;AVX2;AVX512")
+  "without AVX2 and AVX-512|AVX2+AVX512"
+  "chain alone|MEMBRANE+WATER"
+  "membrane alone|CHAIN+WATER"
+  "water alone|CHAIN+MEMBRANE"
+  "chain alone in float32 with plain kernels|MEMBRANE+WATER+FLOAT64;AVX2+AVX512")
 
 set(table "variant,bytes\n")
 foreach(variant IN LISTS variants)
-  string(REPLACE "|" ";" variant "${variant}")
-  list(POP_FRONT variant name)
+  string(REGEX REPLACE "\\|.*" "" name "${variant}")
+  string(REGEX REPLACE ".*\\|" "" parts "${variant}")
+  string(REPLACE "+" ";" parts "${parts}")
   string(MAKE_C_IDENTIFIER "${name}" folder)
   set(folder ${FOLDER}/${folder})
   set(options)
-  foreach(part IN LISTS variant)
-    if(part)
-      list(APPEND options -DCONTDYN_${part}=OFF)
-    endif()
+  foreach(part IN LISTS parts)
+    list(APPEND options -DCONTDYN_${part}=OFF)
   endforeach()
   foreach(command IN ITEMS configure build)
     if(command STREQUAL "configure")
