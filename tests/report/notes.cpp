@@ -277,6 +277,16 @@ void report_notes(Report& report) {
             " in 10 s; with the gate between wet and dry " + n(printed("water.lake.contdyn_gained"), 1),
         0.01, 1, "not a misprint, but must not stand at a shore", "not understood");
     misprints.finish("notes_misprints.csv", "What the notes misprint, and what each misprint would have done.");
+    double cells = 0, differ = 0;
+    for (const char* object : {"chain", "membrane", "water"}) {
+        cells += printed(std::string(object) + ".atlas.cells");
+        differ += printed(std::string(object) + ".atlas.differ_from_theory");
+    }
+    if (!std::isnan(cells))
+        report.page.headline(count(cells), "scenes of every stiffness, depth, mass and step stood beside theory; " +
+                                               count(differ) +
+                                               " of them differ, nearly all of them streams of water that run "
+                                               "across cells in a step");
     report.progress("the notes' claims");
 }
 
