@@ -11,7 +11,7 @@
 namespace report {
 namespace {
 
-const double kGrown = 3, kDamped = std::log10(0.5); // log10 of the energy's ratio
+const double kGrown = 3, kDamped = -1; // log10 of the energy's ratio
 const double kSlack = 0.02;                         // what rounding may move it by
 
 Fate fate_at(double highest, double last) {
@@ -32,25 +32,36 @@ double border(const AtlasCase& chart, double x, double low, double high) {
     return std::sqrt(low * high);
 }
 
-// Each change of fate of a column is joined to the same change of the column before.
+// Each change of fate of a column is joined to the nearest change of the same kind in the column before.
 std::vector<std::vector<FateMap::Point>> limits_of(const AtlasCase& chart, const std::vector<Fate>& theory) {
+    struct End {
+        Fate below, above;
+        double y;
+        std::size_t line;
+    };
+    const double far = chart.x.values[1] / chart.x.values[0];  // steeper it is another line
     std::vector<std::vector<FateMap::Point>> lines;
-    std::map<std::pair<Fate, Fate>, std::pair<std::size_t, std::size_t>> open; // last column, line
+    std::vector<End> before;
     const std::size_t columns = chart.x.values.size();
-    for (std::size_t i = 0; i < columns; ++i)
+    for (std::size_t i = 0; i < columns; ++i) {
+        std::vector<End> here;
         for (std::size_t j = 0; j + 1 < chart.y.values.size(); ++j) {
             const Fate below = theory[j * columns + i], above = theory[(j + 1) * columns + i];
             if (below == above) continue;
-            const double x = chart.x.values[i], y = border(chart, x, chart.y.values[j], chart.y.values[j + 1]);
-            auto known = open.find({below, above});
-            if (known == open.end() || known->second.first + 1 != i) {
-                lines.push_back({});
-                open[{below, above}] = {i, lines.size() - 1};
-                known = open.find({below, above});
-            }
-            lines[known->second.second].push_back({x, y});
-            known->second.first = i;
+            const double y = border(chart, chart.x.values[i], chart.y.values[j], chart.y.values[j + 1]);
+            auto distance = [y](const End& end) { return std::fabs(std::log(end.y / y)); };
+            auto nearest = before.end();
+            for (auto end = before.begin(); end != before.end(); ++end)
+                if (end->below == below && end->above == above && distance(*end) < std::log(far) &&
+                    (nearest == before.end() || distance(*end) < distance(*nearest)))
+                    nearest = end;
+            here.push_back({below, above, y, nearest == before.end() ? lines.size() : nearest->line});
+            if (nearest == before.end()) lines.push_back({});
+            else before.erase(nearest);
+            lines[here.back().line].push_back({chart.x.values[i], y});
         }
+        before = here;
+    }
     return lines;
 }
 

@@ -12,7 +12,7 @@
 
 namespace report {
 
-// Growing: 1000 times the energy of the start, or more. Damped: half of it in the end, or less.
+// Growing: 1000 times the energy of the start, or more. Damped: a tenth of it in the end, or less.
 Fate fate_of(const Course& course);
 
 // What theory says: a course, and the fates it leaves open where its numbers are within rounding of a limit.

@@ -83,7 +83,7 @@ void report_chain_atlas(Report& report) {
         "A chain of 16 springs with both ends held, from random positions and velocities, 200 steps: what becomes of "
         "its energy, for every stiffness and every step. Growing: it is 1000 times that of the start at any of " +
         std::to_string(looks().size()) +
-        " looks. Damped: it ends below half. Not finite: the library reports that the "
+        " looks. Damped: it ends below a tenth. Not finite: the library reports that the "
         "state has left the range of its precision. Theory is the same run in exact arithmetic, the chain taken apart "
         "into its modes and each moved on by its 2 × 2 matrix; lines are where its verdict changes. A cell where the "
         "two disagree bears a cross and is listed.");
