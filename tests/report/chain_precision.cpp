@@ -95,7 +95,7 @@ Study settling_rope(const Report& report) {
             if (how.textbook && precision != precisions().front()) continue;
             const std::size_t most = how.method == CD_METHOD_FORWARD_EULER
                                          ? report.by_extent<std::size_t>(100, 1000, 4000) * limit
-                                         : report.by_extent<std::size_t>(8, 64, 1000) * limit;
+                                         : report.by_extent<std::size_t>(16, 64, 1000) * limit;
             study.curves.push_back({&how, precision, points_between(how.is_explicit() ? limit : 8, most,
                                                                     [](std::size_t) { return INFINITY; })});
         }

@@ -27,7 +27,8 @@ void Report::save_text(const std::string& name, const std::string& text) const {
 void Report::summary(const std::string& key, double value, const std::string& unit) {
     figures_[key] = value;
     char text[64];
-    std::snprintf(text, sizeof text, "%.4g", value);
+    const bool whole = value == std::floor(value) && std::fabs(value) < 1e9;
+    std::snprintf(text, sizeof text, whole ? "%.0f" : "%.4g", value);
     summary(key, text + (unit.empty() ? "" : " " + unit));
 }
 
