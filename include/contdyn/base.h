@@ -3,7 +3,8 @@
  * Conventions, the same in every header:
  *   - A function that can fail returns cd_status: CD_OK (0) or an error. cd_error_message() then tells what was wrong
  *     and gives the offending value. A failed call changes nothing.
- *   - Outputs come last and are named out_*. Unless a comment says otherwise, an output pointer may not be null.
+ *   - Outputs come last and are named out_*. Unless a comment says otherwise, an output pointer may not be null; an
+ *     array of no numbers may.
  *   - Nothing here prints, aborts or throws. cd_*_destroy(NULL) does nothing.
  *   - Distinct objects may be used from different threads at once; one object from one thread at a time.
  *   - Quantities are in SI units, or in any other consistent set: the library never converts.

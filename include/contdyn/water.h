@@ -26,10 +26,10 @@
  *
  * Waves do not limit the step, and where they cross more than two and a half cells in it, the surface of a line is
  * solved for such that no depth comes out negative (but by CD_SOLVER_COUPLED). Streams may limit it: where water runs
- * further than a cell in a step, |u| dt > dx, and waves do not outrun it, ripples on it grow, in the linear mode with
- * lambda = 1/2 from a fifth of that on. Not so, swept in turn and advected, while waves cross at most 4 cells, nor, in
- * steps of any length, along lines in which depths differ by a tenth at most. Explicit and coupled steps let a cell
- * give no more than what it has at the beginning: there such a stream is held back to a cell a step.
+ * further than a cell in a step, |u| dt > dx, and waves do not outrun it, ripples on it grow, in the linear mode from
+ * half of that on and with lambda = 1/2 from a fifth. Not so, swept in turn and advected, while waves cross at most 4
+ * cells, nor, in steps of any length, along lines in which depths differ by a tenth at most. Explicit and coupled steps
+ * let a cell give no more than what it has at the beginning: there such a stream is held back to a cell a step.
  *
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
  * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.
@@ -97,7 +97,7 @@ CD_API cd_status cd_water_create(size_t nx, size_t ny, double dx, double dy, cd_
 /* Releases a water and all its memory. Null does nothing; a handle that is no living water is left alone. */
 CD_API void cd_water_destroy(cd_water* water);
 
-/* What cd_water_create was given. Each output may be null. */
+/* What cd_water_create was given, or what has been loaded since. Each output may be null. */
 CD_API cd_status cd_water_get_shape(const cd_water* water, size_t* out_nx, size_t* out_ny, double* out_dx,
                                     double* out_dy, cd_precision* out_precision);
 
@@ -250,7 +250,8 @@ CD_API cd_status cd_water_view(const cd_water* water, cd_field field, const void
 CD_API cd_status cd_water_add_volume(cd_water* water, double x, double y, double radius, double volume,
                                      double* out_added);
 
-/* Adds volume [m^3] evenly over the cells there of a rectangle, or takes it. Errors: CD_ERROR_RANGE; CD_ERROR_VALUE. */
+/* Adds volume [m^3] evenly over the cells there of a rectangle, or takes it; out_added as above.
+ * Errors: CD_ERROR_RANGE; CD_ERROR_VALUE. */
 CD_API cd_status cd_water_add_volume_rectangle(cd_water* water, size_t first_x, size_t first_y, size_t n_x, size_t n_y,
                                                double volume, double* out_added);
 
