@@ -43,27 +43,17 @@ cd_status cd_membrane_set_solver(cd_membrane* membrane, cd_solver solver) {
 
 cd_status cd_membrane_set_tolerance(cd_membrane* membrane, double tolerance, size_t most_iterations) {
     CD_OPEN(membrane, m);
-    CD_CHECK(in_range(__func__, "tolerance", tolerance, kLeastTolerance, kMostTolerance));
-    if (most_iterations < 1) return fail(CD_ERROR_VALUE, __func__, "most_iterations is 0, must be at least 1");
-    m.tolerance = tolerance;
-    m.most_iterations = most_iterations;
-    return CD_OK;
+    return shared::set_tolerance(__func__, m, tolerance, most_iterations);
 }
 
 cd_status cd_membrane_get_tolerance(const cd_membrane* membrane, double* out_tolerance, size_t* out_most_iterations) {
     CD_OPEN(membrane, m);
-    CD_NOT_NULL(out_tolerance);
-    CD_NOT_NULL(out_most_iterations);
-    *out_tolerance = m.tolerance;
-    *out_most_iterations = m.most_iterations;
-    return CD_OK;
+    return shared::get_tolerance(__func__, m, out_tolerance, out_most_iterations);
 }
 
 cd_status cd_membrane_get_convergence(const cd_membrane* membrane, size_t* out_iterations, double* out_residual) {
     CD_OPEN(membrane, m);
-    if (out_iterations) *out_iterations = m.iterations;
-    if (out_residual) *out_residual = m.residual;
-    return CD_OK;
+    return shared::get_convergence(m, out_iterations, out_residual);
 }
 
 // ---- parameters -----------------------------------------------------------------------------------------------------

@@ -43,6 +43,27 @@ template <class X> cd_status set_method(const char* function, X& x, cd_method me
     return change_features(function, x, wanted);
 }
 
+// Of objects with coupled solves.
+template <class X> cd_status set_tolerance(const char* function, X& x, double tolerance, size_t most_iterations) {
+    CD_CHECK(in_range(function, "tolerance", tolerance, kLeastTolerance, kMostTolerance));
+    if (most_iterations < 1) return fail(CD_ERROR_VALUE, function, "most_iterations is 0, must be at least 1");
+    x.tolerance = tolerance;
+    x.most_iterations = most_iterations;
+    return CD_OK;
+}
+template <class X>
+cd_status get_tolerance(const char* function, const X& x, double* out_tolerance, size_t* out_most_iterations) {
+    CD_CHECK(not_null(function, "out_most_iterations", out_most_iterations));
+    CD_CHECK(tell(function, "out_tolerance", out_tolerance, x.tolerance));
+    *out_most_iterations = x.most_iterations;
+    return CD_OK;
+}
+template <class X> cd_status get_convergence(const X& x, size_t* out_iterations, double* out_residual) {
+    if (out_iterations) *out_iterations = x.iterations;
+    if (out_residual) *out_residual = x.residual;
+    return CD_OK;
+}
+
 inline cd_status set_parameter(const char* function, Object& o, const char* name, double value, double& parameter,
                                double least = 0, double most = kMost) {
     CD_CHECK(in_range(function, name, value, least, most));

@@ -81,27 +81,17 @@ cd_status cd_water_set_solver(cd_water* water, cd_solver solver) {
 
 cd_status cd_water_set_tolerance(cd_water* water, double tolerance, size_t most_iterations) {
     CD_OPEN(water, w);
-    CD_CHECK(in_range(__func__, "tolerance", tolerance, kLeastResidual, kMostResidual));
-    if (most_iterations < 1) return fail(CD_ERROR_VALUE, __func__, "most_iterations is 0, must be at least 1");
-    w.tolerance = tolerance;
-    w.most_iterations = most_iterations;
-    return CD_OK;
+    return shared::set_tolerance(__func__, w, tolerance, most_iterations);
 }
 
 cd_status cd_water_get_tolerance(const cd_water* water, double* out_tolerance, size_t* out_most_iterations) {
     CD_OPEN(water, w);
-    CD_NOT_NULL(out_tolerance);
-    CD_NOT_NULL(out_most_iterations);
-    *out_tolerance = w.tolerance;
-    *out_most_iterations = w.most_iterations;
-    return CD_OK;
+    return shared::get_tolerance(__func__, w, out_tolerance, out_most_iterations);
 }
 
 cd_status cd_water_get_convergence(const cd_water* water, size_t* out_iterations, double* out_residual) {
     CD_OPEN(water, w);
-    if (out_iterations) *out_iterations = w.iterations;
-    if (out_residual) *out_residual = w.residual;
-    return CD_OK;
+    return shared::get_convergence(w, out_iterations, out_residual);
 }
 
 cd_status cd_water_set_first(cd_water* water, int32_t along_y) {

@@ -53,7 +53,6 @@ struct Membrane : Body, MembraneSettings {
     }
 };
 
-constexpr double kLeastTolerance = 1e-14, kMostTolerance = 0.5;
 constexpr uint64_t kMembraneTag = 0x314272626d4d6443; // "CdMmbrB1"
 
 struct MembraneFeatures : BodyFeatures {

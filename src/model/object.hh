@@ -24,6 +24,9 @@ struct Clock {
     }
 };
 
+// Of coupled solves.
+constexpr double kLeastTolerance = 1e-14, kMostTolerance = 0.5;
+
 // What is set from outside and kept with the state.
 struct ObjectSettings {
     cd_method method;

@@ -67,7 +67,7 @@ constexpr uint64_t kWaterTag = 0x3172746157644331; // "1CdWatr1"
 constexpr size_t kMostCorrections = 8;
 constexpr double kLinearLambda = 0.55; // the default
 constexpr double kLeastCell = 1e-30, kMostCell = 1e30, kMostGravity = 1e6, kMostManning = 1e3;
-constexpr double kLeastDensity = 1e-6, kMostDensity = 1e6, kLeastResidual = 1e-14, kMostResidual = 0.5;
+constexpr double kLeastDensity = 1e-6, kMostDensity = 1e6;
 
 // What costs memory, in one value, so that features change all together or not at all.
 struct WaterFeatures {

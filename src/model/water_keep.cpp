@@ -155,7 +155,7 @@ struct WaterKeep {
         good &= o.lambda >= 0 && o.lambda <= 1 && o.gravity >= 0 && o.gravity <= kMostGravity;
         good &= o.density >= kLeastDensity && o.density <= kMostDensity;
         good &= valid_parameter(o.drag) && o.manning >= 0 && o.manning <= kMostManning;
-        good &= o.tolerance >= kLeastResidual && o.tolerance <= kMostResidual && o.most_iterations >= 1;
+        good &= o.tolerance >= kLeastTolerance && o.tolerance <= kMostTolerance && o.most_iterations >= 1;
         good &= !(o.account.in < 0) && !(o.account.out < 0);
         return good && isfinite(o.clock.start) && isfinite(o.clock.dt);
     }
