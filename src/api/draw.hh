@@ -15,6 +15,9 @@ struct VertexAttribute {
 };
 
 template <size_t n> cd_status is_layout(const char* function, const VertexAttribute (&all)[n], size_t stride) {
+    size_t least = 0;
+    for (const VertexAttribute& a : all) least += a.on() || &a == all ? a.bytes : 0;
+    if (stride < least) return fail(CD_ERROR_RANGE, function, "stride is %zu, must be at least %zu", stride, least);
     for (const VertexAttribute& a : all) {
         if (!a.on() && &a != all) continue;
         CD_CHECK(is_part(function, a.name, a.offset, a.bytes, stride));

@@ -87,8 +87,8 @@ static void no_vertex_is_torn(void** state) {
         size_t stride, position, normal, depth;
         const char* argument;
     } bad[] = {
-        {0, 0, none, none, "~stride|past|0"},
-        {11, 0, none, none, "~stride|past|11"},
+        {0, 0, none, none, "stride|0|12"},
+        {11, 0, none, none, "stride|11|12"},
         {12, 1, none, none, "position_offset|1|12"},
         {24, 13, 0, none, "position_offset|13|24"},
         {24, 24, 0, none, "position_offset|24"},
@@ -100,7 +100,7 @@ static void no_vertex_is_torn(void** state) {
         {36, 12, 12, none, "normal_offset|12"},
         {36, 12, 1, none, "normal_offset|1|12"},
         {36, 12, 23, none, "normal_offset|23|12"},
-        {15, 0, none, 12, "depth_offset|12|15"},
+        {15, 0, none, 12, "stride|15|16"},
         {24, 0, none, 21, "depth_offset|21|24"},
         {24, 0, none, none - 1, "depth_offset|24"},
         {24, 0, none, none - 3, "depth_offset|24"},
