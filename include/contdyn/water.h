@@ -35,8 +35,8 @@
  * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.
  *
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
- * mode, of which shores are steep, take a little more than 1/2. Swept in turn, the random shores that were tried make no
- * energy in steps in which waves cross three cells to a thousand; in shorter ones it may rise by some hundredths at
+ * mode, of which shores are steep, take a little more than 1/2. Swept in turn, the random shores that were tried make
+ * no energy in steps in which waves cross three cells to a thousand; in shorter ones it may rise by some hundredths at
  * violent shores, in the linear mode, whose equations do not keep it, most; and by CD_SOLVER_COUPLED so at Courant
  * numbers (cd_water_get_courant) from 100 on. In steps too long for waves or water to stay within a cell, no water is
  * let run faster than a fall from the highest head of its line would make it.
