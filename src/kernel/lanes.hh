@@ -69,6 +69,8 @@ template <> struct Lanes<1, LaneKind::kSingle, double> {
     friend Lanes settled(Lanes a, double least) { return {__builtin_fabs(a.v) < least ? 0 : a.v}; }
     friend Lanes select(Lanes by, Lanes a, Lanes b) { return by.v > 0 ? a : b; }
     friend Lanes by_sign(Lanes by, Lanes a, Lanes b) { return __builtin_signbit(by.v) ? a : b; }
+    friend Lanes larger(Lanes a, Lanes b) { return {a.v > b.v ? a.v : b.v}; }
+    friend Lanes smaller(Lanes a, Lanes b) { return {a.v < b.v ? a.v : b.v}; }
     template <class F> friend Lanes each_lane(Lanes a, F f) { return {f(a.v)}; }
     bool any_nan() const { return v != v; }
 };
@@ -120,6 +122,9 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
         typedef decltype(a.v < a.v) Bits;
         return {reinterpret_cast<Bits>(by.v) < 0 ? a.v : b.v};
     }
+    // the second one where either is NaN
+    friend Lanes larger(Lanes a, Lanes b) { return {a.v > b.v ? a.v : b.v}; }
+    friend Lanes smaller(Lanes a, Lanes b) { return {a.v < b.v ? a.v : b.v}; }
     template <class F> friend Lanes each_lane(Lanes a, F f) {
         for (int j = 0; j < N; ++j) a.v[j] = f(a.v[j]);
         return a;
@@ -152,6 +157,8 @@ template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
     friend Lanes settled(Lanes x, double least) { return {settled(x.a, least), settled(x.b, least)}; }
     friend Lanes select(Lanes by, Lanes x, Lanes y) { return {select(by.a, x.a, y.a), select(by.b, x.b, y.b)}; }
     friend Lanes by_sign(Lanes by, Lanes x, Lanes y) { return {by_sign(by.a, x.a, y.a), by_sign(by.b, x.b, y.b)}; }
+    friend Lanes larger(Lanes x, Lanes y) { return {larger(x.a, y.a), larger(x.b, y.b)}; }
+    friend Lanes smaller(Lanes x, Lanes y) { return {smaller(x.a, y.a), smaller(x.b, y.b)}; }
     template <class F> friend Lanes each_lane(Lanes x, F f) { return {each_lane(x.a, f), each_lane(x.b, f)}; }
     bool any_nan() const { return a.any_nan() || b.any_nan(); }
 };
@@ -159,9 +166,6 @@ template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
 template <int N> inline Lanes<N> operator*(double s, Lanes<N> a) { return Lanes<N>::splat(s) * a; }
 template <int N> inline Lanes<N> operator-(Lanes<N> a) { return Lanes<N>{} - a; }
 
-// The second one where either is NaN.
-template <int N> inline Lanes<N> larger(Lanes<N> a, Lanes<N> b) { return select(a - b, a, b); }
-template <int N> inline Lanes<N> smaller(Lanes<N> a, Lanes<N> b) { return select(b - a, a, b); }
 template <int N> inline Lanes<N> positive(Lanes<N> a) { return select(a, a, Lanes<N>{}); }
 template <int N> inline Lanes<N> within(Lanes<N> a, double least, double most) {
     return smaller(larger(a, Lanes<N>::splat(least)), Lanes<N>::splat(most));
@@ -170,6 +174,15 @@ template <int N> inline Lanes<N> size_of(Lanes<N> a) { return larger(a, -a); }
 template <int N> inline Lanes<N> root(Lanes<N> a) {
     return each_lane(a, [](double x) { return __builtin_sqrt(x); });
 }
+// The least of lanes that lie in different registers, and the largest: as many as one register holds.
+template <int N> inline auto least_of(Lanes<N> a) {
+    if constexpr (N > kNative) return least_of(smaller(a.a, a.b));
+    else return a;
+}
+template <int N> inline auto largest_of(Lanes<N> a) {
+    if constexpr (N > kNative) return largest_of(larger(a.a, a.b));
+    else return a;
+}
 // Whether any lane is > 0.
 template <int N> inline bool any_positive(Lanes<N> a) {
     double lane[N];
@@ -177,6 +190,14 @@ template <int N> inline bool any_positive(Lanes<N> a) {
     bool any = false;
     for (double x : lane) any |= x > 0;
     return any;
+}
+
+template <int N> inline double least_in(Lanes<N> a) {
+    double lane[N], least;
+    a.store(lane);
+    least = lane[0];
+    for (double x : lane) least = x < least ? x : least;
+    return least;
 }
 
 // The point between `here` and `there` = moving + offset at a fraction of the way, and `extra` on top. With the sign

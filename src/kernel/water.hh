@@ -74,12 +74,12 @@ struct WaterCells {
     double* transfer[2];
 };
 
-// Lines that are worked on together, and the numbers a bundle of them needs to work with.
-constexpr size_t kWaterLanes = 8, kWaterPanels = 18;
+// Lines that are worked on side by side, and the panels of numbers they need for it; lines that are handed out together.
+constexpr size_t kWaterLanes = 8, kWaterPanels = 18, kWaterPack = 16;
 
 namespace CD_ISA {
 
-// Makes the step along bundles [first, first + count) of lines; work: kWaterPanels * (cells + 2) numbers for each lane.
+// Makes the step along packs [first, first + count) of lines; work: kWaterPanels * (cells + 2) numbers for each lane.
 // False if a number left the finite range.
 template <class T>
 bool sweep_water(const WaterAxis& axis, const WaterLines<T>& lines, double* work, size_t first, size_t count);
@@ -108,6 +108,6 @@ template <class T> bool fill_water(const WaterCells& cells, T* depth, double* he
 
 // Lanes of a bundle: objects of a single line need but one.
 inline size_t water_lanes(size_t lines) { return lines == 1 ? 1 : kWaterLanes; }
-inline size_t water_bundles(size_t lines) { return (lines + water_lanes(lines) - 1) / water_lanes(lines); }
+inline size_t water_packs(size_t lines) { return (lines + kWaterPack - 1) / kWaterPack; }
 
 } // namespace cd

@@ -1,79 +1,200 @@
-// A line of water (water_line.hh): the step of a calm one, with the same bits, in two passes.
+// A bundle of calm lines of water: the step of WaterLine (water_line.hh), with the same bits, in two passes.
 //
 // Most water of most scenes is calm: wet from wall to wall, linear, with nothing that pushes, rubs or closes faces, no
 // film above its neighbour, no stream of more than a cell, no step so long that cells may run dry. Then every part of
 // the step asks for neighbours only: faces, guesses and the elimination go right in one loop; the surface, what it
-// moves, what cells hold and what faces keep go left in another. A line that turns out not to be calm has lost nothing
-// but time: its state is still there.
+// moves, what cells hold and what faces keep go left in another, and leave rounded. What would make a line other than
+// calm is only kept as the extremes of the loops, and looked at between them. Results lie beside the state until then:
+// a bundle that turns out not to be calm has lost nothing but time.
 #pragma once
 
-#include <utility>
-
-#include "kernel/water_line.hh"
+#include "kernel/water_panels.hh"
 
 namespace cd {
 namespace CD_ISA {
 
-template <int N> bool WaterLine<N>::step_calm() {
-    const bool walled = axis.end[0].kind == End::kWall && axis.end[1].kind == End::kWall;
-    if (axis.advected || axis.corrections > 0 || axis.rubs() || !(axis.lambda > 0)) return false;
-    if (!walled || open || push) return false;
-    const double lambda = axis.lambda, courant = axis.courant, wave_gain = axis.gravity * courant;
-    const L one = L::splat(1), gain = L::splat(wave_gain * lambda);
-    L wild{}; // > 0: not calm, or nearly not
+// Lines side by side: two registers, since the loops wait for their own recurrences.
+constexpr int kCalmLanes = kNative < 8 ? 8 : 16;
 
-    L b = at(bed, 0), d = at(depth, 0), l{}, from_l{}, y{}, e = one;
-    for (size_t i = 0; i < n; ++i) {
-        L r{}, to_r{};
-        if (i + 1 < n) {
-            const L b_r = at(bed, i + 1), d_r = at(depth, i + 1), u = at(velocity, i + 1);
-            const FaceLanes<N> f = between_cells<N>(b, b_r, d, d_r);
-            const L cells = courant * u;
-            wild = larger(wild, select(smaller(d, d_r), f.film, one));
-            wild = larger(wild, larger(wave() * f.mean - L::splat(kLongStep), size_of(cells) - one));
-            const L h = f.mean - 0.5 * (cells * (d_r - d)), w = u + -(wave_gain * ((b_r - b) + (d_r - d)));
-            r = (courant * lambda) * (gain * h);
-            to_r = courant * (h * (lambda * w + (1 - lambda) * u));
-            put(face, i + 1, h);
-            put(guess, i + 1, w);
-            b = b_r, d = d_r;
-        }
-        const L own = one + l * e, inverse = one / (own + r); // see solve_rows
-        y = ((from_l - to_r) + l * y) * inverse;
-        e = own * inverse;
-        put(x, i, y);
-        put(pull, i, r * inverse);
-        l = r, from_l = to_r;
-        if (i % 32 == 31 && any_positive(wild)) return false;
-    }
-    if (any_positive(wild)) return false;
+template <int N, class T> class CalmLines {
+    using L = Lanes<N>;
+    using Extreme = decltype(least_of(L{})); // of lines that lie in different registers, too
 
-    L change = at(x, n - 1), out{}, after_r{};
-    const auto fill = [&](size_t i, L in) {
-        const L left = left_in(at(depth, i), in, out);
-        put(after, i, left);
-        wild = larger(wild, larger(-left, wave() * left - L::splat(kVeryLongStep)));
-        if (i + 1 < n) {
-            const L u = at(guess, i + 1), d = (1 + 0x1p-30) * larger(left, after_r);
-            wild = larger(wild, smaller(wave() * d - one, u * u - (axis.gravity / 4) * d)); // see slowed_by_newcomers
-            put(guess, i + 1, select(larger(positive(left), after_r), u, L{}));
-        }
-        after_r = left, out = in;
+    // What the way right finds out for the way left: of a cell, and of the face before it.
+    struct Found {
+        double change[N], pull[N], face[N], guess[N];
     };
-    for (size_t i = n - 1; i-- > 0;) {
-        const L change_r = change, u = at(velocity, i + 1);
-        change = at(x, i) + at(pull, i) * change;
-        const L w = at(guess, i + 1) - gain * (change_r - change);
-        put(guess, i + 1, w);
-        fill(i + 1, courant * (at(face, i + 1) * (lambda * w + (1 - lambda) * u)));
+    // Numbers of N lines, those of place i together at i * step.
+    struct Rows {
+        const T* first;
+        size_t step;
+
+        L operator[](size_t i) const { return L::load(first + i * step); }
+    };
+
+    const WaterAxis& axis;
+    const WaterLines<T>& lines;
+    Place place;
+    size_t n;
+    bool upright; // neighbours across the lines lie side by side in memory
+    double* free; // to work with
+    Found* const found = panel<Found>(1);
+    T *const after = panel<T>(N), *const keeps = panel<T>(N); // depths and velocities at last
+
+    template <class S> S* panel(size_t per_place) {
+        S* const first = reinterpret_cast<S*>(free);
+        free += ((n + 2) * per_place * sizeof(S) + sizeof(double) - 1) / sizeof(double);
+        return first;
     }
-    fill(0, L{});
-    if (any_positive(wild)) return false;
-    for (size_t i : {size_t(0), n}) put(guess, i, L{});
-    std::swap(velocity, guess);
-    tally[kSolves] = one;
-    return true;
-}
+    // N at `from`, `count` numbers along each line.
+    Rows rows(const T* from, size_t count) {
+        const size_t at = place.at(0, 0);
+        if (upright) return {from + at, place.along};
+        T* const turned = panel<T>(N);
+        turn(N, count, from + at, place.across, turned, N);
+        return {turned, N};
+    }
+    void put_back(const T* from, size_t count, T* to) const {
+        to += place.at(0, 0);
+        if (!upright) return turn(count, N, from, N, to, place.across);
+        for (size_t i = 0; i < count; ++i) memcpy(to + i * place.along, from + i * N, N * sizeof(T));
+    }
+
+    double wave() const { return axis.gravity * axis.courant * axis.courant; }
+
+    const Rows bed = rows(lines.bed, n), depth = rows(lines.depth, n), velocity = rows(lines.velocity, n + 1);
+
+    // Faces as they will be if the surface stays as it is, and the elimination (see solve_rows). False: not calm.
+    bool go_right() const {
+        const Rows bed = this->bed, depth = this->depth, velocity = this->velocity; // which nothing that is written is
+        Found* const found = this->found;
+        const size_t last = n - 1;
+        const double courant = axis.courant, lambda = axis.lambda, wave_gain = axis.gravity * courant;
+        const L one = L::splat(1), gain = L::splat(wave_gain * lambda);
+        L b = bed[0], d = depth[0], l{}, from_l{}, y{}, e = one;
+        Extreme shallowest = least_of(d), clearance = least_of(one), deepest{}, fastest{};
+        const auto eliminate = [&](size_t i, L r, L to_r) {
+            const L grounded = one + l * e, inverse = one / (grounded + r);
+            y = ((from_l - to_r) + l * y) * inverse;
+            e = grounded * inverse;
+            y.store(found[i].change);
+            (r * inverse).store(found[i].pull);
+            l = r, from_l = to_r;
+        };
+        const auto wild = [&] {
+            const Extreme unit = least_of(one), closed = larger(-clearance, select(shallowest, Extreme{}, unit));
+            return any_positive(larger(closed, larger(wave() * deepest - kLongStep * unit, fastest - unit)));
+        };
+        for (size_t i = 0; i < last; ++i) {
+            const L b_r = bed[i + 1], d_r = depth[i + 1], u = velocity[i + 1];
+            const L up = b_r - b, more = d_r - d, mean = 0.5 * (d + d_r), cells = courant * u;
+            shallowest = smaller(least_of(d_r), shallowest), deepest = larger(largest_of(mean), deepest);
+            clearance = smaller(least_of(smaller(d_r + up, d - up)), clearance);
+            fastest = larger(largest_of(size_of(cells)), fastest);
+            const L h = mean - 0.5 * (cells * more), w = u + -(wave_gain * (up + more));
+            h.store(found[i + 1].face);
+            w.store(found[i + 1].guess);
+            eliminate(i, (courant * lambda) * (gain * h), courant * (h * (lambda * w + (1 - lambda) * u)));
+            b = b_r, d = d_r;
+            if (i % 64 == 63 && wild()) return false;
+        }
+        eliminate(last, L{}, L{});
+        return !wild();
+    }
+
+    // The surface, what it moves, and what is left of it in cells and on faces. False: not calm.
+    bool go_left(L& probe) const {
+        const Rows depth = this->depth, velocity = this->velocity;
+        const Found* const found = this->found;
+        T *const after = this->after, *const keeps = this->keeps;
+        const size_t n = this->n;
+        const double courant = axis.courant, lambda = axis.lambda;
+        const L gain = L::splat(axis.gravity * courant * lambda), none{};
+        Rounding<N, T> rounding;
+        Extreme fastest{}, deepest{}, shallowest = least_of(L::splat(1e300)), most_owed{};
+        L x = L::load(found[n - 1].change), out{}, back{},
+          finite{};                                        // what goes through the face behind, and comes back
+        const auto fill = [&](size_t i, L in, L back_in) { // see left_in
+            const L left = ((depth[i] + (in + back)) - out) - back_in;
+            deepest = larger(largest_of(left), deepest);
+            L stored = left;
+            if constexpr (sizeof(T) < sizeof(double)) { // as Rounding does where all is deeper than what is owed
+                const L exact = left + rounding.owed;
+                stored = exact.template rounded_to<T>();
+                rounding.owed = exact - stored;
+                most_owed = larger(largest_of(size_of(rounding.owed)), most_owed);
+            }
+            shallowest = smaller(least_of(stored), shallowest);
+            stored.store(after + i * N);
+            out = in, back = back_in;
+        };
+        for (size_t i = n - 1; i > 0; --i) {
+            const L x_r = x, u = velocity[i];
+            x = L::load(found[i - 1].change) + L::load(found[i - 1].pull) * x_r;
+            const L w = L::load(found[i].guess) - gain * (x_r - x);
+            const L through = courant * (L::load(found[i].face) * (lambda * w + (1 - lambda) * u));
+            const L kept = settled_number<T>(w, finite);
+            fastest = larger(largest_of(size_of(kept)), fastest);
+            kept.store(keeps + i * N);
+            fill(i, positive(through), positive(-through));
+        }
+        fill(0, none, none);
+        for (size_t i : {size_t(0), n}) none.store(keeps + i * N);
+        probe = finite;
+        const Extreme least = larger(16 * most_owed, least_of(L::splat(double(Limits<T>::least))));
+        const Extreme most = least_of(L::splat(kDeepest)), one = least_of(L::splat(1));
+        const Extreme very_long = wave() * deepest - kVeryLongStep * one,
+                      strange = larger(least - shallowest, deepest - most);
+        if (any_positive(larger(strange, very_long))) return false;
+        const Extreme rushing = fastest * fastest - (axis.gravity / 4) * shallowest;
+        if (any_positive(smaller((1 + 0x1p-20) * wave() * deepest - one, rushing)) && rushes()) return false;
+        if constexpr (sizeof(T) < sizeof(double)) rounding.shallowest = L::splat(least_in(shallowest));
+        rounding.hand_back(n, after);
+        return true;
+    }
+
+    // Whether water may rush anywhere so that newcomers slow it (see slowed_by_newcomers). Depths are rounded already.
+    bool rushes() const {
+        L any{};
+        for (size_t i = 1; i < n; ++i) {
+            const L u = L::load(keeps + i * N), d = larger(L::load(after + (i - 1) * N), L::load(after + i * N));
+            any = larger(any, smaller(1.25 * wave() * d - L::splat(1), u * u - (axis.gravity / 4) * d));
+        }
+        return any_positive(any);
+    }
+
+    static constexpr double kDeepest = 0x1p100; // far from where anything overflows
+
+public:
+    // The lines from `first` on, N of them; work: as for sweep_water.
+    CalmLines(const WaterAxis& a, const WaterLines<T>& all, size_t first, double* work)
+        : axis(a),
+          lines(all),
+          place{all.along, all.across, first, N},
+          n(a.cells),
+          upright(N == 1 || all.across == 1),
+          free(work) {}
+
+    // Whether lines along the axis can be calm.
+    static bool may_be(const WaterAxis& axis, const WaterLines<T>& lines) {
+        const bool walled = axis.end[0].kind == End::kWall && axis.end[1].kind == End::kWall;
+        const bool plain = !axis.advected && axis.corrections == 0 && !axis.rubs() && axis.lambda > 0;
+        return walled && plain && !lines.mask && !lines.wall && !lines.force && !lines.pressure && !lines.held;
+    }
+
+    // Makes the step if all of the lines are calm, else leaves them as they are. finite: false if a number left the
+    // finite range.
+    bool step(bool& finite) const {
+        L probe{};
+        if (!go_right() || !go_left(probe)) return false;
+        put_back(after, n, lines.depth);
+        put_back(keeps, n + 1, lines.velocity);
+        for (size_t k = place.first; k < place.first + N; ++k)
+            for (size_t t = 0; t < kTallies; ++t) lines.tally[k * kTallies + t] = t == kSolves ? 1 : 0;
+        finite &= !probe.any_nan();
+        return true;
+    }
+};
 
 } // namespace CD_ISA
 } // namespace cd

@@ -151,11 +151,8 @@ template <int N> struct WaterLine {
         for (size_t i = 0; i <= n; ++i) settle_face(i);
     }
 
-    bool step_calm(); // water_calm.hh: the same for most lines; false, and nothing has changed, for others
-
     // A sweep's whole step.
     void step() {
-        if (step_calm()) return;
         alone = true;
         look();
         for (size_t i = 0; i <= n && axis.corrections > 1; ++i) put(start_face, i, at(face, i));
@@ -180,7 +177,6 @@ template <int N> struct WaterLine {
 } // namespace CD_ISA
 } // namespace cd
 
-#include "kernel/water_calm.hh"
 #include "kernel/water_faces.hh"
 #include "kernel/water_limit.hh"
 #include "kernel/water_momentum.hh"

@@ -65,13 +65,13 @@ template <int N, class T> void settle(size_t count, double* panel, Lanes<N>& pro
     for (size_t i = 0; i < count; ++i) settled_number<T>(Lanes<N>::load(panel + i * N), probe).store(panel + i * N);
 }
 
-// Depths as they will be stored. What rounding takes from a cell the next wet one of the line gets, and the other way
-// round; what is left at its end goes back, until a cell shallow enough for it is found. So a line that gains and loses
-// nothing keeps its water to the last place of its shallowest cell.
+// Depths as they will be stored, from the last cell of a line to the first. What rounding takes from a cell the next wet
+// one gets, and the other way round; what is left at the end goes back, until a cell shallow enough for it is found. So
+// a line that gains and loses nothing keeps its water to the last place of its shallowest cell.
 template <int N, class T> struct Rounding;
 template <int N> struct Rounding<N, double> {
     Lanes<N> operator()(Lanes<N> d) { return d; }
-    void hand_back(size_t, double*) {}
+    template <class S> void hand_back(size_t, S*) {}
 };
 template <int N> struct Rounding<N, float> {
     using L = Lanes<N>;
@@ -84,14 +84,14 @@ template <int N> struct Rounding<N, float> {
         shallowest = select(stored, smaller(stored, shallowest), shallowest);
         return stored;
     }
-    void hand_back(size_t cells, double* depth) {
+    template <class S> void hand_back(size_t cells, S* depth) {
         // Not where even the shallowest cell is too deep for it, as in most water.
         const L bit_more = (1 + 0x1p-20) * owed, d = shallowest;
         const L more = size_of((d + bit_more).template rounded_to<float>() - d);
         const L less = size_of((d - bit_more).template rounded_to<float>() - d);
         if (!any_positive(larger(more, less))) return;
-        for (size_t i = cells; i-- > 0;) {
-            if (i % 16 == 15 && !any_positive(size_of(owed))) return;
+        for (size_t i = 0; i < cells; ++i) {
+            if (i % 16 == 0 && !any_positive(size_of(owed))) return;
             (*this)(L::load(depth + i * N)).store(depth + i * N);
         }
     }
@@ -100,10 +100,9 @@ template <int N> struct Rounding<N, float> {
 // The state after a step, as it will be stored.
 template <int N, class T> void settle_state(size_t cells, double* depth, double* velocity, Lanes<N>& probe) {
     Rounding<N, T> rounding;
-    for (size_t i = 0; i <= cells; ++i) {
-        settled_number<T>(Lanes<N>::load(velocity + i * N), probe).store(velocity + i * N);
-        if (i < cells) rounding(settled_number<T>(Lanes<N>::load(depth + i * N), probe)).store(depth + i * N);
-    }
+    settle<N, T>(cells + 1, velocity, probe);
+    for (size_t i = cells; i-- > 0;)
+        rounding(settled_number<T>(Lanes<N>::load(depth + i * N), probe)).store(depth + i * N);
     rounding.hand_back(cells, depth);
 }
 
@@ -178,11 +177,13 @@ template <class T> struct WaterBundles {
     }
 };
 
-// work.bundle<N>(its first line) for each of [first, first + count); whether all came out finite.
+// work.bundle<N>(its first line) for what lies in packs [first, first + count); whether all came out finite.
 template <class Work> bool in_bundles(const Work& work, size_t lines, size_t first, size_t count) {
+    if (lines == 1) return work.template bundle<1>(0);
+    const size_t end = (first + count) * kWaterPack < lines ? (first + count) * kWaterPack : lines;
     bool finite = true;
-    for (size_t b = first; b < first + count; ++b)
-        finite &= lines == 1 ? work.template bundle<1>(b) : work.template bundle<int(kWaterLanes)>(b * kWaterLanes);
+    for (size_t line = first * kWaterPack; line < end; line += kWaterLanes)
+        finite &= work.template bundle<int(kWaterLanes)>(line);
     return finite;
 }
 

@@ -1,7 +1,7 @@
 // Sweeps of a water's lines, alternating: all of a step along an axis at once. A bundle is as wide as the widest
 // register whatever the instruction set, so that its lines share nothing but the way to memory; lanes that no line
 // fills are dry land.
-#include "kernel/water_panels.hh"
+#include "kernel/water_calm.hh"
 
 namespace cd {
 namespace CD_ISA {
@@ -92,7 +92,18 @@ template <class T> struct Carry {
 
 template <class T>
 bool sweep_water(const WaterAxis& axis, const WaterLines<T>& lines, double* work, size_t first, size_t count) {
-    return in_bundles(Sweep<T>{{axis, lines, work}}, lines.lines, first, count);
+    const Sweep<T> sweep{{axis, lines, work}};
+    if (!CalmLines<1, T>::may_be(axis, lines)) return in_bundles(sweep, lines.lines, first, count);
+    bool finite = true;
+    if (lines.lines == 1)
+        return CalmLines<1, T>(axis, lines, 0, work).step(finite) ? finite : sweep.template bundle<1>(0);
+    const size_t end = (first + count) * kWaterPack < lines.lines ? (first + count) * kWaterPack : lines.lines;
+    for (size_t line = first * kWaterPack, most; line < end; line += most) {
+        most = end - line < kCalmLanes ? end - line : size_t(kCalmLanes);
+        if (most == kCalmLanes && CalmLines<kCalmLanes, T>(axis, lines, line, work).step(finite)) continue;
+        for (size_t k = 0; k < most; k += kWaterLanes) finite &= sweep.template bundle<int(kWaterLanes)>(line + k);
+    }
+    return finite;
 }
 
 template <class T> bool carry_across(const WaterCarried<T>& carried, double* work, size_t first, size_t count) {

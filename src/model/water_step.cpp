@@ -66,8 +66,8 @@ WaterWork::WaterWork(const Water& w, const WaterFeatures& f, Carver& coefficient
     scratch.fits = scratch.fits && task_size(w, per_task);
     size_t most = 1;
     for (Axis a : {kX, kY}) {
-        const size_t bundles = water_bundles(lines_of(w, a));
-        tasks[a] = !f.parallel ? 1 : bundles < kMostTasks ? bundles : kMostTasks;
+        const size_t packs = water_packs(lines_of(w, a));
+        tasks[a] = !f.parallel ? 1 : packs < kMostTasks ? packs : kMostTasks;
         most = tasks[a] > most ? tasks[a] : most;
     }
     size_t size = 0, lines = w.cells[kX] > w.cells[kY] ? w.cells[kX] : w.cells[kY];

@@ -45,11 +45,11 @@ template <class T> struct WaterStepper {
     size_t stride(Axis a) const { return a == kX ? 1 : w.pitch; }
     size_t byte_stride(Axis a) const { return a == kX ? 1 : w.cells[kX] + 1; }
 
-    // body(where to work, first bundle, count) for all bundles of lines, which says whether all came out finite.
+    // body(where to work, first pack, count) for all packs of lines, which says whether all came out finite.
     template <class Body> void in_tasks(Axis a, size_t lines, const Body& body) {
-        const size_t bundles = water_bundles(lines), tasks = work.tasks[a] < bundles ? work.tasks[a] : bundles;
+        const size_t packs = water_packs(lines), tasks = work.tasks[a] < packs ? work.tasks[a] : packs;
         auto task = [&](size_t t) {
-            const size_t first = bundles * t / tasks, end = bundles * (t + 1) / tasks;
+            const size_t first = packs * t / tasks, end = packs * (t + 1) / tasks;
             if (!body(work.task + t * work.per_task, first, end - first))
                 __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
         };
@@ -133,8 +133,8 @@ template <class T> struct WaterStepper {
                                       wall ? wall + byte_here : nullptr,
                                       byte_stride(a),
                                       byte_stride(across)};
-        in_tasks(a, count, [&](double* place, size_t from, size_t bundles) {
-            return kernels().carry_across(carried, place, from, bundles);
+        in_tasks(a, count, [&](double* place, size_t from, size_t packs) {
+            return kernels().carry_across(carried, place, from, packs);
         });
     }
 
