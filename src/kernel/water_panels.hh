@@ -90,9 +90,17 @@ template <int N> struct Rounding<N, float> {
         const L more = size_of((d + bit_more).template rounded_to<float>() - d);
         const L less = size_of((d - bit_more).template rounded_to<float>() - d);
         if (!any_positive(larger(more, less))) return;
-        for (size_t i = 0; i < cells; ++i) {
-            if (i % 16 == 0 && !any_positive(size_of(owed))) return;
-            (*this)(L::load(depth + i * N)).store(depth + i * N);
+        constexpr size_t kBlock = 16; // in which all lanes look for such a cell at once
+        for (size_t first = 0; first < cells; first += kBlock) {
+            const size_t end = first + kBlock < cells ? first + kBlock : cells;
+            L takes{};
+            for (size_t i = first; i < end; ++i) {
+                const L here = L::load(depth + i * N);
+                takes = larger(size_of((here + owed).template rounded_to<float>() - here), takes);
+            }
+            if (!any_positive(takes)) continue;
+            for (size_t i = first; i < end; ++i) (*this)(L::load(depth + i * N)).store(depth + i * N);
+            if (!any_positive(size_of(owed))) return;
         }
     }
 };

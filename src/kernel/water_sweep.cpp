@@ -90,18 +90,28 @@ template <class T> struct Carry {
 
 } // namespace
 
+// Whether the lines from `line` on were N calm ones, and have made their step.
+template <int N, class T> bool sweep_calm(const WaterAxis& axis, const WaterLines<T>& lines, double* work, size_t& line,
+                                          size_t end, bool& finite) {
+    if (end - line < N || !CalmLines<N, T>(axis, lines, line, work).step(finite)) return false;
+    line += N;
+    return true;
+}
+
 template <class T>
 bool sweep_water(const WaterAxis& axis, const WaterLines<T>& lines, double* work, size_t first, size_t count) {
     const Sweep<T> sweep{{axis, lines, work}};
     if (!CalmLines<1, T>::may_be(axis, lines)) return in_bundles(sweep, lines.lines, first, count);
-    bool finite = true;
-    if (lines.lines == 1)
-        return CalmLines<1, T>(axis, lines, 0, work).step(finite) ? finite : sweep.template bundle<1>(0);
     const size_t end = (first + count) * kWaterPack < lines.lines ? (first + count) * kWaterPack : lines.lines;
-    for (size_t line = first * kWaterPack, most; line < end; line += most) {
-        most = end - line < kCalmLanes ? end - line : size_t(kCalmLanes);
-        if (most == kCalmLanes && CalmLines<kCalmLanes, T>(axis, lines, line, work).step(finite)) continue;
-        for (size_t k = 0; k < most; k += kWaterLanes) finite &= sweep.template bundle<int(kWaterLanes)>(line + k);
+    bool finite = true;
+    for (size_t line = first * kWaterPack; line < end;) {
+        if (sweep_calm<kCalmLanes>(axis, lines, work, line, end, finite)) continue;
+        if (kCalmLanes > 8 && sweep_calm<8>(axis, lines, work, line, end, finite)) continue;
+        if (end - line <= 4 && sweep_calm<1>(axis, lines, work, line, end, finite))
+            continue; // few: one by one is faster
+        if (lines.lines == 1) return sweep.template bundle<1>(0);
+        finite &= sweep.template bundle<int(kWaterLanes)>(line);
+        line += kWaterLanes;
     }
     return finite;
 }

@@ -35,7 +35,7 @@
 {6, 16, 7, {0x990590820a1d102e, 0xc25ccb156a01b079}}, /* forward */
 {6, 2, 16, {0xa698f90a88ab98fd, 0x6e1245d680165b2c}}, /* forward */
 {7, 13, 9, {0xa8a1d2e3d5a78dff, 0x28c3ed99251efc5f}}, /* tide */
-{7, 1, 17, {0x20c92c34d7bceb95, 0xc20c8667f3c4ad13}}, /* tide */
+{7, 1, 17, {0xd1af62a482527ccc, 0xc20c8667f3c4ad13}}, /* tide */
 {7, 17, 1, {0x1a9b16aac865888c, 0xb4972d8b8a1349c0}}, /* tide */
 {7, 16, 7, {0x0d2effc78c721d1b, 0x140eecd3cca27d15}}, /* tide */
 {7, 2, 16, {0xdf4466f15705aed6, 0x179f7892123c6c11}}, /* tide */
