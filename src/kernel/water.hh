@@ -44,6 +44,13 @@ template <class T> struct WaterLines {
     double* tally;        // out: kTallies numbers per line
 };
 
+// Whether such lines can be calm: linear, between walls, with nothing that pushes, rubs or closes faces.
+template <class T> bool may_be_calm(const WaterAxis& axis, const WaterLines<T>& lines) {
+    const bool walled = axis.end[0].kind == End::kWall && axis.end[1].kind == End::kWall;
+    const bool plain = !axis.advected && axis.corrections == 0 && !axis.rubs() && axis.lambda > 0;
+    return walled && plain && !lines.mask && !lines.wall && !lines.force && !lines.pressure;
+}
+
 // What a line lets in and out at its ends, what had to be held back, all as depths [m], and in how many cells.
 enum WaterTally { kIn, kOut, kHeldBack, kLimited, kSolves, kTallies };
 
@@ -72,6 +79,19 @@ struct WaterCells {
     size_t columns, rows, pitch;
     bool ring[2];
     double* transfer[2];
+};
+
+// Along a row of cells that are filled at once, rounding is handed on in so many chains, whatever the width of a register.
+constexpr size_t kRowChains = 8;
+inline double sum_of_chains(const double* c) {
+    return ((c[0] + c[1]) + (c[2] + c[3])) + ((c[4] + c[5]) + (c[6] + c[7]));
+}
+
+// A water's cells, what of it an explicit step needs, and where its results go, laid out like the state.
+template <class T> struct WaterGrid {
+    size_t columns, rows, pitch;
+    const T *bed, *depth, *velocity[2];
+    T *next_depth, *next_velocity[2];
 };
 
 // Lines that are worked on side by side, and the panels of numbers they need for it; lines that are handed out together.
@@ -103,6 +123,11 @@ template <class T>
 void share_water(const WaterCells& cells, const T* depth, double* share, double* tally, size_t first, size_t count);
 void limit_water(const WaterCells& cells, const double* share, size_t first, size_t count);
 template <class T> bool fill_water(const WaterCells& cells, T* depth, double* held, size_t first, size_t count);
+
+// An explicit step of calm water (water_leap.cpp), rows [first, first + count); axis: x and y; through and before: rows
+// of faces, to work with. False: it is not calm, and the results are none.
+template <class T> bool leap_water(const WaterAxis* axis, const WaterGrid<T>& grid, double* through, double* before,
+                                   size_t first, size_t count);
 
 } // namespace CD_ISA
 

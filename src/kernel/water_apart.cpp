@@ -141,24 +141,31 @@ void limit_water(const WaterCells& w, const double* share, size_t first, size_t 
     }
 }
 
+// What rounding takes from a cell another one of its row gets, kRowChains further; what is left of all the chains, the
+// last. Every row has its own, so that it does not matter which rows lie beside it.
 template <class T> bool fill_water(const WaterCells& w, T* depth, double* held, size_t first, size_t count) {
     double probe = 0; // NaN once a depth is too large
     const auto split = [](double a, double& in, double& out) { (a > 0 ? in : out) += a > 0 ? a : -a; };
+    const auto put = [&](T& d, double now, double& owed) { // see Rounding
+        const bool takes = now + 2 * owed > 0 && now > 0;
+        const double exact = takes ? now + owed : now;
+        probe += 0.0 * (Limits<T>::to_overflow * exact);
+        d = T(exact < double(Limits<T>::least) ? 0 : exact);
+        owed = (takes ? 0 : owed) + (exact - double(d));
+    };
     for (size_t j = first; j < first + count; ++j) {
         const double *const x = w.transfer[0] + j * w.pitch, *const y = w.transfer[1] + j * w.pitch;
-        double owed = 0; // see Rounding
+        T* const row = depth + j * w.pitch;
+        double owed[kRowChains] = {};
         for (size_t i = 0; i < w.columns; ++i) {
             double in = 0, out = 0;
             split(x[i], in, out), split(-x[i + 1], in, out), split(y[i], in, out), split(-y[i + w.pitch], in, out);
-            T& d = depth[j * w.pitch + i];
-            const double was = double(d), now = (was + in) - out, least = double(Limits<T>::least);
-            const bool takes = now + 2 * owed > 0 && now > 0;
-            const double exact = takes ? now + owed : now;
-            probe += 0.0 * (Limits<T>::to_overflow * exact);
-            d = T(exact < least ? 0 : exact);
-            owed = (takes ? 0 : owed) + (exact - double(d));
+            const double was = double(row[i]);
             if (held) held[j * w.pitch + i] = was;
+            put(row[i], (was + in) - out, owed[i % kRowChains]);
         }
+        double rest = sum_of_chains(owed);
+        put(row[w.columns - 1], double(row[w.columns - 1]), rest);
     }
     return probe == probe;
 }

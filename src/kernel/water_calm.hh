@@ -175,13 +175,6 @@ public:
           upright(N == 1 || all.across == 1),
           free(work) {}
 
-    // Whether lines along the axis can be calm.
-    static bool may_be(const WaterAxis& axis, const WaterLines<T>& lines) {
-        const bool walled = axis.end[0].kind == End::kWall && axis.end[1].kind == End::kWall;
-        const bool plain = !axis.advected && axis.corrections == 0 && !axis.rubs() && axis.lambda > 0;
-        return walled && plain && !lines.mask && !lines.wall && !lines.force && !lines.pressure && !lines.held;
-    }
-
     // Makes the step if all of the lines are calm, else leaves them as they are. finite: false if a number left the
     // finite range.
     bool step(bool& finite) const {

@@ -101,7 +101,7 @@ template <int N, class T> bool sweep_calm(const WaterAxis& axis, const WaterLine
 template <class T>
 bool sweep_water(const WaterAxis& axis, const WaterLines<T>& lines, double* work, size_t first, size_t count) {
     const Sweep<T> sweep{{axis, lines, work}};
-    if (!CalmLines<1, T>::may_be(axis, lines)) return in_bundles(sweep, lines.lines, first, count);
+    if (!may_be_calm(axis, lines)) return in_bundles(sweep, lines.lines, first, count);
     const size_t end = (first + count) * kWaterPack < lines.lines ? (first + count) * kWaterPack : lines.lines;
     bool finite = true;
     for (size_t line = first * kWaterPack; line < end;) {

@@ -60,7 +60,43 @@ template <class T> static void solve_surface(WaterStepper<T>& s) {
     ++w.factorizations;
 }
 
+// An explicit step as calm water makes it, with the planes as its place to work; false: it is not calm, and has not moved.
+template <class T> static bool leap(const WaterStepper<T>& s) {
+    Water& w = s.w;
+    const WaterAxis axis[] = {s.axis_of_step(kX), s.axis_of_step(kY)};
+    for (Axis a : {kX, kY})
+        if (!may_be_calm(axis[a], s.lines_along(a))) return false;
+    const WaterPlanes* const planes = s.work.both.planes;
+    T *const depth = numbers<T>(w.depth), *const u = numbers<T>(w.velocity[kX]), *const v = numbers<T>(w.velocity[kY]);
+    const WaterGrid<T> grid{w.cells[kX],
+                            w.cells[kY],
+                            w.pitch,
+                            numbers<T>(w.bed),
+                            depth,
+                            {u, v},
+                            reinterpret_cast<T*>(planes[kX].velocity),
+                            {reinterpret_cast<T*>(planes[kX].guess), reinterpret_cast<T*>(planes[kY].guess)}};
+    bool calm = true;
+    in_rows(w, grid.rows, [&](size_t first, size_t count) {
+        double *const through = planes[kX].transfer + first * w.pitch, *const before =
+                                                                           planes[kY].transfer + first * w.pitch;
+        if (!s.kernels().leap(axis, grid, through, before, first, count))
+            __atomic_store_n(&calm, false, __ATOMIC_RELAXED);
+    });
+    if (!calm) return false;
+    in_rows(w, grid.rows, [&](size_t first, size_t count) {
+        for (size_t at = first * w.pitch; at < (first + count) * w.pitch; at += w.pitch) {
+            memcpy(depth + at, grid.next_depth + at, grid.columns * sizeof(T));
+            memcpy(u + at, grid.next_velocity[kX] + at, (grid.columns + 1) * sizeof(T));
+            memcpy(v + at, grid.next_velocity[kY] + at, grid.columns * sizeof(T));
+        }
+    });
+    memset(v + grid.rows * w.pitch, 0, grid.columns * sizeof(T));
+    return true;
+}
+
 template <class T> void WaterStepper<T>::step_together() {
+    if (!work.coupled && leap(*this)) return;
     WaterTogether& both = work.both;
     const size_t rows = w.cells[kY];
     const WaterCells cells{w.cells[kX],

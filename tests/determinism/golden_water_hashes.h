@@ -14,21 +14,21 @@
 {2, 17, 1, {0x52603b80571410ef, 0x4b659469ca27662a}}, /* flood */
 {2, 16, 7, {0xa2d5dc14f5de7913, 0xcb4ec34fdb52126e}}, /* flood */
 {2, 2, 16, {0x9379b7cd3b70c9c2, 0x020d7f258ab66218}}, /* flood */
-{3, 13, 9, {0xdf401f83e0139ed6, 0x1c8eb6a00154717c}}, /* coupled */
+{3, 13, 9, {0x267cf267e9224123, 0x1c8eb6a00154717c}}, /* coupled */
 {3, 1, 17, {0x5c58421e823a19ab, 0xd0f14b4e62a891c5}}, /* coupled */
-{3, 17, 1, {0x71bd071fbc3fe505, 0xdafee58e42d3fdfd}}, /* coupled */
-{3, 16, 7, {0x2a8c71530039de3f, 0xdf0c1de4ed194f97}}, /* coupled */
-{3, 2, 16, {0xefcc15acf1a0b536, 0x052d23f8966549a5}}, /* coupled */
-{4, 13, 9, {0x489c31944a66b784, 0xa036c297022930b0}}, /* coupled, advected */
+{3, 17, 1, {0x9a5ed2bcd33c8aaa, 0xdafee58e42d3fdfd}}, /* coupled */
+{3, 16, 7, {0xb597e54e697f151a, 0xdf0c1de4ed194f97}}, /* coupled */
+{3, 2, 16, {0x75e6c95d6a179f6e, 0x052d23f8966549a5}}, /* coupled */
+{4, 13, 9, {0xed7535631a80cf7c, 0xa036c297022930b0}}, /* coupled, advected */
 {4, 1, 17, {0x64e9f27b6574a990, 0x647b627f88dc7875}}, /* coupled, advected */
-{4, 17, 1, {0x5e94b4f0c843e093, 0x160420fda2a1ef9f}}, /* coupled, advected */
-{4, 16, 7, {0x52062d6190beea74, 0x62571a035a26baba}}, /* coupled, advected */
+{4, 17, 1, {0x2808b6237ffcfc49, 0x160420fda2a1ef9f}}, /* coupled, advected */
+{4, 16, 7, {0x7fbbeada43e12d17, 0x62571a035a26baba}}, /* coupled, advected */
 {4, 2, 16, {0x9b688d5f36e7a019, 0x7d248581d9d0061b}}, /* coupled, advected */
-{5, 13, 9, {0xb16a029e51ef00ce, 0x80c3ef997b8ec468}}, /* explicit */
+{5, 13, 9, {0xbab4e62306c5f358, 0x80c3ef997b8ec468}}, /* explicit */
 {5, 1, 17, {0x9f7b5526b245474e, 0x00ca7bcf66f4ac98}}, /* explicit */
-{5, 17, 1, {0xab2c7c1d392f81a2, 0x239501211c808804}}, /* explicit */
-{5, 16, 7, {0x6310e3bf4db6ded6, 0xc427b910646f13ac}}, /* explicit */
-{5, 2, 16, {0xb34f888b81459f2e, 0xa85e42e7a8d2cd4f}}, /* explicit */
+{5, 17, 1, {0x98d61892e11fdac6, 0x239501211c808804}}, /* explicit */
+{5, 16, 7, {0xb9b9640e9436eedb, 0xc427b910646f13ac}}, /* explicit */
+{5, 2, 16, {0xa5e5305d98062da4, 0xa85e42e7a8d2cd4f}}, /* explicit */
 {6, 13, 9, {0x35bf0059b3db77b1, 0x7b2a5e2cb981b972}}, /* forward */
 {6, 1, 17, {0x6b9ed68bc83dda7b, 0xb834c23b6304cfa7}}, /* forward */
 {6, 17, 1, {0xc1f0dc0f0b8a006d, 0x9852970dc04e34a3}}, /* forward */
@@ -69,8 +69,8 @@
 {13, 17, 1, {0x54eb40cb0a14d49c, 0xbd4c3568bd2dea81}}, /* everything, large steps */
 {13, 16, 7, {0x996ef2af3502abac, 0xda3f97e1cc07b5b7}}, /* everything, large steps */
 {13, 2, 16, {0xd3e7ad3311682ad3, 0xc2dbdd5a7f2794b0}}, /* everything, large steps */
-{14, 13, 9, {0x2fa2c194fe244f04, 0x0262bebf22d50c88}}, /* everything, coupled */
+{14, 13, 9, {0x17f958e616924a4e, 0x0262bebf22d50c88}}, /* everything, coupled */
 {14, 1, 17, {0xc0eac51222971932, 0xc8f3dd4e642bf14a}}, /* everything, coupled */
-{14, 17, 1, {0x57a86662e4425ab4, 0xbd997333f0302fe2}}, /* everything, coupled */
-{14, 16, 7, {0x6fd370f9b7648c42, 0xe82af208de3db4fb}}, /* everything, coupled */
-{14, 2, 16, {0x3b4c3b76ab0aede9, 0x503c939eea2ce510}}, /* everything, coupled */
+{14, 17, 1, {0x33d77e94a47ab464, 0xbd997333f0302fe2}}, /* everything, coupled */
+{14, 16, 7, {0xf60ed0591935f471, 0xe82af208de3db4fb}}, /* everything, coupled */
+{14, 2, 16, {0x67a1ef4c31cc4cfc, 0x503c939eea2ce510}}, /* everything, coupled */

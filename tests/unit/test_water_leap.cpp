@@ -1,0 +1,100 @@
+// An explicit step of calm water gives the same bits as the one for all water, with the kernels of every instruction
+// set; and water that is not calm does not take it.
+extern "C" {
+#include "cmocka_all.h"
+}
+#include <math.h>
+
+#include <vector>
+
+#include "contdyn/water.h"
+#include "model/water.hh"
+
+namespace {
+
+size_t leaps, tries;
+cd::Kernels with_leap, without;
+
+template <class T> bool counted(const cd::WaterAxis* axis, const cd::WaterGrid<T>& grid, double* through,
+                                double* before, size_t first, size_t count) {
+    bool leapt;
+    if constexpr (sizeof(T) == sizeof(float)) leapt = without.water32.leap(axis, grid, through, before, first, count);
+    else leapt = without.water64.leap(axis, grid, through, before, first, count);
+    ++tries, leaps += leapt;
+    return leapt;
+}
+template <class T> bool never(const cd::WaterAxis*, const cd::WaterGrid<T>&, double*, double*, size_t, size_t) {
+    return false;
+}
+
+struct Shape {
+    size_t nx, ny;
+};
+
+struct Scene {
+    const char* name;
+    double bed, depth, waves, dt; // bed: its height; waves: of the depth
+    bool calm;
+};
+
+cd_water* water_of(const Scene& scene, const Shape& shape, cd_precision precision, const cd::Kernels* kernels) {
+    cd_water* water = nullptr;
+    assert_int_equal(cd_water_create(shape.nx, shape.ny, 0.5, 0.4, precision, nullptr, &water), CD_OK);
+    assert_int_equal(cd_water_set_method(water, CD_METHOD_SYMPLECTIC_EULER), CD_OK);
+    std::vector<double> bed, depth;
+    for (size_t j = 0; j < shape.ny; ++j)
+        for (size_t i = 0; i < shape.nx; ++i) {
+            const double x = double(i) / double(shape.nx), y = double(j) / double(shape.ny);
+            bed.push_back(scene.bed * (x + 0.5 * y * y));
+            const double surface = scene.depth * (1 + scene.waves * sin(9 * x + 3) * cos(7 * y)) - bed.back();
+            depth.push_back(surface > 0 ? surface : 0);
+        }
+    assert_int_equal(cd_water_write_f64(water, CD_BED, 0, 0, shape.nx, shape.ny, bed.data(), bed.size()), CD_OK);
+    assert_int_equal(cd_water_write_f64(water, CD_DEPTH, 0, 0, shape.nx, shape.ny, depth.data(), depth.size()), CD_OK);
+    reinterpret_cast<cd::Water*>(water)->kernels = kernels;
+    return water;
+}
+
+uint64_t run(const Scene& scene, const Shape& shape, cd_precision precision, const cd::Kernels* kernels) {
+    cd_water* const water = water_of(scene, shape, precision, kernels);
+    assert_int_equal(cd_water_step(water, scene.dt, 50), CD_OK);
+    uint64_t hash = 0;
+    assert_int_equal(cd_water_hash(water, &hash), CD_OK);
+    cd_water_destroy(water);
+    return hash;
+}
+
+void an_explicit_step_has_the_same_bits_either_way(void**) {
+    static const Shape shapes[] = {{1, 1}, {1, 7}, {7, 1}, {2, 2}, {31, 17}, {64, 9}, {300, 20}, {523, 3}};
+    static const Scene scenes[] = {{"waves", 0.5, 1, 0.05, 0.03, true},
+                                   {"a steeper bed", 0.9, 1.5, 0.02, 0.02, true},
+                                   {"a beach", 2, 1, 0.05, 0.02, false},
+                                   {"too long a step", 0, 10, 0.01, 0.06, false}};
+    const cd::Kernels* sets[cd::kKernelSets];
+    const size_t count = cd::runnable_kernels(sets);
+    for (size_t k = 0; k < count; ++k)
+        for (const Scene& scene : scenes) {
+            tries = leaps = 0;
+            for (const Shape& shape : shapes)
+                for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+                    without = with_leap = *sets[k];
+                    with_leap.water32.leap = counted<float>, with_leap.water64.leap = counted<double>;
+                    const uint64_t leapt = run(scene, shape, precision, &with_leap);
+                    cd::Kernels other = *sets[k];
+                    other.water32.leap = never<float>, other.water64.leap = never<double>;
+                    if (run(scene, shape, precision, &other) != leapt)
+                        fail_msg("%s, %s, %zu x %zu, precision %d", sets[k]->name, scene.name, shape.nx, shape.ny,
+                                 int(precision));
+                }
+            print_message("%s, %s: %zu leaps of %zu\n", sets[k]->name, scene.name, leaps, tries);
+            if (scene.calm) assert_true(leaps == tries);
+            else assert_true(leaps < tries);
+        }
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {cmocka_unit_test(an_explicit_step_has_the_same_bits_either_way)};
+    return cmocka_run_group_tests_name("water leap", tests, nullptr, nullptr);
+}
