@@ -102,8 +102,9 @@ void Multigrid::carve(const SheetSystem& system, bool own, Carver& coefficients,
     size_t columns = system.grid.columns, rows = system.grid.rows;
     levels = 1;
     for (size_t n = columns > rows ? columns : rows; n > 1; n = halved(n)) ++levels;
-    static_assert(sizeof(MultigridLevel) % sizeof(double) == 0, "levels lie among numbers");
-    level = reinterpret_cast<MultigridLevel*>(coefficients.numbers(levels * (sizeof(MultigridLevel) / sizeof(double))));
+    static_assert(alignof(MultigridLevel) <= alignof(double), "levels lie among numbers");
+    const size_t bytes = levels * sizeof(MultigridLevel);
+    level = reinterpret_cast<MultigridLevel*>(coefficients.numbers((bytes + sizeof(double) - 1) / sizeof(double)));
     MultigridLevel counted; // stands for all of them while memory is only counted
     for (size_t l = 0; l < levels; ++l, columns = halved(columns), rows = halved(rows)) {
         MultigridLevel& at = level ? level[l] : counted;

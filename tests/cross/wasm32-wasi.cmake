@@ -1,0 +1,12 @@
+# WebAssembly with 128-bit lanes and a system interface (WASI): by clang, lld and Debian's wasi-libc and
+# libclang-rt-dev-wasm32; what is built runs under node. Without -msimd128 a lane is a single number: the same bits.
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR wasm32)
+set(CMAKE_C_COMPILER clang)
+set(CMAKE_CXX_COMPILER clang++)
+set(CMAKE_C_COMPILER_TARGET wasm32-wasi)
+set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
+set(CMAKE_C_FLAGS_INIT -msimd128)
+set(CMAKE_CXX_FLAGS_INIT -msimd128)
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY) # a program in C++ would need a C++ library, which contdyn does not
+set(CMAKE_CROSSCOMPILING_EMULATOR node --no-warnings ${CMAKE_CURRENT_LIST_DIR}/wasi.mjs)
