@@ -84,6 +84,16 @@ enum {
     CD_MASS_HALF_ENDS = 1 /* nodes on a border half as heavy as those inside: second order in space */
 };
 
+/* The instructions that steps are made of. All give the same bits; a new object has the fastest that its processor
+ * runs. */
+typedef int32_t cd_kernels;
+enum {
+    CD_KERNELS_PLAIN = 0, /* what every processor of the target has: SSE2 on x86-64, NEON on AArch64, and on WebAssembly
+                             SIMD128 where that was built with -msimd128 */
+    CD_KERNELS_AVX2 = 1,
+    CD_KERNELS_AVX512 = 2 /* the parts F and DQ of AVX-512 */
+};
+
 /* What holds a node. The values are also those of the field CD_PIN. */
 typedef int32_t cd_node;
 enum {
@@ -137,6 +147,16 @@ typedef struct cd_parallel {
     void* user;
     void (*run)(void* user, size_t count, void (*task)(void* context, size_t index), void* context);
 } cd_parallel;
+
+/* ---- kernels ------------------------------------------------------------------------------------------------- */
+
+/* The kernels that this build has and this processor runs: the sum of 1 << k for each of them, k a cd_kernels. The
+ * largest k is the fastest. CD_KERNELS_PLAIN is always there. */
+CD_API uint32_t cd_runnable_kernels(void);
+
+/* The instructions' name, such as "AVX-512"; of CD_KERNELS_PLAIN those that it was built with: "SSE2", "NEON",
+ * "SIMD128", or "plain" for one number at a time. "unknown" for a number that is no cd_kernels. A static string. */
+CD_API const char* cd_kernels_name(cd_kernels kernels);
 
 /* ---- version ------------------------------------------------------------------------------------------------- */
 

@@ -64,6 +64,12 @@ CD_API cd_status cd_chain_get_lambda(const cd_chain* chain, double* out_lambda);
  * without run. */
 CD_API cd_status cd_chain_set_parallel(cd_chain* chain, const cd_parallel* parallel);
 
+/* The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and a
+ * new chain has the fastest that its processor runs. Not part of the saved state.
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels. */
+CD_API cd_status cd_chain_set_kernels(cd_chain* chain, cd_kernels kernels);
+CD_API cd_status cd_chain_get_kernels(const cd_chain* chain, cd_kernels* out_kernels);
+
 /* ---- parameters -------------------------------------------------------------------------------------------------- */
 /* Totals of one strand. A change takes effect at the next step and costs it one refactorization. Where the field of
  * the same name is switched on, setting the total writes the whole field anew. A getter tells the total last set.

@@ -107,6 +107,12 @@ CD_API cd_status cd_membrane_get_convergence(const cd_membrane* membrane, size_t
 /* Spreads a step over the caller's threads. Null turns it off. Errors: CD_ERROR_NULL for a table without run. */
 CD_API cd_status cd_membrane_set_parallel(cd_membrane* membrane, const cd_parallel* parallel);
 
+/* The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and a
+ * new membrane has the fastest that its processor runs. Not part of the saved state.
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels. */
+CD_API cd_status cd_membrane_set_kernels(cd_membrane* membrane, cd_kernels kernels);
+CD_API cd_status cd_membrane_get_kernels(const cd_membrane* membrane, cd_kernels* out_kernels);
+
 /* ---- parameters -------------------------------------------------------------------------------------------------- */
 /* Totals of the sheet. A change takes effect at the next step and costs it one refactorization. Where the field of
  * the same name is switched on, setting the total writes the whole field anew. A getter tells the total last set.

@@ -155,6 +155,12 @@ CD_API cd_status cd_water_get_first(const cd_water* water, int32_t* out_along_y)
  * Errors: CD_ERROR_NULL for a table without run; CD_ERROR_MEMORY. */
 CD_API cd_status cd_water_set_parallel(cd_water* water, const cd_parallel* parallel);
 
+/* The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and a
+ * new water has the fastest that its processor runs. Not part of the saved state.
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels. */
+CD_API cd_status cd_water_set_kernels(cd_water* water, cd_kernels kernels);
+CD_API cd_status cd_water_get_kernels(const cd_water* water, cd_kernels* out_kernels);
+
 /* ---- parameters -------------------------------------------------------------------------------------------------- */
 /* Errors of all setters: CD_ERROR_VALUE for a number that is NaN, infinite or out of range. */
 

@@ -1,6 +1,7 @@
 #include "contdyn/base.h"
 
 #include "base/status.hh"
+#include "kernel/kernels.hh"
 
 #define CD_TEXT_(a) #a
 #define CD_TEXT(a) CD_TEXT_(a)
@@ -19,6 +20,21 @@
 #define CD_TARGET "WebAssembly"
 #else
 #define CD_TARGET "another target"
+#endif
+#if defined(__AVX512F__) // by the flags of whoever builds it
+#define CD_PLAIN "AVX-512"
+#elif defined(__AVX2__)
+#define CD_PLAIN "AVX2"
+#elif defined(__AVX__)
+#define CD_PLAIN "AVX"
+#elif defined(__SSE2__)
+#define CD_PLAIN "SSE2"
+#elif defined(__aarch64__)
+#define CD_PLAIN "NEON"
+#elif defined(__wasm_simd128__)
+#define CD_PLAIN "SIMD128"
+#else
+#define CD_PLAIN "plain"
 #endif
 
 const char* cd_status_name(cd_status status) {
@@ -45,6 +61,17 @@ const char* cd_status_name(cd_status status) {
 }
 
 const char* cd_error_message(void) { return cd::last_message(); }
+
+uint32_t cd_runnable_kernels(void) { return cd::runnable_kernels(); }
+
+const char* cd_kernels_name(cd_kernels kernels) {
+    switch (kernels) {
+    case CD_KERNELS_PLAIN: return CD_PLAIN;
+    case CD_KERNELS_AVX2: return "AVX2";
+    case CD_KERNELS_AVX512: return "AVX-512";
+    default: return "unknown";
+    }
+}
 
 uint32_t cd_version(void) { return CD_VERSION_MAJOR * 1000000u + CD_VERSION_MINOR * 1000u + CD_VERSION_PATCH; }
 

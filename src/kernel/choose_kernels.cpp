@@ -40,24 +40,31 @@ struct Processor {
 } // namespace
 #endif
 
-size_t runnable_kernels(const Kernels** out) {
-    size_t count = 0;
-    out[count++] = &plain::kernels;
+uint32_t runnable_kernels() {
+    uint32_t sets = 1u << CD_KERNELS_PLAIN;
 #if CD_WITH_AVX2 || CD_WITH_AVX512
     const Processor processor;
+    if (CD_WITH_AVX2 && processor.avx2) sets |= 1u << CD_KERNELS_AVX2;
+    if (CD_WITH_AVX512 && processor.avx512) sets |= 1u << CD_KERNELS_AVX512;
 #endif
+    return sets;
+}
+
+const Kernels* kernels_of(cd_kernels set) {
+    if ((runnable_kernels() >> set & 1) == 0) return nullptr;
 #if CD_WITH_AVX2
-    if (processor.avx2) out[count++] = &avx2::kernels;
+    if (set == CD_KERNELS_AVX2) return &avx2::kernels;
 #endif
 #if CD_WITH_AVX512
-    if (processor.avx512) out[count++] = &avx512::kernels;
+    if (set == CD_KERNELS_AVX512) return &avx512::kernels;
 #endif
-    return count;
+    return &plain::kernels;
 }
 
 const Kernels& best_kernels() {
-    const Kernels* sets[kKernelSets];
-    return *sets[runnable_kernels(sets) - 1];
+    cd_kernels set = CD_KERNELS_PLAIN;
+    for (uint32_t faster = runnable_kernels() >> 1; faster > 0; faster >>= 1) ++set;
+    return *kernels_of(set);
 }
 
 } // namespace cd

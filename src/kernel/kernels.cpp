@@ -1,8 +1,9 @@
 // This file and the sweeps are compiled once per instruction set.
 #include "kernel/kernels.hh"
 
-#define CD_TEXT_(a) #a
-#define CD_TEXT(a) CD_TEXT_(a)
+#ifndef CD_SET
+#define CD_SET CD_KERNELS_PLAIN // what CD_ISA is in the public header
+#endif
 
 namespace cd {
 namespace CD_ISA {
@@ -37,7 +38,7 @@ template <class T> constexpr WaterKernels<T> water_kernels() {
 
 extern const Kernels kernels;
 const Kernels kernels = {
-    CD_TEXT(CD_ISA),
+    CD_SET,
 #if CD_WITH_FLOAT32
     {spring_sweep<float>, segment_sweep<float>, rod_sweep<float>, rod_step<float>, advance<float>,
      explicit_sweep<float>, drift<float>},

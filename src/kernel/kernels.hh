@@ -1,6 +1,7 @@
 // The kernels, compiled once per instruction set, as tables of functions. All give the same bits.
 #pragma once
 
+#include "contdyn/base.h"
 #include "kernel/advance.hh"
 #include "kernel/explicit_sweep.hh"
 #include "kernel/rod_sweep.hh"
@@ -91,7 +92,7 @@ template <class T> struct WaterKernels {
 };
 
 struct Kernels {
-    const char* name;           // of the instruction set
+    cd_kernels set;
     LineKernels<float> float32; // null where the precision is left out
     LineKernels<double> float64;
     SheetKernels sheet;
@@ -104,9 +105,11 @@ struct Kernels {
     const WaterKernels<double>& water_of(double) const { return water64; }
 };
 
-// The kernels this processor can run, in out, at most kKernelSets; the fastest last. Returns how many.
-constexpr size_t kKernelSets = 3;
-size_t runnable_kernels(const Kernels** out);
+// What the public function of that name tells.
+uint32_t runnable_kernels();
+
+// A table; null for one that is not among them.
+const Kernels* kernels_of(cd_kernels set);
 
 // The fastest of them.
 const Kernels& best_kernels();

@@ -105,6 +105,7 @@ static void no_number_is_taken_for_an_enumerator(void** state) {
         const int bad = none[i];
         refuses(chain, cd_chain_create(1, 1, 1, bad, NULL, &out.chain), CD_ERROR_ENUM, text_of("precision|%d", bad));
         refuses(chain, cd_chain_set_method(chain, bad), CD_ERROR_ENUM, text_of("method|%d", bad));
+        refuses(chain, cd_chain_set_kernels(chain, bad), CD_ERROR_ENUM, text_of("kernels|%d", bad));
         refuses(chain, cd_chain_set_mass_rule(chain, bad), CD_ERROR_ENUM, text_of("rule|%d", bad));
         refuses(chain, cd_chain_set_end(chain, CD_END_LAST, bad), CD_ERROR_ENUM, text_of("kind|%d", bad));
         refuses(chain, cd_chain_set_end(chain, bad, CD_NODE_FREE), CD_ERROR_ENUM, text_of("end|%d", bad));

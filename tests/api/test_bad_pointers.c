@@ -49,6 +49,8 @@ static void only_a_living_chain_is_taken_for_one(void** state) {
     refuses_handles(cd_chain_set_lambda, 0.75);
     refuses_handles(cd_chain_get_lambda, out.number);
     refuses_handles(cd_chain_set_parallel, NULL);
+    refuses_handles(cd_chain_set_kernels, CD_KERNELS_PLAIN);
+    refuses_handles(cd_chain_get_kernels, &out.i32);
     refuses_handles(cd_chain_set_mass, 1.5);
     refuses_handles(cd_chain_get_mass, out.number);
     refuses_handles(cd_chain_set_mass_rule, CD_MASS_EQUAL);
@@ -114,6 +116,7 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(chain, cd_chain_create(1, 1, 1, CD_FLOAT32, &without_release, &out.chain), CD_ERROR_NULL, "release");
     refuses(chain, cd_chain_set_parallel(chain, &without_run), CD_ERROR_NULL, "run");
     refuses(chain, cd_chain_get_method(chain, NULL), CD_ERROR_NULL, "out_method");
+    refuses(chain, cd_chain_get_kernels(chain, NULL), CD_ERROR_NULL, "out_kernels");
     refuses(chain, cd_chain_get_lambda(chain, NULL), CD_ERROR_NULL, "out_lambda");
     refuses(chain, cd_chain_get_mass(chain, NULL), CD_ERROR_NULL, "out_mass");
     refuses(chain, cd_chain_get_mass_rule(chain, NULL), CD_ERROR_NULL, "out_rule");

@@ -151,6 +151,7 @@ static void no_number_is_taken_for_an_enumerator(void** state) {
         const int bad = none[i];
         refuses(m, cd_membrane_create(1, 1, 1, bad, NULL, &out.membrane), CD_ERROR_ENUM, text_of("precision|%d", bad));
         refuses(m, cd_membrane_set_method(m, bad), CD_ERROR_ENUM, text_of("method|%d", bad));
+        refuses(m, cd_membrane_set_kernels(m, bad), CD_ERROR_ENUM, text_of("kernels|%d", bad));
         refuses(m, cd_membrane_set_solver(m, bad), CD_ERROR_ENUM, text_of("solver|%d", bad));
         refuses(m, cd_membrane_set_mass_rule(m, bad), CD_ERROR_ENUM, text_of("rule|%d", bad));
         refuses(m, cd_membrane_set_edge(m, CD_EDGE_V_LAST, bad), CD_ERROR_ENUM, text_of("kind|%d", bad));

@@ -53,6 +53,8 @@ static void only_a_living_membrane_is_taken_for_one(void** state) {
     refuses_handles(cd_membrane_get_tolerance, out.number, out.size);
     refuses_handles(cd_membrane_get_convergence, out.size, out.number);
     refuses_handles(cd_membrane_set_parallel, NULL);
+    refuses_handles(cd_membrane_set_kernels, CD_KERNELS_PLAIN);
+    refuses_handles(cd_membrane_get_kernels, &out.i32);
     refuses_handles(cd_membrane_set_mass, 1.5);
     refuses_handles(cd_membrane_get_mass, out.number);
     refuses_handles(cd_membrane_set_mass_rule, CD_MASS_EQUAL);
@@ -133,6 +135,7 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(m, cd_membrane_create(1, 1, 1, CD_FLOAT32, &without_release, &out.membrane), CD_ERROR_NULL, "release");
     refuses(m, cd_membrane_set_parallel(m, &without_run), CD_ERROR_NULL, "run");
     refuses(m, cd_membrane_get_method(m, NULL), CD_ERROR_NULL, "out_method");
+    refuses(m, cd_membrane_get_kernels(m, NULL), CD_ERROR_NULL, "out_kernels");
     refuses(m, cd_membrane_get_lambda(m, NULL), CD_ERROR_NULL, "out_lambda");
     refuses(m, cd_membrane_get_solver(m, NULL), CD_ERROR_NULL, "out_solver");
     refuses(m, cd_membrane_get_tolerance(m, NULL, out.size), CD_ERROR_NULL, "out_tolerance");

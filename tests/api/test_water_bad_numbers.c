@@ -185,6 +185,7 @@ static void no_number_is_taken_for_an_enumerator(void** state) {
         const int bad = none[i];
         refuses(w, cd_water_create(1, 1, 1, 1, bad, NULL, &out.water), CD_ERROR_ENUM, text_of("precision|%d", bad));
         refuses(w, cd_water_set_method(w, bad), CD_ERROR_ENUM, text_of("method|%d", bad));
+        refuses(w, cd_water_set_kernels(w, bad), CD_ERROR_ENUM, text_of("kernels|%d", bad));
         refuses(w, cd_water_set_momentum(w, bad), CD_ERROR_ENUM, text_of("momentum|%d", bad));
         refuses(w, cd_water_set_solver(w, bad), CD_ERROR_ENUM, text_of("solver|%d", bad));
         refuses(w, cd_water_set_bed_rule(w, bad), CD_ERROR_ENUM, text_of("rule|%d", bad));

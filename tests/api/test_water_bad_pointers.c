@@ -60,6 +60,8 @@ static void only_a_living_water_is_taken_for_one(void** state) {
     refuses_handles(cd_water_set_first, 1);
     refuses_handles(cd_water_get_first, &out.i32);
     refuses_handles(cd_water_set_parallel, NULL);
+    refuses_handles(cd_water_set_kernels, CD_KERNELS_PLAIN);
+    refuses_handles(cd_water_get_kernels, &out.i32);
     refuses_handles(cd_water_set_gravity, 1.5);
     refuses_handles(cd_water_get_gravity, n);
     refuses_handles(cd_water_set_density, 1.5);
@@ -144,6 +146,7 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(w, cd_water_create(1, 1, 1, 1, CD_FLOAT32, &without_release, &out.water), CD_ERROR_NULL, "release");
     refuses(w, cd_water_set_parallel(w, &without_run), CD_ERROR_NULL, "run");
     refuses(w, cd_water_get_method(w, NULL), CD_ERROR_NULL, "out_method");
+    refuses(w, cd_water_get_kernels(w, NULL), CD_ERROR_NULL, "out_kernels");
     refuses(w, cd_water_get_lambda(w, NULL), CD_ERROR_NULL, "out_lambda");
     refuses(w, cd_water_get_momentum(w, NULL), CD_ERROR_NULL, "out_momentum");
     refuses(w, cd_water_get_corrections(w, NULL), CD_ERROR_NULL, "out_corrections");

@@ -206,7 +206,8 @@ def behaviour(api, path):
 
 # ---- scenes ---------------------------------------------------------------------------------------------------------
 
-NOT_IN_SCENES = {"destroy", "set_parallel", "load", "copy_state"}  # the last two are save_and_load and copy
+# What plays scenes sets the kernels; the last two are save_and_load and copy.
+NOT_IN_SCENES = {"destroy", "set_parallel", "set_kernels", "load", "copy_state"}
 
 
 def scenes(api, path, calls, enumerators):

@@ -1,4 +1,5 @@
-/* Plays the scenes that every binding plays, in C, and compares the hashes of their states.
+/* Plays the scenes that every binding plays, in C, by all kernels that this processor runs, and compares the hashes of
+ * their states.
  *
  *   conformance SCENES.TXT            fails where a hash differs
  *   conformance --update SCENES.TXT   writes the hashes that came out into the file */
@@ -13,7 +14,7 @@ struct object {
     cd_water* water;
 };
 
-static cd_status create(const struct arguments* call, struct object* out) {
+static cd_status create_kind(const struct arguments* call, struct object* out) {
     const char* kind = call->statement->words[1];
     memset(out, 0, sizeof *out);
     if (strcmp(kind, "chain") == 0)
@@ -27,6 +28,14 @@ static cd_status create(const struct arguments* call, struct object* out) {
                                number_argument(call, 3), call->precision, NULL, &out->water);
     fail_at(call->statement, "no object", kind);
     return CD_OK;
+}
+
+static cd_status create(const struct arguments* call, cd_kernels kernels, struct object* out) {
+    const cd_status status = create_kind(call, out);
+    if (status) return status;
+    return out->chain      ? cd_chain_set_kernels(out->chain, kernels)
+           : out->membrane ? cd_membrane_set_kernels(out->membrane, kernels)
+                           : cd_water_set_kernels(out->water, kernels);
 }
 
 static void destroy(const struct object* object) {
@@ -118,7 +127,7 @@ static uint64_t wanted_hash(const struct statement* statement, cd_precision prec
 }
 
 /* One statement; a scene's new object takes the place of the last one. */
-static void play(const struct statement* statement, cd_precision precision, struct object* object,
+static void play(const struct statement* statement, cd_precision precision, cd_kernels kernels, struct object* object,
                  struct statement* made) {
     struct arguments call = {statement, 0, precision};
     const char* word = statement->words[0];
@@ -127,14 +136,14 @@ static void play(const struct statement* statement, cd_precision precision, stru
         memset(object, 0, sizeof *object);
     } else if (strcmp(word, "create") == 0) {
         call.first = 1;
-        hold(statement, create(&call, object), CD_OK);
+        hold(statement, create(&call, kernels, object), CD_OK);
         *made = *statement;
         for (size_t i = 0; i < statement->count; ++i)
             made->words[i] = made->text + (statement->words[i] - statement->text);
     } else if (strcmp(word, "copy") == 0 || strcmp(word, "save_and_load") == 0) {
         const struct arguments again = {made, 1, precision};
         struct object other;
-        hold(statement, create(&again, &other), CD_OK);
+        hold(statement, create(&again, kernels, &other), CD_OK);
         hold(statement, word[0] == 'c' ? copy_state(&other, object) : save_and_load(&other, object), CD_OK);
         destroy(object);
         *object = other;
@@ -146,41 +155,52 @@ static void play(const struct statement* statement, cd_precision precision, stru
     }
 }
 
-int main(int count, char** arguments) {
-    enum { MOST_HASHES = 1000 };
-    static uint64_t hashes[MOST_HASHES][2];
+enum { MOST_HASHES = 1000 };
+static uint64_t hashes[MOST_HASHES][2]; /* as they came out, float32 and float64 */
+
+/* All scenes once; adds how many hashes were compared and wrong. With `update` those of the plain kernels are right. */
+static void play_all(const char* text, cd_precision precision, cd_kernels kernels, int update, size_t* compared,
+                     size_t* wrong) {
     static struct statement statement, made;
+    struct object object = {NULL, NULL, NULL};
+    char scene[64] = "";
+    for (size_t at = 0, line = 1, number = 0; next_statement(text, &at, &line, &statement);) {
+        if (strcmp(statement.words[0], "scene") == 0 && statement.count == 2)
+            snprintf(scene, sizeof scene, "%s", statement.words[1]);
+        if (strcmp(statement.words[0], "hash") != 0) {
+            play(&statement, precision, kernels, &object, &made);
+            continue;
+        }
+        if (number == MOST_HASHES) fail_at(&statement, "too many hashes", scene);
+        const uint64_t hash = hash_of(&object);
+        if (kernels == CD_KERNELS_PLAIN) hashes[number][precision] = hash;
+        const uint64_t wanted = update ? hashes[number][precision] : wanted_hash(&statement, precision);
+        ++number;
+        ++*compared;
+        if (hash == wanted) continue;
+        fprintf(stderr, "%s, line %zu, float%d, %s: 0x%016" PRIx64 ", not 0x%016" PRIx64 "\n", scene, statement.line,
+                precision == CD_FLOAT64 ? 64 : 32, cd_kernels_name(kernels), hash, wanted);
+        ++*wrong;
+    }
+    destroy(&object);
+}
+
+int main(int count, char** arguments) {
     const int update = count == 3 && strcmp(arguments[1], "--update") == 0;
     if (count != 2 + update) return fprintf(stderr, "conformance [--update] SCENES.TXT\n"), 2;
     const char* path = arguments[1 + update];
     char* text = read_text(path);
     size_t wrong = 0, compared = 0;
 
-    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
-        struct object object = {NULL, NULL, NULL};
-        char scene[64] = "";
-        for (size_t at = 0, line = 1, number = 0; next_statement(text, &at, &line, &statement);) {
-            if (strcmp(statement.words[0], "scene") == 0 && statement.count == 2)
-                snprintf(scene, sizeof scene, "%s", statement.words[1]);
-            if (strcmp(statement.words[0], "hash") != 0) {
-                play(&statement, precision, &object, &made);
-                continue;
-            }
-            if (number == MOST_HASHES) fail_at(&statement, "too many hashes", scene);
-            const uint64_t hash = hash_of(&object), wanted = wanted_hash(&statement, precision);
-            hashes[number++][precision] = hash;
-            ++compared;
-            if (hash == wanted || update) continue;
-            fprintf(stderr, "%s, line %zu, float%d: 0x%016" PRIx64 ", not 0x%016" PRIx64 "\n", scene, statement.line,
-                    precision == CD_FLOAT64 ? 64 : 32, hash, wanted);
-            ++wrong;
-        }
-        destroy(&object);
-    }
+    for (cd_kernels kernels = CD_KERNELS_PLAIN; cd_runnable_kernels() >> kernels; ++kernels)
+        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
+            if (cd_runnable_kernels() >> kernels & 1)
+                play_all(text, precision, kernels, update, &compared, &wrong);
 
     if (update) {
         FILE* file = fopen(path, "wb");
         if (!file) return perror(path), 1;
+        static struct statement statement;
         size_t kept = 0;
         for (size_t at = 0, line = 1, number = 0; next_statement(text, &at, &line, &statement);) {
             if (strcmp(statement.words[0], "hash") != 0) continue;

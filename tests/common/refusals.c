@@ -172,6 +172,7 @@ static const struct {
     {"cd_precision", {CD_ERROR_ENUM}},
     {"cd_method", {CD_ERROR_ENUM}},
     {"cd_solver", {CD_ERROR_ENUM}},
+    {"cd_kernels", {CD_ERROR_ENUM}},
     {"cd_mass_rule", {CD_ERROR_ENUM}},
     {"cd_end", {CD_ERROR_ENUM}},
     {"cd_edge", {CD_ERROR_ENUM}},

@@ -8,6 +8,7 @@ extern "C" {
 
 #include "contdyn/base.h"
 #include "kernel/kernels.hh"
+#include "kernels.h"
 #include "solve/rod_line.hh"
 #include "solve/segment_line.hh"
 #include "solve/spring_line.hh"
@@ -106,20 +107,17 @@ template <class T> void step_explicitly(const cd::Kernels& set, T* x, T* v, size
 }
 
 template <class T> void check_sets() {
-    const cd::Kernels* sets[cd::kKernelSets];
-    const size_t count = cd::runnable_kernels(sets);
     static State<T> plain(1);
     plain = State<T>(1);
-    step_all(*sets[0], plain);
-    step_segments(*sets[0], plain);
-    for (size_t k = 1; k < count; ++k) {
+    step_all(*cd::kernels_of(CD_KERNELS_PLAIN), plain);
+    step_segments(*cd::kernels_of(CD_KERNELS_PLAIN), plain);
+    FOR_RUNNABLE(set) {
         static State<T> state(1);
         state = State<T>(1);
-        step_all(*sets[k], state);
-        step_segments(*sets[k], state);
-        if (memcmp(&state, &plain, sizeof plain) != 0) fail_msg("%s differs from %s", sets[k]->name, sets[0]->name);
+        step_all(*cd::kernels_of(set), state);
+        step_segments(*cd::kernels_of(set), state);
+        if (memcmp(&state, &plain, sizeof plain) != 0) fail_msg("%s differs", cd_kernels_name(set));
     }
-    print_message("%zu sets of kernels, the fastest %s\n", count, cd::best_kernels().name);
 }
 
 void every_instruction_set_gives_the_same_bits(void**) {
@@ -129,9 +127,7 @@ void every_instruction_set_gives_the_same_bits(void**) {
 
 // Nodes side by side round as one after the other do: compared with three lines at once, which go another way.
 template <class T> void check_alone() {
-    const cd::Kernels* sets[cd::kKernelSets];
-    const size_t count = cd::runnable_kernels(sets);
-    for (size_t k = 0; k < count; ++k) {
+    FOR_RUNNABLE(set) {
         State<T> start(9);
         T x[kNodes], v[kNodes], x3[kNodes][3], v3[kNodes][3];
         for (size_t i = 0; i < kNodes; ++i) {
@@ -139,8 +135,8 @@ template <class T> void check_alone() {
             v[i] = start.velocity[i][0];
             for (size_t j = 0; j < 3; ++j) x3[i][j] = x[i], v3[i][j] = v[i];
         }
-        step_explicitly<T>(*sets[k], x, v, 1);
-        step_explicitly<T>(*sets[k], x3[0], v3[0], 3);
+        step_explicitly<T>(*cd::kernels_of(set), x, v, 1);
+        step_explicitly<T>(*cd::kernels_of(set), x3[0], v3[0], 3);
         for (size_t i = 0; i < kNodes; ++i)
             for (size_t j = 0; j < 3; ++j) assert_true(x3[i][j] == x[i] && v3[i][j] == v[i]);
 
@@ -153,11 +149,11 @@ template <class T> void check_alone() {
             }
         };
         fill(x6[0], v6[0], 6);
-        step_explicitly<T>(*sets[k], x6[0], v6[0], 6, true);
+        step_explicitly<T>(*cd::kernels_of(set), x6[0], v6[0], 6, true);
         for (size_t lines = 1; lines <= 4; ++lines) {
             T few_x[kNodes * 4], few_v[kNodes * 4];
             fill(few_x, few_v, lines);
-            step_explicitly<T>(*sets[k], few_x, few_v, lines, true);
+            step_explicitly<T>(*cd::kernels_of(set), few_x, few_v, lines, true);
             for (size_t m = 0; m < kNodes * lines; ++m)
                 assert_true(few_x[m] == x6[m / lines][m % lines] && few_v[m] == v6[m / lines][m % lines]);
         }

@@ -32,6 +32,9 @@ template <class Object> void common(Object& object, Object& other, field f, fiel
     CHECK(GET(object.get_lambda()) == 0.75);
     OK(object.set_drag(0.5));
     CHECK(GET(object.get_drag()) == 0.5);
+    CHECK(GET(object.get_kernels()) == runnable_kernels().back());
+    OK(object.set_kernels(kernels::plain));
+    CHECK(GET(object.get_kernels()) == kernels::plain);
 
     const std::size_t before = GET(object.get_memory());
     OK(object.enable_field(g));
@@ -322,6 +325,7 @@ int main() {
     CHECK(std::string(version_string()) == std::to_string(CD_VERSION_MAJOR) + "." + std::to_string(CD_VERSION_MINOR) +
                                                "." + std::to_string(CD_VERSION_PATCH));
     CHECK(std::strlen(build_info()) > 10 && std::string(error_message()).empty());
+    CHECK(runnable_kernels().front() == kernels::plain && std::string(kernels_name(kernels::avx512)) == "AVX-512");
     CHECK(std::string(status_name(status::error_value)) == "CD_ERROR_VALUE");
     chains();
     membranes();

@@ -42,6 +42,7 @@ void numbers(chain& rope) {
 
 void enumerators(chain& rope) {
     KEPT(rope, status::error_enum, "method", rope.set_method(static_cast<method>(9)));
+    KEPT(rope, status::error_enum, "kernels", rope.set_kernels(static_cast<kernels>(9)));
     KEPT(rope, status::error_enum, "rule", rope.set_mass_rule(static_cast<mass_rule>(9)));
     KEPT(rope, status::error_enum, "end", rope.set_end(static_cast<end>(9), node::free));
     KEPT(rope, status::error_enum, "kind", rope.set_end(end::first, static_cast<node>(9)));

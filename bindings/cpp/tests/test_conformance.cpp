@@ -14,7 +14,7 @@ struct object {
     std::optional<contdyn::water> water;
 };
 
-object create(const arguments& call) {
+object create(const arguments& call, contdyn::kernels kernels) {
     const std::string kind = call.statement->words[1];
     const auto p = static_cast<contdyn::precision>(call.precision);
     const auto z = [&](std::size_t k) { return size_argument(&call, k); };
@@ -24,6 +24,9 @@ object create(const arguments& call) {
     else if (kind == "water")
         made.water = GET(contdyn::water::create(z(0), z(1), number_argument(&call, 2), number_argument(&call, 3), p));
     else fail_at(call.statement, "no object", call.statement->words[1]);
+    if (made.chain) OK(made.chain->set_kernels(kernels));
+    if (made.membrane) OK(made.membrane->set_kernels(kernels));
+    if (made.water) OK(made.water->set_kernels(kernels));
     return made;
 }
 
@@ -90,7 +93,7 @@ void save_and_load(object& to, const object& from) {
 }
 
 // How many hashes were compared.
-std::size_t play(const char* text, cd_precision precision) {
+std::size_t play(const char* text, cd_precision precision, contdyn::kernels kernels) {
     static statement now, made;
     std::size_t compared = 0, at = 0, line = 1;
     std::string scene;
@@ -103,11 +106,11 @@ std::size_t play(const char* text, cd_precision precision) {
             o = {};
         } else if (word == "create") {
             call.first = 1;
-            o = create(call);
+            o = create(call, kernels);
             made = now;
             for (std::size_t i = 0; i < now.count; ++i) made.words[i] = made.text + (now.words[i] - now.text);
         } else if (word == "copy" || word == "save_and_load") {
-            object other = create({&made, 1, precision});
+            object other = create({&made, 1, precision}, kernels);
             word == "copy" ? copy(other, o) : save_and_load(other, o);
             o = std::move(other);
         } else if (word == "hash") {
@@ -130,7 +133,8 @@ int main(int count, char** arguments) {
     if (count != 2) return std::fprintf(stderr, "test_conformance SCENES.TXT\n"), 2;
     char* text = read_text(arguments[1]);
     std::size_t compared = 0;
-    for (cd_precision precision : {CD_FLOAT32, CD_FLOAT64}) compared += play(text, precision);
+    for (contdyn::kernels kernels : contdyn::runnable_kernels())
+        for (cd_precision precision : {CD_FLOAT32, CD_FLOAT64}) compared += play(text, precision, kernels);
     std::free(text);
     std::printf("%zu hashes compared\n", compared);
     return compared == 0;

@@ -17,7 +17,8 @@ in any other consistent set.
 from typing import Tuple
 
 from . import _library
-from ._api import (BedRule, Border, Edge, End, Field, MassRule, Method, Momentum, Node, Precision, Side, Solver, Status)
+from ._api import (BedRule, Border, Edge, End, Field, Kernels, MassRule, Method, Momentum, Node, Precision, Side,
+                   Solver, Status)
 from ._arrays import Array, View
 from ._body import Attachment, Energy
 from ._callbacks import Allocator, Parallel, Task
@@ -32,11 +33,11 @@ from .water import (Account, Limited, Sample, SideState, Water, WaterEnergy, Wat
 __all__ = [
     "Account", "Allocator", "Array", "Attachment", "BedRule", "Border", "Chain", "ChainShape", "Convergence",
     "DisabledError", "DivergedError", "Edge", "End", "Energy", "Error", "Field", "FormatError", "HandleError",
-    "InvalidEnumError", "InvalidValueError", "Limited", "MassRule", "Membrane", "MembraneShape", "Method",
+    "InvalidEnumError", "InvalidValueError", "Kernels", "Limited", "MassRule", "Membrane", "MembraneShape", "Method",
     "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Parallel", "Precision", "RangeError", "Ring",
     "Sample", "Side", "SideState", "SizeError", "Solver", "Status", "Stiffness", "Task", "Tolerance", "ToleranceError",
     "UnsupportedError", "Vertices", "View", "Water", "WaterEnergy", "WaterShape", "WaterVertices", "build_info",
-    "library_path", "status_name", "version",
+    "kernels_name", "library_path", "runnable_kernels", "status_name", "version",
 ]
 
 
@@ -49,6 +50,17 @@ def version() -> Tuple[int, int, int]:
 def build_info() -> str:
     """Compiler, target and what was left out of this build of the library, in one line."""
     return str(_library.library.cd_build_info().decode())
+
+
+def runnable_kernels() -> Tuple[Kernels, ...]:
+    """The kernels that this build has and this processor runs, the fastest last."""
+    those = _library.library.cd_runnable_kernels()
+    return tuple(kernels for kernels in Kernels if those >> kernels & 1)
+
+
+def kernels_name(kernels: Kernels) -> str:
+    """The instructions' name, such as "AVX-512"; of Kernels.PLAIN those that it was built with, such as "SSE2"."""
+    return str(_library.library.cd_kernels_name(kernels).decode())
 
 
 def status_name(status: int) -> str:

@@ -8,7 +8,7 @@ from types import TracebackType
 from typing import Any, Callable, ClassVar, Dict, List, Optional, Sequence, Tuple, Type, TypeVar
 
 from . import _arrays
-from ._api import FIELDS, Field, FieldInfo, Method, Precision
+from ._api import FIELDS, Field, FieldInfo, Kernels, Method, Precision
 from ._arrays import Array, Values
 from ._callbacks import Allocator, Parallel, Provider, Runner
 from ._library import MOST, Functions, failure
@@ -116,7 +116,7 @@ class Object:
         return f"<{'closed ' if self.closed else ''}{type(self).__name__}({shape})>"
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        """Copies and pickles hold what save() gives: not the allocator, and not `parallel`."""
+        """Copies and pickles hold what save() gives: not the allocator, `parallel` or `kernels`."""
         return _restored, (type(self), self._made_of, self.save()), getattr(self, "__dict__", None) or None
 
     # ---- calls ------------------------------------------------------------------------------------------------------
@@ -146,6 +146,8 @@ class Object:
     method = Setting(Method, "How steps are made, a Method; default Method.IMPLICIT.")
     lambda_ = Setting(float, "lambda of Method.IMPLICIT, in [0, 1]: 1/2 keeps energy and is second order, the "
                              "default of chains and membranes; above it fast motion dies out; 1 is backward Euler.")
+    kernels = Setting(Kernels, "The instructions that steps are made of, a Kernels; default the fastest of "
+                               "runnable_kernels(). For tests and measurements: all give the same bits.")
 
     @property
     def parallel(self) -> Parallel:

@@ -1,4 +1,5 @@
 """The scenes of bindings/conformance: the same hashes as in every other language."""
+import itertools
 import re
 import unittest
 from array import array
@@ -54,26 +55,30 @@ def numbers_of(kind_name, short, taken):
 
 
 class Player:
-    """Plays one scene in one precision."""
+    """Plays one scene in one precision by one set of kernels."""
 
-    def __init__(self, test, precision):
-        self.test, self.precision = test, precision
+    def __init__(self, test, precision, kernels):
+        self.test, self.precision, self.kernels = test, precision, kernels
         self.made = self.kind = self.kind_name = self.made_of = None
 
     def create(self, kind_name, *words):
         self.kind_name, self.kind = kind_name, KINDS[kind_name]
         *self.made_of, allocator = arguments(words, self.precision)
-        self.made = self.kind(*self.made_of, allocator=allocator)
+        self.make(allocator=allocator)
+
+    def make(self, **rest):
+        """Makes the object anew; gives the last one."""
+        last, self.made = self.made, self.kind(*self.made_of, **rest)
+        self.made.kernels = self.kernels
+        return last
 
     def copy(self):
-        other = self.kind(*self.made_of)
-        other.copy_state(self.made)
-        self.made = other
+        last = self.make()
+        self.made.copy_state(last)
 
     def save_and_load(self):
-        other = self.kind(*self.made_of)
-        other.load(self.made.save())
-        self.made = other
+        last = self.make()
+        self.made.load(last.save())
 
     def hash(self, *hashes):
         self.test.assertEqual(hex(self.made.hash()), hex(int(hashes[self.precision], 16)))
@@ -110,13 +115,13 @@ class Conformance(unittest.TestCase):
     def test_scenes_give_the_same_hashes(self):
         scenes = [k for k, (_, words) in enumerate(statements()) if words[0] == "scene"]
         self.assertGreater(len(scenes), 3)
-        for precision in Precision:
+        for precision, kernels in itertools.product(Precision, contdyn.runnable_kernels()):
             player = None
             for line, words in statements():
                 if words[0] == "scene":
-                    player = Player(self, precision)
+                    player = Player(self, precision, kernels)
                     continue
-                with self.subTest(line=line, call=words[0], precision=precision):
+                with self.subTest(line=line, call=words[0], precision=precision, kernels=kernels):
                     player.play(*words)
 
     def test_another_step_is_another_hash(self):

@@ -53,6 +53,8 @@ CASES = [
     ("set_method", "ENUM", setting("method", -1), "method is -1"),
     ("set_method", "RANGE", setting("method", 2**32), "method is 4294967296"),
     ("set_method", "MEMORY", hungry(setting("method", Method.STIFF_SECOND)), "memory"),
+    ("set_kernels", "ENUM", setting("kernels", 3), "kernels is 3"),
+    ("set_kernels", "ENUM", setting("kernels", -1), "kernels is -1"),
     *(("set_lambda", "VALUE", setting("lambda_", x), "lambda is") for x in (NAN, -0.1, 1.1, INF)),
     *(("set_mass", "VALUE", setting("mass", x), "mass is") for x in (*BAD_NUMBERS, 0)),
     *(("set_stiffness", "VALUE", setting("stiffness", x), "stiffness is") for x in BAD_NUMBERS),
@@ -125,6 +127,7 @@ CASES = [
 # Listed in the comments, and not to be had from Python.
 NOT_TO_BE_HAD = {
     ("create", "UNSUPPORTED"): "for a precision that the build leaves out; this one has both",
+    ("set_kernels", "UNSUPPORTED"): "for kernels that the processor does not run; there may be none",
     ("save", "RANGE"): "save makes a buffer of the right size",
     ("get_gravity", "RANGE"): "the count is always that of the components",
     ("get_momentum", "RANGE"): "likewise",

@@ -27,7 +27,7 @@ ARGUMENTS_OF = {
     ("chain", "read"): (0,), ("membrane", "read"): (0,), ("water", "read"): (11,), ("chain", "write"): (0, 0),
     ("membrane", "write"): (0, 0), ("water", "write"): (11, 0),
 }
-VALUES = {"gravity": 0, "ring": 0, "stiffness": 0, "tolerance": 0, "parallel": 2}
+VALUES = {"gravity": 0, "ring": 0, "stiffness": 0, "tolerance": 0, "parallel": 2, "kernels": 0}
 
 
 def uses(kind_name):

@@ -17,6 +17,8 @@ OTHERWISE = {
     "cd_version": "contdyn.version",
     "cd_version_string": "contdyn.__version__",
     "cd_build_info": "contdyn.build_info",
+    "cd_runnable_kernels": "contdyn.runnable_kernels",
+    "cd_kernels_name": "contdyn.kernels_name",
     "cd_chain_create": "contdyn.Chain",
     "cd_membrane_create": "contdyn.Membrane",
     "cd_water_create": "contdyn.Water",
@@ -133,6 +135,8 @@ class Reach(unittest.TestCase):
         self.assertEqual(contdyn.status_name(3), "CD_ERROR_VALUE")
         self.assertEqual(contdyn.status_name(-1), "CD_ERROR_UNKNOWN")
         self.assertRegex(contdyn.build_info(), "objects: .*chain")
+        self.assertEqual(contdyn.kernels_name(contdyn.Kernels.AVX512), "AVX-512")
+        self.assertEqual(contdyn.runnable_kernels()[0], contdyn.Kernels.PLAIN)
 
     def test_everything_public_is_documented(self):
         for name in contdyn.__all__:

@@ -78,6 +78,9 @@ enum class solver : std::int32_t { alternating = CD_SOLVER_ALTERNATING, coupled 
 // How the total mass is dealt out to the nodes.
 enum class mass_rule : std::int32_t { equal = CD_MASS_EQUAL, half_ends = CD_MASS_HALF_ENDS };
 
+// The instructions that steps are made of.
+enum class kernels : std::int32_t { plain = CD_KERNELS_PLAIN, avx2 = CD_KERNELS_AVX2, avx512 = CD_KERNELS_AVX512 };
+
 // What holds a node.
 enum class node : std::int32_t {
     free = CD_NODE_FREE,
@@ -151,6 +154,15 @@ inline const char* status_name(status s) { return cd_status_name(static_cast<cd_
 inline std::uint32_t version() { return cd_version(); }
 inline const char* version_string() { return cd_version_string(); }
 inline const char* build_info() { return cd_build_info(); }
+inline const char* kernels_name(kernels k) { return cd_kernels_name(static_cast<cd_kernels>(k)); }
+
+// Those that this build has and this processor runs, the fastest last.
+inline std::vector<kernels> runnable_kernels() {
+    std::vector<kernels> all;
+    for (cd_kernels k = 0; cd_runnable_kernels() >> k != 0; ++k)
+        if (cd_runnable_kernels() >> k & 1) all.push_back(static_cast<kernels>(k));
+    return all;
+}
 
 namespace refusal {
 // Why this header refused a call without asking the library; null after a refusal of the library's own.
@@ -471,6 +483,8 @@ public:
 
     // The caller's threads, whose functions must not throw; null turns them off.
     outcome<> set_parallel(const cd_parallel* table) { return call(cd_chain_set_parallel, table); }
+    outcome<> set_kernels(kernels k) { return call(cd_chain_set_kernels, k); }
+    outcome<kernels> get_kernels() const { return value<kernels>(cd_chain_get_kernels); }
 
     // ---- parameters: totals of one strand ----
 
@@ -704,6 +718,8 @@ public:
 
     // The caller's threads, whose functions must not throw; null turns them off.
     outcome<> set_parallel(const cd_parallel* table) { return call(cd_membrane_set_parallel, table); }
+    outcome<> set_kernels(kernels k) { return call(cd_membrane_set_kernels, k); }
+    outcome<kernels> get_kernels() const { return value<kernels>(cd_membrane_get_kernels); }
 
     // ---- parameters: totals of the sheet ----
 
@@ -988,6 +1004,8 @@ public:
 
     // The caller's threads, whose functions must not throw; null turns them off.
     outcome<> set_parallel(const cd_parallel* table) { return call(cd_water_set_parallel, table); }
+    outcome<> set_kernels(kernels k) { return call(cd_water_set_kernels, k); }
+    outcome<kernels> get_kernels() const { return value<kernels>(cd_water_get_kernels); }
 
     // ---- parameters ----
 

@@ -1,0 +1,37 @@
+/* A membrane's steps give the same bits with all kernels that this processor runs. */
+#include "check.h"
+#include "cloth.h"
+#include "kernels.h"
+
+static uint64_t run(const struct cloth_scene* scene, cd_precision precision, cd_method method, cd_solver solver,
+                    cd_kernels kernels) {
+    cd_membrane* const membrane = cloth(18, 11, 3, precision);
+    scene->build(membrane);
+    ok(cd_membrane_set_kernels(membrane, kernels));
+    ok(cd_membrane_set_method(membrane, method));
+    ok(cd_membrane_set_solver(membrane, solver));
+    const cd_status status = cd_membrane_step(membrane, method == CD_METHOD_IMPLICIT ? 0.01 : 1e-4, 5);
+    assert_true(status == CD_OK || status == CD_ERROR_TOLERANCE);
+    const uint64_t hash = hash_of(membrane);
+    cd_membrane_destroy(membrane);
+    return hash;
+}
+
+static void all_kernels_give_the_same_bits(void** state) {
+    (void)state;
+    for (const struct cloth_scene* scene = cloths; scene < cloths + CLOTHS; ++scene)
+        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
+            for (cd_method method = CD_METHOD_IMPLICIT; method <= CD_METHOD_STIFF_SECOND; ++method)
+                for (cd_solver solver = CD_SOLVER_ALTERNATING; solver <= CD_SOLVER_COUPLED; ++solver) {
+                    const uint64_t plain = run(scene, precision, method, solver, CD_KERNELS_PLAIN);
+                    FOR_RUNNABLE(kernels)
+                    if (run(scene, precision, method, solver, kernels) != plain)
+                        fail_msg("%s, method %d, solver %d: %s differs", scene->name, method, solver,
+                                 cd_kernels_name(kernels));
+                }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(all_kernels_give_the_same_bits)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,33 @@
+/* A water's steps give the same bits with all kernels that this processor runs. */
+#include "check.h"
+#include "kernels.h"
+#include "pool.h"
+
+static uint64_t run(const struct pool_scene* scene, size_t nx, size_t ny, cd_precision precision, cd_kernels kernels) {
+    cd_water* const water = pool(nx, ny, precision);
+    scene->build(water);
+    ok(cd_water_set_kernels(water, kernels));
+    pool_step(water, scene->dt, 20);
+    const uint64_t hash = hash_of(water);
+    cd_water_destroy(water);
+    return hash;
+}
+
+static void all_kernels_give_the_same_bits(void** state) {
+    (void)state;
+    static const size_t shapes[][2] = {{18, 11}, {1, 9}, {9, 1}, {7, 17}};
+    for (const struct pool_scene* scene = pools; scene < pools + POOLS; ++scene)
+        for (size_t s = 0; s < COUNT(shapes); ++s)
+            for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+                const uint64_t plain = run(scene, shapes[s][0], shapes[s][1], precision, CD_KERNELS_PLAIN);
+                FOR_RUNNABLE(kernels)
+                if (run(scene, shapes[s][0], shapes[s][1], precision, kernels) != plain)
+                    fail_msg("%s, %zu x %zu: %s differs", scene->name, shapes[s][0], shapes[s][1],
+                             cd_kernels_name(kernels));
+            }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(all_kernels_give_the_same_bits)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
