@@ -79,6 +79,18 @@ class MassRule(IntEnum):
     HALF_ENDS = 1
 
 
+class Kernels(IntEnum):
+    """The instructions that steps are made of. All give the same bits; a new object has the fastest that its processor
+    runs."""
+
+    #: what every processor of the target has: SSE2 on x86-64, NEON on AArch64, and on WebAssembly SIMD128 where that
+    #: was built with -msimd128
+    PLAIN = 0
+    AVX2 = 1
+    #: the parts F and DQ of AVX-512
+    AVX512 = 2
+
+
 class Node(IntEnum):
     """What holds a node. The values are also those of the field Field.PIN."""
 
@@ -278,6 +290,8 @@ TYPES: Dict[str, Any] = {
 FUNCTIONS: Dict[str, str] = {
     "cd_status_name": "text: status int",
     "cd_error_message": "text:",
+    "cd_runnable_kernels": "uint:",
+    "cd_kernels_name": "text: kernels int",
     "cd_version": "uint:",
     "cd_version_string": "text:",
     "cd_build_info": "text:",
@@ -291,6 +305,8 @@ FUNCTIONS: Dict[str, str] = {
     "cd_chain_set_lambda": "status: chain handle, lambda double",
     "cd_chain_get_lambda": "status: chain handle, out_lambda double*",
     "cd_chain_set_parallel": "status: chain handle, parallel Parallel*",
+    "cd_chain_set_kernels": "status: chain handle, kernels int",
+    "cd_chain_get_kernels": "status: chain handle, out_kernels int*",
     "cd_chain_set_mass": "status: chain handle, mass double",
     "cd_chain_get_mass": "status: chain handle, out_mass double*",
     "cd_chain_set_mass_rule": "status: chain handle, rule int",
@@ -357,6 +373,8 @@ FUNCTIONS: Dict[str, str] = {
     "cd_membrane_get_tolerance": "status: membrane handle, out_tolerance double*, out_most_iterations size*",
     "cd_membrane_get_convergence": "status: membrane handle, out_iterations size*, out_residual double*",
     "cd_membrane_set_parallel": "status: membrane handle, parallel Parallel*",
+    "cd_membrane_set_kernels": "status: membrane handle, kernels int",
+    "cd_membrane_get_kernels": "status: membrane handle, out_kernels int*",
     "cd_membrane_set_mass": "status: membrane handle, mass double",
     "cd_membrane_get_mass": "status: membrane handle, out_mass double*",
     "cd_membrane_set_mass_rule": "status: membrane handle, rule int",
@@ -436,6 +454,8 @@ FUNCTIONS: Dict[str, str] = {
     "cd_water_set_first": "status: water handle, along_y int",
     "cd_water_get_first": "status: water handle, out_along_y int*",
     "cd_water_set_parallel": "status: water handle, parallel Parallel*",
+    "cd_water_set_kernels": "status: water handle, kernels int",
+    "cd_water_get_kernels": "status: water handle, out_kernels int*",
     "cd_water_set_gravity": "status: water handle, gravity double",
     "cd_water_get_gravity": "status: water handle, out_gravity double*",
     "cd_water_set_density": "status: water handle, density double",
