@@ -71,6 +71,7 @@ template <> struct Lanes<1, LaneKind::kSingle, double> {
     friend Lanes by_sign(Lanes by, Lanes a, Lanes b) { return __builtin_signbit(by.v) ? a : b; }
     friend Lanes larger(Lanes a, Lanes b) { return {a.v > b.v ? a.v : b.v}; }
     friend Lanes smaller(Lanes a, Lanes b) { return {a.v < b.v ? a.v : b.v}; }
+    friend Lanes size_of(Lanes a) { return {__builtin_fabs(a.v)}; }
     template <class F> friend Lanes each_lane(Lanes a, F f) { return {f(a.v)}; }
     bool any_nan() const { return v != v; }
 };
@@ -125,6 +126,10 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
     // the second one where either is NaN
     friend Lanes larger(Lanes a, Lanes b) { return {a.v > b.v ? a.v : b.v}; }
     friend Lanes smaller(Lanes a, Lanes b) { return {a.v < b.v ? a.v : b.v}; }
+    friend Lanes size_of(Lanes a) {
+        typedef decltype(a.v < a.v) Bits;
+        return {reinterpret_cast<Values>(reinterpret_cast<Bits>(a.v) & INT64_MAX)};
+    }
     template <class F> friend Lanes each_lane(Lanes a, F f) {
         for (int j = 0; j < N; ++j) a.v[j] = f(a.v[j]);
         return a;
@@ -159,6 +164,7 @@ template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
     friend Lanes by_sign(Lanes by, Lanes x, Lanes y) { return {by_sign(by.a, x.a, y.a), by_sign(by.b, x.b, y.b)}; }
     friend Lanes larger(Lanes x, Lanes y) { return {larger(x.a, y.a), larger(x.b, y.b)}; }
     friend Lanes smaller(Lanes x, Lanes y) { return {smaller(x.a, y.a), smaller(x.b, y.b)}; }
+    friend Lanes size_of(Lanes x) { return {size_of(x.a), size_of(x.b)}; }
     template <class F> friend Lanes each_lane(Lanes x, F f) { return {each_lane(x.a, f), each_lane(x.b, f)}; }
     bool any_nan() const { return a.any_nan() || b.any_nan(); }
 };
@@ -170,7 +176,6 @@ template <int N> inline Lanes<N> positive(Lanes<N> a) { return select(a, a, Lane
 template <int N> inline Lanes<N> within(Lanes<N> a, double least, double most) {
     return smaller(larger(a, Lanes<N>::splat(least)), Lanes<N>::splat(most));
 }
-template <int N> inline Lanes<N> size_of(Lanes<N> a) { return larger(a, -a); }
 template <int N> inline Lanes<N> root(Lanes<N> a) {
     return each_lane(a, [](double x) { return __builtin_sqrt(x); });
 }

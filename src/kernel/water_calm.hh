@@ -71,12 +71,13 @@ template <int N, class T> class CalmLines {
         const size_t last = n - 1;
         const double courant = axis.courant, lambda = axis.lambda, wave_gain = axis.gravity * courant;
         const L one = L::splat(1), gain = L::splat(wave_gain * lambda);
-        L b = bed[0], d = depth[0], l{}, from_l{}, y{}, e = one;
+        L b = bed[0], d = depth[0], l{}, from_l{}, y{}, own = one, inverse = one;
         Extreme shallowest = least_of(d), clearance = least_of(one), deepest{}, fastest{};
         const auto eliminate = [&](size_t i, L r, L to_r) {
-            const L grounded = one + l * e, inverse = one / (grounded + r);
+            const L behind = (l * own) * inverse;
+            own = one + behind;
+            inverse = one / ((one + r) + behind);
             y = ((from_l - to_r) + l * y) * inverse;
-            e = grounded * inverse;
             y.store(found[i].change);
             (r * inverse).store(found[i].pull);
             l = r, from_l = to_r;
@@ -91,7 +92,7 @@ template <int N, class T> class CalmLines {
             shallowest = smaller(least_of(d_r), shallowest), deepest = larger(largest_of(mean), deepest);
             clearance = smaller(least_of(smaller(d_r + up, d - up)), clearance);
             fastest = larger(largest_of(size_of(cells)), fastest);
-            const L h = mean - 0.5 * (cells * more), w = u + -(wave_gain * (up + more));
+            const L h = mean - 0.5 * (cells * more), w = u - wave_gain * (up + more);
             h.store(found[i + 1].face);
             w.store(found[i + 1].guess);
             eliminate(i, (courant * lambda) * (gain * h), courant * (h * (lambda * w + (1 - lambda) * u)));
@@ -103,7 +104,7 @@ template <int N, class T> class CalmLines {
     }
 
     // The surface, what it moves, and what is left of it in cells and on faces. False: not calm.
-    bool go_left(L& probe) const {
+    bool go_left() const {
         const Rows depth = this->depth, velocity = this->velocity;
         const Found* const found = this->found;
         T *const after = this->after, *const keeps = this->keeps;
@@ -112,8 +113,7 @@ template <int N, class T> class CalmLines {
         const L gain = L::splat(axis.gravity * courant * lambda), none{};
         Rounding<N, T> rounding;
         Extreme fastest{}, deepest{}, shallowest = least_of(L::splat(1e300)), most_owed{};
-        L x = L::load(found[n - 1].change), out{}, back{},
-          finite{};                                        // what goes through the face behind, and comes back
+        L x = L::load(found[n - 1].change), out{}, back{}; // what goes through the face behind, and comes back
         const auto fill = [&](size_t i, L in, L back_in) { // see left_in
             const L left = ((depth[i] + (in + back)) - out) - back_in;
             deepest = larger(largest_of(left), deepest);
@@ -133,18 +133,18 @@ template <int N, class T> class CalmLines {
             x = L::load(found[i - 1].change) + L::load(found[i - 1].pull) * x_r;
             const L w = L::load(found[i].guess) - gain * (x_r - x);
             const L through = courant * (L::load(found[i].face) * (lambda * w + (1 - lambda) * u));
-            const L kept = settled_number<T>(w, finite);
+            const L kept = settled(w, double(Limits<T>::least));
             fastest = larger(largest_of(size_of(kept)), fastest);
             kept.store(keeps + i * N);
             fill(i, positive(through), positive(-through));
         }
         fill(0, none, none);
         for (size_t i : {size_t(0), n}) none.store(keeps + i * N);
-        probe = finite;
+        if (x.any_nan()) return false; // as it would be if any number had been
         const Extreme least = larger(16 * most_owed, least_of(L::splat(double(Limits<T>::least))));
-        const Extreme most = least_of(L::splat(kDeepest)), one = least_of(L::splat(1));
+        const Extreme most = least_of(L::splat(kMost)), one = least_of(L::splat(1));
         const Extreme very_long = wave() * deepest - kVeryLongStep * one,
-                      strange = larger(least - shallowest, deepest - most);
+                      strange = larger(least - shallowest, larger(deepest, fastest) - most);
         if (any_positive(larger(strange, very_long))) return false;
         const Extreme rushing = fastest * fastest - (axis.gravity / 4) * shallowest;
         if (any_positive(smaller((1 + 0x1p-20) * wave() * deepest - one, rushing)) && rushes()) return false;
@@ -163,7 +163,7 @@ template <int N, class T> class CalmLines {
         return any_positive(any);
     }
 
-    static constexpr double kDeepest = 0x1p100; // far from where anything overflows
+    static constexpr double kMost = 0x1p100; // far from where anything overflows
 
 public:
     // The lines from `first` on, N of them; work: as for sweep_water.
@@ -175,16 +175,13 @@ public:
           upright(N == 1 || all.across == 1),
           free(work) {}
 
-    // Makes the step if all of the lines are calm, else leaves them as they are. finite: false if a number left the
-    // finite range.
-    bool step(bool& finite) const {
-        L probe{};
-        if (!go_right() || !go_left(probe)) return false;
+    // Makes the step if all of the lines are calm, else leaves them as they are.
+    bool step() const {
+        if (!go_right() || !go_left()) return false;
         put_back(after, n, lines.depth);
         put_back(keeps, n + 1, lines.velocity);
         for (size_t k = place.first; k < place.first + N; ++k)
             for (size_t t = 0; t < kTallies; ++t) lines.tally[k * kTallies + t] = t == kSolves ? 1 : 0;
-        finite &= !probe.any_nan();
         return true;
     }
 };

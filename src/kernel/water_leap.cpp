@@ -29,7 +29,7 @@ template <class T> class Leap {
         const L b_l = L::load(grid.bed + at - step), b_r = L::load(grid.bed + at);
         const L d_l = L::load(grid.depth + at - step), d_r = L::load(grid.depth + at), u = L::load(velocity + at);
         const L up = b_r - b_l, more = d_r - d_l, mean = 0.5 * (d_l + d_r), cells = a.courant * u;
-        const L h = mean - 0.5 * (cells * more), w = u + -((a.gravity * a.courant) * (up + more));
+        const L h = mean - 0.5 * (cells * more), w = u - (a.gravity * a.courant) * (up + more);
         seen.clearance = smaller(smaller(d_r + up, d_l - up), seen.clearance);
         seen.fastest = larger(larger(size_of(cells), a.courant * size_of(w)), seen.fastest);
         if (next) settled_number<T>(w, seen.probe).store(next + at);

@@ -18,19 +18,21 @@ template <int N> struct RowLanes { Lanes<N> ground, left, right, to_left, to_rig
 constexpr double kNoGround = 0x1p-900;
 
 // Solves rows [first, last), between x_{first-1} = before and x_last = after. Series-spring elimination, also where
-// left and right differ: nothing is ever subtracted, e is what grounds the row beside 1. Rows that nothing grounds, not
-// even by way of others, give 0: the sign of their pull says where such rows end.
+// left and right differ: nothing is ever subtracted, own / whole is what grounds the row beside 1 (of its product with
+// to_left only one factor waits for the division). Rows that nothing grounds, not even by way of others, give 0: the
+// sign of their pull says where such rows end.
 template <int N, class Row> inline void solve_rows(size_t first, size_t last, const Row& row, Lanes<N> before,
                                                    Lanes<N> after, double* x, double* pull) {
     using L = Lanes<N>;
     const L one = L::splat(1);
-    L y = before, e = one;
+    L y = before, own = one, inverse = one;
     for (size_t i = first; i < last; ++i) {
         const RowLanes<N> r = row(i);
-        const L own = r.ground + r.to_left * e, whole = own + r.to_right;
-        const L counts = whole - L::splat(kNoGround), inverse = select(counts, one / whole, L{});
+        const L behind = (r.to_left * own) * inverse, whole = (r.ground + r.to_right) + behind;
+        const L counts = whole - L::splat(kNoGround);
+        own = r.ground + behind;
+        inverse = select(counts, one / whole, L{});
         y = (r.load + r.left * y) * inverse;
-        e = own * inverse;
         y.store(x + i * N);
         select(counts, r.right * inverse, -one).store(pull + i * N);
     }

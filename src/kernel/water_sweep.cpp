@@ -91,9 +91,9 @@ template <class T> struct Carry {
 } // namespace
 
 // Whether the lines from `line` on were N calm ones, and have made their step.
-template <int N, class T> bool sweep_calm(const WaterAxis& axis, const WaterLines<T>& lines, double* work, size_t& line,
-                                          size_t end, bool& finite) {
-    if (end - line < N || !CalmLines<N, T>(axis, lines, line, work).step(finite)) return false;
+template <int N, class T>
+bool sweep_calm(const WaterAxis& axis, const WaterLines<T>& lines, double* work, size_t& line, size_t end) {
+    if (end - line < N || !CalmLines<N, T>(axis, lines, line, work).step()) return false;
     line += N;
     return true;
 }
@@ -105,10 +105,9 @@ bool sweep_water(const WaterAxis& axis, const WaterLines<T>& lines, double* work
     const size_t end = (first + count) * kWaterPack < lines.lines ? (first + count) * kWaterPack : lines.lines;
     bool finite = true;
     for (size_t line = first * kWaterPack; line < end;) {
-        if (sweep_calm<kCalmLanes>(axis, lines, work, line, end, finite)) continue;
-        if (kCalmLanes > 8 && sweep_calm<8>(axis, lines, work, line, end, finite)) continue;
-        if (end - line <= 4 && sweep_calm<1>(axis, lines, work, line, end, finite))
-            continue; // few: one by one is faster
+        if (sweep_calm<kCalmLanes>(axis, lines, work, line, end)) continue;
+        if (kCalmLanes > 8 && sweep_calm<8>(axis, lines, work, line, end)) continue;
+        if (end - line <= 4 && sweep_calm<1>(axis, lines, work, line, end)) continue; // few: one by one is faster
         if (lines.lines == 1) return sweep.template bundle<1>(0);
         finite &= sweep.template bundle<int(kWaterLanes)>(line);
         line += kWaterLanes;

@@ -56,9 +56,8 @@ template <class T> struct Own {
         return all;
     }
     bool step_calm() {
-        bool finite = true;
         const cd::WaterLines<T> all = lines();
-        return cd::CalmLines<kN, T>(axis, all, 0, work.data()).step(finite) && finite;
+        return cd::CalmLines<kN, T>(axis, all, 0, work.data()).step();
     }
     // By the way for all lines: of walls, which stand nowhere, the calm way knows nothing.
     bool step(bool as_any) {
