@@ -272,21 +272,26 @@ template <class T> struct ExplicitStep {
 
 // ---- many steps of many lines ---------------------------------------------------------------------------------------
 
-// Lines never mix, so a bundle of them makes all its steps while it is in the cache.
+// Lines never mix, so a bundle of them makes all its steps while it is in the cache. A task is some bundles side by
+// side: threads then write to lines of the cache apart from each other, and each has enough to do.
 template <class Step> uint64_t run(Chain& c, const Step& step, size_t count) {
-    constexpr size_t kBundle = 16;
+    constexpr size_t kBundle = 16, kNumbers = 1 << 12;
+    const size_t bundles = (c.lines + kBundle - 1) / kBundle;
+    const size_t enough = kNumbers / kBundle / c.nodes / count, per_task = enough > 0 ? enough : 1;
     uint64_t first_bad = UINT64_MAX;
-    auto bundle = [&](size_t b) {
-        const size_t first = b * kBundle, lines = c.lines - first < kBundle ? c.lines - first : kBundle;
+    auto task = [&](size_t t) {
         uint64_t bad = UINT64_MAX;
-        for (size_t s = 0; s < count; ++s)
-            if (!step(first, lines) && bad == UINT64_MAX) bad = s;
+        for (size_t b = t * per_task; b < bundles && b < (t + 1) * per_task; ++b) {
+            const size_t first = b * kBundle, lines = c.lines - first < kBundle ? c.lines - first : kBundle;
+            for (size_t s = 0; s < count; ++s)
+                if (!step(first, lines) && s < bad) bad = s;
+        }
         uint64_t seen = __atomic_load_n(&first_bad, __ATOMIC_RELAXED);
         while (bad < seen &&
                !__atomic_compare_exchange_n(&first_bad, &seen, bad, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
         }
     };
-    parallel_for(c.parallel, (c.lines + kBundle - 1) / kBundle, bundle);
+    parallel_for(c.parallel, (bundles + per_task - 1) / per_task, task);
     return first_bad;
 }
 

@@ -21,7 +21,7 @@ static cd_chain* begin(scene_build* build, size_t strands, size_t springs, size_
 
 static void the_job_system_leaves_no_trace(void** state) {
     (void)state;
-    static const size_t strands[] = {1, 3, 17, 4096};
+    static const size_t strands[] = {1, 3, 17, 8192};
     static scene_build* const builds[] = {scene_welded, scene_everything, scene_everything_ring};
     for (size_t b = 0; b < COUNT(builds); ++b) {
         for (size_t s = 0; s < COUNT(strands); ++s) {
@@ -44,7 +44,7 @@ static void the_job_system_leaves_no_trace(void** state) {
                         assert_int_equal(hashes[1], hashes[0]);
                         assert_int_equal(hashes[2], hashes[0]);
                         assert_true(hashes[0] != hash_of(begun));
-                        if (strands[s] == 4096) assert_true(jobs[0].tasks > 100 && jobs[1].tasks > 100);
+                        if (strands[s] == 8192) assert_true(jobs[0].tasks > 100 && jobs[1].tasks > 100);
                     }
                     cd_chain_destroy(chain);
                     cd_chain_destroy(begun);
