@@ -67,7 +67,15 @@ template <class Object> std::uint64_t hash_of_all(const std::vector<Object>& obj
     return hash;
 }
 
-// Two threads that share indices out as they come.
+// A subject for each of the kernels that the processor runs, the plain ones first: subject(kernels) makes it.
+template <class Make> std::vector<Subject> of_each_kernels(Make subject) {
+    std::vector<Subject> all;
+    for (cd_kernels kernels = CD_KERNELS_PLAIN; cd_runnable_kernels() >> kernels; ++kernels)
+        if (cd_runnable_kernels() >> kernels & 1) all.push_back(subject(kernels));
+    return all;
+}
+
+// Two threads, one of them the caller's: see bench_threads.cpp.
 const cd_parallel& two_threads();
 
 } // namespace report

@@ -166,6 +166,19 @@ Bench small_scenes() {
             }};
 }
 
+Bench by_each_kernels(const Shape& shape) {
+    return {name_of("kernels", shape), [=] {
+                Case it{name_of("kernels", shape), shape.all(), {}};
+                it.subjects = of_each_kernels([&](cd_kernels kernels) {
+                    const auto chain = chain_of(shape, CD_FLOAT32);
+                    check(cd_chain_set_kernels(chain->get(), kernels));
+                    return stepped(cd_kernels_name(kernels), chain);
+                });
+                it.subjects.push_back(traffic<float>(2 * shape.numbers()));
+                return it;
+            }};
+}
+
 // The library alone, at lengths from a hundred nodes to ten million.
 Bench at_any_length(const Shape& shape) {
     return {name_of("length", shape), [=] {
@@ -189,6 +202,8 @@ std::vector<Bench> chain_benches() {
          {Shape{10000}, Shape{1000000}, Shape{1000000, 3}, Shape{32, 3, 4096}, Shape{32, 3, 32768}})
         all.push_back(explicit_beside_copy(shape));
     for (const Shape& shape : {Shape{32, 3, 4096}, Shape{32, 3, 32768}}) all.push_back(shared_by_threads(shape));
+    for (const Shape& shape : {Shape{1000}, Shape{100000}, Shape{1000, 3}, Shape{32, 3, 4096}})
+        all.push_back(by_each_kernels(shape));
     for (const Shape& shape : {Shape{10000}, Shape{32, 3, 1024}})
         for (cd_precision precision : {CD_FLOAT32, CD_FLOAT64}) all.push_back(still_beside_lively(shape, precision));
     all.push_back(small_scenes());

@@ -119,6 +119,20 @@ Bench still_beside_lively(std::size_t side, cd_precision precision) {
             }};
 }
 
+Bench by_each_kernels(std::size_t side, std::size_t components, Way way) {
+    const std::string name = name_of(way == Way::coupled_half ? "kernels.coupled" : "kernels", side, components);
+    return {name, [=] {
+                Case it{name, side * side, {}};
+                it.subjects = of_each_kernels([&](cd_kernels kernels) {
+                    const auto sheet = sheet_of(side, components, CD_FLOAT32, way);
+                    check(cd_membrane_set_kernels(sheet->get(), kernels));
+                    return stepped(cd_kernels_name(kernels), sheet);
+                });
+                it.subjects.push_back(traffic<float>(2 * side * side * components));
+                return it;
+            }};
+}
+
 Bench at_any_size(std::size_t side, std::size_t components) {
     const std::string name = name_of("size", side, components);
     return {name, [=] {
@@ -142,6 +156,8 @@ std::vector<Bench> sheet_benches() {
     all.push_back(explicit_beside_copy(1024, 3));
     all.push_back(shared_by_threads(512, 1));
     all.push_back(shared_by_threads(1024, 3));
+    for (std::size_t side : {256, 1024}) all.push_back(by_each_kernels(side, 3, Way::alternating_half));
+    all.push_back(by_each_kernels(256, 3, Way::coupled_half));
     for (cd_precision precision : {CD_FLOAT32, CD_FLOAT64}) all.push_back(still_beside_lively(128, precision));
     for (std::size_t side : {10, 32, 100, 316, 1000, 3162}) all.push_back(at_any_size(side, 1));
     return all;

@@ -97,6 +97,20 @@ Bench still_beside_lively(std::size_t side, cd_precision precision) {
         }};
 }
 
+Bench by_each_kernels(std::size_t side, Way way) {
+    const std::string name = name_of(way == Way::water_advected ? "kernels.advected" : "kernels", side);
+    return {name, [=] {
+                Case it{name, side * side, {}};
+                it.subjects = of_each_kernels([&](cd_kernels kernels) {
+                    const auto pool = pool_of(side, CD_FLOAT32, 1, way);
+                    check(cd_water_set_kernels(pool->get(), kernels));
+                    return stepped(cd_kernels_name(kernels), pool);
+                });
+                it.subjects.push_back(state_of(side));
+                return it;
+            }};
+}
+
 Bench at_any_size(std::size_t side) {
     const std::string name = name_of("size", side);
     return {name, [=] {
@@ -114,6 +128,8 @@ std::vector<Bench> water_benches() {
                               implicit_beside_textbook(2048, "12 times the textbook")};
     for (std::size_t side : {256, 1024, 2048}) all.push_back(explicit_beside_copy(side));
     all.push_back(shared_by_threads(1024));
+    for (Way way : {Way::water_linear, Way::water_advected}) all.push_back(by_each_kernels(256, way));
+    all.push_back(by_each_kernels(1024, Way::water_linear));
     for (cd_precision precision : {CD_FLOAT32, CD_FLOAT64}) all.push_back(still_beside_lively(128, precision));
     for (std::size_t side : {10, 32, 100, 316, 1000, 3162}) all.push_back(at_any_size(side));
     return all;
