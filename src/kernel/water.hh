@@ -44,10 +44,10 @@ template <class T> struct WaterLines {
     double* tally;        // out: kTallies numbers per line
 };
 
-// Whether such lines can be calm: linear, between walls, with nothing that pushes, rubs or closes faces.
+// Whether such lines can be calm: linear, between walls, with nothing that pushes or closes faces.
 template <class T> bool may_be_calm(const WaterAxis& axis, const WaterLines<T>& lines) {
     const bool walled = axis.end[0].kind == End::kWall && axis.end[1].kind == End::kWall;
-    const bool plain = !axis.advected && axis.corrections == 0 && !axis.rubs() && axis.lambda > 0;
+    const bool plain = !axis.advected && axis.corrections == 0 && !(axis.manning > 0) && axis.lambda > 0;
     return walled && plain && !lines.mask && !lines.wall && !lines.force && !lines.pressure;
 }
 

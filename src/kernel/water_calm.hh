@@ -1,6 +1,6 @@
 // A bundle of calm lines of water: the step of WaterLine (water_line.hh), with the same bits, in two passes.
 //
-// Most water of most scenes is calm: wet from wall to wall, linear, with nothing that pushes, rubs or closes faces, no
+// Most water of most scenes is calm: wet from wall to wall, linear, with nothing that pushes or closes faces, no
 // film above its neighbour, no stream of more than a cell, no step so long that cells may run dry. Then every part of
 // the step asks for neighbours only: faces, guesses and the elimination go right in one loop; the surface, what it
 // moves, what cells hold and what faces keep go left in another, and leave rounded. What would make a line other than
@@ -70,7 +70,8 @@ template <int N, class T> class CalmLines {
         Found* const found = this->found;
         const size_t last = n - 1;
         const double courant = axis.courant, lambda = axis.lambda, wave_gain = axis.gravity * courant;
-        const L one = L::splat(1), gain = L::splat(wave_gain * lambda);
+        const FrictionLanes<N> friction(L::splat(axis.drag));
+        const L one = L::splat(1), gain = friction.push * L::splat(wave_gain * lambda);
         L b = bed[0], d = depth[0], l{}, from_l{}, y{}, own = one, inverse = one;
         Extreme shallowest = least_of(d), clearance = least_of(one), deepest{}, fastest{};
         const auto eliminate = [&](size_t i, L r, L to_r) {
@@ -92,7 +93,7 @@ template <int N, class T> class CalmLines {
             shallowest = smaller(least_of(d_r), shallowest), deepest = larger(largest_of(mean), deepest);
             clearance = smaller(least_of(smaller(d_r + up, d - up)), clearance);
             fastest = larger(largest_of(size_of(cells)), fastest);
-            const L h = mean - 0.5 * (cells * more), w = u - wave_gain * (up + more);
+            const L h = mean - 0.5 * (cells * more), w = friction.keep * u - friction.push * (wave_gain * (up + more));
             h.store(found[i + 1].face);
             w.store(found[i + 1].guess);
             eliminate(i, (courant * lambda) * (gain * h), courant * (h * (lambda * w + (1 - lambda) * u)));
@@ -110,7 +111,8 @@ template <int N, class T> class CalmLines {
         T *const after = this->after, *const keeps = this->keeps;
         const size_t n = this->n;
         const double courant = axis.courant, lambda = axis.lambda;
-        const L gain = L::splat(axis.gravity * courant * lambda), none{};
+        const FrictionLanes<N> friction(L::splat(axis.drag));
+        const L gain = friction.push * L::splat(axis.gravity * courant * lambda), none{};
         Rounding<N, T> rounding;
         Extreme fastest{}, deepest{}, shallowest = least_of(L::splat(1e300)), most_owed{};
         L x = L::load(found[n - 1].change), out{}, back{}; // what goes through the face behind, and comes back

@@ -21,15 +21,17 @@ template <class T> class Leap {
     const WaterGrid<T>& grid;
     double *const through, *const before; // of a row's faces along x, and of those along y before it: as depths
     double owed[kRowChains];              // see fill_water
+    const FrictionLanes<1> friction{Lanes<1>{axis->drag}}; // of both axes
 
     // What a face between wet cells will move, as a depth; its new velocity goes to `next`, if anywhere.
-    template <int N> static Lanes<N> move(const WaterAxis& a, const WaterGrid<T>& grid, const T* velocity, T* next,
-                                          size_t at, size_t step, Seen<N>& seen) {
+    template <int N>
+    Lanes<N> move(const WaterAxis& a, const T* velocity, T* next, size_t at, size_t step, Seen<N>& seen) const {
         using L = Lanes<N>;
         const L b_l = L::load(grid.bed + at - step), b_r = L::load(grid.bed + at);
         const L d_l = L::load(grid.depth + at - step), d_r = L::load(grid.depth + at), u = L::load(velocity + at);
         const L up = b_r - b_l, more = d_r - d_l, mean = 0.5 * (d_l + d_r), cells = a.courant * u;
-        const L h = mean - 0.5 * (cells * more), w = u - (a.gravity * a.courant) * (up + more);
+        const L h = mean - 0.5 * (cells * more);
+        const L w = friction.keep.v * u - friction.push.v * ((a.gravity * a.courant) * (up + more));
         seen.clearance = smaller(smaller(d_r + up, d_l - up), seen.clearance);
         seen.fastest = larger(larger(size_of(cells), a.courant * size_of(w)), seen.fastest);
         if (next) settled_number<T>(w, seen.probe).store(next + at);
@@ -37,7 +39,7 @@ template <class T> class Leap {
     }
 
     template <int N> void along_x(size_t begin, size_t i, Seen<N>& seen) const {
-        move<N>(axis[0], grid, grid.velocity[0], grid.next_velocity[0], begin + i, 1, seen).store(through + i);
+        move<N>(axis[0], grid.velocity[0], grid.next_velocity[0], begin + i, 1, seen).store(through + i);
     }
 
     // The faces behind cells along y, and the cells.
@@ -47,7 +49,7 @@ template <class T> class Leap {
         const L x = L::load(through + i), x_r = L::load(through + i + 1), y = L::load(before + i);
         L y_r{};
         if (row + 1 < grid.rows)
-            y_r = move<N>(axis[1], grid, grid.velocity[1], grid.next_velocity[1], at + grid.pitch, grid.pitch, seen);
+            y_r = move<N>(axis[1], grid.velocity[1], grid.next_velocity[1], at + grid.pitch, grid.pitch, seen);
         y_r.store(before + i);
         const L in = ((positive(x) + positive(-x_r)) + positive(y)) + positive(-y_r);
         const L out = ((positive(-x) + positive(x_r)) + positive(-y)) + positive(y_r);
@@ -92,8 +94,7 @@ public:
         Seen<1> single;
         for (size_t i = 0; i < n && first == 0; ++i) before[i] = 0, grid.next_velocity[1][i] = 0;
         for (size_t i = 0; i < n && first > 0; ++i) // which the row before keeps
-            move<1>(axis[1], grid, grid.velocity[1], nullptr, first * grid.pitch + i, grid.pitch, single)
-                .store(before + i);
+            move<1>(axis[1], grid.velocity[1], nullptr, first * grid.pitch + i, grid.pitch, single).store(before + i);
         for (size_t row = first; row < end; ++row) {
             T *const u = grid.next_velocity[0] + row * grid.pitch, *const depth = grid.next_depth + row * grid.pitch;
             const size_t begin = row * grid.pitch;

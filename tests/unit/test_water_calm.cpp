@@ -39,6 +39,7 @@ template <class T> struct Own {
         axis.courant = scene.courant;
         axis.lambda = axis.push_after = lambda;
         axis.gravity = 9.81;
+        axis.drag = seed % 2 == 0 ? 0.1 : 0;
         bed.resize(size), depth.resize(size), velocity.resize(size), wall.resize(size);
         tally.resize(kLines * cd::kTallies), work.resize(cd::kWaterPanels * (cells + 2) * cd::kWaterLanes);
         for (size_t line = 0; line < kLines; ++line)

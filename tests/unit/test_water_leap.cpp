@@ -41,6 +41,7 @@ cd_water* water_of(const Scene& scene, const Shape& shape, cd_precision precisio
     cd_water* water = nullptr;
     assert_int_equal(cd_water_create(shape.nx, shape.ny, 0.5, 0.4, precision, nullptr, &water), CD_OK);
     assert_int_equal(cd_water_set_method(water, CD_METHOD_SYMPLECTIC_EULER), CD_OK);
+    assert_int_equal(cd_water_set_drag(water, shape.nx % 2 == 0 ? 0.5 : 0), CD_OK);
     std::vector<double> bed, depth;
     for (size_t j = 0; j < shape.ny; ++j)
         for (size_t i = 0; i < shape.nx; ++i) {
