@@ -84,6 +84,7 @@ template <class T> struct WaterKernels {
     void (*guess)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
     void (*finish)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
     bool (*keep)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
+    bool (*settle)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
     void (*share)(const WaterCells&, const T*, double*, double*, size_t, size_t);
     bool (*fill)(const WaterCells&, T*, double*, size_t, size_t);
     bool (*leap)(const WaterAxis*, const WaterGrid<T>&, double*, double*, size_t, size_t);

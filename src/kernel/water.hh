@@ -8,6 +8,9 @@
 
 namespace cd {
 
+// Squares of cells that waves cross, from which on a step is long, and very long.
+constexpr double kLongStep = 2.5 * 2.5, kVeryLongStep = 1e4;
+
 // What is at an end of the lines: see cd_border.
 enum class End { kWall, kOpen, kInflow, kRing };
 struct WaterEnd {
@@ -26,10 +29,13 @@ struct WaterAxis {
     double manning;     // dt g manning^2
     bool advected;      // momentum
     size_t corrections; // 0: depths as they come, else large steps
+    bool thins;         // coupled steps: the surface is solved for with cells running dry
     WaterEnd end[2];
 
     bool ring() const { return end[0].kind == End::kRing; }
     bool rubs() const { return drag > 0 || manning > 0; }
+    // Momentum goes with the water of both axes at once.
+    bool carried_at_once() const { return thins && advected; }
 };
 
 // The numbers of lines along an axis: those of line k at cell or face i lie at i * along + k * across. Null: not there.
@@ -79,6 +85,7 @@ struct WaterCells {
     size_t columns, rows, pitch;
     bool ring[2];
     double* transfer[2];
+    bool passes; // on what it gets: what is left may be the rounding of much more
 };
 
 // Along a row of cells that are filled at once, rounding is handed on in so many chains, whatever the width of a register.
@@ -108,13 +115,16 @@ bool sweep_water(const WaterAxis& axis, const WaterLines<T>& lines, double* work
 template <class T> bool carry_across(const WaterCarried<T>& carried, double* work, size_t first, size_t count);
 
 // Both axes at once (water_apart.cpp), lines as in a sweep: faces as they will be if the surface stays as it is; what
-// the change of the surface does to them; and what velocities they keep.
+// the change of the surface does to them; and what velocities they keep, from what the limits left of transfers, or,
+// where momentum is carried at once, in two parts: before that, and after.
 template <class T> void guess_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
                                     double* work, size_t first, size_t count);
 template <class T> void finish_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
                                      double* work, size_t first, size_t count);
 template <class T> bool keep_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
                                    double* work, size_t first, size_t count);
+template <class T> bool settle_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
+                                     double* work, size_t first, size_t count);
 // Rows of cells. load = what transfers add; share: of what a cell is asked for, how much it can give, and tallies, per
 // row; transfers limited by that (faces: a row more than cells); depth = what is left, held = what was; false if a
 // number left the finite range.

@@ -36,7 +36,8 @@ template <class T> struct Finish : WaterBundles<T> {
         const size_t n = this->axis.cells;
         const Place p = this->template place_of<N>(first);
         size_t used;
-        const WaterLine<N> line = this->template open_line<N>(p, used);
+        WaterLine<N> line = this->template open_line<N>(p, used);
+        line.thins = Lanes<N>::splat(this->axis.thins ? 1 : 0);
         fetch<N>(p, n + 1, planes.velocity, line.velocity);
         fetch<N>(p, n + 1, planes.face, line.face);
         fetch<N>(p, n + 1, planes.guess, line.guess);
@@ -51,8 +52,8 @@ template <class T> struct Finish : WaterBundles<T> {
     }
 };
 
-// What faces keep of their velocities, after depths have changed.
-template <class T> struct Keep : WaterBundles<T> {
+// What faces keep of their velocities, after depths have changed; in two parts where momentum is carried between them.
+template <class T, bool carried> struct Keep : WaterBundles<T> {
     const WaterPlanes& planes;
 
     template <int N> bool bundle(size_t first) const {
@@ -61,6 +62,7 @@ template <class T> struct Keep : WaterBundles<T> {
         const Place p = this->template place_of<N>(first);
         size_t used;
         WaterLine<N> line = this->template open_line<N>(p, used);
+        line.thins = Lanes<N>::splat(this->axis.thins ? 1 : 0);
         fetch<N>(p, n + 1, planes.velocity, line.velocity);
         fetch<N>(p, n + 1, planes.face, line.face);
         fetch<N>(p, n + 1, planes.guess, line.guess);
@@ -68,11 +70,20 @@ template <class T> struct Keep : WaterBundles<T> {
         fetch<N>(p, n, planes.held, line.depth);
         fetch<N>(p, n, lines.bed, line.bed);
         fetch<N>(p, n, lines.depth, line.after);
-        line.keep_all();
+        if (carried) {
+            line.settle_faces();
+        } else if (this->axis.carried_at_once()) {
+            line.hold_back();
+            this->template put_tally<N>(p, line);
+            put<N>(p, n + 1, line.guess, planes.guess);
+            return true;
+        } else {
+            line.keep_all();
+        }
         Lanes<N> probe{};
         settle<N, T>(n + 1, line.velocity, probe);
         put<N>(p, n + 1, line.velocity, lines.velocity);
-        this->template put_tally<N>(p, line);
+        if (!carried) this->template put_tally<N>(p, line);
         return !probe.any_nan();
     }
 };
@@ -89,7 +100,11 @@ template <class T> void finish_water(const WaterAxis& axis, const WaterLines<T>&
 }
 template <class T> bool keep_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
                                    double* work, size_t first, size_t count) {
-    return in_bundles(Keep<T>{{axis, lines, work}, planes}, lines.lines, first, count);
+    return in_bundles(Keep<T, false>{{axis, lines, work}, planes}, lines.lines, first, count);
+}
+template <class T> bool settle_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
+                                     double* work, size_t first, size_t count) {
+    return in_bundles(Keep<T, true>{{axis, lines, work}, planes}, lines.lines, first, count);
 }
 
 // ---- cells, row by row ----------------------------------------------------------------------------------------------
@@ -141,13 +156,26 @@ void limit_water(const WaterCells& w, const double* share, size_t first, size_t 
     }
 }
 
+// Rounded once or twice only, whatever cancels (Knuth's sum of two, exact with what it loses).
+static double exact_sum(std::initializer_list<double> terms) {
+    double total = 0, lost = 0;
+    for (double term : terms) {
+        const double next = total + term, added = next - total;
+        lost += (total - (next - added)) + (term - added);
+        total = next;
+    }
+    return total + lost;
+}
+
 // What rounding takes from a cell another one of its row gets, kRowChains further; what is left of all the chains, the
-// last. Every row has its own, so that it does not matter which rows lie beside it.
+// last, or the last that can take it where cells pass on what they get. Every row has its own, so that it does not
+// matter which rows lie beside it.
 template <class T> bool fill_water(const WaterCells& w, T* depth, double* held, size_t first, size_t count) {
     double probe = 0; // NaN once a depth is too large
     const auto split = [](double a, double& in, double& out) { (a > 0 ? in : out) += a > 0 ? a : -a; };
-    const auto put = [&](T& d, double now, double& owed) { // see Rounding
-        const bool takes = now + 2 * owed > 0 && now > 0;
+    const auto can_take = [](double d, double owed) { return d + 2 * owed > 0 && d > 0; }; // see Rounding
+    const auto put = [&](T& d, double now, double& owed) {
+        const bool takes = can_take(now, owed);
         const double exact = takes ? now + owed : now;
         probe += 0.0 * (Limits<T>::to_overflow * exact);
         d = T(exact < double(Limits<T>::least) ? 0 : exact);
@@ -161,11 +189,20 @@ template <class T> bool fill_water(const WaterCells& w, T* depth, double* held, 
             double in = 0, out = 0;
             split(x[i], in, out), split(-x[i + 1], in, out), split(y[i], in, out), split(-y[i + w.pitch], in, out);
             const double was = double(row[i]);
+            double now = (was + in) - out, &own = owed[i % kRowChains];
+            if (w.passes) {
+                now = exact_sum({was, x[i], -x[i + 1], y[i], -y[i + w.pitch]});
+                if (now <= 0x1p-48 * (was + in)) own += now, now = 0; // all but rounding has been passed on
+            }
             if (held) held[j * w.pitch + i] = was;
-            put(row[i], (was + in) - out, owed[i % kRowChains]);
+            put(row[i], now, own);
         }
         double rest = sum_of_chains(owed);
-        put(row[w.columns - 1], double(row[w.columns - 1]), rest);
+        for (size_t i = w.columns - 1; rest != 0 && (w.passes || i + 1 == w.columns); --i) {
+            const bool takes = can_take(double(row[i]), rest);
+            if (takes) put(row[i], double(row[i]), rest);
+            if (takes || i == 0) break;
+        }
     }
     return probe == probe;
 }
@@ -174,6 +211,7 @@ template <class T> bool fill_water(const WaterCells& w, T* depth, double* held, 
     template void guess_water(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);  \
     template void finish_water(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t); \
     template bool keep_water(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);   \
+    template bool settle_water(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t); \
     template void share_water(const WaterCells&, const T*, double*, double*, size_t, size_t);                        \
     template bool fill_water(const WaterCells&, T*, double*, size_t, size_t);
 #if CD_WITH_FLOAT32

@@ -13,9 +13,6 @@
 namespace cd {
 namespace CD_ISA {
 
-// Squares of cells that waves cross, from which on a step is long, and very long, for a line.
-constexpr double kLongStep = 2.5 * 2.5, kVeryLongStep = 1e4;
-
 template <int N> struct WaterLine {
     using L = Lanes<N>;
 
@@ -133,13 +130,15 @@ template <int N> struct WaterLine {
 
     // Of steps that work on both axes at once: what a line does before its surface is known, and what it does at last.
     void guess_all() {
+        thins = L::splat(axis.thins ? 1 : 0);
         look();
         streams = false; // what they need is not symmetric
         guess_faces();
         hold_inflow();
     }
 
-    void keep_all() {
+    // What limits leave of velocities.
+    void hold_back() {
         for (size_t i : {size_t(0), n}) set_inflow_velocity(i);
         if (!ring) count_ends();
         if (any_positive(strained)) {
@@ -147,8 +146,14 @@ template <int N> struct WaterLine {
             close(guess);
             bound_speeds();
         }
-        if (axis.advected) carry();
+    }
+    void settle_faces() const {
         for (size_t i = 0; i <= n; ++i) settle_face(i);
+    }
+    void keep_all() {
+        hold_back();
+        if (axis.advected) carry();
+        settle_faces();
     }
 
     // A sweep's whole step.

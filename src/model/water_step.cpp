@@ -34,6 +34,7 @@ void carve_together(const Water& w, const Grid& grid, bool coupled, WaterTogethe
     both.load = scratch.plane(grid);
     if (!coupled) return;
     both.change = scratch.plane(grid);
+    both.stores = scratch.plane(grid);
     for (double** plane : {&both.ground, &both.spring[kX], &both.spring[kY]}) *plane = coefficients.plane(grid);
     for (WaterPlanes& planes : both.planes) planes.change = both.change;
 

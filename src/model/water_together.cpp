@@ -6,6 +6,7 @@
 // a lattice of masses and springs, as a membrane has it, and solved by the same conjugate gradients.
 #include "model/water_work.hh"
 
+#include <math.h>
 #include <string.h>
 
 namespace cd {
@@ -16,7 +17,7 @@ template <class Body> void in_rows(const Water& w, size_t rows, const Body& body
     in_parts(w.parallel, rows, w.cells[kX], body);
 }
 
-// The system's ground and springs from the faces' springs.
+// The system's ground and springs from the faces' springs, and from what cells store.
 template <class T> double build_system(const WaterStepper<T>& s, WaterTogether& both) {
     const Water& w = s.w;
     const size_t nx = w.cells[kX], ny = w.cells[kY];
@@ -25,7 +26,7 @@ template <class T> double build_system(const WaterStepper<T>& s, WaterTogether& 
         for (size_t i = 0; i < nx; ++i) {
             const size_t at = j * w.pitch + i;
             const bool there = present(w, i, j);
-            double ground = there ? 1 : 0, sum = 0;
+            double ground = there ? both.stores[at] : 0, sum = 0;
             for (Axis a : {kX, kY}) {
                 const size_t along = a == kX ? i : j, n = w.cells[a], next = at + s.stride(a);
                 const double *const spring = both.planes[a].spring, before = spring[at], behind = spring[next];
@@ -43,21 +44,74 @@ template <class T> double build_system(const WaterStepper<T>& s, WaterTogether& 
     return stiffest;
 }
 
+// A step in which waves cross so many cells somewhere that water may run dry on the way.
+template <class T> bool is_long(const WaterStepper<T>& s) {
+    const Water& w = s.w;
+    double deepest = 0;
+    each_cell(w, [&](size_t i, size_t j) {
+        const double d = double(numbers<T>(w.depth)[place(w, i, j)]);
+        deepest = d > deepest ? d : deepest;
+    });
+    const double courant = s.dt / (w.size[kX] < w.size[kY] ? w.size[kX] : w.size[kY]);
+    return w.gravity * (courant * courant) * deepest > kLongStep;
+}
+
+// Hardly anything is what a cell stores that runs dry; it moves all the same.
+constexpr double kHardly = 0x1p-40;
+
+// Newton's method, as of a line (water_surface.hh): cells that would come out below empty store nothing; those which a
+// step of it took out by mistake may return in the first 8. Whether any changed.
+template <class T> bool wet_set_changes(const WaterStepper<T>& s, WaterTogether& both, size_t pass) {
+    const Water& w = s.w;
+    const double *const x = both.planes[kX].face, *const y = both.planes[kY].face;
+    bool changes = false;
+    each_cell(w, [&](size_t i, size_t j) {
+        const size_t at = place(w, i, j);
+        const double d = double(numbers<T>(w.depth)[at]), stored = d + both.change[at];
+        const double all = d + ((x[at] + x[at + 1]) + (y[at] + y[at + w.pitch]));
+        const bool stores = both.stores[at] == 1, now = stores ? stored >= 0 : pass < 8 && stored > 0x1p-20 * all;
+        changes |= now != stores;
+        both.stores[at] = now ? 1 : kHardly;
+    });
+    return changes;
+}
+
+// What comes into cells if the surface stays as it is; and all of the water of those that shall be empty.
+template <class T> void load_system(const WaterStepper<T>& s, const WaterCells& cells, WaterTogether& both) {
+    const Water& w = s.w;
+    in_rows(w, w.cells[kY], [&](size_t first, size_t count) {
+        s.kernels().gather_loads(cells, both.load, first, count);
+        for (size_t j = first; s.work.thins && j < first + count; ++j)
+            for (size_t i = 0; i < w.cells[kX]; ++i) {
+                const size_t at = place(w, i, j);
+                if (both.stores[at] < 1) both.load[at] += double(numbers<T>(w.depth)[at]);
+            }
+    });
+}
+
 } // namespace
 
-// x = the change of the surface, in work.both.change.
-template <class T> static void solve_surface(WaterStepper<T>& s) {
+// x = the change of the surface, in work.both.change. What is left of the loads is depth that goes astray: it shall stay
+// far below the change, which in very long steps asks for more than the tolerance does.
+template <class T> static void solve_surface(WaterStepper<T>& s, const WaterCells& cells) {
     Water& w = s.w;
     WaterTogether& both = s.work.both;
-    const double stiffest = build_system(s, both);
-    both.preconditioner.first.build();
-    const Goal goal{w.tolerance, stiffest, 0, w.most_iterations};
-    const Convergence reached =
-        solve_coupled(both.system, both.preconditioner, goal, both.gradient, both.load, both.change);
-    if (reached.iterations > s.worst.iterations) s.worst.iterations = reached.iterations;
+    for (size_t k = 0; k < w.pitch * w.cells[kY]; ++k) both.stores[k] = 1;
+    Convergence reached;
+    bool changes = true;
+    for (size_t pass = 0; changes; ++pass) {
+        load_system(s, cells, both);
+        const double stiffest = build_system(s, both);
+        if (pass == 0) both.preconditioner.first.build(); // it need not know which cells run dry
+        const Goal goal{w.tolerance, stiffest, 0, w.most_iterations, sqrt(w.tolerance), pass > 0};
+        reached = solve_coupled(both.system, both.preconditioner, goal, both.gradient, both.load, both.change);
+        if (reached.iterations > s.worst.iterations) s.worst.iterations = reached.iterations;
+        ++w.factorizations;
+        changes = s.work.thins && wet_set_changes(s, both, pass);
+    }
     if (!(reached.residual <= s.worst.residual)) s.worst.residual = reached.residual;
     s.worst.reached &= reached.reached;
-    ++w.factorizations;
+    both.noise = reached.left;
 }
 
 // An explicit step as calm water makes it, with the planes as its place to work; false: it is not calm, and has not moved.
@@ -99,11 +153,13 @@ template <class T> void WaterStepper<T>::step_together() {
     if (!work.coupled && leap(*this)) return;
     WaterTogether& both = work.both;
     const size_t rows = w.cells[kY];
+    work.thins = work.coupled && is_long(*this);
     const WaterCells cells{w.cells[kX],
                            rows,
                            w.pitch,
                            {periodic(w, kX), periodic(w, kY)},
-                           {both.planes[kX].transfer, both.planes[kY].transfer}};
+                           {both.planes[kX].transfer, both.planes[kY].transfer},
+                           work.thins};
     const auto along = [&](Axis a, auto kernel) {
         const WaterAxis axis = axis_of_step(a);
         const WaterLines<T> lines = lines_along(a);
@@ -117,18 +173,19 @@ template <class T> void WaterStepper<T>::step_together() {
 
     along_each(kernels().guess);
     if (work.coupled) {
-        in_rows(w, rows, [&](size_t first, size_t count) { kernels().gather_loads(cells, both.load, first, count); });
-        solve_surface(*this);
+        solve_surface(*this, cells);
         along_each(kernels().finish);
     }
 
     double* const share = both.load;
-    in_rows(w, rows, [&](size_t first, size_t count) {
-        memset(work.tally + first * kTallies, 0, count * kTallies * sizeof(double));
-        kernels().share(cells, numbers<T>(w.depth), share, work.tally, first, count);
-    });
-    count_up(rows);
-    in_rows(w, rows + 1, [&](size_t first, size_t count) { kernels().limit(cells, share, first, count); });
+    if (!work.thins || !settle_residual(cells)) {
+        in_rows(w, rows, [&](size_t first, size_t count) {
+            memset(work.tally + first * kTallies, 0, count * kTallies * sizeof(double));
+            kernels().share(cells, numbers<T>(w.depth), share, work.tally, first, count);
+        });
+        count_up(rows);
+        in_rows(w, rows + 1, [&](size_t first, size_t count) { kernels().limit(cells, share, first, count); });
+    }
     in_rows(w, rows, [&](size_t first, size_t count) {
         if (!kernels().fill(cells, numbers<T>(w.depth), work.held, first, count))
             __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
@@ -138,8 +195,15 @@ template <class T> void WaterStepper<T>::step_together() {
         along(a, kernels().keep);
         count_up(lines_of(w, a));
     }
-    if (w.momentum == CD_MOMENTUM_ADVECTED)
-        for (Axis a : {kX, kY}) carry(a);
+    if (w.momentum != CD_MOMENTUM_ADVECTED) return;
+    for (Axis a : {kX, kY}) {
+        if (!work.thins) {
+            carry(a);
+            continue;
+        }
+        carry_at_once(cells, a);
+        along(a, kernels().settle);
+    }
 }
 
 #if CD_WITH_FLOAT32

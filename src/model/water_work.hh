@@ -14,7 +14,8 @@ struct WaterTogether {
     WaterPlanes planes[2]; // of an axis' faces
     double *load, *change; // of cells: what is left of the loads takes the shares too
     // of coupled steps
-    double *ground, *spring[2];
+    double *ground, *spring[2], *stores; // stores: 1 of cells that hold water at the end of the step
+    double noise = 0;                    // depth [m]: what the solve left undone
     SheetSystem system;
     Preconditioner preconditioner;
     GradientPlanes gradient;
@@ -22,6 +23,7 @@ struct WaterTogether {
 
 struct WaterWork {
     bool together, coupled;
+    bool thins = false;        // the surface of this step is solved for with cells running dry
     Grid grid;                 // of faces
     size_t tasks[2], per_task; // along each axis; numbers
     double *task, *tally;      // tasks lie per_task numbers apart; kTallies numbers per line
@@ -89,6 +91,7 @@ template <class T> struct WaterStepper {
                 dt * w.gravity * w.manning * w.manning,
                 w.momentum == CD_MOMENTUM_ADVECTED,
                 w.corrections,
+                work.thins,
                 {end_of(a, false), end_of(a, true)}};
     }
 
@@ -155,6 +158,9 @@ template <class T> struct WaterStepper {
     }
 
     void step_together(); // water_together.cpp
+    // of its steps in which cells may run dry, water_downstream.cpp
+    bool settle_residual(const WaterCells& cells);
+    void carry_at_once(const WaterCells& cells, Axis a);
 };
 
 } // namespace cd

@@ -17,7 +17,7 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
                           const GradientPlanes& planes, double* r, double* x) {
     const auto [start, direction, steep, applied] = planes;
     const double norm = sqrt(system.dot(r, r));
-    system.clear(x);
+    if (!goal.goes_on || norm == 0) system.clear(x);
     system.copy(r, start);
     if (norm == 0) return {};
 
@@ -26,6 +26,25 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
     constexpr double kRounding = 0x1p-50, kNothing = 0x1p-400; // a sheet at rest but for this has no squares to add up
     Convergence out{0, 1, false};
     double true_before = norm, curvature = 0;
+    // what the residual is measured by: at least so much that rounding does not show
+    const auto measure = [&] {
+        const double size = sqrt(system.dot(x, x));
+        const double rounding = kRounding * goal.stiffest * (goal.size + size + kNothing);
+        const double by_change = goal.change > 0 ? goal.change / goal.relative * size : norm;
+        return (by_change < norm ? by_change : norm) + rounding / goal.relative;
+    };
+    const auto look = [&] {
+        system.apply(x, applied);
+        system.copy(start, r);
+        system.combine(1, r, -1, applied);
+        out.left = sqrt(system.dot(r, r));
+        out.residual = out.left / measure();
+        out.reached = out.residual <= goal.relative;
+    };
+    if (goal.goes_on) {
+        look();
+        if (out.reached) return out;
+    }
     while (out.iterations < goal.most_iterations) {
         preconditioner(system, r, steep);
         // conjugate to the last direction, whatever the preconditioner (Fletcher and Reeves' factor needs it symmetric)
@@ -37,19 +56,11 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
         const double length = system.dot(direction, r) / curvature;
         system.combine(1, x, length, direction);
         system.combine(1, r, -length, applied);
-        // what the residual is measured by: at least so much that rounding does not show
-        const double rounding = kRounding * goal.stiffest * (goal.size + sqrt(system.dot(x, x)) + kNothing);
-        const double whole = norm + rounding / goal.relative;
-        out.residual = sqrt(system.dot(r, r)) / whole;
+        out.residual = sqrt(system.dot(r, r)) / measure();
         if (out.residual > goal.relative) continue;
-        system.apply(x, applied);
-        system.copy(start, r);
-        system.combine(1, r, -1, applied);
-        const double left = sqrt(system.dot(r, r));
-        out.residual = left / whole;
-        out.reached = out.residual <= goal.relative;
-        if (out.reached || !(left < true_before / 2)) break;
-        true_before = left;
+        look();
+        if (out.reached || !(out.left < true_before / 2)) break;
+        true_before = out.left;
         curvature = 0;
     }
     return out;

@@ -1,0 +1,178 @@
+// What coupled steps in which cells may run dry do once their surface is known. Water may cross many cells in them, so
+// that a cell gives far more than it had; and momentum goes with the water of both axes at once. All is done in one
+// order, whatever the threads.
+#include "model/water_work.hh"
+
+#include <math.h>
+
+namespace cd {
+
+namespace {
+
+double positive(double a) { return a > 0 ? a : 0; }
+
+// f(i, j) for all cells, or faces in the ranges, from the k-th corner; whether any call returned true.
+template <class F> bool sweep_from(size_t k, size_t first_i, size_t end_i, size_t first_j, size_t end_j, const F& f) {
+    bool any = false;
+    for (size_t jj = first_j; jj < end_j; ++jj)
+        for (size_t ii = first_i; ii < end_i; ++ii) {
+            const size_t i = k & 1 ? end_i - 1 - (ii - first_i) : ii, j = k & 2 ? end_j - 1 - (jj - first_j) : jj;
+            any |= f(i, j);
+        }
+    return any;
+}
+
+// The water of a cell and what goes through its four faces, sorted like the directions of a path: before and behind
+// along x, then along y.
+template <class T> struct CellWater {
+    const WaterCells& w;
+    const T* depth;
+    const WaterPlanes* planes;
+
+    struct Way {
+        size_t cell;      // at the other side of the face
+        double* transfer; // through it, in the sense of the axis
+        double* twin;     // the same face at the other end of a ring, else the face itself
+        double sign;      // 1 where that is out of the cell
+        bool open;        // water lies in the face, and a cell beyond
+    };
+    Way way(size_t at, int direction) const {
+        const int a = direction / 2;
+        const bool behind = direction % 2 == 1;
+        const size_t step = a == 0 ? 1 : w.pitch, n = a == 0 ? w.columns : w.rows;
+        const size_t place = a == 0 ? at % w.pitch : at / w.pitch;
+        const bool at_end = place == (behind ? n - 1 : 0);
+        const size_t face = behind ? at + step : at, round = (n - 1) * step, around = n * step;
+        const size_t cell = !at_end ? (behind ? at + step : at - step) : behind ? at - round : at + round;
+        double* const transfer = w.transfer[a] + face;
+        double* const twin = !at_end ? transfer : behind ? transfer - around : transfer + around;
+        const bool open = (!at_end || (w.ring[a] && n > 1)) && planes[a].face[face] > 0;
+        return {cell, transfer, twin, behind ? 1.0 : -1.0, open};
+    }
+    // What is left in the cell.
+    double left(size_t at) const {
+        const double *const x = w.transfer[0] + at, *const y = w.transfer[1] + at;
+        Sum sum;
+        for (double part : {double(depth[at]), x[0], -x[1], y[0], -y[w.pitch]}) sum.add(part);
+        return sum.value();
+    }
+};
+
+} // namespace
+
+// What the solve left undone is too much or too little water in cells that shall be empty, or nearly are. It takes the
+// way through open faces to the nearest cell that has enough, and what shall be empty is. False if some cell still
+// gives more than it has and gets.
+template <class T> bool WaterStepper<T>::settle_residual(const WaterCells& cells) {
+    const WaterTogether& both = work.both;
+    const CellWater<T> water{cells, numbers<T>(w.depth), both.planes};
+    constexpr double kUnseen = -2, kEnough = -1;
+    double *const way_out = both.gradient.start, *const queue = both.gradient.direction; // 0 to 3: where the way goes
+    size_t begin = 0, end = 0;
+    each_cell(w, [&](size_t i, size_t j) {
+        const size_t at = place(w, i, j);
+        way_out[at] = both.stores[at] == 1 && water.left(at) > 4 * both.noise ? kEnough : kUnseen;
+    });
+    const auto reach_from = [&](size_t at) {
+        for (int d = 0; d < 4; ++d) {
+            const auto way = water.way(at, d);
+            if (!way.open || way_out[way.cell] != kUnseen) continue;
+            way_out[way.cell] = d ^ 1;
+            queue[end++] = double(way.cell);
+        }
+    };
+    const auto reach_all = [&] {
+        while (begin < end) reach_from(size_t(queue[begin++]));
+    };
+    each_cell(w, [&](size_t i, size_t j) {
+        if (way_out[place(w, i, j)] == kEnough) reach_from(place(w, i, j));
+    });
+    reach_all();
+    for (bool wet : {true, false}) // of water that has no such cell, one takes it all
+        each_cell(w, [&](size_t i, size_t j) {
+            const size_t at = place(w, i, j);
+            if (way_out[at] != kUnseen || (wet && both.stores[at] < 1)) return;
+            way_out[at] = kEnough;
+            queue[end++] = double(at);
+            reach_all();
+        });
+    for (size_t k = end; k-- > 0;) {
+        const size_t at = size_t(queue[k]);
+        const double left = water.left(at);
+        if (way_out[at] == kEnough || (both.stores[at] == 1 && left >= 0)) continue;
+        const auto way = water.way(at, int(way_out[at]));
+        *way.twin = *way.transfer += way.sign * left;
+    }
+    bool enough = true;
+    const auto check = [&](size_t at) {
+        double all = double(water.depth[at]);
+        for (int d = 0; d < 4; ++d) all += fabs(*water.way(at, d).transfer);
+        enough &= water.left(at) >= -0x1p-48 * all;
+    };
+    for (size_t k = 0; k < end; ++k) {
+        const size_t at = size_t(queue[k]);
+        check(at);
+        if (way_out[at] != kEnough) check(water.way(at, int(way_out[at])).cell);
+    }
+    return enough;
+}
+
+// Momentum goes with the water: at a face, what was there mixes with what comes from the faces around it, at the speeds
+// that those end with. Along one axis after the other, as in short steps, would not do: a face may get its water from
+// one axis and give it to the other, many times what is there, and would make energy.
+template <class T> void WaterStepper<T>::carry_at_once(const WaterCells& cells, Axis a) {
+    const Axis across = other(a);
+    const WaterPlanes& planes = work.both.planes[a];
+    const double *const along = cells.transfer[a], *const over = cells.transfer[across];
+    double* const u = planes.guess;
+    const size_t step = stride(a), side = stride(across), n = w.cells[a], lines = w.cells[across];
+    const bool ring = periodic(w, a), rings_across = periodic(w, across), closes = w.mask || w.wall[a];
+    const size_t first = ring ? 0 : 1;
+    double most = 0;
+    const auto each_from = [&](size_t k, const auto& f) {
+        return a == kX ? sweep_from(k, first, n, 0, lines, f) : sweep_from(k, 0, lines, first, n, f);
+    };
+    double* const start = work.both.load;
+    const auto mix = [&](size_t i, size_t j) {
+        const size_t along_at = a == kX ? i : j, line = a == kX ? j : i, at = place(w, i, j);
+        if (closes && !crossable(w, a, i, j)) return false;
+        const size_t low = along_at > 0 ? at - step : at + (n - 1) * step, right = at + step;
+        const size_t before = line > 0 ? at - side : at + (lines - 1) * side;
+        const size_t behind = line + 1 < lines ? at + side : at - (lines - 1) * side;
+        const double from_left = positive(0.5 * (along[low] + along[low + step]));
+        const double from_right = positive(-0.5 * (along[at] + along[right]));
+        const bool has_before = line > 0 || rings_across, has_behind = line + 1 < lines || rings_across;
+        const double from_before = has_before ? positive(0.5 * (over[low] + over[at])) : 0;
+        const double from_behind = has_behind ? positive(-0.5 * (over[low + side] + over[at + side])) : 0;
+        const double volume = 0.5 * (work.held[low] + work.held[at]);
+        const double all = volume + ((from_left + from_right) + (from_before + from_behind)), was = u[at];
+        if (!(all > 0)) return false; // a velocity that was carried there for what comes
+        const double sum =
+            (from_left * u[low] + from_right * u[right]) + (from_before * u[before] + from_behind * u[behind]);
+        u[at] = (volume * start[at] + sum) / all;
+        if (along_at == 0) u[at + n * step] = u[at];
+        return fabs(u[at] - was) > w.tolerance * most;
+    };
+    constexpr size_t kSweeps = 64;
+    each_from(0, [&](size_t i, size_t j) {
+        const size_t at = place(w, i, j);
+        if (!(planes.face[at] > 0)) u[at] = planes.velocity[at];
+        start[at] = u[at];
+        most = fabs(u[at]) > most ? fabs(u[at]) : most;
+        return false;
+    });
+    bool changes = true;
+    for (size_t k = 0; k < kSweeps && changes; ++k) changes = each_from(k, mix);
+}
+
+#define CD_INSTANTIATE(T)                                                    \
+    template bool WaterStepper<T>::settle_residual(const WaterCells& cells); \
+    template void WaterStepper<T>::carry_at_once(const WaterCells& cells, Axis a);
+#if CD_WITH_FLOAT32
+CD_INSTANTIATE(float)
+#endif
+#if CD_WITH_FLOAT64
+CD_INSTANTIATE(double)
+#endif
+
+} // namespace cd
