@@ -36,8 +36,9 @@
  * first order in time under the alternating solver, all else is second.
  *
  * All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are stored
- * in. Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them, so that a
- * scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
+ * in. (Steps of symplectic Euler on uniform sheets without damping and forces compute in float32 and are as exact.)
+ * Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are taken for 0 where a step
+ * stores them, so that a scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
  *
  * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for something that is no living
  * membrane; the comments name the other errors. Functions that the chain has too mean the same here. */

@@ -1,6 +1,7 @@
 #include "kernel/explicit_sweep.hh"
 
 #include "kernel/line_lanes.hh"
+#include "kernel/plain_lines.hh"
 
 namespace cd {
 namespace CD_ISA {
@@ -73,100 +74,70 @@ template <class T> struct Sweep {
     }
 };
 
-// The plain case of few lines with no gaps between nodes: springs, gravity, and a position that moves by the new
-// velocity. Goes along the numbers of all lines, whose neighbours are `pitch` away. Rounds exactly as Sweep does. A
-// bundle is stored only when the next one has read its old state. kUniform: springs are alike, and nodes but for the
-// ends: one number each in place of a row, which in float32 is three times the state.
-template <class T, bool kUniform> struct Along {
+// The plain case of a single line: springs, gravity, and a position that moves by the new velocity. Goes along its
+// nodes, and rounds exactly as Sweep does. A bundle is stored only when the next one has read its old state.
+template <class T> struct Along {
     const Lines<T> lines; // values, which stores to the state cannot be taken to change
     const ExplicitCoefficients c;
-    double dt;
-    const double* gravity;
+    double dt, gravity;
     bool finite = true;
 
-    static constexpr int kSide = 8, kMostLines = 4;
-    double falls[kSide + kMostLines] = {}; // gravity of number m of the lines at [m % pitch]
+    static constexpr int kSide = 8;
 
     template <int N> struct Moved {
-        size_t m;
+        size_t i;
         StateLanes<N> to;
     };
-    template <int N> Lanes<N> of_row(const double* row, size_t m) const {
-        if (kUniform) return Lanes<N>::splat(row[1]);
-        return Lanes<N>::load(row + m); // of a single line
-    }
-    // Numbers m to m + N - 1, with springs on both sides of each; m is of `line`.
-    template <int N> Moved<N> move(size_t m, size_t line, Lanes<N> x_left) const {
+    // Nodes i to i + N - 1, with springs on both sides of each.
+    template <int N> Moved<N> move(size_t i, Lanes<N> x_left) const {
         using L = Lanes<N>;
-        const size_t p = lines.pitch;
-        const L x = L::load(lines.position + m), v = L::load(lines.velocity + m);
-        const L right =
-            (kUniform ? L::splat(c.stiffness[0]) : L::load(c.stiffness + m)) * (L::load(lines.position + m + p) - x);
-        const L left = (kUniform ? L::splat(c.stiffness[0]) : L::load(c.stiffness + m - 1)) * (x - x_left);
-        return finish<N>(m, line, x, v, right - left, of_row<N>(c.inertia, m), of_row<N>(c.gains.gravity, m));
+        const L x = L::load(lines.position + i);
+        const L right = L::load(c.stiffness + i) * (L::load(lines.position + i + 1) - x);
+        const L left = L::load(c.stiffness + i - 1) * (x - x_left);
+        return finish<N>(i, x, right - left);
     }
-    template <int N> Moved<N> finish(size_t m, size_t line, Lanes<N> x, Lanes<N> v, Lanes<N> force, Lanes<N> inertia,
-                                     Lanes<N> gain) const {
-        const Lanes<N> v_new = v + (inertia * force + gain * Lanes<N>::load(falls + line));
-        return {m, {x + dt * v_new, v_new}};
+    template <int N> Moved<N> finish(size_t i, Lanes<N> x, Lanes<N> force) const {
+        using L = Lanes<N>;
+        const L pushed = L::load(c.inertia + i) * force + L::load(c.gains.gravity + i) * L::splat(gravity);
+        const L v_new = L::load(lines.velocity + i) + pushed;
+        return {i, {x + dt * v_new, v_new}};
     }
     template <int N> void store(const Moved<N>& moved, Lanes<N>& probe) const {
-        store_settled(moved.to.v, lines.velocity + moved.m, probe);
-        store_settled(moved.to.x, lines.position + moved.m, probe);
+        store_settled(moved.to.v, lines.velocity + moved.i, probe);
+        store_settled(moved.to.x, lines.position + moved.i, probe);
     }
 
     void run() {
         using One = Lanes<1>;
         const T* const x = lines.position;
-        const size_t p = lines.pitch, last = (lines.nodes - 1) * p;
-        for (size_t m = 0; m < kSide + kMostLines; ++m) falls[m] = gravity[m % p % lines.components];
-        One probe{}, left[kMostLines];
+        const size_t last = lines.nodes - 1;
+        One probe{}, left = One::load(x);
         Lanes<kSide> probes{};
-        Moved<1> first[kMostLines];
-        for (size_t l = 0; l < p; ++l) {
-            left[l] = One::load(x + l);
-            const One pull = One{c.stiffness[0]} * (One::load(x + p + l) - left[l]);
-            first[l] = finish<1>(l, l, left[l], One::load(lines.velocity + l), pull - One{}, One{c.inertia[0]},
-                                 One{c.gains.gravity[0]});
-        }
-        size_t m = p, line = 0; // m % p
-        if (m + kSide <= last) {
-            Moved<kSide> held = move<kSide>(m, line, Lanes<kSide>::load(x + m - p));
-            for (size_t l = 0; l < p; ++l) store(first[l], probe);
-            const size_t turn = kSide % p;
-            for (m += kSide, line = turn; m + kSide <= last; m += kSide) {
-                const Moved<kSide> next = move<kSide>(m, line, Lanes<kSide>::load(x + m - p));
+        const Moved<1> first = finish<1>(0, left, One{c.stiffness[0]} * (One::load(x + 1) - left) - One{});
+        size_t i = 1;
+        if (i + kSide <= last) {
+            Moved<kSide> held = move<kSide>(i, Lanes<kSide>::load(x));
+            store(first, probe);
+            for (i += kSide; i + kSide <= last; i += kSide) {
+                const Moved<kSide> next = move<kSide>(i, Lanes<kSide>::load(x + i - 1));
                 store(held, probes);
                 held = next;
-                line += turn;
-                if (line >= p) line -= p;
             }
-            for (size_t l = 0; l < p; ++l) left[(line + l) % p] = One::load(x + m + l - p);
+            left = One::load(x + i - 1);
             store(held, probes);
         } else {
-            for (size_t l = 0; l < p; ++l) store(first[l], probe);
+            store(first, probe);
         }
-        for (; m < last; ++m, line = (line + 1) % p) {
-            const One here = One::load(x + m);
-            store(move<1>(m, line, left[line]), probe);
-            left[line] = here;
+        for (; i < last; ++i) {
+            const One here = One::load(x + i);
+            store(move<1>(i, left), probe);
+            left = here;
         }
-        const size_t z = lines.nodes - 1;
-        for (; m < last + p; ++m, line = (line + 1) % p) {
-            const One here = One::load(x + m), pull = One{c.stiffness[z - 1]} * (here - left[line]);
-            const One inertia{c.inertia[z]}, gain{c.gains.gravity[z]};
-            store(finish<1>(m, line, here, One::load(lines.velocity + m), One{} - pull, inertia, gain), probe);
-        }
+        const One here = One::load(x + last);
+        store(finish<1>(last, here, One{} - One{c.stiffness[last - 1]} * (here - left)), probe);
         finite = !probe.any_nan() && !probes.any_nan();
     }
 };
-
-template <bool kUniform, class T>
-bool along(const Lines<T>& lines, const ExplicitCoefficients& c, double dt, const double* gravity) {
-    Along<T, kUniform> numbers{lines, c, dt, gravity};
-    numbers.run();
-    return numbers.finite;
-}
 
 template <class T> struct Drift {
     const Lines<T>& lines;
@@ -187,9 +158,13 @@ template <class T> struct Drift {
 template <class T> bool explicit_sweep(const Lines<T>& lines, const ExplicitCoefficients& c, double dt,
                                        const double* gravity, Carrier carrier, size_t first, size_t count) {
     const bool plain = !c.bend && !c.ring && c.damping == 0 && !c.gains.force && !c.gains.drag && !c.gains.attach;
-    if (plain && carrier == Carrier::kNewVelocity && lines.nodes > 1 && count == lines.pitch && count <= 4) {
-        if (c.uniform) return along<true>(lines, c, dt, gravity);
-        if (count == 1) return along<false>(lines, c, dt, gravity);
+    if (plain && carrier == Carrier::kNewVelocity && lines.nodes > 1) {
+        if (PlainLines<T>::takes(lines, c, dt, gravity)) return PlainLines<T>(lines, c, dt, gravity).step(first, count);
+        if (lines.pitch == 1) {
+            Along<T> nodes{lines, c, dt, gravity[0]};
+            nodes.run();
+            return nodes.finite;
+        }
     }
     Sweep<T> bundles{lines, c, dt, gravity, carrier};
     for_each_bundle<kLinesAtOnce>(first, count, bundles);

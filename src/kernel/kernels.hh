@@ -49,7 +49,7 @@ template <class T> struct SheetStateKernels {
                     double*, double*, size_t, size_t);
     bool (*up_kept)(const Grid&, const SharedFilter&, bool, const SheetMove&, double*, double*, const double*,
                     const double*, T*, T*, size_t, size_t);
-    void (*look_beyond)(const Grid&, const UniformStage<T>&, const T*, const T*, double*, size_t, size_t);
+    void (*look_beyond)(const Grid&, const UniformStage<T>&, const SheetMove&, T*, T*, double*, size_t, size_t);
     bool (*step_rows)(const Grid&, const UniformStage<T>&, const SheetMove&, T*, T*, double*, size_t, size_t);
 };
 

@@ -139,7 +139,7 @@ template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& 
 // ---- an explicit step of a uniform sheet (sheet_explicit.cpp) ----
 
 // What a part needs of its neighbours, into looked, before any part is stepped.
-template <class T> void look_beyond(const Grid& grid, const UniformStage<T>& stage, const T* x, const T* v,
+template <class T> void look_beyond(const Grid& grid, const UniformStage<T>& stage, const SheetMove& move, T* x, T* v,
                                     double* looked, size_t first, size_t count);
 template <class T> bool step_rows(const Grid& grid, const UniformStage<T>& stage, const SheetMove& move, T* x, T* v,
                                   double* looked, size_t first, size_t count);

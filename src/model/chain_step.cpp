@@ -272,19 +272,29 @@ template <class T> struct ExplicitStep {
 
 // ---- many steps of many lines ---------------------------------------------------------------------------------------
 
+constexpr size_t kBundle = 16;
+
+// Explicit steps of short lines are over soon: more of them at a time, as long as they fit the nearest caches and there
+// are enough for all threads.
+size_t explicit_bundle(const Chain& c) {
+    constexpr size_t kNumbers = 1 << 12;
+    const size_t most = (c.parallel.run ? 2 : 8) * kBundle, fitting = kNumbers / c.nodes / kBundle * kBundle;
+    return fitting < kBundle ? kBundle : fitting < most ? fitting : most;
+}
+
 // Lines never mix, so a bundle of them makes all its steps while it is in the cache. A task is some bundles side by
 // side: threads then write to lines of the cache apart from each other, and each has enough to do.
-template <class Step> uint64_t run(Chain& c, const Step& step, size_t count) {
-    constexpr size_t kBundle = 16, kNumbers = 1 << 12;
-    const size_t bundles = (c.lines + kBundle - 1) / kBundle;
-    const size_t enough = kNumbers / kBundle / c.nodes / count, per_task = enough > 0 ? enough : 1;
+template <class Step> uint64_t run(Chain& c, const Step& step, size_t count, size_t bundle_lines = kBundle) {
+    constexpr size_t kNumbers = 1 << 12;
+    const size_t bundles = (c.lines + bundle_lines - 1) / bundle_lines;
+    const size_t enough = kNumbers / bundle_lines / c.nodes / count, per_task = enough > 0 ? enough : 1;
     uint64_t first_bad = UINT64_MAX;
     auto task = [&](size_t t) {
         uint64_t bad = UINT64_MAX;
         for (size_t b = t * per_task; b < bundles && b < (t + 1) * per_task; ++b) {
-            const size_t first = b * kBundle, lines = c.lines - first < kBundle ? c.lines - first : kBundle;
+            const size_t first = b * bundle_lines, left = c.lines - first;
             for (size_t s = 0; s < count; ++s)
-                if (!step(first, lines) && s < bad) bad = s;
+                if (!step(first, left < bundle_lines ? left : bundle_lines) && s < bad) bad = s;
         }
         uint64_t seen = __atomic_load_n(&first_bad, __ATOMIC_RELAXED);
         while (bad < seen &&
@@ -302,7 +312,7 @@ template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
         c.has_welds = false;
         for (size_t i = 0; i < c.spring_stiffness.count; ++i) c.has_welds |= welded(c, i);
     }
-    if (steps_explicitly(c)) return run(c, ExplicitStep<T>(c, dt, refactor), count);
+    if (steps_explicitly(c)) return run(c, ExplicitStep<T>(c, dt, refactor), count, explicit_bundle(c));
     if (refactor) {
         ++c.factorizations;
         c.of_change = of_change({c, stage_share(c, dt)});

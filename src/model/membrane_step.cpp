@@ -97,7 +97,7 @@ template <class T> struct Stepper {
         const Uniform now(*this, k);
         bool finite = true;
         w.bands.each(m.parallel, [&](size_t band, size_t first, size_t count) {
-            state().look_beyond(w.grid, now.stage, x, v, looked(band), first, count);
+            state().look_beyond(w.grid, now.stage, by, x, v, looked(band), first, count);
         });
         w.bands.each(m.parallel, [&](size_t band, size_t first, size_t count) {
             if (!state().step_rows(w.grid, now.stage, by, x, v, looked(band), first, count))

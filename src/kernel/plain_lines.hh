@@ -1,0 +1,166 @@
+// An explicit step of lines whose springs are alike, and whose nodes are but for the ends: see plain_step.hh.
+#pragma once
+
+#include <initializer_list>
+
+#include "kernel/explicit_sweep.hh"
+#include "kernel/plain_step.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+namespace {
+
+template <class T> struct PlainLines {
+    static constexpr size_t kWide = size_t(kCountOf<Wide<T>, T>), kMost = 4; // kMost: lines that go along their nodes
+
+    const Lines<T>& lines;
+    const ExplicitCoefficients& c;
+    const double* gravity;
+    PlainTime<T> time;
+    Rate<T> inside, ends[2];
+    bool fetches;
+    PlainProbe<T> probe{};
+
+    PlainLines(const Lines<T>& l, const ExplicitCoefficients& coefficients, double dt, const double* g)
+        : lines(l),
+          c(coefficients),
+          gravity(g),
+          time(dt),
+          inside(time.exact * rate(c, l.nodes > 2)),
+          ends{Rate<T>(time.exact * rate(c, 0)), Rate<T>(time.exact * rate(c, l.nodes - 1))},
+          fetches(l.nodes * l.pitch * sizeof(T) > kCached) {}
+
+    static double rate(const ExplicitCoefficients& c, size_t node) { return c.stiffness[0] * c.inertia[node]; }
+
+    static bool takes(const Lines<T>& lines, const ExplicitCoefficients& c, double dt, const double* gravity) {
+        bool all = c.uniform && lines.nodes > 1 && in_plain_range<T>(dt);
+        for (size_t k = 0; k < lines.components; ++k) all = all && in_plain_range<T>(__builtin_fabs(gravity[k]));
+        for (size_t i : {size_t(0), size_t(lines.nodes > 2), lines.nodes - 1})
+            all = all && in_plain_range<T>(rate(c, i)) && (c.gains.gravity[i] == 0 || c.gains.gravity[i] == 1);
+        return all;
+    }
+
+    // What a node's numbers fall, from any component on; components take turns.
+    struct Falls {
+        T all[kWide + kMost];
+
+        Falls(const PlainLines& of, size_t node) {
+            size_t component = 0;
+            for (T& number : all) {
+                number = T(of.time.exact * of.c.gains.gravity[node] * of.gravity[component]);
+                if (++component == of.lines.components) component = 0;
+            }
+        }
+    };
+    template <class V, class G>
+    void move(const Rate<T>& by, G falling, V x, V v, V pull, T* to_x, T* to_v, V& seen) const {
+        move_plainly(by.head * pull, by.tail * pull, falling, time.dt, x, v, to_x, to_v, seen);
+    }
+
+    // ---- many lines side by side ----
+
+    // As many of them from `line` on as fill whole bundles before `end`.
+    template <class V> void beside(const Falls* falls, size_t& line, size_t end) {
+        constexpr size_t n = size_t(kCountOf<V, T>), kLater = 3 * 64 / sizeof(T);
+        const size_t z = lines.nodes - 1;
+        for (; line + n <= end; line += n) {
+            T *x = lines.position + line, *v = lines.velocity + line;
+            V here = get<V>(x), left{}, seen{};
+            const auto node = [&](const Rate<T>& by, const Falls& all, V next) {
+                const V right = next - here;
+                __builtin_prefetch(x + kLater); // for bundles to come, see fetch_next_bundle
+                __builtin_prefetch(v + kLater);
+                move(by, get<V>(all.all + line % lines.components), here, get<V>(v), right - left, x, v, seen);
+                x += lines.pitch, v += lines.pitch;
+                left = right, here = next;
+            };
+            node(ends[0], falls[0], get<V>(x + lines.pitch));
+            for (size_t i = 1; i < z; ++i) node(inside, falls[1], get<V>(x + lines.pitch));
+            node(ends[1], falls[2], here);
+            probe.add(seen);
+        }
+    }
+    void step_beside(size_t line, size_t end) {
+        const Falls falls[3] = {{*this, 0}, {*this, 1}, {*this, lines.nodes - 1}};
+        beside<Wide<T>>(falls, line, end);
+        if (sizeof(Wide<T>) > sizeof(Narrow<T>)) beside<Narrow<T>>(falls, line, end);
+        beside<T>(falls, line, end);
+    }
+
+    // ---- a few lines with no gaps between nodes: along the numbers of all, whose neighbours are `pitch` away ----
+
+    T old[2 * kMost]; // the left neighbours of the numbers that come next
+
+    // Numbers from m on, as many as fill whole bundles before `end`.
+    template <class V> void along(const Falls& falls, size_t& m, size_t end) {
+        constexpr size_t n = size_t(kCountOf<V, T>);
+        const size_t p = lines.pitch;
+        T *const x = lines.position, *const v = lines.velocity;
+        V seen{};
+        const auto numbers = [&](V left) {
+            const V here = get<V>(x + m), pull = (get<V>(x + m + p) - here) - (here - left);
+            move(inside, get<V>(falls.all + m % p), here, get<V>(v + m), pull, x + m, v + m, seen);
+        };
+        if constexpr (n < kMost) {
+            for (; m + n <= end; m += n) {
+                memcpy(old + p, x + m, n * sizeof(T));
+                numbers(get<V>(old));
+                memmove(old, old + n, p * sizeof(T));
+            }
+        } else if (m + n <= end) {
+            T before[n];
+            memcpy(before, x + m - p, sizeof before);
+            memcpy(before, old, p * sizeof(T));
+            V left = get<V>(before);
+            for (bool more = true; more; m += n) {
+                more = m + 2 * n <= end;
+                if (fetches) {
+                    __builtin_prefetch(x + m + kAhead / sizeof(T));
+                    __builtin_prefetch(v + m + kAhead / sizeof(T));
+                }
+                if (!more) memcpy(old, x + m + n - p, p * sizeof(T));
+                const V next_left = more ? get<V>(x + m + n - p) : V{};
+                numbers(left);
+                left = next_left;
+            }
+        }
+        probe.add(seen);
+    }
+
+    // The ends are found first and put down last.
+    void step_along() {
+        const size_t p = lines.pitch, z = lines.nodes - 1, last = z * p;
+        T *const x = lines.position, *const v = lines.velocity;
+        T new_x[2][kMost], new_v[2][kMost], seen = 0;
+        const Falls falls[3] = {{*this, 0}, {*this, 1}, {*this, z}};
+        for (size_t l = 0; l < p; ++l) {
+            move(ends[0], falls[0].all[l], x[l], v[l], x[p + l] - x[l] - T(0), &new_x[0][l], &new_v[0][l], seen);
+            const size_t e = last + l;
+            move(ends[1], falls[2].all[l], x[e], v[e], T(0) - (x[e] - x[e - p]), &new_x[1][l], &new_v[1][l], seen);
+            old[l] = x[l];
+        }
+        probe.add(seen);
+        size_t m = p;
+        if (last > 16 * kWide) along<T>(falls[1], m, kWide); // up to where registers are aligned
+        along<Wide<T>>(falls[1], m, last);
+        if (sizeof(Wide<T>) > sizeof(Narrow<T>)) along<Narrow<T>>(falls[1], m, last);
+        along<T>(falls[1], m, last);
+        for (size_t e : {0, 1}) {
+            memcpy(x + e * last, new_x[e], p * sizeof(T));
+            memcpy(v + e * last, new_v[e], p * sizeof(T));
+        }
+    }
+
+    // False if a number left the finite range.
+    bool step(size_t first, size_t count) {
+        if (count == lines.pitch && count <= kMost) step_along();
+        else step_beside(first, first + count);
+        return probe.finite();
+    }
+};
+
+} // namespace
+
+} // namespace CD_ISA
+} // namespace cd
