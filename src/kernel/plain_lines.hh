@@ -19,7 +19,6 @@ template <class T> struct PlainLines {
     const double* gravity;
     PlainTime<T> time;
     Rate<T> inside, ends[2];
-    bool fetches;
     PlainProbe<T> probe{};
 
     PlainLines(const Lines<T>& l, const ExplicitCoefficients& coefficients, double dt, const double* g)
@@ -28,8 +27,7 @@ template <class T> struct PlainLines {
           gravity(g),
           time(dt),
           inside(time.exact * rate(c, l.nodes > 2)),
-          ends{Rate<T>(time.exact * rate(c, 0)), Rate<T>(time.exact * rate(c, l.nodes - 1))},
-          fetches(l.nodes * l.pitch * sizeof(T) > kCached) {}
+          ends{Rate<T>(time.exact * rate(c, 0)), Rate<T>(time.exact * rate(c, l.nodes - 1))} {}
 
     static double rate(const ExplicitCoefficients& c, size_t node) { return c.stiffness[0] * c.inertia[node]; }
 
@@ -115,10 +113,6 @@ template <class T> struct PlainLines {
             V left = get<V>(before);
             for (bool more = true; more; m += n) {
                 more = m + 2 * n <= end;
-                if (fetches) {
-                    __builtin_prefetch(x + m + kAhead / sizeof(T));
-                    __builtin_prefetch(v + m + kAhead / sizeof(T));
-                }
                 if (!more) memcpy(old, x + m + n - p, p * sizeof(T));
                 const V next_left = more ? get<V>(x + m + n - p) : V{};
                 numbers(left);

@@ -10,13 +10,13 @@
 //
 // Velocities settle (see Limits), and so positions, which move by them, do not come to be subnormal.
 //
-// What is left, with AVX-512 on a Zen 5: 10 cycles for 16 nodes of a sheet, and from a state of the size of the third
-// cache on the memory: 1.0 to 1.3 times a copy of a chain's state, 1.3 to 1.6 of a sheet's.
+// What is left, with AVX-512 on a Zen 5: 11 cycles for 16 nodes of a sheet in the cache, and beyond that the memory: 1.0
+// to 1.2 times a copy of the state for chains, 1.3 to 1.7 times for sheets.
 //
-// Tried, and it did not pay: settling x too and looking at its exponent as an integer (4 cycles of 14); the neighbour
-// before a bundle loaded instead of moved over in registers (a load more, no time); memory asked for a row ahead in a
-// burst (1.2 times slower than 4 KB ahead, bundle by bundle), 1, 2 or 8 KB ahead (up to 1.2 times); many lines node by
-// node in strips of 256 (twice as slow as each bundle along its nodes).
+// Tried, and it did not pay: settling x too and probing it by its exponent (4 cycles of 10 in a loop by themselves);
+// memory asked for ahead along a chain (no difference), and for a sheet a row ahead in a burst (1.2 times slower than
+// 4 KB ahead, bundle by bundle), or 1, 2, 8 KB ahead (1.1 times); many lines node by node in strips of 256 (1.3 to 2
+// times slower than a bundle of them along its nodes).
 #pragma once
 
 #include <utility>
@@ -129,9 +129,6 @@ inline void move_plainly(V heads, V tails, G gravity, T dt, V x, V v, T* to_x, T
     put(new_v, to_v);
     put(new_x, to_x);
 }
-
-// Memory is asked for so many bytes ahead where a state is larger than what stays in the cache anyway.
-constexpr size_t kCached = 1 << 20, kAhead = 4096;
 
 } // namespace
 

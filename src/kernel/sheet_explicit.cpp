@@ -47,6 +47,10 @@ template <class T> struct PlainRates {
     T gravity;
 };
 
+// Memory is asked for so many bytes ahead where planes are larger than what stays in the cache anyway: rows begin where
+// processors that look ahead by themselves do not expect them.
+constexpr size_t kCached = 1 << 20, kAhead = 4096;
+
 // A row on its way; all pointers to where it starts.
 template <class T> struct PlainRow {
     T *x, *v, *pull; // pull: how far the row above lies from this one, and then this one from the row below
