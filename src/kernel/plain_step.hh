@@ -21,26 +21,12 @@
 
 #include <utility>
 
-#include "kernel/lanes.hh"
-#include "kernel/lines.hh"
+#include "kernel/packed.hh"
 
 namespace cd {
 namespace CD_ISA {
 
 namespace {
-
-// Numbers side by side that fill a register, and that fill the smallest one. V below is one of these or a single T.
-template <class T, size_t kBytes> struct Packed { typedef T Values __attribute__((vector_size(kBytes))); };
-template <class T> using Wide = typename Packed<T, size_t(kNative) * sizeof(double)>::Values;
-template <class T> using Narrow = typename Packed<T, 16>::Values;
-template <class V, class T> constexpr int kCountOf = int(sizeof(V) / sizeof(T));
-
-template <class V, class T> inline V get(const T* from) {
-    V a;
-    memcpy(&a, from, sizeof a);
-    return a;
-}
-template <class V, class T> inline void put(V a, T* to) { memcpy(to, &a, sizeof a); }
 
 // The numbers before those of `here`, which follows `last`.
 template <class V, int... kPlaces> inline V before(V last, V here, std::integer_sequence<int, kPlaces...>) {
@@ -53,42 +39,6 @@ template <class T, class V> inline V before(V last, V here) {
 template <class T, class V> inline T last_of(V a) {
     if constexpr (kCountOf<V, T> == 1) return a;
     else return a[kCountOf<V, T> - 1];
-}
-
-// Collects 0 times what is stored, which is NaN where that is too large.
-template <class T> struct PlainProbe {
-    Wide<T> wide{};
-    Narrow<T> narrow{};
-    T single = 0;
-
-    template <class V> void add(V seen) {
-        if constexpr (sizeof(V) == sizeof wide) wide += seen;
-        else if constexpr (sizeof(V) == sizeof narrow) narrow += seen;
-        else single += seen;
-    }
-    bool finite() const {
-        T all = single;
-        for (int j = 0; j < kCountOf<Wide<T>, T>; ++j) all += wide[j];
-        for (int j = 0; j < kCountOf<Narrow<T>, T>; ++j) all += narrow[j];
-        return all == 0;
-    }
-};
-template <class T, class V> inline V both_bits(V a, V b) {
-    if constexpr (sizeof(V) == sizeof(T)) return a + b;
-    else {
-        typedef decltype(a < a) Bits;
-        return reinterpret_cast<V>(reinterpret_cast<Bits>(a) | reinterpret_cast<Bits>(b));
-    }
-}
-
-// 0 where a number is smaller than `least`.
-template <class T, class V> inline V without_small(V a, T least) {
-    if constexpr (sizeof(V) == sizeof(T)) return (a < 0 ? -a : a) < least ? 0 : a;
-    else {
-        typedef decltype(a < a) Bits;
-        const V size = reinterpret_cast<V>(reinterpret_cast<Bits>(a) & ~reinterpret_cast<Bits>(-V{}));
-        return size < least ? V{} : a;
-    }
 }
 
 // dt times a stiffness over a mass.
