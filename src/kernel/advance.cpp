@@ -17,29 +17,22 @@ template <class T> struct Mover {
 
     template <int N> StateLanes<N> state(size_t at) const { return load_start<N>(lines, start, at); }
 
-    // By how much the open line's w misses the wish of each closing constraint.
-    template <int N> void misses(size_t first, Lanes<N>* out) const {
-        using L = Lanes<N>;
-        const auto turn = [](L a, L b, L c) { return (b - a) - (c - b); };
+    template <int N> void find_forces(size_t first, Lanes<N>* out) const {
         const size_t z = lines.nodes - 1, nodes[4] = {z - 1, z, 0, 1};
-        L x[4], w[4];
+        Lanes<N> x[4], w[4];
         for (int k = 0; k < 4; ++k) {
             const size_t at = nodes[k] * lines.pitch + first;
             const StateLanes<N> here = state<N>(at);
             x[k] = here.x;
-            w[k] = L::load(answer + at) + stage.of_change * here.v;
+            w[k] = Lanes<N>::load(answer + at) + stage.of_change * here.v;
         }
-        out[0] = ring.closing_rate * (x[1] - x[2]) + (w[1] - w[2]);
-        for (int k = 1; k < ring.constraints; ++k)
-            out[k] = stage.closing_rate * turn(x[k - 1], x[k], x[k + 1]) + turn(w[k - 1], w[k], w[k + 1]);
+        ring_forces<N>(ring, stage, x, w, out);
     }
 
     template <int N> void bundle(size_t first) {
         using L = Lanes<N>;
-        L miss[3] = {}, force[3] = {}, probe{};
-        if (ring.constraints > 0) misses<N>(first, miss);
-        for (int r = 0; r < ring.constraints; ++r)
-            for (int s = 0; s < ring.constraints; ++s) force[r] = force[r] + ring.inverse[r][s] * miss[s];
+        L force[3] = {}, probe{};
+        if (ring.constraints > 0) find_forces<N>(first, force);
         for (size_t i = 0; i < lines.nodes; ++i) {
             const size_t at = i * lines.pitch + first;
             L closed = L::load(answer + at);

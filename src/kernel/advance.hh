@@ -18,6 +18,20 @@ struct RingClosure {
 
 namespace CD_ISA {
 
+// The constraints' forces, given the positions of nodes n - 2, n - 1, 0 and 1 and the open line's w there.
+template <int N> inline void ring_forces(const RingClosure& ring, const Stage& stage, const Lanes<N>* x,
+                                         const Lanes<N>* w, Lanes<N>* out) {
+    using L = Lanes<N>;
+    const auto turn = [](L a, L b, L c) { return (b - a) - (c - b); };
+    L miss[3] = {ring.closing_rate * (x[1] - x[2]) + (w[1] - w[2])};
+    for (int k = 1; k < ring.constraints; ++k)
+        miss[k] = stage.closing_rate * turn(x[k - 1], x[k], x[k + 1]) + turn(w[k - 1], w[k], w[k + 1]);
+    for (int r = 0; r < ring.constraints; ++r) {
+        out[r] = L{};
+        for (int s = 0; s < ring.constraints; ++s) out[r] = out[r] + ring.inverse[r][s] * miss[s];
+    }
+}
+
 // answer: what rod_sweep left, from the same start. With `keep`, leaves w there instead of moving. False if a number
 // left the finite range.
 template <class T> bool advance(const Lines<T>& lines, const Stage& stage, const Start& start, const RingClosure& ring,

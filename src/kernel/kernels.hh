@@ -5,6 +5,7 @@
 #include "kernel/advance.hh"
 #include "kernel/explicit_sweep.hh"
 #include "kernel/rod_sweep.hh"
+#include "kernel/segment_rod.hh"
 #include "kernel/segment_sweep.hh"
 #include "kernel/sheet.hh"
 #include "kernel/spring_sweep.hh"
@@ -20,6 +21,8 @@ template <class T> struct LineKernels {
                       size_t);
     bool (*rod_step)(const Lines<T>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, bool,
                      size_t, size_t);
+    bool (*segment_rod_step)(const Lines<T>&, const SegmentRodCoefficients&, const Stage&, const Start&,
+                             const RingClosure&, double*, double*, double*, bool);
     bool (*advance)(const Lines<T>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t, size_t);
     bool (*explicit_sweep)(const Lines<T>&, const ExplicitCoefficients&, double, const double*, Carrier, size_t,
                            size_t);

@@ -79,7 +79,7 @@ template <class T, bool kEnds> struct Sweep {
             if (last) {
                 d = d_here;
             } else if (i > 0) {
-                d = rod_leave(c, i, answer, u_here, d_here, d - bend_wish<N>(i, left, here, right));
+                d = rod_leave(c, i, answer, u_here, d_here, (d - bend_wish<N>(i, left, here, right)) - d_here);
             }
             if (i % kSettleEvery == 0) {
                 answer = settled(answer, Limits<double>::least);

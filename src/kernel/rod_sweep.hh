@@ -20,15 +20,17 @@ namespace CD_ISA {
 
 // Going right, to node i: (u, d), where the value at node i - 1 and the difference into it rest, become those of node
 // i. hold: the difference that the bend at node i - 1 wishes for; wish: the spring's; own: the node's own value.
-template <class L, class Rows> inline void rod_reach(const Rows& c, size_t i, L hold, L wish, L own, L& u, L& d) {
+template <class L, class Rows>
+__attribute__((always_inline)) inline void rod_reach(const Rows& c, size_t i, L hold, L wish, L own, L& u, L& d) {
     d = c.keep[i] * hold + c.close[i] * wish + c.turn[i] * (own - u);
     u = between(own, u, d + c.lever[i] * (d - hold), c.follow[i]);
 }
 
-// Going left, at node i: the difference into it, given its answer, where (u, d) rested, and the difference that the
-// bend there takes over from the right.
-template <class L, class Rows> inline L rod_leave(const Rows& c, size_t i, L answer, L u, L d, L from_right) {
-    return d + c.lean[i] * (answer - u) + c.bend[i] * (from_right - d);
+// Going left, at node i: the difference into it, given its answer, where (u, d) rested, and by how much the difference
+// that the bend there takes over from the right exceeds d.
+template <class L, class Rows>
+__attribute__((always_inline)) inline L rod_leave(const Rows& c, size_t i, L answer, L u, L d, L excess) {
+    return d + c.lean[i] * (answer - u) + c.bend[i] * excess;
 }
 
 // Solves from `start`, leaves the answer in `value` and moves nothing. slope: scratch. Both are laid out like the

@@ -1,6 +1,7 @@
 // What did not pay: unrolling the eight nodes of a tile, so that they stay in registers: as fast, and the code twice as
 // long. A form of its own for 2 and 4 lines where more than springs and gravity acts: not for so much code.
 // Tiles turned in functions of their own where vectors are wide: a tenth slower, for the registers around the call.
+// States and tiles in a struct that the sweep of rods shares: a tenth slower with three lines, by GCC 12.
 #include "kernel/segment_sweep.hh"
 
 #include "kernel/line_lanes.hh"
@@ -97,28 +98,6 @@ template <class T> struct Head {
         return !probe.any_nan();
     }
 };
-
-// `count` numbers of every segment: tiles, and one by one what fills none.
-template <class T>
-__attribute__((noinline)) void load_numbers(const T* from, size_t stride, size_t count, Lanes<kTile>* out) {
-    size_t m = 0;
-    for (; m + kTile <= count; m += kTile) load_tile(from + m, stride, out + m);
-    for (; m < count; ++m) {
-        double numbers[kTile];
-        for (size_t k = 0; k < kSegments; ++k) numbers[k] = double(from[k * stride + m]);
-        out[m] = Lanes<kTile>::load(numbers);
-    }
-}
-template <class T>
-__attribute__((noinline)) void store_numbers(const Lanes<kTile>* in, T* to, size_t stride, size_t count) {
-    size_t m = 0;
-    for (; m + kTile <= count; m += kTile) store_tile(in + m, to + m, stride);
-    for (; m < count; ++m) {
-        T numbers[kTile];
-        in[m].store(numbers);
-        for (size_t k = 0; k < kSegments; ++k) to[k * stride + m] = numbers[k];
-    }
-}
 
 // kLines lines side by side in memory, 0: any number; a lane is a segment. kPlain: nothing acts but springs and
 // gravity, and the stage is for w, from the state.

@@ -95,5 +95,27 @@ template <class T> inline void store_tile(const Lanes<kTile>* in, T* to, size_t 
         }
 }
 
+// `count` numbers of every stream: tiles, and one by one what fills none.
+template <class T>
+__attribute__((noinline)) void load_numbers(const T* from, size_t stride, size_t count, Lanes<kTile>* out) {
+    size_t m = 0;
+    for (; m + kTile <= count; m += kTile) load_tile(from + m, stride, out + m);
+    for (; m < count; ++m) {
+        double numbers[kTile];
+        for (size_t k = 0; k < size_t(kTile); ++k) numbers[k] = double(from[k * stride + m]);
+        out[m] = Lanes<kTile>::load(numbers);
+    }
+}
+template <class T>
+__attribute__((noinline)) void store_numbers(const Lanes<kTile>* in, T* to, size_t stride, size_t count) {
+    size_t m = 0;
+    for (; m + kTile <= count; m += kTile) store_tile(in + m, to + m, stride);
+    for (; m < count; ++m) {
+        T numbers[kTile];
+        in[m].store(numbers);
+        for (size_t k = 0; k < size_t(kTile); ++k) to[k * stride + m] = numbers[k];
+    }
+}
+
 } // namespace CD_ISA
 } // namespace cd

@@ -76,9 +76,10 @@ Needs needs_of(const Chain& c, const Features& f) {
     const bool bends = f.bend || f.node_bend, rod = bends || f.ring;
     const size_t gains = 2 + size_t(f.force) + size_t(f.target), stages = f.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
     if (is_explicit(f.method)) return {(gains + 2 + size_t(bends)) * row_length(c), 0, 0};
-    const bool segments = !rod && takes_segments(c);
-    const size_t rows = gains + (rod ? 8 : segments ? 4 : 2) + size_t(f.spring_stiffness);
-    const size_t scratch_rows = stages + size_t(rod), of_segments = segments ? 2 * kSegments : 0;
+    const bool segments = takes_segments(c, rod);
+    const size_t rows = gains + (rod ? segments ? 11 : 8 : segments ? 4 : 2) + size_t(f.spring_stiffness);
+    const size_t scratch_rows = stages + (rod ? segments ? 2 : 1 : 0);
+    const size_t of_segments = !segments ? 0 : rod ? numbers_of<RodSegment>(kSegments) : 2 * kSegments;
     return {rows * row_length(c) + of_segments, scratch_rows * c.nodes * c.pitch, f.ring ? 4 * c.nodes : 0};
 }
 

@@ -48,9 +48,13 @@ inline size_t place(const Chain& c, size_t strand, size_t node, size_t component
 inline size_t springs_in_all(const Chain& c) { return c.springs + size_t(c.ring); }
 inline bool held(const Chain& c, size_t node) { return c.pin[node] == CD_NODE_PINNED || c.pin[node] == CD_NODE_DRIVEN; }
 
-// Whether springs alone are solved in segments side by side, for want of lines to fill the lanes; unless some are
-// welded.
-inline bool takes_segments(const Chain& c) { return c.lines <= 4 && c.nodes >= 8 * kSegments; }
+// Whether a line is solved in segments side by side, for want of lines to fill the lanes; unless some of it is welded.
+// Four lines with bend, two registers at once, wait less for each other: cutting them up pays later.
+inline bool takes_segments(const Chain& c, bool rod) {
+    return c.lines <= 4 && c.nodes >= (rod && c.lines == 4 ? 16 : 8) * kSegments;
+}
+// How many doubles some things take that consist of nothing else.
+template <class Thing> constexpr size_t numbers_of(size_t count) { return count * sizeof(Thing) / sizeof(double); }
 // From one row of coefficients to the next: whole cache lines, but in small scenes.
 inline size_t row_length(const Chain& c) { return c.nodes < 8 * kSegments ? c.nodes : (c.nodes + 7) / 8 * 8; }
 

@@ -10,6 +10,7 @@
 #include "solve/ring_closure.hh"
 #include "solve/rod_line.hh"
 #include "solve/segment_line.hh"
+#include "solve/segment_rod.hh"
 #include "solve/spring_line.hh"
 
 namespace cd {
@@ -41,6 +42,9 @@ struct Rows {
         double* const row = next;
         next += numbers;
         return row;
+    }
+    template <class Thing> Thing* take_for(size_t count) {
+        return reinterpret_cast<Thing*>(take(numbers_of<Thing>(count)));
     }
 };
 
@@ -181,6 +185,23 @@ template <class T> struct SegmentStep {
     }
 };
 
+RodRows take_rod(Rows& rows) {
+    return {rows.take(), rows.take(), rows.take(), rows.take(), rows.take(), rows.take(), rows.take()};
+}
+
+// closing_rate: of springs that are not welded.
+template <class Place>
+void close_ring(Chain& c, const StageSystem& system, const RodRows& rod, double closing_rate, Place place) {
+    c.closure = {};
+    if (!c.ring) return;
+    const size_t n = c.nodes;
+    const double stiffness[3] = {system.spring(c.springs), system.bend(n - 1), system.bend(0)};
+    double* const response[3] = {c.ring_response.data, c.ring_response.data + n, c.ring_response.data + 2 * n};
+    factor_ring(n, system, rod, has_bend(c) ? 3 : 1, stiffness, response, c.ring_response.data + 3 * n, c.closure,
+                place);
+    c.closure.closing_rate = welded(c, c.springs) ? 0 : closing_rate;
+}
+
 template <class T> struct RodStep {
     Chain& chain;
     Lines<T> lines;
@@ -190,7 +211,7 @@ template <class T> struct RodStep {
     RodStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of<T>(c)), stages(c, dt) {
         Rows rows(c);
         const GainRows gains(c, rows);
-        const RodRows rod{rows.take(), rows.take(), rows.take(), rows.take(), rows.take(), rows.take(), rows.take()};
+        const RodRows rod = take_rod(rows);
         double *const has_bend = rows.take(), *const closing = rows.take(bool(c.spring_stiffness));
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
@@ -200,20 +221,11 @@ template <class T> struct RodStep {
                 has_bend[i] = bend_of(c, i) > 0 ? 1 : 0;
             }
             if (closing) set_closing(c, closing);
-            close(c, system, rod);
+            close_ring(c, system, rod, stages.stage[0].closing_rate, InOrder());
         }
         coefficients = {rod.keep,   rod.close,      rod.turn,  rod.lever,
                         rod.follow, rod.lean,       rod.bend,  c.has_welds ? closing : nullptr,
                         has_bend,   gains.gains(c), c.pin.data};
-    }
-    void close(Chain& c, const StageSystem& system, const RodRows& rod) {
-        c.closure = {};
-        if (!c.ring) return;
-        const size_t n = c.nodes;
-        const double stiffness[3] = {system.spring(c.springs), system.bend(n - 1), system.bend(0)};
-        double* const response[3] = {c.ring_response.data, c.ring_response.data + n, c.ring_response.data + 2 * n};
-        factor_ring(n, system, rod, has_bend(c) ? 3 : 1, stiffness, response, c.ring_response.data + 3 * n, c.closure);
-        c.closure.closing_rate = welded(c, c.springs) ? 0 : stages.stage[0].closing_rate;
     }
     // A weld that closes a ring is a constraint, kept to rounding; its nodes then share what they have, to the bit.
     bool operator()(size_t first, size_t count) const {
@@ -226,6 +238,43 @@ template <class T> struct RodStep {
         });
         if (chain.ring && welded(chain, chain.springs)) merge_velocities(chain, first, count);
         return finite;
+    }
+};
+
+// Of one long strand.
+template <class T> struct SegmentRodStep {
+    Chain& chain;
+    Lines<T> lines;
+    SegmentRodCoefficients coefficients;
+    Stages stages;
+
+    SegmentRodStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of<T>(c)), stages(c, dt) {
+        Rows rows(c);
+        const GainRows gains(c, rows);
+        const SegmentRodRows segment{
+            take_rod(rows), {rows.take(), rows.take(), rows.take(), rows.take()}, rows.take_for<RodSegment>(kSegments)};
+        if (refactor) {
+            const StageSystem system{c, stage_share(c, dt)};
+            const Segments segments(c.nodes);
+            const auto place = [&](size_t i) { return segments.place(i); };
+            factor_segment_rod(c.nodes, system, segment);
+            for (size_t i = 0; i < c.nodes; ++i) gains.set(system, i, system.ground(i), place(i));
+            close_ring(c, system, segment.rod, stages.stage[0].closing_rate, place);
+        }
+        const RodRows& rod = segment.rod;
+        double* const* const influence = segment.influence;
+        coefficients = {
+            rod.keep,        rod.close,     rod.turn, rod.lever,
+            rod.follow,      rod.lean,      rod.bend, {influence[0], influence[1], influence[2], influence[3]},
+            segment.segment, gains.gains(c)};
+    }
+    bool operator()(size_t, size_t) const {
+        const size_t row = chain.nodes * chain.pitch;
+        double *const slope = chain.scratch.data + size_t(stages.count) * row, *const hold = slope + row;
+        return stages.run(chain, [&](const Stage& stage, const Start& start, double* value, bool keep) {
+            return chain.kernels->of(T()).segment_rod_step(lines, coefficients, stage, start, chain.closure, value,
+                                                           slope, hold, keep);
+        });
     }
 };
 
@@ -317,8 +366,10 @@ template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
         ++c.factorizations;
         c.of_change = of_change({c, stage_share(c, dt)});
     }
-    if (is_rod(c)) return run(c, RodStep<T>(c, dt, refactor), count);
-    if (takes_segments(c) && !c.has_welds) return run(c, SegmentStep<T>(c, dt, refactor), count);
+    const bool rod = is_rod(c), segments = takes_segments(c, rod) && !c.has_welds;
+    if (rod && segments) return run(c, SegmentRodStep<T>(c, dt, refactor), count);
+    if (rod) return run(c, RodStep<T>(c, dt, refactor), count);
+    if (segments) return run(c, SegmentStep<T>(c, dt, refactor), count);
     return run(c, SpringStep<T>(c, dt, refactor), count);
 }
 

@@ -16,10 +16,10 @@
 namespace cd {
 
 // Solves the open line under tension(i) in spring i, i in [0, nodes - 1). w: the answer. slope: scratch. Both `nodes`
-// long. differences(i, d): told w[i + 1] - w[i].
-template <class System, class Tension, class Differences>
-void pull_line(size_t nodes, const System& system, const RodRows& rows, Tension tension, double* w, double* slope,
-               Differences differences) {
+// long, w in its place. differences(i, d): told w[i + 1] - w[i].
+template <class System, class Place, class Tension, class Differences>
+void pull_line(size_t nodes, const System& system, const RodRows& rows, Place place, Tension tension, double* w,
+               double* slope, Differences differences) {
     // A spring softer than its nodes' grounding passes its tension on as loads on both nodes.
     const auto soft = [&](size_t i) { return system.spring(i) < system.ground(i) + system.ground(i + 1); };
     const auto own = [&](size_t i) {
@@ -30,28 +30,29 @@ void pull_line(size_t nodes, const System& system, const RodRows& rows, Tension 
     };
     using One = Lanes<1>;
     One u{own(0)}, d{0};
-    w[0] = u.v;
+    w[place(0)] = u.v;
     slope[0] = 0;
     for (size_t i = 1; i < nodes; ++i) {
         const One wish{soft(i - 1) ? 0 : tension(i - 1) / system.spring(i - 1)};
-        rod_reach(rows, i, d, wish, One{own(i)}, u, d);
-        w[i] = u.v;
+        rod_reach(rows, place(i), d, wish, One{own(i)}, u, d);
+        w[place(i)] = u.v;
         slope[i] = d.v;
     }
     for (size_t i = nodes - 1; i > 0; --i) {
         differences(i - 1, d.v);
         u = u - d;
         if (system.ground(i - 1) - system.ground(i - 1) != 0) u = One{0};
-        if (i > 1) d = rod_leave(rows, i - 1, u, One{w[i - 1]}, One{slope[i - 1]}, d);
-        w[i - 1] = u.v;
+        const size_t at = place(i - 1);
+        if (i > 1) d = rod_leave(rows, at, u, One{w[at]}, One{slope[i - 1]}, d - One{slope[i - 1]});
+        w[at] = u.v;
     }
 }
 
 // response: constraints arrays of `nodes`, filled here. scratch: nodes. stiffness: of the constraints, 0 leaves one
 // out.
-template <class System> void factor_ring(size_t nodes, const System& system, const RodRows& rows, int constraints,
-                                         const double* stiffness, double* const* response, double* scratch,
-                                         RingClosure& out) {
+template <class System, class Place = InOrder>
+void factor_ring(size_t nodes, const System& system, const RodRows& rows, int constraints, const double* stiffness,
+                 double* const* response, double* scratch, RingClosure& out, Place place = {}) {
     const auto tension = [&](int r, size_t i) -> double { // U_r as tensions of the open line's springs
         if (r == 0) return -1;
         if (r == 1) return i + 2 == nodes ? -2 : -1;
@@ -60,7 +61,7 @@ template <class System> void factor_ring(size_t nodes, const System& system, con
     double c[3][3] = {};
     for (int s = 0; s < constraints; ++s) {
         pull_line(
-            nodes, system, rows, [&](size_t i) { return tension(s, i); }, response[s], scratch,
+            nodes, system, rows, place, [&](size_t i) { return tension(s, i); }, response[s], scratch,
             [&](size_t i, double d) {
                 for (int r = 0; r < constraints; ++r) c[r][s] += tension(r, i) * d;
             });

@@ -37,27 +37,35 @@ struct RodRows {                 // what the sweeps need, one number per node ea
     double *lean, *bend;         // going back
 };
 
-// System: double ground(i), spring(i), bend(i).
-template <class System> void factor_rod_line(size_t nodes, const System& system, const RodRows& out) {
+// Where node i's numbers lie in the rows.
+struct InOrder {
+    size_t operator()(size_t i) const { return i; }
+};
+
+// System: double ground(i), spring(i), bend(i). Place: size_t operator()(i).
+template <class System, class Place = InOrder>
+void factor_rod_line(size_t nodes, const System& system, const RodRows& out, Place place = {}) {
     double mass = system.ground(0), lever = 0, hold = 0; // A, q, T
+    size_t at = place(0);
     for (size_t i = 1; i < nodes; ++i) {
         if (i > 1) {
             const double b = system.bend(i - 1), held = hold + b;
             const double on_lever = lever > 0 ? mass * lever * lever : 0;
-            out.bend[i - 1] = share(b, hold + on_lever);
-            out.lean[i - 1] = lever > 0 ? share(on_lever, held) / lever : 0;
+            out.bend[at] = share(b, hold + on_lever);
+            out.lean[at] = lever > 0 ? share(on_lever, held) / lever : 0;
             mass = lever > 0 ? series(mass, held / (lever * lever)) : mass;
             lever *= share(b, hold);
             hold = series(hold, b);
         }
+        at = place(i);
         const double s = system.spring(i - 1), m = system.ground(i), longer = lever + 1;
         const double turning = longer * longer * series(mass, m);
         const double turn = share(turning, hold + s);
-        out.lever[i] = lever;
-        out.keep[i] = share(hold, s + turning) + turn * lever / longer;
-        out.close[i] = share(s, hold + turning);
-        out.turn[i] = turn / longer;
-        out.follow[i] = fraction(mass, m);
+        out.lever[at] = lever;
+        out.keep[at] = share(hold, s + turning) + turn * lever / longer;
+        out.close[at] = share(s, hold + turning);
+        out.turn[at] = turn / longer;
+        out.follow[at] = fraction(mass, m);
         hold += s + turning;
         lever = longer * share(mass, m);
         mass += m;

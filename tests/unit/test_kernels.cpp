@@ -11,6 +11,7 @@ extern "C" {
 #include "kernels.h"
 #include "solve/rod_line.hh"
 #include "solve/segment_line.hh"
+#include "solve/segment_rod.hh"
 #include "solve/spring_line.hh"
 
 namespace {
@@ -73,17 +74,26 @@ template <class T> void step_all(const cd::Kernels& set, State<T>& state) {
 // Long lines in segments, with and without what else acts: one to four of them.
 template <class T> void step_segments(const cd::Kernels& set, State<T>& state) {
     static double rows[5][kNodes * kLines], y[kNodes * kLines], reply[cd::kSegments], pass[cd::kSegments];
+    static double rod[11][kNodes * kLines], slope[kNodes * kLines], hold[kNodes * kLines];
+    static cd::RodSegment segment[cd::kSegments];
     for (size_t lines = 1; lines <= 4; ++lines) {
         const size_t nodes = kNodes * kLines / lines;
         for (double& row : rows[4]) row = 0.02;
         cd::factor_segment_line(nodes, Line{}, {rows[0], rows[1], rows[2], rows[3], reply, pass},
                                 [](size_t, double) {});
+        cd::factor_segment_rod(
+            nodes, Line{},
+            {{rod[0], rod[1], rod[2], rod[3], rod[4], rod[5], rod[6]}, {rod[7], rod[8], rod[9], rod[10]}, segment});
         const cd::Lines<T> all{nodes, lines, lines, state.position[0], state.velocity[0], nullptr, nullptr};
         for (const double* drag : {(const double*)nullptr, (const double*)rows[4]}) {
             const cd::SegmentCoefficients c{
                 rows[0], rows[1], rows[2], rows[3], reply, pass, {rows[4], nullptr, drag, nullptr}};
             const cd::Stage stage{7, 1, 0.1, {1, -2, 3}, 0};
             assert_true(set.of(T()).segment_sweep(all, c, stage, {}, y, false));
+            const cd::SegmentRodCoefficients r{rod[0],  rod[1], rod[2], rod[3],
+                                               rod[4],  rod[5], rod[6], {rod[7], rod[8], rod[9], rod[10]},
+                                               segment, c.gains};
+            assert_true(set.of(T()).segment_rod_step(all, r, stage, {}, {}, y, slope, hold, false));
         }
     }
 }

@@ -13,7 +13,6 @@ extern "C" {
 #include "kernel/spring_sweep.hh"
 #include "solve/ring_closure.hh"
 #include "solve/rod_line.hh"
-#include "solve/segment_line.hh"
 #include "solve/spring_line.hh"
 
 namespace {
@@ -254,63 +253,6 @@ void lanes_do_not_mix(void**) {
     }
 }
 
-// A long line's numbers, on the heap of the test.
-struct LongLine {
-    size_t nodes;
-    double mass[300], stiffness[300];
-    double ground(size_t i) const { return mass[i]; }
-    double spring(size_t i) const { return stiffness[i]; }
-};
-
-// Segments solve what the sweep from end to end does, whatever the length, the number of lines, and the springs.
-void segments_solve_what_one_sweep_does(void**) {
-    static double rows[6][320], x[2][300 * 4], v[2][300 * 4], y[300 * 4], force[300 * 4], target[300 * 4];
-    static LongLine line;
-    for (unsigned seed = 1; seed < 120; ++seed) {
-        unsigned random = seed;
-        const double decades = seed % 4 == 0 ? 30 : 6, centre = pow(10, 4 * double(seed % 7) - 12);
-        const size_t lines = 1 + seed % 4, n = line.nodes = 64 + 7 * seed % 230;
-        for (size_t i = 0; i < n; ++i) {
-            line.mass[i] = 0.5 + random_number(random);
-            line.stiffness[i] = centre * pow(10, decades * (random_number(random) - 0.5));
-        }
-        if (seed % 3 == 0) line.mass[seed % n] = INFINITY;
-        if (seed % 5 == 0) line.stiffness[seed % (n - 1)] = 0;
-        for (size_t k = 0; k < n * lines; ++k) {
-            x[0][k] = x[1][k] = random_number(random) - 0.5;
-            v[0][k] = v[1][k] = isinf(line.mass[k / lines]) ? 0.25 : random_number(random) - 0.5;
-            force[k] = random_number(random) - 0.5, target[k] = random_number(random) - 0.5;
-        }
-        static double gains[2][4][320];
-        const bool acts = seed % 2 == 0;
-        const cd::Segments segments(n);
-        for (size_t i = 0; i < n; ++i)
-            for (int g = 0; g < 4; ++g)
-                gains[0][g][i] = gains[1][g][segments.place(i)] = isinf(line.mass[i]) ? 0 : 0.1 * random_number(random);
-        const auto gains_of = [&](int k) {
-            return cd::NodeGains{gains[k][0], acts ? gains[k][1] : nullptr, acts ? gains[k][2] : nullptr,
-                                 acts ? gains[k][3] : nullptr};
-        };
-        Stage stage{3, 1, 0.1, {0.1, -0.2, 0.3, 0}, seed % 8 == 0 ? 1.0 : 0.0};
-        const auto lines_of = [&](int k) { return Lines<double>{n, lines, lines, x[k], v[k], force, target}; };
-
-        cd::factor_spring_line(n, line, rows[0], rows[1], [](size_t, double) {});
-        const cd::SpringCoefficients whole{rows[0], rows[1], nullptr, gains_of(0)};
-        assert_true(cd::spring_sweep<double>(lines_of(0), whole, stage, {}, y, false, 0, lines));
-
-        double reply[cd::kSegments], pass[cd::kSegments];
-        cd::factor_segment_line(n, line, {rows[2], rows[3], rows[4], rows[5], reply, pass}, [](size_t, double) {});
-        const cd::SegmentCoefficients parts{rows[2], rows[3], rows[4], rows[5], reply, pass, gains_of(1)};
-        assert_true(cd::segment_sweep<double>(lines_of(1), parts, stage, {}, y, false));
-        double size = 0;
-        for (size_t k = 0; k < n * lines; ++k) size = fmax(size, fabs(v[0][k]));
-        for (size_t k = 0; k < n * lines; ++k) {
-            assert_true(fabs(v[1][k] - v[0][k]) < 1e-13 * size);
-            assert_true(fabs(x[1][k] - x[0][k]) < 1e-13 * (1 + size));
-        }
-    }
-}
-
 } // namespace
 
 int main() {
@@ -321,7 +263,6 @@ int main() {
         cmocka_unit_test(shares_are_right_from_zero_to_infinity),
         cmocka_unit_test(fractions_keep_their_digits_at_both_ends),
         cmocka_unit_test(lanes_do_not_mix),
-        cmocka_unit_test(segments_solve_what_one_sweep_does),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

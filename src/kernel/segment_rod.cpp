@@ -1,0 +1,398 @@
+// What did not pay: a guess of 0 for all segments: a rod in free fall then bends by rounding, 1e-7 of its way in 6000
+// steps. Numbers put to 0 inside the loop over a tile's nodes: GCC 12 takes u and d apart into single numbers, half as
+// fast again. The starts of one line after the other, instead of side by side: up to 60 ns a line.
+#include "kernel/segment_rod.hh"
+
+#include "kernel/line_lanes.hh"
+#include "kernel/tiles.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+namespace {
+
+static_assert(kSegments == size_t(kTile), "a tile holds as many streams as there are segments");
+constexpr int kMostLines = 4;
+
+// A value and the difference into it, of every segment of one line.
+struct Pairs {
+    double value[kSegments], slope[kSegments];
+};
+
+// A row of which each segment has its own number.
+struct LaneRow {
+    const double* data;
+    Lanes<kTile> operator[](size_t j) const { return Lanes<kTile>::load(data + kTile * j); }
+};
+struct LaneRows {
+    LaneRow keep, close, turn, lever, follow, lean, bend;
+
+    explicit LaneRows(const SegmentRodCoefficients& c)
+        : keep{c.keep}, close{c.close}, turn{c.turn}, lever{c.lever}, follow{c.follow}, lean{c.lean}, bend{c.bend} {}
+};
+
+// By how much two states differ; of the differences into two springs, by how much they turn.
+template <int N> inline StateLanes<N> difference(const StateLanes<N>& a, const StateLanes<N>& b) {
+    return {a.x - b.x, a.v - b.v};
+}
+
+// kLines lines side by side in memory, 0: any number; a lane is a segment. kPlain: an open line on which nothing acts
+// but springs, bend and gravity, and the stage is for w, from the state.
+template <class T, int kLines, bool kPlain> struct Sweep {
+    static constexpr int kMost = kLines > 0 ? kLines : kMostLines, N = kTile;
+    using L = Lanes<N>;
+    using One = Lanes<1>;
+    using Nodes = L[N * kMost]; // of a tile: line l of node i at [i * count + l]
+
+    const Lines<T> lines; // values, which stores to scratch cannot be taken to change
+    const SegmentRodCoefficients c;
+    const Stage stage;
+    const Start start;
+    const RingClosure ring;
+    double *const value, *const slope, *const hold;
+    const bool keep;
+    const Segments segments{lines.nodes};
+    double gravity[kMost] = {}, guess[kMost] = {};
+    double pull[kMost][3] = {};                  // of a ring's constraints
+    Pairs first[kMost] = {}, last[kMost] = {};   // nodes of the segments
+    Pairs before[kMost] = {}, after[kMost] = {}; // what the nodes beside the segments miss
+
+    // ---- where things lie -------------------------------------------------------------------------------------------
+
+    int count() const { return kLines > 0 ? kLines : int(lines.pitch); }
+    size_t stride() const { return segments.length * size_t(count()); }
+    size_t at_node(size_t j) const { return (segments.head + j) * size_t(count()); }
+    size_t scratch(size_t j, int l) const { return (j * size_t(count()) + size_t(l)) * N; }
+    size_t scratch_of(size_t node, int l) const {
+        const size_t row = segments.place(node);
+        if (node < segments.head) return row * size_t(count()) + size_t(l);
+        return scratch(row / N, l) + row % N;
+    }
+
+    void settle(L* numbers) const {
+        for (int l = 0; l < count(); ++l) numbers[l] = settled(numbers[l], Limits<double>::least);
+    }
+
+    // ---- states -----------------------------------------------------------------------------------------------------
+
+    // Around a call all registers are saved: it pays only where tiles take much code.
+    static constexpr bool kTurnsHere = kPlain && kNative > 2;
+
+    size_t nodes_from(size_t j) const { return segments.length - j < N ? segments.length - j : N; }
+    void load_nodes(const T* of, size_t j, size_t nodes, L* out) const {
+        const T* const from = of + at_node(j);
+        if (!kTurnsHere || nodes < N) return load_numbers(from, stride(), nodes * size_t(count()), out);
+        for (int l = 0; l < count(); ++l) load_tile(from + l * N, stride(), out + l * N);
+    }
+    void store_nodes(const L* in, T* of, size_t j, size_t nodes) const {
+        T* const to = of + at_node(j);
+        if (!kTurnsHere || nodes < N) return store_numbers(in, to, stride(), nodes * size_t(count()));
+        for (int l = 0; l < count(); ++l) store_tile(in + l * N, to + l * N, stride());
+    }
+    StateLanes<N> begin(L x, L v, size_t j, int l) const {
+        if (kPlain || !start.w) return {x, v};
+        const L w = L::load(start.w + scratch(j, l));
+        return {x + start.move * w, w + start.overshoot * (w - v)};
+    }
+    StateLanes<1> state(size_t node, int l) const {
+        Start here = start;
+        const size_t at = node * size_t(count()) + size_t(l);
+        if (here.w) here.w += ptrdiff_t(scratch_of(node, l)) - ptrdiff_t(at);
+        return load_start<1>(lines, here, at);
+    }
+    // Of the nodes so many places before the segments' first ones; where there is none, of the line's first one.
+    StateLanes<N> states_before(size_t by, int l) const {
+        double x[N], v[N];
+        for (size_t k = 0; k < kSegments; ++k) {
+            const size_t node = segments.head + k * segments.length;
+            const StateLanes<1> there = state(node < by ? 0 : node - by, l);
+            x[k] = there.x.v, v[k] = there.v.v;
+        }
+        return {L::load(x), L::load(v)};
+    }
+
+    // ---- what nodes do, and what joins them -------------------------------------------------------------------------
+
+    // Alone. row: of the coefficients. force, target: where these act.
+    template <int K> Lanes<K> own(const StateLanes<K>& here, size_t row, Lanes<K> force, Lanes<K> target, int l) const {
+        const auto gain = [row](const double* of) { return Lanes<K>::load(of + row); };
+        Lanes<K> sum = gravity[l] * gain(c.gains.gravity);
+        if (!kPlain && c.gains.force) sum = sum + gain(c.gains.force) * force;
+        if (!kPlain && c.gains.drag) sum = sum - gain(c.gains.drag) * here.v;
+        if (!kPlain && c.gains.attach) sum = sum - gain(c.gains.attach) * (here.x - target);
+        return (kPlain ? here.v : (1 - stage.of_change) * here.v) + sum;
+    }
+    // What a spring wishes that is so far open, or a bend that turns so much.
+    template <int K> Lanes<K> wish(const StateLanes<K>& open) const {
+        if (kPlain) return stage.closing_rate * open.x;
+        return stage.closing_rate * open.x + stage.of_change * open.v;
+    }
+    // The mean over some nodes of what each would do alone: exactly that, if all would do the same.
+    void make_guesses() {
+        const size_t nodes = nodes_from(0);
+        Nodes x, v, force, target;
+        const auto load = [&](const T* of, L* out) {
+            load_numbers(of + at_node(0), stride(), nodes * size_t(count()), out);
+        };
+        load(lines.velocity, v);
+        if (!kPlain) load(lines.position, x);
+        if (!kPlain && c.gains.force) load(lines.force, force);
+        if (!kPlain && c.gains.attach) load(lines.target, target);
+        for (int l = 0; l < count(); ++l) {
+            gravity[l] = stage.gravity[size_t(l) % lines.components];
+            const auto alone = [&](size_t i) {
+                const size_t m = i * size_t(count()) + size_t(l);
+                return own(begin(kPlain ? v[m] : x[m], v[m], i, l), N * i, force[m], target[m], l);
+            };
+            double one[N], excess[N];
+            alone(0).store(one);
+            L sum{};
+            for (size_t i = 0; i < nodes; ++i) sum = sum + 1.0 / double(N * N) * (alone(i) - L::splat(one[0]));
+            sum.store(excess);
+            guess[l] = one[0];
+            for (double part : excess) guess[l] += part;
+        }
+    }
+
+    // ---- going right ------------------------------------------------------------------------------------------------
+
+    void go_right() {
+        make_guesses();
+        StateLanes<N> left[kMost];
+        StateLanes<N> gap[kMost]; // from the node before the left one to that
+        L u[kMost], d[kMost];
+        for (int l = 0; l < count(); ++l) {
+            left[l] = states_before(1, l);
+            gap[l] = difference(states_before(2, l), left[l]);
+            u[l] = L::splat(guess[l]), d[l] = L{};
+        }
+        const LaneRows rows(c);
+        Nodes x, v, force, target;
+        for (size_t j = 0, nodes; j < segments.length; j += nodes) {
+            nodes = nodes_from(j);
+            load_nodes(lines.position, j, nodes, x);
+            load_nodes(lines.velocity, j, nodes, v);
+            if (!kPlain && c.gains.force) load_nodes(lines.force, j, nodes, force);
+            if (!kPlain && c.gains.attach) load_nodes(lines.target, j, nodes, target);
+            for (size_t i = 0; i < nodes; ++i) {
+                for (int l = 0; l < count(); ++l) {
+                    const size_t m = i * size_t(count()) + size_t(l), at = scratch(j + i, l);
+                    const StateLanes<N> here = begin(x[m], v[m], j + i, l);
+                    const StateLanes<N> into = difference(left[l], here);
+                    const L held = d[l] + wish(difference(into, gap[l]));
+                    rod_reach(rows, j + i, held, wish(into), own(here, N * (j + i), force[m], target[m], l), u[l],
+                              d[l]);
+                    held.store(hold + at), u[l].store(value + at), d[l].store(slope + at);
+                    left[l] = here, gap[l] = into;
+                }
+            }
+            settle(u), settle(d);
+        }
+        for (int l = 0; l < count(); ++l) u[l].store(last[l].value), d[l].store(last[l].slope);
+    }
+    // The head: nodes that the segments leave over, one after the other. u, d: of its last one.
+    void head_right(int l, One& u, One& d) const {
+        StateLanes<1> left = state(0, l), gap{};
+        u = {guess[l]}, d = {};
+        for (size_t i = 0; i < segments.head; ++i) {
+            const StateLanes<1> here = state(i, l);
+            const size_t row = segments.place(i), at = i * size_t(count()) + size_t(l), to = scratch_of(i, l);
+            const One force{c.gains.force ? double(lines.force[at]) : 0};
+            const One target{c.gains.attach ? double(lines.target[at]) : 0};
+            const StateLanes<1> into = difference(left, here);
+            const One held = d + wish(difference(into, gap));
+            rod_reach(c, row, held, wish(into), own(here, row, force, target, l), u, d);
+            held.store(hold + to), u.store(value + to), d.store(slope + to);
+            left = here, gap = into;
+        }
+    }
+
+    // ---- going left; answers replace what u rested at ---------------------------------------------------------------
+
+    void go_left() {
+        L answer[kMost], d[kMost], held[kMost];
+        for (int l = 0; l < count(); ++l) {
+            // What the bend at a segment's last node holds: its wish is what the next one began with.
+            double wish_there[N] = {};
+            for (size_t k = 0; k + 1 < kSegments; ++k) wish_there[k] = hold[scratch(0, l) + k + 1];
+            answer[l] = L::splat(guess[l]), d[l] = L{};
+            held[l] = L::load(last[l].slope) + L::load(wish_there);
+        }
+        const LaneRows rows(c);
+        for (size_t end = segments.length, nodes; end > 0; end -= nodes) {
+            nodes = end % N ? end % N : size_t(N);
+            for (size_t j = end; j-- > end - nodes;) {
+                for (int l = 0; l < count(); ++l) {
+                    const size_t at = scratch(j, l);
+                    const L u_here = L::load(value + at), d_here = L::load(slope + at);
+                    answer[l] = by_sign(rows.lean[j], u_here, answer[l] - d[l]);
+                    d[l] = rod_leave(rows, j, answer[l], u_here, d_here, d[l] - held[l]);
+                    held[l] = L::load(hold + at);
+                    answer[l].store(value + at);
+                }
+            }
+            settle(answer), settle(d);
+        }
+        for (int l = 0; l < count(); ++l) answer[l].store(first[l].value), d[l].store(first[l].slope);
+    }
+    void head_left(int l) const {
+        if (segments.head == 0) return;
+        One answer{first[l].value[0]}, d{first[l].slope[0]};
+        One held = One{before[l].slope[0]} + One{hold[scratch_of(segments.head, l)]};
+        for (size_t i = segments.head; i-- > 0;) {
+            const size_t row = segments.place(i), at = scratch_of(i, l);
+            const One u_here{value[at]}, d_here{slope[at]};
+            answer = by_sign(One{c.lean[row]}, u_here, answer - d);
+            d = rod_leave(c, row, answer, u_here, d_here, d - held);
+            held = One{hold[at]};
+            answer.store(value + at);
+        }
+    }
+
+    // ---- what was missing -------------------------------------------------------------------------------------------
+
+    // From the heads' (u, d), what the nodes beside the segments miss, and the true answers at the first nodes.
+    void join(One* u, One* d) {
+        const auto small = [](One a) { return settled(a, Limits<double>::least).v; };
+        for (size_t k = 0; k < kSegments; ++k) {
+            const auto& reach = c.segment[k].reach;
+            for (int l = 0; l < count(); ++l) {
+                const double a = before[l].value[k] = small(u[l] - One{guess[l]});
+                const double b = before[l].slope[k] = small(d[l]);
+                u[l].v = last[l].value[k] + (reach[0][0] * a + reach[0][1] * b);
+                d[l].v = last[l].slope[k] + (reach[1][0] * a + reach[1][1] * b);
+            }
+        }
+        for (int l = 0; l < count(); ++l) u[l].v = guess[l], d[l].v = 0;
+        for (size_t k = kSegments; k-- > 0;) {
+            const auto& reply = c.segment[k].reply;
+            for (int l = 0; l < count(); ++l) {
+                const double a = before[l].value[k], b = before[l].slope[k];
+                const double e = after[l].value[k] = small(u[l] - One{guess[l]});
+                const double f = after[l].slope[k] = small(d[l]);
+                u[l].v =
+                    (first[l].value[k] + (reply[0][0] * a + reply[0][1] * b)) + (reply[0][2] * e + reply[0][3] * f);
+                d[l].v =
+                    (first[l].slope[k] + (reply[1][0] * a + reply[1][1] * b)) + (reply[1][2] * e + reply[1][3] * f);
+            }
+        }
+        for (int l = 0; l < count(); ++l) first[l].value[0] = u[l].v, first[l].slope[0] = d[l].v;
+    }
+    // The open line's answer.
+    double answer_at(size_t node, int l) const {
+        const double alone = value[scratch_of(node, l)];
+        if (node < segments.head) return alone;
+        const size_t row = segments.place(node), k = row % N;
+        return (alone + (c.influence[0][row] * before[l].value[k] + c.influence[1][row] * before[l].slope[k])) +
+               (c.influence[2][row] * after[l].value[k] + c.influence[3][row] * after[l].slope[k]);
+    }
+    void close_ring(int l) {
+        const size_t z = lines.nodes - 1, nodes[4] = {z - 1, z, 0, 1};
+        One x[4], w[4], force[3];
+        for (int k = 0; k < 4; ++k) {
+            const StateLanes<1> here = state(nodes[k], l);
+            x[k] = here.x;
+            w[k] = One{answer_at(nodes[k], l)} + stage.of_change * here.v;
+        }
+        ring_forces<1>(ring, stage, x, w, force);
+        for (int r = 0; r < ring.constraints; ++r) pull[l][r] = force[r].v;
+    }
+
+    bool finish() {
+        L u[kMost], d[kMost], next[kMost], into_next[kMost], probe{};
+        for (int l = 0; l < count(); ++l) {
+            u[l] = L::load(before[l].value), d[l] = L::load(before[l].slope);
+            next[l] = L::load(after[l].value), into_next[l] = L::load(after[l].slope);
+        }
+        const LaneRow by[4] = {{c.influence[0]}, {c.influence[1]}, {c.influence[2]}, {c.influence[3]}};
+        Nodes x, v;
+        for (size_t j = 0, nodes; j < segments.length; j += nodes) {
+            nodes = nodes_from(j);
+            load_nodes(lines.position, j, nodes, x);
+            load_nodes(lines.velocity, j, nodes, v);
+            for (size_t i = 0; i < nodes; ++i) {
+                const L of[4] = {by[0][j + i], by[1][j + i], by[2][j + i], by[3][j + i]};
+                for (int l = 0; l < count(); ++l) {
+                    const size_t m = i * size_t(count()) + size_t(l), at = scratch(j + i, l);
+                    const StateLanes<N> here = begin(x[m], v[m], j + i, l);
+                    L answer = (L::load(value + at) + (of[0] * u[l] + of[1] * d[l])) +
+                               (of[2] * next[l] + of[3] * into_next[l]);
+                    for (int r = 0; !kPlain && r < ring.constraints; ++r)
+                        answer = answer + pull[l][r] * LaneRow{ring.response[r]}[j + i];
+                    const L w = kPlain ? answer : answer + stage.of_change * here.v;
+                    const L change = kPlain ? w - here.v : answer - (1 - stage.of_change) * here.v;
+                    if (!kPlain && keep) {
+                        w.store(value + at);
+                        continue;
+                    }
+                    v[m] = settle_and_probe<T>(w + stage.overshoot * change, probe);
+                    x[m] = settle_and_probe<T>(here.x + stage.move * w, probe);
+                }
+            }
+            if (!kPlain && keep) continue;
+            store_nodes(x, lines.position, j, nodes);
+            store_nodes(v, lines.velocity, j, nodes);
+        }
+        return !probe.any_nan();
+    }
+    bool finish_head(int l) const {
+        One probe{};
+        for (size_t i = 0; i < segments.head; ++i) {
+            const size_t at = i * size_t(count()) + size_t(l), from = scratch_of(i, l);
+            One answer{value[from]};
+            for (int r = 0; r < ring.constraints; ++r)
+                answer = answer + One{pull[l][r] * ring.response[r][segments.place(i)]};
+            double* const row = keep ? value + (ptrdiff_t(from) - ptrdiff_t(at)) : nullptr;
+            end_stage<1>(lines, stage, state(i, l), answer, row, at, probe);
+        }
+        return !probe.any_nan();
+    }
+
+    bool run() {
+        go_right();
+        go_left();
+        One u[kMost], d[kMost];
+        for (int l = 0; l < count(); ++l) head_right(l, u[l], d[l]);
+        join(u, d);
+        for (int l = 0; l < count(); ++l) {
+            head_left(l);
+            if (ring.constraints > 0) close_ring(l);
+        }
+        bool finite = true;
+        for (int l = 0; l < count(); ++l) finite &= finish_head(l);
+        return finish() && finite;
+    }
+};
+
+template <class T, int kLines, bool kPlain> bool sweep(const Lines<T>& lines, const SegmentRodCoefficients& c,
+                                                       const Stage& stage, const Start& start, const RingClosure& ring,
+                                                       double* value, double* slope, double* hold, bool keep) {
+    return Sweep<T, kLines, kPlain>{lines, c, stage, start, ring, value, slope, hold, keep}.run();
+}
+
+} // namespace
+
+template <class T> bool segment_rod_step(const Lines<T>& lines, const SegmentRodCoefficients& c, const Stage& stage,
+                                         const Start& start, const RingClosure& ring, double* value, double* slope,
+                                         double* hold, bool keep) {
+    const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !start.w && !keep &&
+                       stage.of_change == 0 && ring.constraints == 0;
+    const auto run = [&](auto with) { return with(lines, c, stage, start, ring, value, slope, hold, keep); };
+    if (plain && lines.pitch == 1) return run(sweep<T, 1, true>);
+    if (plain && lines.pitch == 2) return run(sweep<T, 2, true>);
+    if (plain && lines.pitch == 3) return run(sweep<T, 3, true>);
+
+    return run(sweep<T, 0, false>);
+}
+
+#if CD_WITH_FLOAT32
+template bool segment_rod_step(const Lines<float>&, const SegmentRodCoefficients&, const Stage&, const Start&,
+                               const RingClosure&, double*, double*, double*, bool);
+#endif
+#if CD_WITH_FLOAT64
+template bool segment_rod_step(const Lines<double>&, const SegmentRodCoefficients&, const Stage&, const Start&,
+                               const RingClosure&, double*, double*, double*, bool);
+#endif
+
+} // namespace CD_ISA
+} // namespace cd
