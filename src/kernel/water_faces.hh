@@ -43,6 +43,7 @@ template <int N> void WaterLine<N>::size_up(FaceRange depths) {
     if (alone) thins = axis.corrections > 0 ? one : long_step;
     ahead = one;
     if (axis.corrections == 0) return;
+    ebbs = L::splat(kVeryLongStep) - wave() * depths.most;
     L fastest{};
     for (size_t i = first_inside(); i < n; ++i) fastest = larger(size_of(at(velocity, i)), fastest);
     ahead = select(even, axis.courant * fastest - L::splat(0.25), L{});
@@ -86,37 +87,35 @@ template <int N> void WaterLine<N>::look_ahead() {
     streams = any_positive(any);
 }
 
-template <int N> void WaterLine<N>::rest_dry_faces() const {
-    for (size_t i = 0; i <= n; ++i) put(velocity, i, select(at(face, i), at(velocity, i), L{}));
+template <int N> void WaterLine<N>::rest_if_dry(size_t i) const {
+    put(velocity, i, select(at(face, i), at(velocity, i), L{}));
 }
 
-// A dry face takes the velocity of the nearest wet one that may come as far in the step, at least of a neighbour;
-// of two as near, the mean. Uses x and pull for what comes from the left, its distance at first.
-template <int N> void WaterLine<N>::carry_to_dry_faces() const {
+// A dry face inside takes the velocity of the nearest wet one that may come as far in the step, at least of a
+// neighbour; of two as near, the mean. Uses x and pull for what comes from the left, its distance at first.
+template <int N> void WaterLine<N>::carry_to_dry_faces(const double* depths, double* velocities) const {
     const L far = L::splat(kFar);
     const L courant = axis.courant * thins; // where 0, to a neighbour only
     const size_t begin = first_inside(), turns = ring ? 2 : 1;
     NearestLanes<N> left{L{}, far}, right{L{}, far};
     for (size_t turn = 0; turn < turns; ++turn)
         for (size_t i = begin; i < n; ++i) {
-            left.pass(at(face, i), at(velocity, i), opening(i));
+            left.pass(at(depths, i), at(velocities, i), opening(i));
             put(x, i, left.value);
             put(pull, i, left.reach(courant));
         }
     for (size_t turn = 0; turn < turns; ++turn)
         for (size_t i = n; i-- > begin;) {
-            const L wet = at(face, i), here = at(velocity, i);
+            const L wet = at(depths, i), here = at(velocities, i);
             right.pass(wet, here, opening(i));
             if (turn + 1 < turns) continue;
             const L from_left = at(pull, i), from_right = right.reach(courant), v = at(x, i);
             L dry =
                 select(from_right - from_left, v, select(from_left - from_right, right.value, 0.5 * (v + right.value)));
             dry = select(far - smaller(from_left, from_right), dry, L{});
-            put(velocity, i, opening(i) * select(wet, here, dry));
+            put(velocities, i, opening(i) * select(wet, here, dry));
         }
-    if (!ring)
-        for (size_t i : {size_t(0), n}) put(velocity, i, select(at(face, i), at(velocity, i), L{}));
-    close(velocity);
+    close(velocities);
 }
 
 } // namespace CD_ISA

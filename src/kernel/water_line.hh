@@ -32,6 +32,7 @@ template <int N> struct WaterLine {
     L even{};                 // > 0: depths in the line differ little
     L ahead{};                // > 0: faces look ahead
     L thins{};                // 1: the surface is solved for with cells running dry, else 0
+    L ebbs{};                 // > 0: faces that run dry carry what the water beside them does, see follow_water
     L strained = L::splat(1); // > 0: water was held back in the line or may have been, or its step is very long
     L tally[kTallies] = {};
 
@@ -43,6 +44,8 @@ template <int N> struct WaterLine {
 
     size_t left_of(size_t i) const { return i > 0 ? i - 1 : n - 1; }
     size_t right_of(size_t i) const { return i < n ? i : 0; }
+    // > 0: depths beside a face differ by half at most.
+    static L alike(L d_l, L d_r) { return 1.5 * smaller(d_l, d_r) - larger(d_l, d_r); }
     // Faces with a cell on both sides: a ring's first one is its last.
     size_t first_inside() const { return ring ? 0 : 1; }
     L opening(size_t i) const { return open ? at(open, i) : L::splat(1); }
@@ -67,8 +70,8 @@ template <int N> struct WaterLine {
     void size_up(FaceRange depths);
     L end_depth(size_t i, const double* depths) const;
     void look_ahead();
-    void rest_dry_faces() const;
-    void carry_to_dry_faces() const;
+    void rest_if_dry(size_t i) const;
+    void carry_to_dry_faces(const double* depths, double* velocities) const;
 
     // ---- 5. and 6. the new surface, new velocities, and what they move (water_surface.hh) ----
 
@@ -104,6 +107,7 @@ template <int N> struct WaterLine {
 
     // ---- 4. momentum goes with the water; what velocity a face keeps (water_momentum.hh) ----
 
+    void follow_water() const;
     void carry() const;
     void set_inflow_velocity(size_t i) const;
     void slow_held_back(size_t i) const;
@@ -123,8 +127,9 @@ template <int N> struct WaterLine {
     // Faces before anything moves.
     void look() {
         size_up(measure_faces(depth, face));
-        if (axis.advected) carry_to_dry_faces();
-        else rest_dry_faces();
+        if (axis.advected) carry_to_dry_faces(face, velocity);
+        for (size_t i = 0; i <= n; ++i)
+            if (!axis.advected || (!ring && (i == 0 || i == n))) rest_if_dry(i);
         look_ahead();
     }
 
@@ -152,7 +157,10 @@ template <int N> struct WaterLine {
     }
     void keep_all() {
         hold_back();
-        if (axis.advected) carry();
+        if (axis.advected) {
+            follow_water();
+            carry();
+        }
         settle_faces();
     }
 

@@ -6,33 +6,72 @@
 namespace cd {
 namespace CD_ISA {
 
+// What a dry face carries is the velocity of the nearest water, pushed as that was: the slope of dry land is no slope
+// of water. In large steps, but for very long ones, so too what a face carries that the step ran dry: a film ran down
+// the land there.
+template <int N> void WaterLine<N>::follow_water() const {
+    double* const wet = share; // streams are done with it
+    L dry{};
+    const bool ebb = any_positive(ebbs);
+    if (ebb) measure_faces(after, wet);
+    for (size_t i = first_inside(); i < n; ++i) {
+        const L was = at(face, i), is = ebb ? select(smaller(was, ebbs), at(wet, i), was) : was;
+        put(wet, i, is);
+        dry = larger(dry, select(is, L{}, L::splat(1)));
+    }
+    if (any_positive(dry)) carry_to_dry_faces(wet, guess);
+}
+
 // Velocities are carried upwind with the transfers of the step: exactly as much momentum comes in at a face as goes
 // out at the one before. Where the step shows a wave's course, what the surface at its end pushes acts after that,
 // the rest before: so the push of the surface is in balance with what is carried, and shocks run at their right
-// speed. Elsewhere, on thin and rushing water, it all acts before, which is the more stable. A dry face is not
-// pushed: the slope of dry land is no slope of water, and none of it may be carried to where there is some.
+// speed. Elsewhere, on thin and rushing water and where depths differ much, as at shores, it all acts before, which is
+// the more stable. Where the two meet, but not at a shock, a face takes what the other would carry if it were pushed
+// when the face itself is: water that moves alike goes on doing so.
 template <int N> void WaterLine<N>::carry() const {
     const size_t begin = first_inside();
+    const L one = L::splat(1);
+    double* const turn = share; // the push acts before: -1; after: 1, or at a shock 0
+    L turns{}, last{};
     const auto through = [&](size_t cell) { return 0.5 * (at(transfer, cell) + at(transfer, cell + 1)); };
     for (size_t i = begin; i < n; ++i) {
-        const size_t l = left_of(i);
+        const size_t l = left_of(i), far_l = ring ? l : i - 1, far_r = i + 1;
         const L u = at(velocity, i), w = at(guess, i), d_l = at(depth, l), d_r = at(depth, i);
-        const L calm = axis.gravity * smaller(d_l, d_r) - w * w;
-        const size_t far_l = ring ? left_of(i) : i - 1, far_r = i + 1;
+        const L calm = smaller(alike(d_l, d_r), axis.gravity * smaller(d_l, d_r) - w * w);
+        const L beside = smaller(ring || far_l > 0 ? at(face, far_l) : one, ring || far_r < n ? at(face, far_r) : one);
         const L closing = axis.courant * (at(velocity, far_l) - at(velocity, far_r)) - L::splat(0.02);
+        const L shock = smaller(beside, closing);
         const L passing = positive(through(l)) + positive(-through(i)), volume = 0.5 * (d_l + d_r);
-        const L short_step = smaller(L::splat(1) - wave() * larger(d_l, d_r), volume - passing);
-        const L resolved = select(short_step, larger(calm, closing), L{});
-        const L wet = at(face, i), later = select(smaller(wet, resolved), axis.push_after * (w - u), L{});
+        const L short_step = smaller(one - wave() * larger(d_l, d_r), volume - passing);
+        const L resolved = smaller(smaller(at(face, i), short_step), larger(calm, shock));
+        const L later = select(resolved, axis.push_after * (w - u), L{}),
+                now = select(resolved, select(shock, L{}, one), -one);
         put(gain, i, later);
-        put(guess, i, select(wet, w - later, u));
+        put(guess, i, w - later);
+        put(turn, i, now);
+        turns = larger(turns, -(now * last));
+        last = now;
     }
+    if (ring) turns = larger(turns, -(at(turn, 0) * last));
+    else put(turn, 0, L{}), put(turn, n, L{});
+    for (double* panel : {guess, gain, turn}) close(panel);
+    const bool meet = any_positive(turns);
+    // What the face `from` would carry besides, if it were pushed when face i is.
+    const auto turned = [&](size_t i, size_t from) {
+        const L there = at(turn, from),
+                push = axis.push_after * ((at(guess, from) + at(gain, from)) - at(velocity, from));
+        return select(-(at(turn, i) * there), there * push, L{});
+    };
     const auto row = [&](size_t i) {
         const size_t l = left_of(i);
         const L volume = 0.5 * (at(depth, l) + at(depth, i)), is_open = opening(i);
         const L left = is_open * positive(through(l)), right = is_open * positive(-through(i));
-        return RowLanes<N>{select(is_open, volume, L::splat(1)), left, right, left, right,
-                           is_open * (volume * at(guess, i))};
+        L load = is_open * (volume * at(guess, i));
+        if (meet) {
+            const L more = left * turned(i, ring ? l : i - 1) + right * turned(i, i + 1);
+            load = select(size_of(more), load + more, load);
+        }
+        return RowLanes<N>{select(is_open, volume, one), left, right, left, right, load};
     };
     if (ring) solve_round<N>(n, row, x, rest, pull);
     else solve_rows<N>(1, n, row, at(guess, 0), at(guess, n), x, pull);
