@@ -24,21 +24,20 @@
  * cd_water_get_account tells. Where it is right: waves much longer than the water is deep, surfaces that do not turn
  * over. Ship wakes and anything else that needs dispersion are not in it.
  *
- * Waves do not limit the step, and where they cross more than two and a half cells in it, the surface of a line is
- * solved for such that no depth comes out negative (but by CD_SOLVER_COUPLED). Streams may limit it: where water runs
- * further than a cell in a step, |u| dt > dx, and waves do not outrun it, ripples on it grow, in the linear mode from
- * half of that on and with lambda = 1/2 from a fifth. Not so, swept in turn and advected, while waves cross at most 4
- * cells, nor, in steps of any length, along lines in which depths differ by a tenth at most. Explicit and coupled steps
- * let a cell give no more than what it has at the beginning: there such a stream is held back to a cell a step.
+ * Waves do not limit the step, and where they cross more than two and a half cells in it, the surface of a line, by
+ * CD_SOLVER_COUPLED of all the water, is solved for such that no depth comes out negative. Streams may limit it: where
+ * water runs further than a cell in a step, |u| dt > dx, and waves do not outrun it, ripples on it grow, in the linear
+ * mode from half of that on and with lambda = 1/2 from a fifth. Not so, swept in turn and advected, while waves cross
+ * at most 4 cells, nor, in steps of any length, along lines in which depths differ by a tenth at most. Explicit and
+ * coupled steps hold such a stream back to a cell a step, coupled ones not where waves cross 16 times its cells.
  *
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
  * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.
  *
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
- * mode, of which shores are steep, take a little more than 1/2. Swept in turn, the random shores that were tried make
- * no energy in steps in which waves cross three cells to a thousand; in shorter ones it may rise by some hundredths at
- * violent shores, in the linear mode, whose equations do not keep it, most; and by CD_SOLVER_COUPLED so at Courant
- * numbers (cd_water_get_courant) from 100 on. In steps too long for waves or water to stay within a cell, no water is
+ * mode, of which shores are steep, take a little more than 1/2. The random shores that were tried make no energy in
+ * steps in which waves cross three cells to five thousand; in shorter ones it may rise by some hundredths at violent
+ * shores, in the linear mode, whose equations do not keep it, most. In steps too long for waves or water to stay within a cell, no water is
  * let run faster than a fall from the highest head of its line would make it.
  *
  * All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
@@ -134,15 +133,16 @@ CD_API cd_status cd_water_set_solver(cd_water* water, cd_solver solver);
 CD_API cd_status cd_water_get_solver(const cd_water* water, cd_solver* out_solver);
 
 /* When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm), in
- * [1e-14, 1/2], default 1e-6; and how many iterations it may take, >= 1, default 100. When they do not suffice
- * cd_water_step says so with CD_ERROR_TOLERANCE. Volume is kept whatever the tolerance; at Courant numbers beyond 1000
- * take 1e-10, or water is heaped up. Errors: CD_ERROR_VALUE. */
+ * [1e-14, 1/2], default 1e-6, and of at most the root of that times the change of the surface, which in very long steps
+ * asks for more; and how many iterations a solve may take, >= 1, default 100. When they do not suffice cd_water_step
+ * says so with CD_ERROR_TOLERANCE. Volume is kept whatever the tolerance. In steps in which cells may run dry the
+ * surface is solved for again as long as others do. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_water_set_tolerance(cd_water* water, double tolerance, size_t most_iterations);
 CD_API cd_status cd_water_get_tolerance(const cd_water* water, double* out_tolerance, size_t* out_most_iterations);
 
 /* What the last call of cd_water_step did with CD_SOLVER_COUPLED: the most iterations that a solve took, and the
- * largest residual it ended with, as a fraction of the one it started from. 0 and 0 if there was none. Each may be
- * null. */
+ * largest residual it ended with, as a fraction of the one it started from, or, where that asks for more, of the change
+ * of the surface over the root of the tolerance. 0 and 0 if there was none. Each may be null. */
 CD_API cd_status cd_water_get_convergence(const cd_water* water, size_t* out_iterations, double* out_residual);
 
 /* Which way the next step sweeps first: along x (0, the default of a new water) or along y (1). Every step turns it
@@ -303,8 +303,8 @@ CD_API cd_status cd_water_get_steps(const cd_water* water, uint64_t* out_steps);
 CD_API cd_status cd_water_get_factorizations(const cd_water* water, uint64_t* out_count);
 
 /* What the last call of cd_water_step had to hold back so that no cell gave more than it had and got: in how many
- * cells, counted once per sweep, and how much water [m^3]. Faces that lost more than half of a speed (see above)
- * count with the cells. Each output may be null. */
+ * cells, counted once per sweep, and how much water [m^3]. Faces that lost more than half of a speed (see above), or
+ * whose stream a coupled step held back, count with the cells. Each output may be null. */
 CD_API cd_status cd_water_get_limited(const cd_water* water, uint64_t* out_cells, double* out_volume);
 
 /* ---- measuring --------------------------------------------------------------------------------------------------- */

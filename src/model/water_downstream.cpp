@@ -1,6 +1,5 @@
-// What coupled steps in which cells may run dry do once their surface is known. Water may cross many cells in them, so
-// that a cell gives far more than it had; and momentum goes with the water of both axes at once. All is done in one
-// order, whatever the threads.
+// What coupled steps do in which cells may run dry. Water may cross many cells in them, so that a cell gives far more
+// than it had; and momentum goes with the water of both axes at once. All is done in one order, whatever the threads.
 #include "model/water_work.hh"
 
 #include <math.h>
@@ -21,6 +20,11 @@ template <class F> bool sweep_from(size_t k, size_t first_i, size_t end_i, size_
         }
     return any;
 }
+
+// Streams that waves do not outrun by far would let ripples grow from a cell a step on: the implicit surface damps them
+// only where waves cross this many times the cells that water does. Lines that are swept carry on the change of the cell
+// that gives (look_ahead), but a system with that in it is not symmetric, and conjugate gradients need that.
+constexpr double kOutrun = 16;
 
 // The water of a cell and what goes through its four faces, sorted like the directions of a path: before and behind
 // along x, then along y.
@@ -59,6 +63,43 @@ template <class T> struct CellWater {
 };
 
 } // namespace
+
+// Holds streams back to a cell a step where ripples would grow on them: along even depths, not at shores.
+template <class T> void WaterStepper<T>::hold_streams() {
+    const T *const depth = numbers<T>(w.depth), *const velocity[2] = {numbers<T>(w.velocity[kX]),
+                                                                      numbers<T>(w.velocity[kY])};
+    double* const share = work.both.load;
+    const double courant[2] = {dt / w.size[kX], dt / w.size[kY]};
+    const double least = courant[kX] < courant[kY] ? courant[kX] : courant[kY];
+    bool any = false;
+    each_cell(w, [&](size_t i, size_t j) {
+        const size_t at = place(w, i, j);
+        double cells = 0; // that water runs across, out of this one
+        for (Axis a : {kX, kY})
+            cells += courant[a] * (positive(-double(velocity[a][at])) + positive(double(velocity[a][at + stride(a)])));
+        const double waves = w.gravity * double(depth[at]) * (least * least);
+        const bool holds = cells > 1 && waves < kOutrun * kOutrun * (cells * cells);
+        share[at] = holds ? 1 / cells : 1;
+        any |= holds;
+    });
+    if (!any) return;
+    Sum held_back;
+    for (Axis a : {kX, kY})
+        each_face(w, a, [&](size_t i, size_t j) {
+            const size_t place_along = a == kX ? i : j, n = w.cells[a], at = place(w, i, j);
+            if ((place_along == 0 && !periodic(w, a)) || place_along == n) return;
+            const size_t low = place_along > 0 ? at - stride(a) : at + (n - 1) * stride(a);
+            T* const u = numbers<T>(w.velocity[a]) + at;
+            const double gives = share[*u > 0 ? low : at], d_low = double(depth[low]), d = double(depth[at]);
+            const bool alike = d < 2 * d_low && d_low < 2 * d;
+            if (gives == 1 || *u == 0 || !alike) return;
+            ++w.limited_cells;
+            held_back.add((1 - gives) * courant[a] * fabs(double(*u)) * ((d_low + d) / 2));
+            *u = T(gives * double(*u));
+            if (place_along == 0) u[n * stride(a)] = *u;
+        });
+    w.limited_volume += held_back.value() * cell_area(w);
+}
 
 // What the solve left undone is too much or too little water in cells that shall be empty, or nearly are. It takes the
 // way through open faces to the nearest cell that has enough, and what shall be empty is. False if some cell still
@@ -166,6 +207,7 @@ template <class T> void WaterStepper<T>::carry_at_once(const WaterCells& cells, 
 }
 
 #define CD_INSTANTIATE(T)                                                    \
+    template void WaterStepper<T>::hold_streams();                           \
     template bool WaterStepper<T>::settle_residual(const WaterCells& cells); \
     template void WaterStepper<T>::carry_at_once(const WaterCells& cells, Axis a);
 #if CD_WITH_FLOAT32

@@ -34,7 +34,6 @@ void carve_together(const Water& w, const Grid& grid, bool coupled, WaterTogethe
     both.load = scratch.plane(grid);
     if (!coupled) return;
     both.change = scratch.plane(grid);
-    both.stores = scratch.plane(grid);
     for (double** plane : {&both.ground, &both.spring[kX], &both.spring[kY]}) *plane = coefficients.plane(grid);
     for (WaterPlanes& planes : both.planes) planes.change = both.change;
 
@@ -79,6 +78,7 @@ WaterWork::WaterWork(const Water& w, const WaterFeatures& f, Carver& coefficient
     if (together) carve_together(w, grid, coupled, both, coefficients, scratch);
     if (f.momentum == CD_MOMENTUM_ADVECTED || together) held = scratch.plane(grid);
     if (f.momentum == CD_MOMENTUM_ADVECTED && !together) moved[kX] = moved[kY] = scratch.plane(grid);
+    both.stores = held; // until depths are filled in
     if (together)
         for (Axis a : {kX, kY}) {
             moved[a] = both.planes[a].transfer;

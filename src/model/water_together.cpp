@@ -171,6 +171,7 @@ template <class T> void WaterStepper<T>::step_together() {
         for (Axis a : {kX, kY}) along(a, [&](const auto&... arguments) { return kernel(arguments...), true; });
     };
 
+    if (work.thins) hold_streams();
     along_each(kernels().guess);
     if (work.coupled) {
         solve_surface(*this, cells);

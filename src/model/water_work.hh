@@ -159,6 +159,7 @@ template <class T> struct WaterStepper {
 
     void step_together(); // water_together.cpp
     // of its steps in which cells may run dry, water_downstream.cpp
+    void hold_streams();
     bool settle_residual(const WaterCells& cells);
     void carry_at_once(const WaterCells& cells, Axis a);
 };

@@ -208,6 +208,40 @@ static void a_stream_round_a_ring_stays_smooth_at_any_speed(void** state) {
     }
 }
 
+/* Coupled, where waves outrun the stream by far; where they do not, it is held back to a cell a step, which is told. */
+static void coupled_streams_that_waves_outrun_go_on(void** state) {
+    (void)state;
+    enum { CELLS = 16, STEPS = 200 };
+    static const double cells_run[] = {0.5, 1.5, 3}, cells_of_waves[] = {10, 100, 1000};
+    for (size_t k = COUPLED; k <= COUPLED_ADVECTED; ++k)
+        for (size_t c = 0; c < COUNT(cells_run); ++c)
+            for (size_t v = 0; v < COUNT(cells_of_waves); ++v) {
+                const double depth = cells_of_waves[v] * cells_of_waves[v] / 9.81, ripple = 1e-6;
+                const int outrun = cells_run[c] < 1 || cells_of_waves[v] > 16 * cells_run[c];
+                cd_water* w = basin(CELLS, CELLS, 1, 1, CD_FLOAT64);
+                double mean = 0;
+                uint64_t seed = 3, held;
+                basin_set_way(w, &ways[k]);
+                ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+                ok(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_PERIODIC, 0, 0));
+                for (size_t i = 0; i < CELLS * CELLS; ++i)
+                    basin_set(w, CD_DEPTH, i % CELLS, i / CELLS, depth * (1 + ripple * random_number(&seed)));
+                for (size_t i = 0; i < CELLS * CELLS; ++i)
+                    basin_set(w, CD_VELOCITY_X, i % CELLS, i / CELLS, cells_run[c]);
+                basin_step(w, 1, STEPS);
+                ok(cd_water_get_limited(w, &held, NULL));
+                for (size_t i = 0; i < CELLS * CELLS; ++i)
+                    mean += basin_get(w, CD_VELOCITY_X, i % CELLS, i / CELLS) / (CELLS * CELLS);
+                const double rough = basin_largest(w, CD_DEPTH) / depth - 1;
+                print_message("%-17s %3g cells, waves %4g: %.3f of its speed, ripples %.1e, held back in %zu\n",
+                              ways[k].name, cells_run[c], cells_of_waves[v], mean / cells_run[c], rough, (size_t)held);
+                assert_near(mean, outrun ? cells_run[c] : 1, 1e-3, 0);
+                assert_true((held == 0) == outrun);
+                assert_true(rough <= 20 * ripple);
+                cd_water_destroy(w);
+            }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_stream_that_goes_round_keeps_its_momentum),
@@ -215,6 +249,7 @@ int main(void) {
         cmocka_unit_test(whirls_stay_bounded),
         cmocka_unit_test(a_swift_stream_stays_smooth),
         cmocka_unit_test(a_stream_round_a_ring_stays_smooth_at_any_speed),
+        cmocka_unit_test(coupled_streams_that_waves_outrun_go_on),
         cmocka_unit_test(walls_and_masks_hold_water_exactly),
     };
     return cmocka_run_group_tests_name("water momentum", tests, NULL, NULL);
