@@ -181,7 +181,7 @@ template <class T> bool step_rows(const Grid& grid, const UniformStage<T>& stage
         if (r + 1 < rows.end) rows.look(r + 1, rows.at(r + 1));
         const size_t row = r * grid.pitch;
         ExplicitMove<T> step{rows.acting(r, rows.pushes()), x + row, v + row, move.move, move.follow};
-        along_row(0, grid.columns, step);
+        along_springs(grid.columns, step, step.acting);
         finite &= step.probe.finite();
     }
     return finite;

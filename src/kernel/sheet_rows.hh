@@ -28,6 +28,8 @@ template <int N> inline Lanes<N> after(const double* row, size_t u) { return Lan
 // Everything by value: the compiler cannot know that what is stored is none of it.
 struct Separable {
     const double *after_u, *before_u, *gain_u;
+    double inside_u, inside_gain_u; // of the columns between the first and the last one, where they are alike
+    bool inside = false;            // whether those are all that is asked for
     double after_v, before_v, gain_v;
     bool constant;
     double gravity;
@@ -35,10 +37,12 @@ struct Separable {
     Rows x;
 
     Separable(const SeparableSheet& sheet, bool constant_, double gravity_, double* row_out, const Rows& rows,
-              size_t row)
+              size_t row, size_t columns)
         : after_u(sheet.after[0]),
           before_u(sheet.before[0]),
           gain_u(sheet.gain[0]),
+          inside_u(after_u[columns > 1]),
+          inside_gain_u(gain_u[columns > 1]),
           after_v(sheet.after[1][row]),
           before_v(sheet.before[1][row]),
           gain_v(sheet.gain[1][row]),
@@ -50,14 +54,27 @@ struct Separable {
     template <int N> Lanes<N> acts(size_t u) const {
         using L = Lanes<N>;
         const L here = at<N>(x.here, u);
-        const L along_u =
-            L::load(after_u + u) * (after<N>(x.here, u) - here) - L::load(before_u + u) * (here - before<N>(x.here, u));
+        const L to_after = after<N>(x.here, u) - here, from_before = here - before<N>(x.here, u);
+        const L along_u = inside ? inside_u * to_after - inside_u * from_before
+                                 : L::load(after_u + u) * to_after - L::load(before_u + u) * from_before;
         const L along_v = after_v * (at<N>(x.below, u) - here) - before_v * (here - at<N>(x.above, u));
         const L push = constant ? L::splat(gravity) : L::load(out + u);
-        return gain_v * (L::load(gain_u + u) * (push + (along_u + along_v)));
+        return gain_v * ((inside ? L::splat(inside_gain_u) : L::load(gain_u + u)) * (push + (along_u + along_v)));
     }
     template <int N> void bundle(size_t u) const { acts<N>(u).store(out + u); }
 };
+
+// Goes along all columns, and tells `separable`, which is what the bundles ask or a part of it, where they lie.
+template <class F> inline void along_springs(size_t columns, F& bundles, Separable& separable) {
+    constexpr size_t n = kWidest;
+    const size_t inner = columns > 2 * n ? (columns - 1) / n * n - n : 0, begins = inner > 0 ? n : 0;
+    separable.inside = false;
+    along_row(0, begins, bundles);
+    separable.inside = true;
+    along_row(begins, inner, bundles);
+    separable.inside = false;
+    along_row(begins + inner, columns - begins - inner, bundles);
+}
 
 template <class S, class T> struct PushSeparable {
     const SeparableSheet& sheet;
@@ -140,7 +157,7 @@ template <class S, class T> struct StageRows {
             along_row(0, grid.columns, push);
         }
         const Rows rows{at(row), row > first ? at(row - 1) : slot(3), row + 1 < end ? at(row + 1) : slot(4)};
-        return {sheet, stage.constant, stage.push.gravity, out, rows, row};
+        return {sheet, stage.constant, stage.push.gravity, out, rows, row, grid.columns};
     }
 };
 

@@ -46,7 +46,8 @@ template <class S, class T> struct DownSweep {
             // on threads the plane was last written in strips, half of it by others
             if (!rows.stage.carries && r + 2 < rows.end) fetch(plane + (r + 2) * grid.pitch, grid.columns);
             if (r + 1 < rows.end) rows.look(r + 1, rows.at(r + 1));
-            along_row(0, grid.columns, rows.acting(r, plane + r * grid.pitch));
+            Separable acting = rows.acting(r, plane + r * grid.pitch);
+            along_springs(grid.columns, acting, acting);
         }
         filter_rows(grid, rows.stage.along_u, plane, row, count);
         for (size_t r = row; r < row + count && rows.stage.carries; ++r)
