@@ -47,10 +47,6 @@ template <class T> struct PlainRates {
     T gravity;
 };
 
-// Memory is asked for so many bytes ahead where planes are larger than what stays in the cache anyway: rows begin where
-// processors that look ahead by themselves do not expect them.
-constexpr size_t kCached = 1 << 20, kAhead = 4096;
-
 // A row on its way; all pointers to where it starts.
 template <class T> struct PlainRow {
     T *x, *v, *pull; // pull: how far the row above lies from this one, and then this one from the row below
@@ -118,7 +114,7 @@ template <class T> struct PlainRows {
           beyond(reinterpret_cast<T*>(looked + grid.pitch)),
           first(first_),
           end(first_ + count),
-          fetches(grid.columns * grid.rows * sizeof(T) > kCached) {}
+          fetches(leaves_cache(grid)) {}
 
     static bool takes(const Grid& grid, const UniformStage<T>& stage, const SheetMove& move) {
         return stage.constant && stage.share == 0 && move.follow == 1 && in_plain_range<T>(move.move) &&

@@ -9,6 +9,11 @@ namespace CD_ISA {
 
 namespace {
 
+// Where planes are larger than what stays in the cache, memory is asked for so many bytes ahead, bundle by bundle: rows
+// begin, and in strips end, where processors that look ahead by themselves do not expect them.
+constexpr size_t kAhead = 4096;
+inline bool leaves_cache(const Grid& grid) { return grid.rows * grid.pitch >= 1 << 17; }
+
 // One row of a plane, and the rows above and below it.
 struct Rows {
     const double *here, *above, *below;
@@ -30,19 +35,21 @@ struct Separable {
     const double *after_u, *before_u, *gain_u;
     double inside_u, inside_gain_u; // of the columns between the first and the last one, where they are alike
     bool inside = false;            // whether those are all that is asked for
+    bool fetches;
     double after_v, before_v, gain_v;
     bool constant;
     double gravity;
     double* out; // where the row starts; holds the push, unless that is constant
     Rows x;
 
-    Separable(const SeparableSheet& sheet, bool constant_, double gravity_, double* row_out, const Rows& rows,
-              size_t row, size_t columns)
+    Separable(const Grid& grid, const SeparableSheet& sheet, bool constant_, double gravity_, double* row_out,
+              const Rows& rows, size_t row)
         : after_u(sheet.after[0]),
           before_u(sheet.before[0]),
           gain_u(sheet.gain[0]),
-          inside_u(after_u[columns > 1]),
-          inside_gain_u(gain_u[columns > 1]),
+          inside_u(after_u[grid.columns > 1]),
+          inside_gain_u(gain_u[grid.columns > 1]),
+          fetches(leaves_cache(grid)),
           after_v(sheet.after[1][row]),
           before_v(sheet.before[1][row]),
           gain_v(sheet.gain[1][row]),
@@ -61,7 +68,10 @@ struct Separable {
         const L push = constant ? L::splat(gravity) : L::load(out + u);
         return gain_v * ((inside ? L::splat(inside_gain_u) : L::load(gain_u + u)) * (push + (along_u + along_v)));
     }
-    template <int N> void bundle(size_t u) const { acts<N>(u).store(out + u); }
+    template <int N> void bundle(size_t u) const {
+        if (N > 1 && fetches) __builtin_prefetch(out + u + kAhead / sizeof(double), 1);
+        acts<N>(u).store(out + u);
+    }
 };
 
 // Goes along all columns, and tells `separable`, which is what the bundles ask or a part of it, where they lie.
@@ -113,12 +123,17 @@ struct Probe {
 };
 
 template <class S> struct Look {
+    bool fetches;
     double closing_rate, share;
     const S *x, *v;
     double* to;
 
     template <int N> void bundle(size_t u) const {
         using L = Lanes<N>;
+        if (N > 1 && fetches) {
+            __builtin_prefetch(x + u + kAhead / sizeof(S));
+            __builtin_prefetch(v + u + kAhead / sizeof(S));
+        }
         (closing_rate * L::load(x + u) + share * L::load(v + u)).store(to + u);
     }
 };
@@ -131,13 +146,14 @@ template <class S, class T> struct StageRows {
     const S *x, *v;
     double* looked; // kLookedRows rows
     size_t first, end;
+    bool fetches = leaves_cache(grid);
 
     double* slot(size_t k) const { return looked + k * grid.pitch; }
     double* pushes() const { return slot(5); }
     double* at(size_t row) const { return slot(row % 3); }
 
     void look(size_t row, double* to) const {
-        const Look<S> bundles{stage.closing_rate, stage.share, x + row * grid.pitch, v + row * grid.pitch, to};
+        const Look<S> bundles{fetches, stage.closing_rate, stage.share, x + row * grid.pitch, v + row * grid.pitch, to};
         along_row(0, grid.columns, bundles);
         if (!stage.ring_u) return;
         to[-1] = to[grid.columns - 1];
@@ -157,7 +173,7 @@ template <class S, class T> struct StageRows {
             along_row(0, grid.columns, push);
         }
         const Rows rows{at(row), row > first ? at(row - 1) : slot(3), row + 1 < end ? at(row + 1) : slot(4)};
-        return {sheet, stage.constant, stage.push.gravity, out, rows, row, grid.columns};
+        return {grid, sheet, stage.constant, stage.push.gravity, out, rows, row};
     }
 };
 

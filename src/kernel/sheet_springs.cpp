@@ -131,7 +131,7 @@ struct Pair {
 void pull_separable(const Grid& grid, const SeparableSheet& sheet, const double* x, bool constant, double gravity,
                     double* out, size_t first, size_t count) {
     for (size_t r = first; r < first + count; ++r) {
-        Separable bundles{sheet, constant, gravity, out + r * grid.pitch, Rows(grid, x, r), r, grid.columns};
+        Separable bundles{grid, sheet, constant, gravity, out + r * grid.pitch, Rows(grid, x, r), r};
         along_row(0, grid.columns, bundles);
     }
 }

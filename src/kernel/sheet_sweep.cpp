@@ -27,8 +27,8 @@ namespace {
 // Going up, and in strips, rows lie too far apart for processors to see them coming. So many rows ahead are fetched; 0
 // where all stays in the cache.
 inline size_t rows_ahead(const Grid& grid, size_t count) {
-    constexpr size_t kCached = 1 << 17, kFetched = 1536; // numbers
-    if (grid.rows * grid.pitch < kCached) return 0;
+    constexpr size_t kFetched = 1536; // numbers
+    if (!leaves_cache(grid)) return 0;
     return count < kFetched ? kFetched / count : 1;
 }
 // Nearly all of it is written too: asked for as such, what another thread wrote last comes over once and not twice.
@@ -65,13 +65,22 @@ template <class S, class T> struct MoveUp {
     T *to_x, *to_v;
     bool settles;
     double overshoot, move;
+    size_t ahead; // numbers back to what is fetched
     PlainProbe<T> probe{};
 
     template <class V> void bundles(size_t& u, size_t end) {
         constexpr int n = kCountOf<V, T>;
         V seen{};
-        for (; u + size_t(n) <= end; u += size_t(n)) bundle<n>(u, seen);
+        for (; u + size_t(n) <= end; u += size_t(n)) {
+            if (n > 1 && ahead > 0) fetch(u, size_t(n));
+            bundle<n>(u, seen);
+        }
         probe.add(seen);
+    }
+    void fetch(size_t u, size_t count) const {
+        for (size_t i = 0; i < count; i += 8) __builtin_prefetch(change + u + i - ahead, 1);
+        __builtin_prefetch(x + u - ahead, 1);
+        __builtin_prefetch(v + u - ahead, 1);
     }
     template <int N, class V> void bundle(size_t u, V& seen) {
         using L = Lanes<N>;
@@ -107,14 +116,9 @@ template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& 
     }
     for (size_t r = grid.rows; r-- > 0;) {
         const size_t row = r * grid.pitch;
-        if (ahead > 0 && r >= ahead) {
-            const size_t there = row - ahead * grid.pitch + first;
-            fetch(plane + there, count);
-            fetch(x + there, count);
-            fetch(v + there, count);
-        }
-        MoveUp<S, T> step{r + 1 == grid.rows, filter.pull[r], plane + row,           below,          x + row,  v + row,
-                          to_x + row,         to_v + row,     r % kSettleEvery == 0, move.overshoot, move.move};
+        MoveUp<S, T> step{
+            r + 1 == grid.rows, filter.pull[r], plane + row,           below,          x + row,   v + row,
+            to_x + row,         to_v + row,     r % kSettleEvery == 0, move.overshoot, move.move, ahead * grid.pitch};
         size_t u = first;
         step.template bundles<Wide<T>>(u, first + count);
         if (sizeof(Wide<T>) > sizeof(Narrow<T>)) step.template bundles<Narrow<T>>(u, first + count);
