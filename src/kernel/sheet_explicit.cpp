@@ -16,9 +16,9 @@ template <class T> struct ExplicitMove {
     double move, follow;
     Probe probe{};
 
-    template <int N> void bundle(size_t u) {
+    template <int N, bool kInside = false> void bundle(size_t u) {
         using L = Lanes<N>;
-        const L from = L::load(v + u), change = acting.acts<N>(u);
+        const L from = L::load(v + u), change = acting.acts<N, kInside>(u);
         store_settled(from + change, v + u, probe.of<N>());
         store_settled(L::load(x + u) + move * (from + follow * change), x + u, probe.of<N>());
     }
@@ -177,7 +177,7 @@ template <class T> bool step_rows(const Grid& grid, const UniformStage<T>& stage
         if (r + 1 < rows.end) rows.look(r + 1, rows.at(r + 1));
         const size_t row = r * grid.pitch;
         ExplicitMove<T> step{rows.acting(r, rows.pushes()), x + row, v + row, move.move, move.follow};
-        along_springs(grid.columns, step, step.acting);
+        along_springs(grid.columns, step);
         finite &= step.probe.finite();
     }
     return finite;

@@ -1,6 +1,8 @@
 // What acts on a row of a uniform sheet, bundle by bundle.
 #pragma once
 
+#include <type_traits>
+
 #include "kernel/line_lanes.hh"
 #include "kernel/sheet.hh"
 
@@ -34,7 +36,6 @@ template <int N> inline Lanes<N> after(const double* row, size_t u) { return Lan
 struct Separable {
     const double *after_u, *before_u, *gain_u;
     double inside_u, inside_gain_u; // of the columns between the first and the last one, where they are alike
-    bool inside = false;            // whether those are all that is asked for
     bool fetches;
     double after_v, before_v, gain_v;
     bool constant;
@@ -58,32 +59,34 @@ struct Separable {
           out(row_out),
           x(rows) {}
 
-    template <int N> Lanes<N> acts(size_t u) const {
+    template <int N, bool kInside> Lanes<N> acts(size_t u) const {
         using L = Lanes<N>;
         const L here = at<N>(x.here, u);
         const L to_after = after<N>(x.here, u) - here, from_before = here - before<N>(x.here, u);
-        const L along_u = inside ? inside_u * to_after - inside_u * from_before
-                                 : L::load(after_u + u) * to_after - L::load(before_u + u) * from_before;
+        const L along_u = kInside ? inside_u * to_after - inside_u * from_before
+                                  : L::load(after_u + u) * to_after - L::load(before_u + u) * from_before;
         const L along_v = after_v * (at<N>(x.below, u) - here) - before_v * (here - at<N>(x.above, u));
         const L push = constant ? L::splat(gravity) : L::load(out + u);
-        return gain_v * ((inside ? L::splat(inside_gain_u) : L::load(gain_u + u)) * (push + (along_u + along_v)));
+        return gain_v * ((kInside ? L::splat(inside_gain_u) : L::load(gain_u + u)) * (push + (along_u + along_v)));
     }
-    template <int N> void bundle(size_t u) const {
+    template <int N, bool kInside = false> void bundle(size_t u) const {
         if (N > 1 && fetches) __builtin_prefetch(out + u + kAhead / sizeof(double), 1);
-        acts<N>(u).store(out + u);
+        acts<N, kInside>(u).store(out + u);
     }
 };
 
-// Goes along all columns, and tells `separable`, which is what the bundles ask or a part of it, where they lie.
-template <class F> inline void along_springs(size_t columns, F& bundles, Separable& separable) {
+// Bundles of columns that all lie between the first and the last.
+template <class F> struct InnerBundles {
+    F& f;
+    template <int N> void bundle(size_t u) const { f.template bundle<N, true>(u); }
+};
+// As along_row, for all columns of what asks Separable.
+template <class F> inline void along_springs(size_t columns, F&& f) {
     constexpr size_t n = kWidest;
     const size_t inner = columns > 2 * n ? (columns - 1) / n * n - n : 0, begins = inner > 0 ? n : 0;
-    separable.inside = false;
-    along_row(0, begins, bundles);
-    separable.inside = true;
-    along_row(begins, inner, bundles);
-    separable.inside = false;
-    along_row(begins + inner, columns - begins - inner, bundles);
+    along_row(0, begins, f);
+    along_row(begins, inner, InnerBundles<std::remove_reference_t<F>>{f});
+    along_row(begins + inner, columns - begins - inner, f);
 }
 
 template <class S, class T> struct PushSeparable {

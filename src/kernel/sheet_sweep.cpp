@@ -4,15 +4,17 @@
 // while they are in the cache, the filters along them. Up: the filters along the columns, which began on the way down,
 // and every node moves at once.
 //
-// What is left, with AVX-512 on a Zen 5: 4.3 cycles a node in the cache (looking at it 0.4, its right side 0.7, the
-// filters along rows 1.1, down 0.2, up and the move 1.5), and 48 bytes to and from where plane and state lie, of which
-// 16 are reading and writing the state.
+// What is left, with AVX-512 on a Zen 5: 3.6 cycles a node in the cache (looking at it, its right side and the filter
+// down 1.3, the filters along rows 1.1, up and the move 1.2), 4.3 at 1024 nodes a side in float32, and 48 bytes to and
+// from where plane and state lie, of which 16 are reading and writing the state.
 //
 // Tried, and it did not pay, for sheets of 256 and 1024 nodes a side in float32: tiles made straight from the state,
 // without the rows that springs look at (three conversions a node more, and 64 streams at a time: 2.5 times slower at
 // 1024); blocks of 16 rows (3% slower); whole bundles beyond a row's end in place of single numbers there (3% fewer
-// instructions, no time); columns in strips on one thread too (1.4 times slower); strips of 64 columns (1.1 times). On
-// two threads: fetching 24 rows of a strip ahead in place of 12 (no time).
+// instructions, no time); columns in strips on one thread too (1.4 times slower); strips of 64 columns (1.1 times);
+// asking for memory a row at a time (1.1 times slower at 1024 than bundle by bundle), two rows ahead (1.1 times), or of
+// sheets of 256 too (3% slower); on two threads 24 rows of a strip ahead in place of 12 (no time). A plane in float
+// would not keep a stiff sheet's mean motion.
 //
 // The same operations as gather, push_separable, pull_separable, filter_lines and move_nodes, and so the same bits.
 #include "kernel/packed.hh"
@@ -46,8 +48,7 @@ template <class S, class T> struct DownSweep {
             // on threads the plane was last written in strips, half of it by others
             if (!rows.stage.carries && r + 2 < rows.end) fetch(plane + (r + 2) * grid.pitch, grid.columns);
             if (r + 1 < rows.end) rows.look(r + 1, rows.at(r + 1));
-            Separable acting = rows.acting(r, plane + r * grid.pitch);
-            along_springs(grid.columns, acting, acting);
+            along_springs(grid.columns, rows.acting(r, plane + r * grid.pitch));
         }
         filter_rows(grid, rows.stage.along_u, plane, row, count);
         for (size_t r = row; r < row + count && rows.stage.carries; ++r)
