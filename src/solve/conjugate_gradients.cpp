@@ -15,7 +15,8 @@ void Preconditioner::operator()(const SheetSystem& system, const double* r, doub
 
 Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preconditioner, const Goal& goal,
                           const GradientPlanes& planes, double* r, double* x) {
-    const auto [start, direction, steep, applied] = planes;
+    double *const start = planes.start, *const direction = planes.direction, *const steep = planes.steep,
+                  *const applied = planes.applied; // no structured binding: C++17 lets no lambda capture one
     const double norm = sqrt(system.dot(r, r));
     if (!goal.goes_on || norm == 0) system.clear(x);
     system.copy(r, start);
