@@ -114,7 +114,8 @@ template <class T, int kLines, bool kPlain> struct Sweep {
     // ---- what nodes do, and what joins them -------------------------------------------------------------------------
 
     // Alone. row: of the coefficients. force, target: where these act.
-    template <int K> Lanes<K> own(const StateLanes<K>& here, size_t row, Lanes<K> force, Lanes<K> target, int l) const {
+    template <int K>
+    Lanes<K> own(const StateLanes<K>& here, size_t row, const Lanes<K>& force, const Lanes<K>& target, int l) const {
         const auto gain = [row](const double* of) { return Lanes<K>::load(of + row); };
         Lanes<K> sum = gravity[l] * gain(c.gains.gravity);
         if (!kPlain && c.gains.force) sum = sum + gain(c.gains.force) * force;
@@ -158,8 +159,7 @@ template <class T, int kLines, bool kPlain> struct Sweep {
 
     void go_right() {
         make_guesses();
-        StateLanes<N> left[kMost];
-        StateLanes<N> gap[kMost]; // from the node before the left one to that
+        StateLanes<N> left[kMost], gap[kMost]; // gap: from the node before the left one to that
         L u[kMost], d[kMost];
         for (int l = 0; l < count(); ++l) {
             left[l] = states_before(1, l);
@@ -356,7 +356,7 @@ template <class T, int kLines, bool kPlain> struct Sweep {
         join(u, d);
         for (int l = 0; l < count(); ++l) {
             head_left(l);
-            if (ring.constraints > 0) close_ring(l);
+            if (!kPlain && ring.constraints > 0) close_ring(l);
         }
         bool finite = true;
         for (int l = 0; l < count(); ++l) finite &= finish_head(l);
@@ -381,7 +381,6 @@ template <class T> bool segment_rod_step(const Lines<T>& lines, const SegmentRod
     if (plain && lines.pitch == 1) return run(sweep<T, 1, true>);
     if (plain && lines.pitch == 2) return run(sweep<T, 2, true>);
     if (plain && lines.pitch == 3) return run(sweep<T, 3, true>);
-
     return run(sweep<T, 0, false>);
 }
 
