@@ -13,8 +13,7 @@
 // 1024); blocks of 16 rows (3% slower); whole bundles beyond a row's end in place of single numbers there (3% fewer
 // instructions, no time); columns in strips on one thread too (1.4 times slower); strips of 64 columns (1.1 times);
 // asking for memory a row at a time (1.1 times slower at 1024 than bundle by bundle), two rows ahead (1.1 times), or of
-// sheets of 256 too (3% slower); on two threads 24 rows of a strip ahead in place of 12 (no time). A plane in float
-// would not keep a stiff sheet's mean motion.
+// sheets of 256 too (3% slower); on two threads 24 rows of a strip ahead in place of 12 (no time).
 //
 // The same operations as gather, push_separable, pull_separable, filter_lines and move_nodes, and so the same bits.
 #include "kernel/packed.hh"
