@@ -2,9 +2,9 @@
 // neighbours side by side in memory. Steps reach the sweeps as stages of one form (model/stages.hh).
 //
 // T is what the state is stored in; sweeps compute in double, but for explicit steps of uniform lattices, see
-// plain_step.hh. In float32 the sums along a line would lose what a stiff chain's mean motion is made of (measured: 2e-3
-// of the position after 1000 steps, against 1e-5), and every constant of a step, rounded the same way each time, would
-// give its energy a trend (2% in 1e6 steps).
+// plain_step.hh. In float32 the sums along a line would lose what a stiff chain's mean motion is made of (measured:
+// 2e-3 of the position after 1000 steps, against 1e-5), and every constant of a step, rounded the same way each time,
+// would give its energy a trend (2% in 1e6 steps).
 #pragma once
 
 #include <stddef.h>

@@ -10,8 +10,8 @@
 //
 // Velocities settle (see Limits), and so positions, which move by them, do not come to be subnormal.
 //
-// What is left, with AVX-512 on a Zen 5: 11 cycles for 16 nodes of a sheet in the cache, and beyond it the memory: 1.0 to
-// 1.2 times a copy of the state for chains, 1.1 to 1.9 times for sheets.
+// What is left, with AVX-512 on a Zen 5: 11 cycles for 16 nodes of a sheet in the cache, and beyond it the memory: 1.0
+// to 1.2 times a copy of the state for chains, 1.1 to 1.9 times for sheets.
 //
 // Tried, and it did not pay: settling x too and probing it by its exponent (4 cycles of 10 in a loop by themselves);
 // memory asked for ahead along a chain (no difference), and for a sheet a row ahead in a burst (1.2 times slower than
