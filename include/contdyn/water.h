@@ -37,8 +37,8 @@
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
  * mode, of which shores are steep, take a little more than 1/2. The random shores that were tried make no energy in
  * steps in which waves cross three cells to five thousand; in shorter ones it may rise by some hundredths at violent
- * shores, in the linear mode, whose equations do not keep it, most. In steps too long for waves or water to stay within a cell, no water is
- * let run faster than a fall from the highest head of its line would make it.
+ * shores, in the linear mode, whose equations do not keep it, most. In steps too long for waves or water to stay within
+ * a cell, no water is let run faster than a fall from the highest head of its line would make it.
  *
  * All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
  * Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them.
@@ -136,7 +136,8 @@ CD_API cd_status cd_water_get_solver(const cd_water* water, cd_solver* out_solve
  * [1e-14, 1/2], default 1e-6, and of at most the root of that times the change of the surface, which in very long steps
  * asks for more; and how many iterations a solve may take, >= 1, default 100. When they do not suffice cd_water_step
  * says so with CD_ERROR_TOLERANCE. Volume is kept whatever the tolerance. In steps in which cells may run dry the
- * surface is solved for again as long as others do. Errors: CD_ERROR_VALUE. */
+ * surface is solved for again as long as others do, and what momentum goes where to the same tolerance, in ten sweeps
+ * an iteration at most. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_water_set_tolerance(cd_water* water, double tolerance, size_t most_iterations);
 CD_API cd_status cd_water_get_tolerance(const cd_water* water, double* out_tolerance, size_t* out_most_iterations);
 

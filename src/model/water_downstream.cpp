@@ -22,8 +22,8 @@ template <class F> bool sweep_from(size_t k, size_t first_i, size_t end_i, size_
 }
 
 // Streams that waves do not outrun by far would let ripples grow from a cell a step on: the implicit surface damps them
-// only where waves cross this many times the cells that water does. Lines that are swept carry on the change of the cell
-// that gives (look_ahead), but a system with that in it is not symmetric, and conjugate gradients need that.
+// only where waves cross this many times the cells that water does. Lines that are swept carry on the change of the
+// cell that gives (look_ahead), but a system with that in it is not symmetric, and conjugate gradients need that.
 constexpr double kOutrun = 16;
 
 // The water of a cell and what goes through its four faces, sorted like the directions of a path: before and behind
@@ -194,7 +194,7 @@ template <class T> void WaterStepper<T>::carry_at_once(const WaterCells& cells, 
         if (along_at == 0) u[at + n * step] = u[at];
         return fabs(u[at] - was) > w.tolerance * most;
     };
-    constexpr size_t kSweeps = 64;
+    constexpr size_t kSweepsPerIteration = 10; // they cost less than a tenth of one
     each_from(0, [&](size_t i, size_t j) {
         const size_t at = place(w, i, j);
         if (!(planes.face[at] > 0)) u[at] = planes.velocity[at];
@@ -203,7 +203,8 @@ template <class T> void WaterStepper<T>::carry_at_once(const WaterCells& cells, 
         return false;
     });
     bool changes = true;
-    for (size_t k = 0; k < kSweeps && changes; ++k) changes = each_from(k, mix);
+    for (size_t k = 0; changes && k / kSweepsPerIteration < w.most_iterations; ++k) changes = each_from(k, mix);
+    worst.reached &= !changes;
 }
 
 #define CD_INSTANTIATE(T)                                                    \

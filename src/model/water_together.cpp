@@ -91,8 +91,8 @@ template <class T> void load_system(const WaterStepper<T>& s, const WaterCells& 
 
 } // namespace
 
-// x = the change of the surface, in work.both.change. What is left of the loads is depth that goes astray: it shall stay
-// far below the change, which in very long steps asks for more than the tolerance does.
+// x = the change of the surface, in work.both.change. What is left of the loads is depth that goes astray: it shall
+// stay far below the change, which in very long steps asks for more than the tolerance does.
 template <class T> static void solve_surface(WaterStepper<T>& s, const WaterCells& cells) {
     Water& w = s.w;
     WaterTogether& both = s.work.both;
