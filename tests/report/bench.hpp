@@ -77,6 +77,8 @@ template <class Make> std::vector<Subject> of_each_kernels(Make subject) {
 
 // Two threads, one of them the caller's: see bench_threads.cpp.
 const cd_parallel& two_threads();
+// They meet: ns_per_call tells how far apart in the machine they are.
+Subject meeting();
 
 } // namespace report
 

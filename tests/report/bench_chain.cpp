@@ -119,6 +119,7 @@ Bench shared_by_threads(const Shape& shape) {
                 check(cd_chain_set_parallel(pair->get(), &two_threads()));
                 Case it{name_of("threads", shape), shape.all(), {}, "two threads 1.7 times one, beyond L2"};
                 it.subjects = {stepped("one thread", chain_of(shape, CD_FLOAT32)), stepped("two threads", pair)};
+                it.subjects.push_back(meeting());
                 return it;
             }};
 }

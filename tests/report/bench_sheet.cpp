@@ -94,6 +94,7 @@ Bench shared_by_threads(std::size_t side, std::size_t components) {
             check(cd_membrane_set_parallel(pair->get(), &two_threads()));
             Case it{name, side * side, {}, "two threads 1.7 times one, beyond L2"};
             it.subjects = {stepped("one thread", sheet_of(side, components, CD_FLOAT32)), stepped("two threads", pair)};
+            it.subjects.push_back(meeting());
             return it;
         }};
 }

@@ -120,4 +120,16 @@ const cd_parallel& two_threads() {
     return kParallel;
 }
 
+Subject meeting() {
+    const auto meet = [](void* context, std::size_t) {
+        auto& arrived = *static_cast<std::atomic<int>*>(context);
+        ++arrived;
+        while (arrived < 2) pause();
+    };
+    return {"meeting", [meet] {
+                std::atomic<int> arrived{0};
+                two_threads().run(two_threads().user, 2, meet, &arrived);
+            }};
+}
+
 } // namespace report

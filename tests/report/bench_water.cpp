@@ -79,6 +79,7 @@ Bench shared_by_threads(std::size_t side) {
                 check(cd_water_set_parallel(pair->get(), &two_threads()));
                 Case it{name, side * side, {}, "two threads 1.7 times one, beyond L2"};
                 it.subjects = {stepped("one thread", pool_of(side, CD_FLOAT32)), stepped("two threads", pair)};
+                it.subjects.push_back(meeting());
                 return it;
             }};
 }
