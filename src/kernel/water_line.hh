@@ -45,7 +45,7 @@ template <int N> struct WaterLine {
     size_t left_of(size_t i) const { return i > 0 ? i - 1 : n - 1; }
     size_t right_of(size_t i) const { return i < n ? i : 0; }
     // > 0: depths beside a face differ by half at most.
-    static L alike(L d_l, L d_r) { return 1.5 * smaller(d_l, d_r) - larger(d_l, d_r); }
+    static L akin(L d_l, L d_r) { return 1.5 * smaller(d_l, d_r) - larger(d_l, d_r); }
     // Faces with a cell on both sides: a ring's first one is its last.
     size_t first_inside() const { return ring ? 0 : 1; }
     L opening(size_t i) const { return open ? at(open, i) : L::splat(1); }

@@ -37,7 +37,7 @@ template <int N> void WaterLine<N>::carry() const {
     for (size_t i = begin; i < n; ++i) {
         const size_t l = left_of(i), far_l = ring ? l : i - 1, far_r = i + 1;
         const L u = at(velocity, i), w = at(guess, i), d_l = at(depth, l), d_r = at(depth, i);
-        const L calm = smaller(alike(d_l, d_r), axis.gravity * smaller(d_l, d_r) - w * w);
+        const L calm = smaller(akin(d_l, d_r), axis.gravity * smaller(d_l, d_r) - w * w);
         const L beside = smaller(ring || far_l > 0 ? at(face, far_l) : one, ring || far_r < n ? at(face, far_r) : one);
         const L closing = axis.courant * (at(velocity, far_l) - at(velocity, far_r)) - L::splat(0.02);
         const L shock = smaller(beside, closing);
