@@ -263,8 +263,6 @@ void steps_of_any_length(Report& report) {
                           " cells; the Courant number of a step is how many cells a wave crosses in it (coupled: a "
                           "tenth as many steps). Explicit steps beyond their limit throw it up to " +
                           si(explicit_worst, "m", 3) + ". ";
-    if (coupled_worst > 2 * highest)
-        caption += "Coupled, the longest steps need a tighter tolerance than the default, to which they were solved. ";
     report.page.table(table, caption + "The notes' steps change the volume, the more the longer they are.");
     report.save("water_any_step.csv", csv);
     report.progress("water: steps of any length");
