@@ -62,9 +62,12 @@ template <int N> Lanes<N> WaterLine<N>::end_depth(size_t i, const double* depths
 // a cell, its face is as deep as the cell that gives, whose depth at the end of the step counts with a share that keeps
 // this stable at any speed. Not where depths differ much, as at shores; in long steps nothing of what spreads, and
 // where waves cross more than 4 cells streams only of advected momentum in lines that are even: elsewhere they would
-// make energy. Large steps look into the newest depths instead, but where such a line streams.
+// make energy. Nor, of linear momentum in lines with a shore, where water ebbs from a cell into a much deeper one: its
+// velocity is not that of the water behind. Large steps look into the newest depths instead, but where such a line
+// streams.
 template <int N> void WaterLine<N>::look_ahead() {
-    L any{};
+    L any{}, shore{};
+    for (size_t i = 0; i < n && !axis.advected; ++i) shore = larger(shore, select(at(depth, i), L{}, L::splat(1)));
     const L calm = axis.advected ? select(even, L{}, long_step) : long_step; // > 0: waves outrun what streams
     for (size_t i = first_inside(); i < n; ++i) {
         const size_t l = left_of(i), far_l = ring ? l : i - 1;
@@ -76,7 +79,9 @@ template <int N> void WaterLine<N>::look_ahead() {
         }
         const L alike = 2 * smaller(d_l, d_r) - larger(d_l, d_r);
         const L is_mean = select(size_of(h - mean), L{}, smaller(smaller(d_l, d_r), ahead));
-        put(face, i, select(select(long_step, smaller(is_mean, alike), is_mean), later, h));
+        const L ebb = smaller(shore, smaller(at(velocity, i) * (d_r - d_l), -akin(d_l, d_r)));
+        const L looks = select(ebb, L{}, select(long_step, smaller(is_mean, alike), is_mean));
+        put(face, i, select(looks, later, h));
         const L cells = axis.courant * size_of(at(velocity, i)), runs = smaller(alike, cells - L::splat(1));
         const L steady = smaller(calm, wave() * larger(d_l, d_r) - L::splat(16));
         const L streams_here = select(steady, L{}, smaller(is_mean, runs));
