@@ -88,7 +88,7 @@ struct WaterCells {
     bool passes; // on what it gets: what is left may be the rounding of much more
 };
 
-// Along a row of cells that are filled at once, rounding is handed on in so many chains, whatever the width of a register.
+// Along a row of cells that are filled at once, rounding is handed on in so many chains, whatever a register holds.
 constexpr size_t kRowChains = 8;
 inline double sum_of_chains(const double* c) {
     return ((c[0] + c[1]) + (c[2] + c[3])) + ((c[4] + c[5]) + (c[6] + c[7]));
@@ -101,7 +101,7 @@ template <class T> struct WaterGrid {
     T *next_depth, *next_velocity[2];
 };
 
-// Lines that are worked on side by side, and the panels of numbers they need for it; lines that are handed out together.
+// Lines that are worked on side by side, and the panels of numbers they need for it; lines handed out together.
 constexpr size_t kWaterLanes = 8, kWaterPanels = 18, kWaterPack = 16;
 
 namespace CD_ISA {
