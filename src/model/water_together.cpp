@@ -114,7 +114,7 @@ template <class T> static void solve_surface(WaterStepper<T>& s, const WaterCell
     both.noise = reached.left;
 }
 
-// An explicit step as calm water makes it, in the planes as its place to work. False: it is not calm, and has not moved.
+// An explicit step as calm water makes it, with the planes to work in. False: it is not calm, and has not moved.
 template <class T> static bool leap(const WaterStepper<T>& s) {
     Water& w = s.w;
     const WaterAxis axis[] = {s.axis_of_step(kX), s.axis_of_step(kY)};
