@@ -66,8 +66,8 @@ template <int N, class T> void settle(size_t count, double* panel, Lanes<N>& pro
 }
 
 // Depths as they will be stored, from the last cell of a line to the first. What rounding takes from a cell, the next
-// wet one gets, and the other way round; what is left at the end goes back, until a cell is found that is shallow enough
-// for it. So a line that gains and loses nothing keeps its water to the last place of its shallowest cell.
+// wet one gets, and the other way round; what is left at the end goes back, until a cell is found that is as shallow as
+// it takes. So a line that gains and loses nothing keeps its water to the last place of its shallowest cell.
 template <int N, class T> struct Rounding;
 template <int N> struct Rounding<N, double> {
     Lanes<N> operator()(Lanes<N> d) { return d; }
