@@ -6,6 +6,12 @@
 // moves, what cells hold and what faces keep go left in another, and leave rounded. What would make a line other than
 // calm is only kept as the extremes of the loops, and looked at between them. Results lie beside the state until then:
 // a bundle that turns out not to be calm has lost nothing but time.
+//
+// What is left, with AVX-512 on a Zen 5, 256 squared in float32: about 10 cycles a cell and step at 3.1 instructions a
+// cycle; two fifths of them on the way left, three tenths on the way right, a fifth to turn rows and put results back.
+//
+// Tried, and it did not pay: rounding in two chains, or one factor less that waits for the division (no time: it is
+// operations that bind); panels of their own for what the way right finds out (8% slower than one record a place).
 #pragma once
 
 #include "kernel/water_panels.hh"
