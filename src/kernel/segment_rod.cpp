@@ -12,7 +12,6 @@ namespace CD_ISA {
 namespace {
 
 static_assert(kSegments == size_t(kTile), "a tile holds as many streams as there are segments");
-constexpr int kMostLines = 4;
 
 // A value and the difference into it, of every segment of one line.
 struct Pairs {
@@ -39,7 +38,7 @@ template <int N> inline StateLanes<N> difference(const StateLanes<N>& a, const S
 // kLines lines side by side in memory, 0: any number; a lane is a segment. kPlain: an open line on which nothing acts
 // but springs, bend and gravity, and the stage is for w, from the state.
 template <class T, int kLines, bool kPlain> struct Sweep {
-    static constexpr int kMost = kLines > 0 ? kLines : kMostLines, N = kTile;
+    static constexpr int kMost = kLines > 0 ? kLines : int(kMostSegmentLines), N = kTile;
     using L = Lanes<N>;
     using One = Lanes<1>;
     using Nodes = L[N * kMost]; // of a tile: line l of node i at [i * count + l]

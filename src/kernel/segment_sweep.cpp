@@ -13,7 +13,6 @@ namespace CD_ISA {
 namespace {
 
 static_assert(kSegments == size_t(kTile), "a tile holds as many streams as there are segments");
-constexpr int kMostLines = 4;
 
 // One line, segment by segment: what going right leaves, and what going left needs.
 struct Ends {
@@ -102,7 +101,7 @@ template <class T> struct Head {
 // kLines lines side by side in memory, 0: any number; a lane is a segment. kPlain: nothing acts but springs and
 // gravity, and the stage is for w, from the state.
 template <class T, int kLines, bool kPlain> struct Sweep {
-    static constexpr int kMost = kLines > 0 ? kLines : kMostLines, N = kTile;
+    static constexpr int kMost = kLines > 0 ? kLines : int(kMostSegmentLines), N = kTile;
     using L = Lanes<N>;
     using Nodes = L[N * kMost]; // of a tile: line l of node i at [i * count + l]
 

@@ -126,10 +126,8 @@ template <int N, class T> class CalmLines {
             const L left = ((depth[i] + (in + back)) - out) - back_in;
             deepest = larger(largest_of(left), deepest);
             L stored = left;
-            if constexpr (sizeof(T) < sizeof(double)) { // as Rounding does where all is deeper than what is owed
-                const L exact = left + rounding.owed;
-                stored = exact.template rounded_to<T>();
-                rounding.owed = exact - stored;
+            if constexpr (sizeof(T) < sizeof(double)) {
+                stored = rounding.deep(left, rounding.owed);
                 most_owed = larger(largest_of(size_of(rounding.owed)), most_owed);
             }
             shallowest = smaller(least_of(stored), shallowest);

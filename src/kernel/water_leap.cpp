@@ -57,9 +57,8 @@ template <class T> class Leap {
         L stored = now;
         if constexpr (sizeof(T) < sizeof(double)) {
             double* const chain = owed + i % kRowChains;
-            const L exact = now + L::load(chain);
-            stored = exact.template rounded_to<T>();
-            const L left = exact - stored;
+            L left = L::load(chain);
+            stored = Rounding<N, T>::deep(now, left);
             left.store(chain);
             seen.most_owed = larger(size_of(left), seen.most_owed);
         }

@@ -77,6 +77,11 @@ template <int N> struct Rounding<N, float> {
     using L = Lanes<N>;
     L owed{}, shallowest = L::splat(1e300); // of what is stored and wet
 
+    static L deep(L d, L& owed) { // where all is deeper than what is owed
+        const L exact = d + owed, stored = exact.template rounded_to<float>();
+        owed = exact - stored;
+        return stored;
+    }
     L operator()(L d) {
         const L exact = d + owed, takes = select(d + (owed + owed), d, L{}); // > 0: wet, and deeper than what is owed
         const L stored = select(takes, exact, d).template rounded_to<float>();

@@ -51,7 +51,7 @@ inline bool held(const Chain& c, size_t node) { return c.pin[node] == CD_NODE_PI
 // Whether a line is solved in segments side by side, for want of lines to fill the lanes; unless some of it is welded.
 // Four lines with bend, two registers at once, wait less for each other: cutting them up pays later.
 inline bool takes_segments(const Chain& c, bool rod) {
-    return c.lines <= 4 && c.nodes >= (rod && c.lines == 4 ? 16 : 8) * kSegments;
+    return c.lines <= kMostSegmentLines && c.nodes >= (rod && c.lines == kMostSegmentLines ? 16 : 8) * kSegments;
 }
 // How many doubles some things take that consist of nothing else.
 template <class Thing> constexpr size_t numbers_of(size_t count) { return count * sizeof(Thing) / sizeof(double); }

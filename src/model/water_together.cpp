@@ -132,8 +132,8 @@ template <class T> static bool leap(const WaterStepper<T>& s) {
                             {reinterpret_cast<T*>(planes[kX].guess), reinterpret_cast<T*>(planes[kY].guess)}};
     bool calm = true;
     in_rows(w, grid.rows, [&](size_t first, size_t count) {
-        double *const through = planes[kX].transfer + first * w.pitch, *const before =
-                                                                           planes[kY].transfer + first * w.pitch;
+        double* const through = planes[kX].transfer + first * w.pitch;
+        double* const before = planes[kY].transfer + first * w.pitch;
         if (!s.kernels().leap(axis, grid, through, before, first, count))
             __atomic_store_n(&calm, false, __ATOMIC_RELAXED);
     });

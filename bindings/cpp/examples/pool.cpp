@@ -32,7 +32,7 @@ int main() {
             for (std::size_t i = 0; i < nx; ++i) {
                 const double level = (surface[j * nx + i] - 0.5) / 0.02;
                 const int shade = level < -1 ? 0 : level > 1 ? 6 : static_cast<int>((level + 1) * 3 + 0.5);
-                std::putchar(depth[j * nx + i] > 0 ? " .-~=*#"[shade] : 'X');
+                std::putchar(depth[j * nx + i] > 0 ? " .-~=*#"[shade] : '^');
             }
             std::putchar('\n');
         }
