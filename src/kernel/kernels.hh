@@ -88,9 +88,11 @@ template <class T> struct WaterKernels {
     void (*finish)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
     bool (*keep)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
     bool (*settle)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
+    void (*balance)(const WaterBeside<T>&, size_t, size_t);
+    void (*look_beside)(const WaterBeside<T>&, size_t, size_t);
     void (*share)(const WaterCells&, const T*, double*, double*, size_t, size_t);
     bool (*fill)(const WaterCells&, T*, double*, size_t, size_t);
-    bool (*leap)(const WaterAxis*, const WaterGrid<T>&, double*, double*, size_t, size_t);
+    bool (*leap)(const WaterAxis*, const WaterGrid<T>&, double*, size_t, size_t);
     decltype(&CD_ISA::gather_loads) gather_loads;
     decltype(&CD_ISA::limit_water) limit;
 };

@@ -34,6 +34,8 @@ struct WaterAxis {
 
     bool ring() const { return end[0].kind == End::kRing; }
     bool rubs() const { return drag > 0 || manning > 0; }
+    // Faces look ahead with the velocities of the step's end, which an explicit step has from the start.
+    bool looks_late() const { return push_after == 0 && lambda > 0; }
     // Momentum goes with the water of both axes at once.
     bool carried_at_once() const { return thins && advected; }
 };
@@ -88,6 +90,17 @@ struct WaterCells {
     bool passes; // on what it gets: what is left may be the rounding of much more
 };
 
+// Where both axes move water at once, a face is as deep in the middle of the step as what leaves the cells beside it
+// along the other axis makes it, too: without, small waves on a slanting current grow, see look_ahead.
+template <class T> struct WaterBeside {
+    const WaterCells& cells;
+    const WaterPlanes* planes; // of the faces of both axes, as after guess_water
+    const double courant[2];
+    const bool late; // the water leaves with the velocities of the step's end, else those of its beginning
+    const T *depth, *bed;
+    double* leaves[2]; // planes of cells
+};
+
 // Along a row of cells that are filled at once, rounding is handed on in so many chains, whatever a register holds.
 constexpr size_t kRowChains = 8;
 inline double sum_of_chains(const double* c) {
@@ -125,6 +138,10 @@ template <class T> bool keep_water(const WaterAxis& axis, const WaterLines<T>& l
                                    double* work, size_t first, size_t count);
 template <class T> bool settle_water(const WaterAxis& axis, const WaterLines<T>& lines, const WaterPlanes& planes,
                                      double* work, size_t first, size_t count);
+// Rows of cells, for faces that look ahead across, see WaterBeside: what leaves cells along each axis on balance; and
+// faces and what they will move, once that is known of all cells.
+template <class T> void balance_water(const WaterBeside<T>& beside, size_t first, size_t count);
+template <class T> void look_beside(const WaterBeside<T>& beside, size_t first, size_t count);
 // Rows of cells. load = what transfers add; share: of what a cell is asked for, how much it can give, and tallies, per
 // row; transfers limited by that (faces: a row more than cells); depth = what is left, held = what was; false if a
 // number left the finite range.
@@ -134,10 +151,10 @@ void share_water(const WaterCells& cells, const T* depth, double* share, double*
 void limit_water(const WaterCells& cells, const double* share, size_t first, size_t count);
 template <class T> bool fill_water(const WaterCells& cells, T* depth, double* held, size_t first, size_t count);
 
-// An explicit step of calm water (water_leap.cpp), rows [first, first + count); axis: x and y; through and before: rows
-// of faces, to work with. False: it is not calm, and the results are none.
-template <class T> bool leap_water(const WaterAxis* axis, const WaterGrid<T>& grid, double* through, double* before,
-                                   size_t first, size_t count);
+// An explicit step of calm water (water_leap.cpp), rows [first, first + count); axis: x and y; work: 16 rows of faces.
+// False: it is not calm, and the results are none.
+template <class T>
+bool leap_water(const WaterAxis* axis, const WaterGrid<T>& grid, double* work, size_t first, size_t count);
 
 } // namespace CD_ISA
 

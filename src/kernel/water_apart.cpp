@@ -156,6 +156,58 @@ void limit_water(const WaterCells& w, const double* share, size_t first, size_t 
     }
 }
 
+template <class T> void balance_water(const WaterBeside<T>& b, size_t first, size_t count) {
+    const WaterCells& w = b.cells;
+    for (int axis = 0; axis < 2; ++axis) {
+        const WaterPlanes& planes = b.planes[axis];
+        const size_t step = axis == 0 ? 1 : w.pitch;
+        const auto moved = [&](size_t at) {
+            return b.late ? planes.transfer[at] : (b.courant[axis] * planes.velocity[at]) * planes.face[at];
+        };
+        for (size_t j = first; j < first + count; ++j)
+            for (size_t at = j * w.pitch; at < j * w.pitch + w.columns; ++at)
+                b.leaves[axis][at] = moved(at + step) - moved(at);
+    }
+}
+
+// At most half of a face goes, and it at most doubles. Not where a face is closed, nor where the surface on one side
+// lies below the bed of the other.
+template <class T> void look_beside(const WaterBeside<T>& b, size_t first, size_t count) {
+    const WaterCells& w = b.cells;
+    for (int axis = 0; axis < 2; ++axis) {
+        const WaterPlanes& planes = b.planes[axis];
+        const double *const leaves = b.leaves[1 - axis], courant = b.courant[axis];
+        const auto look = [&](size_t at, size_t l, size_t r) {
+            const double d_l = double(b.depth[l]), d_r = double(b.depth[r]), up = double(b.bed[r]) - double(b.bed[l]);
+            double &h = planes.face[at], &transfer = planes.transfer[at], gone = 0.25 * (leaves[l] + leaves[r]);
+            if (!(h > 0 && d_l > 0 && d_r > 0 && d_r + up > 0 && d_l - up > 0)) return;
+            gone = gone > 0.5 * h ? 0.5 * h : gone < -h ? -h : gone;
+            const double is = h - gone;
+            if (!b.late) transfer *= is / h;
+            else if (transfer != 0) transfer = (courant * planes.guess[at]) * is;
+            if (planes.spring) planes.spring[at] *= is / h;
+            h = is;
+        };
+        for (size_t j = first; j < first + count; ++j) {
+            const size_t row = j * w.pitch, last_column = row + w.columns - 1, last_row = (w.rows - 1) * w.pitch;
+            if (axis == 0) {
+                for (size_t at = row + 1; at <= last_column; ++at) look(at, at - 1, at);
+                if (!w.ring[0]) continue;
+                look(row, last_column, row);
+                for (double* plane : {planes.face, planes.transfer, planes.spring})
+                    if (plane) plane[last_column + 1] = plane[row];
+            } else {
+                for (size_t at = row; at <= last_column; ++at) {
+                    if (j > 0) look(at, at - w.pitch, at);
+                    else if (w.ring[1]) look(at, last_row + at, at);
+                    for (double* plane : {planes.face, planes.transfer, planes.spring})
+                        if (plane && j == 0 && w.ring[1]) plane[last_row + w.pitch + at] = plane[at];
+                }
+            }
+        }
+    }
+}
+
 // Rounded once or twice only, whatever cancels (Knuth's sum of two, exact with what it loses).
 static double exact_sum(std::initializer_list<double> terms) {
     double total = 0, lost = 0;
@@ -212,6 +264,8 @@ template <class T> bool fill_water(const WaterCells& w, T* depth, double* held, 
     template void finish_water(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t); \
     template bool keep_water(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);   \
     template bool settle_water(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t); \
+    template void balance_water(const WaterBeside<T>&, size_t, size_t);                                              \
+    template void look_beside(const WaterBeside<T>&, size_t, size_t);                                                \
     template void share_water(const WaterCells&, const T*, double*, double*, size_t, size_t);                        \
     template bool fill_water(const WaterCells&, T*, double*, size_t, size_t);
 #if CD_WITH_FLOAT32

@@ -79,6 +79,7 @@ template <int N, class T> class CalmLines {
         const FrictionLanes<N> friction(L::splat(axis.drag));
         const L one = L::splat(1), gain = friction.push * L::splat(wave_gain * lambda);
         L b = bed[0], d = depth[0], l{}, from_l{}, y{}, own = one, inverse = one;
+        L u_l{}, u = velocity[1];
         Extreme shallowest = least_of(d), clearance = least_of(one), deepest{}, fastest{};
         const auto eliminate = [&](size_t i, L r, L to_r) {
             const L behind = (l * own) * inverse;
@@ -94,16 +95,18 @@ template <int N, class T> class CalmLines {
             return any_positive(larger(closed, larger(wave() * deepest - kLongStep * unit, fastest - unit)));
         };
         for (size_t i = 0; i < last; ++i) {
-            const L b_r = bed[i + 1], d_r = depth[i + 1], u = velocity[i + 1];
+            const L b_r = bed[i + 1], d_r = depth[i + 1], u_r = velocity[i + 2];
             const L up = b_r - b, more = d_r - d, mean = 0.5 * (d + d_r), cells = courant * u;
             shallowest = smaller(least_of(d_r), shallowest), deepest = larger(largest_of(mean), deepest);
             clearance = smaller(least_of(smaller(d_r + up, d - up)), clearance);
             fastest = larger(largest_of(size_of(cells)), fastest);
-            const L h = mean - 0.5 * (cells * more), w = friction.keep * u - friction.push * (wave_gain * (up + more));
+            const L spread = (0.25 * courant) * (u_r - u_l);
+            const L h = (mean - 0.5 * (cells * more)) * (one - spread);
+            const L w = friction.keep * u - friction.push * (wave_gain * (up + more));
             h.store(found[i + 1].face);
             w.store(found[i + 1].guess);
             eliminate(i, (courant * lambda) * (gain * h), courant * (h * (lambda * w + (1 - lambda) * u)));
-            b = b_r, d = d_r;
+            b = b_r, d = d_r, u_l = u, u = u_r;
             if (i % 64 == 63 && wild()) return false;
         }
         eliminate(last, L{}, L{});

@@ -69,7 +69,7 @@ template <int N> struct WaterLine {
     FaceRange measure_faces(const double* depths, double* out) const;
     void size_up(FaceRange depths);
     L end_depth(size_t i, const double* depths) const;
-    void look_ahead();
+    void look_ahead(const double* speeds);
     void rest_if_dry(size_t i) const;
     void carry_to_dry_faces(const double* depths, double* velocities) const;
 
@@ -78,6 +78,9 @@ template <int N> struct WaterLine {
     void guess_face(size_t i, L slope, double wave_gain, L drag) const;
     void guess_faces() const;
     void guess_end(size_t i, double wave_gain, L drag) const;
+    // > 0: what a face gives has water, but where a cell may get what it gives within the step.
+    L gives(size_t i) const { return larger(thins, select(at(guess, i), at(depth, left_of(i)), at(depth, i))); }
+    void look_late();
     void solve_surface();
     // What a stream carries of the change of the cell that gives.
     L streamed(size_t i) const {
@@ -130,7 +133,7 @@ template <int N> struct WaterLine {
         if (axis.advected) carry_to_dry_faces(face, velocity);
         for (size_t i = 0; i <= n; ++i)
             if (!axis.advected || (!ring && (i == 0 || i == n))) rest_if_dry(i);
-        look_ahead();
+        if (!axis.looks_late()) look_ahead(velocity);
     }
 
     // Of steps that work on both axes at once: what a line does before its surface is known, and what it does at last.
@@ -139,6 +142,7 @@ template <int N> struct WaterLine {
         look();
         streams = false; // what they need is not symmetric
         guess_faces();
+        if (axis.looks_late()) look_late();
         hold_inflow();
     }
 

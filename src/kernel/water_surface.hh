@@ -31,9 +31,7 @@ template <int N> void WaterLine<N>::guess_faces() const {
         const size_t l = left_of(i);
         const L slope = wave_gain * ((at(bed, i) - at(bed, l)) + (at(depth, i) - at(depth, l)));
         guess_face(i, slope, wave_gain, drag);
-        // What gives has water, but where a cell may get what it gives within the step.
-        const L gives = larger(thins, select(at(guess, i), at(depth, l), at(depth, i)));
-        for (double* panel : {gain, spring, transfer}) put(panel, i, select(gives, at(panel, i), L{}));
+        for (double* panel : {gain, spring, transfer}) put(panel, i, select(gives(i), at(panel, i), L{}));
         if (!streams) continue;
         const L speed = axis.lambda * at(guess, i) + (1 - axis.lambda) * at(velocity, i);
         put(stream, i, axis.courant * (at(share, i) * speed));
@@ -43,6 +41,15 @@ template <int N> void WaterLine<N>::guess_faces() const {
     close_transfers();
     for (size_t i : {size_t(0), n})
         if (!ring) guess_end(i, wave_gain, drag);
+}
+
+// Faces inside look ahead with the velocities that they will have, and so does what they move.
+template <int N> void WaterLine<N>::look_late() {
+    look_ahead(guess);
+    streams = false;
+    for (size_t i = first_inside(); i < n; ++i)
+        put(transfer, i, select(gives(i), (axis.courant * at(guess, i)) * at(face, i), L{}));
+    close_transfers();
 }
 
 // On an open side the surface half a cell further stands at the level outside plus what a wave that leaves with the

@@ -114,8 +114,27 @@ template <class T> static void solve_surface(WaterStepper<T>& s, const WaterCell
     both.noise = reached.left;
 }
 
+// Not in steps in which waves cross many cells: there it would make energy.
+template <class T> static void look_beside(const WaterStepper<T>& s, const WaterCells& cells) {
+    const Water& w = s.w;
+    if (s.work.thins || cells.columns == 1 || cells.rows == 1) return;
+    const double courant[2] = {s.dt / w.size[kX], s.dt / w.size[kY]};
+    const WaterBeside<T> beside{cells,
+                                s.work.both.planes,
+                                {courant[kX], courant[kY]},
+                                !s.work.coupled,
+                                numbers<T>(w.depth),
+                                numbers<T>(w.bed),
+                                {s.work.both.load, s.work.both.stores}};
+    const auto in_all = [&](auto kernel) {
+        in_rows(w, cells.rows, [&](size_t first, size_t count) { kernel(beside, first, count); });
+    };
+    in_all(s.kernels().balance);
+    in_all(s.kernels().look_beside);
+}
+
 // An explicit step as calm water makes it, with the planes to work in. False: it is not calm, and has not moved.
-template <class T> static bool leap(const WaterStepper<T>& s) {
+template <class T> static bool leap(WaterStepper<T>& s) {
     Water& w = s.w;
     const WaterAxis axis[] = {s.axis_of_step(kX), s.axis_of_step(kY)};
     for (Axis a : {kX, kY})
@@ -131,11 +150,11 @@ template <class T> static bool leap(const WaterStepper<T>& s) {
                             reinterpret_cast<T*>(planes[kX].velocity),
                             {reinterpret_cast<T*>(planes[kX].guess), reinterpret_cast<T*>(planes[kY].guess)}};
     bool calm = true;
-    in_rows(w, grid.rows, [&](size_t first, size_t count) {
-        double* const through = planes[kX].transfer + first * w.pitch;
-        double* const before = planes[kY].transfer + first * w.pitch;
-        if (!s.kernels().leap(axis, grid, through, before, first, count))
+    s.in_tasks(kX, grid.rows, [&](double* place, size_t first, size_t count) {
+        const size_t begin = first * kWaterPack, end = begin + count * kWaterPack;
+        if (!s.kernels().leap(axis, grid, place, begin, (end < grid.rows ? end : grid.rows) - begin))
             __atomic_store_n(&calm, false, __ATOMIC_RELAXED);
+        return true;
     });
     if (!calm) return false;
     in_rows(w, grid.rows, [&](size_t first, size_t count) {
@@ -173,6 +192,7 @@ template <class T> void WaterStepper<T>::step_together() {
 
     if (work.thins) hold_streams();
     along_each(kernels().guess);
+    look_beside(*this, cells);
     if (work.coupled) {
         solve_surface(*this, cells);
         along_each(kernels().finish);

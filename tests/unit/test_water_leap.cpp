@@ -16,17 +16,15 @@ namespace {
 size_t leaps, tries;
 cd::Kernels with_leap, without;
 
-template <class T> bool counted(const cd::WaterAxis* axis, const cd::WaterGrid<T>& grid, double* through,
-                                double* before, size_t first, size_t count) {
+template <class T>
+bool counted(const cd::WaterAxis* axis, const cd::WaterGrid<T>& grid, double* work, size_t first, size_t count) {
     bool leapt;
-    if constexpr (sizeof(T) == sizeof(float)) leapt = without.water32.leap(axis, grid, through, before, first, count);
-    else leapt = without.water64.leap(axis, grid, through, before, first, count);
+    if constexpr (sizeof(T) == sizeof(float)) leapt = without.water32.leap(axis, grid, work, first, count);
+    else leapt = without.water64.leap(axis, grid, work, first, count);
     ++tries, leaps += leapt;
     return leapt;
 }
-template <class T> bool never(const cd::WaterAxis*, const cd::WaterGrid<T>&, double*, double*, size_t, size_t) {
-    return false;
-}
+template <class T> bool never(const cd::WaterAxis*, const cd::WaterGrid<T>&, double*, size_t, size_t) { return false; }
 
 struct Shape {
     size_t nx, ny;
