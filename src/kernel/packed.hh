@@ -11,9 +11,10 @@ namespace CD_ISA {
 
 namespace {
 
-// Numbers side by side that fill a register, and that fill the smallest one. V below is one of these or a single T.
+// Numbers side by side that fill a register, half of it, and the smallest one. V below is one of these or a single T.
 template <class T, size_t kBytes> struct Packed { typedef T Values __attribute__((vector_size(kBytes))); };
 template <class T> using Wide = typename Packed<T, size_t(kNative) * sizeof(double)>::Values;
+template <class T> using Half = typename Packed<T, sizeof(Wide<T>) / 2>::Values;
 template <class T> using Narrow = typename Packed<T, 16>::Values;
 template <class V, class T> constexpr int kCountOf = int(sizeof(V) / sizeof(T));
 
@@ -47,6 +48,8 @@ template <class T> struct PlainProbe {
     template <class V> void add(V seen) {
         if constexpr (sizeof(V) == sizeof wide) wide += seen;
         else if constexpr (sizeof(V) == sizeof narrow) narrow += seen;
+        else if constexpr (sizeof(V) > sizeof narrow)
+            wide += joined<Wide<T>>(seen, V{}, std::make_integer_sequence<int, kCountOf<Wide<T>, T>>());
         else single += seen;
     }
     bool finite() const {

@@ -110,6 +110,10 @@ template <class F> inline void along_row(size_t first, size_t count, F&& f) {
     for (; count >= size_t(kWidest); first += kWidest, count -= kWidest) f.template bundle<kWidest>(first);
     for (; count > 0; ++first, --count) f.template bundle<1>(first);
 }
+// In whole bundles: for rows beyond whose end, up to a whole cache line, there is room and nothing that counts.
+template <class F> inline void along_whole_row(size_t first, size_t count, F&& f) {
+    for (size_t u = first; u < first + count; u += size_t(kWidest)) f.template bundle<kWidest>(u);
+}
 
 // ---- the state (sheet_state.cpp) ---- S is what a stage starts from: the state's type, or double between stages.
 

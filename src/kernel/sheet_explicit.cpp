@@ -14,13 +14,13 @@ template <class T> struct ExplicitMove {
     Separable acting;
     T *x, *v;
     double move, follow;
-    Probe probe{};
+    Lanes<kWidest> probe{};
 
     template <int N, bool kInside = false> void bundle(size_t u) {
         using L = Lanes<N>;
         const L from = L::load(v + u), change = acting.acts<N, kInside>(u);
-        store_settled(from + change, v + u, probe.of<N>());
-        store_settled(L::load(x + u) + move * (from + follow * change), x + u, probe.of<N>());
+        store_settled(from + change, v + u, probe);
+        store_settled(L::load(x + u) + move * (from + follow * change), x + u, probe);
     }
 };
 
@@ -178,7 +178,7 @@ template <class T> bool step_rows(const Grid& grid, const UniformStage<T>& stage
         const size_t row = r * grid.pitch;
         ExplicitMove<T> step{rows.acting(r, rows.pushes()), x + row, v + row, move.move, move.follow};
         along_springs(grid.columns, step);
-        finite &= step.probe.finite();
+        finite &= !step.probe.any_nan();
     }
     return finite;
 }

@@ -87,9 +87,8 @@ inline void filter_bundles(const Grid& grid, const SharedFilter& filter, double*
         for (size_t k = 0; k < bundles; ++k)
             back(to + (k * pitch + t) * size_t(N), pitch, filter.pull + t * size_t(N), settles(t), moving[k]);
 }
+// What lies beyond the rows' ends in their last tiles must be finite.
 inline void filter_rows(const Grid& grid, const SharedFilter& filter, double* plane, size_t row, size_t count) {
-    for (size_t r = row; r < row + count; ++r) // in the last tile
-        for (size_t u = grid.columns; u % size_t(kNative) != 0; ++u) plane[r * grid.pitch + u] = 0;
     const size_t whole = count - count % size_t(kNative);
     if (whole > 0) filter_bundles<kNative>(grid, filter, plane, row, whole);
     if (whole < count) filter_bundles<1>(grid, filter, plane, row + whole, count - whole);

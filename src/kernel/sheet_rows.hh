@@ -80,13 +80,13 @@ template <class F> struct InnerBundles {
     F& f;
     template <int N> void bundle(size_t u) const { f.template bundle<N, true>(u); }
 };
-// As along_row, for all columns of what asks Separable.
+// As along_whole_row, for all columns of what asks Separable.
 template <class F> inline void along_springs(size_t columns, F&& f) {
     constexpr size_t n = kWidest;
     const size_t inner = columns > 2 * n ? (columns - 1) / n * n - n : 0, begins = inner > 0 ? n : 0;
-    along_row(0, begins, f);
-    along_row(begins, inner, InnerBundles<std::remove_reference_t<F>>{f});
-    along_row(begins + inner, columns - begins - inner, f);
+    along_whole_row(0, begins, f);
+    along_whole_row(begins, inner, InnerBundles<std::remove_reference_t<F>>{f});
+    along_whole_row(begins + inner, columns - begins - inner, f);
 }
 
 template <class S, class T> struct PushSeparable {
@@ -111,18 +111,6 @@ template <class S, class T> struct PushSeparable {
         if (sheet.drag[0]) rate = rate + L::load(sheet.drag[0] + u);
         (sum - rate * L::load(v + at)).store(out + u);
     }
-};
-
-// What along_row's bundles add to, so that only the end of a row is asked whether a number was too large.
-struct Probe {
-    Lanes<kWidest> wide{};
-    Lanes<1> single{};
-
-    template <int N> Lanes<N>& of() {
-        if constexpr (N == 1) return single;
-        else return wide;
-    }
-    bool finite() const { return !wide.any_nan() && !single.any_nan(); }
 };
 
 template <class S> struct Look {
@@ -157,7 +145,7 @@ template <class S, class T> struct StageRows {
 
     void look(size_t row, double* to) const {
         const Look<S> bundles{fetches, stage.closing_rate, stage.share, x + row * grid.pitch, v + row * grid.pitch, to};
-        along_row(0, grid.columns, bundles);
+        along_whole_row(0, grid.columns, bundles);
         if (!stage.ring_u) return;
         to[-1] = to[grid.columns - 1];
         to[grid.columns] = to[0];
@@ -173,7 +161,7 @@ template <class S, class T> struct StageRows {
             const double drag = sheet.drag[1] ? stage.push.drag + sheet.drag[1][row] : stage.push.drag;
             const PushSeparable<S, T> push{sheet, stage.push, v, out, row * grid.pitch, sheet.inverse_mass[1][row],
                                            drag};
-            along_row(0, grid.columns, push);
+            along_whole_row(0, grid.columns, push);
         }
         const Rows rows{at(row), row > first ? at(row - 1) : slot(3), row + 1 < end ? at(row + 1) : slot(4)};
         return {grid, sheet, stage.constant, stage.push.gravity, out, rows, row};

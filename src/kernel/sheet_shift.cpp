@@ -69,6 +69,7 @@ void shift_down(const Grid& grid, const ShiftedStep& step, const double* r, doub
             along_row(0, grid.columns,
                       ShiftRight{step.inverse_mass[0], step.gain[0], step.inverse_mass[1][v], step.first, r + at,
                                  z + at, t + at});
+            for (size_t u = grid.columns; u % size_t(kNative) != 0; ++u) t[at + u] = 0;
         }
         filter_rows(grid, step.along[0], t, row, rows);
         for (size_t v = row; v < row + rows; ++v) {

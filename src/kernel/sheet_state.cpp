@@ -42,6 +42,18 @@ template <class S, class T> struct PushGeneral {
     }
 };
 
+// What along_row's bundles add to, so that only the end of a row is asked whether a number was too large.
+struct Probe {
+    Lanes<kWidest> wide{};
+    Lanes<1> single{};
+
+    template <int N> Lanes<N>& of() {
+        if constexpr (N == 1) return single;
+        else return wide;
+    }
+    bool finite() const { return !wide.any_nan() && !single.any_nan(); }
+};
+
 template <class S, class T> struct Mover {
     const SheetMove& move;
     const S *x, *v;

@@ -51,7 +51,7 @@ template <class S, class T> struct DownSweep {
         }
         filter_rows(grid, rows.stage.along_u, plane, row, count);
         for (size_t r = row; r < row + count && rows.stage.carries; ++r)
-            if (r > 0) along_row(0, grid.columns, CarryDown(grid, rows.stage.along_v, plane, r));
+            if (r > 0) along_whole_row(0, grid.columns, CarryDown(grid, rows.stage.along_v, plane, r));
     }
 };
 
@@ -72,7 +72,7 @@ template <class S, class T> struct MoveUp {
         constexpr int n = kCountOf<V, T>;
         V seen{};
         for (; u + size_t(n) <= end; u += size_t(n)) {
-            if (n > 1 && ahead > 0) fetch(u, size_t(n));
+            if (ahead > 0) fetch(u, size_t(n));
             bundle<n>(u, seen);
         }
         probe.add(seen);
@@ -110,9 +110,10 @@ template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& 
                                           T* to_x, T* to_v, size_t first, size_t count) {
     bool finite = true;
     const size_t ahead = rows_ahead(grid, count);
+    const size_t end = first + (count + kWidest - 1) / kWidest * kWidest; // see along_whole_row
     for (size_t r = 1; r < grid.rows && !carried; ++r) {
         if (ahead > 0 && r + ahead < grid.rows) fetch(plane + (r + ahead) * grid.pitch + first, count);
-        along_row(first, count, CarryDown(grid, filter, plane, r));
+        along_whole_row(first, count, CarryDown(grid, filter, plane, r));
     }
     for (size_t r = grid.rows; r-- > 0;) {
         const size_t row = r * grid.pitch;
@@ -120,9 +121,8 @@ template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& 
             r + 1 == grid.rows, filter.pull[r], plane + row,           below,          x + row,   v + row,
             to_x + row,         to_v + row,     r % kSettleEvery == 0, move.overshoot, move.move, ahead * grid.pitch};
         size_t u = first;
-        step.template bundles<Wide<T>>(u, first + count);
-        if (sizeof(Wide<T>) > sizeof(Narrow<T>)) step.template bundles<Narrow<T>>(u, first + count);
-        step.template bundles<T>(u, first + count);
+        step.template bundles<Wide<T>>(u, end);
+        if constexpr (kCountOf<Wide<T>, T> > kWidest) step.template bundles<Half<T>>(u, end);
         finite &= step.probe.finite();
     }
     return finite;

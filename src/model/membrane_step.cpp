@@ -292,6 +292,13 @@ template <class T> struct Stepper {
     }
 };
 
+// What lies beyond the rows' ends stays 0: sweeps work on it too, and numbers that are not finite leak there.
+template <class T> void clear_beyond(Membrane& m) {
+    for (T* const state : {numbers<T>(m.position), numbers<T>(m.velocity)})
+        for (size_t row = 0; row < m.components * m.rows; ++row)
+            memset(state + row * m.pitch + m.columns, 0, (m.pitch - m.columns) * sizeof(T));
+}
+
 template <class T> MembraneOutcome step(Membrane& m, double dt, size_t count) {
     Carver coefficients{m.coefficients.data}, scratch{m.scratch.data};
     Work work(m, features(m), coefficients, scratch);
@@ -304,6 +311,7 @@ template <class T> MembraneOutcome step(Membrane& m, double dt, size_t count) {
     uint64_t bad = 0;
     for (size_t s = 0; s < count; ++s)
         if (!stepper.step() && bad == 0) bad = m.clock.steps + s + 1;
+    if (bad) clear_beyond<T>(m);
     m.iterations = stepper.worst.iterations;
     m.residual = stepper.worst.residual;
     return {bad, stepper.worst.reached};

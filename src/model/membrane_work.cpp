@@ -191,7 +191,8 @@ void prepare_rows(const Membrane& m, Work& w, double h, double sigma, uint8_t* c
             w.rows[d].inverse_mass[i] = d == kU ? 1 / weight : 1 / (weight * uniform_mass(m));
             w.rows[d].drag[i] = h * line.matched(i);
         }
-        for (size_t i = n; i % 8 != 0; ++i) w.rows[d].after[i] = w.rows[d].before[i] = w.rows[d].gain[i] = 0;
+        for (double* row : {w.rows[d].before, w.rows[d].after, w.rows[d].gain, w.rows[d].inverse_mass, w.rows[d].drag})
+            for (size_t i = n; i % 8 != 0; ++i) row[i] = 0; // beyond the sheet
         if (w.implicit) w.shared[d].factor(line, m.bend > 0);
     }
 }
