@@ -18,6 +18,9 @@ struct Grid {
     // The rows above and below, round the ring.
     size_t above(size_t row) const { return (row > 0 ? row : rows) - 1; }
     size_t below(size_t row) const { return row + 1 < rows ? row + 1 : 0; }
+    // The rows that filters along them take (sheet_filters.hh): eights of them, as far as there are eight. What lies in
+    // those beyond the last one does not matter.
+    size_t filtered_rows() const { return rows < 8 ? rows : (rows + 7) / 8 * 8; }
 };
 
 // A sheet whose two directions separate: mass(u, v) = mass_u(u) mass_v(v), springs likewise. One number per column

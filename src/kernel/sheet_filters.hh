@@ -87,8 +87,9 @@ inline void filter_bundles(const Grid& grid, const SharedFilter& filter, double*
         for (size_t k = 0; k < bundles; ++k)
             back(to + (k * pitch + t) * size_t(N), pitch, filter.pull + t * size_t(N), settles(t), moving[k]);
 }
-// What lies beyond the rows' ends in their last tiles must be finite.
+// Rows of a plane with room for all of filtered_rows. What lies beyond their ends in the last tiles must be finite.
 inline void filter_rows(const Grid& grid, const SharedFilter& filter, double* plane, size_t row, size_t count) {
+    if (row + count == grid.rows) count = grid.filtered_rows() - row;
     const size_t whole = count - count % size_t(kNative);
     if (whole > 0) filter_bundles<kNative>(grid, filter, plane, row, whole);
     if (whole < count) filter_bundles<1>(grid, filter, plane, row + whole, count - whole);

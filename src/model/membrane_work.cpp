@@ -69,7 +69,7 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
         if (looked) looked += 8; // what lies beyond the first row
     }
     scaled = plane(scratch, general || (solves && !swept));
-    residual = plane(scratch, general || solves);
+    residual = solves && swept ? scratch.filtered_plane(grid) : plane(scratch, general || solves);
     const bool two_stages = f.method == CD_METHOD_STIFF_SECOND;
     kept_x = plane(scratch, two_stages);
     kept_v = plane(scratch, two_stages);

@@ -37,6 +37,7 @@ struct Carver {
         double* const run = numbers(fits ? size : 0);
         return run ? run + 8 : nullptr;
     }
+    double* filtered_plane(const Grid& grid) { return plane({grid.columns, grid.filtered_rows(), grid.pitch}); }
 };
 
 // Lines of `length` numbers each in parts of at least `least` lines and about as many numbers as given.

@@ -16,7 +16,7 @@ void ShiftedLines::carve(const Grid& grid, Carver& coefficients, Carver& scratch
     }
     shift = coefficients.numbers(kMostShifts + 1);
     z = scratch.plane(grid);
-    t = scratch.plane(grid);
+    t = scratch.filtered_plane(grid);
     below = scratch.numbers(grid.columns);
 }
 
