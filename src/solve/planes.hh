@@ -24,18 +24,21 @@ struct Carver {
     bool fits = true;
 
     double* numbers(size_t count) {
-        size_t whole;
-        fits = fits && add(count, 7, whole) && add(taken, whole / 8 * 8, taken);
-        if (!next) return nullptr;
-        double* const run = next;
-        next += (count + 7) / 8 * 8;
+        if (!next) {
+            size_t whole;
+            fits = fits && add(count, 7, whole) && add(taken, whole / 8 * 8, taken);
+            return nullptr;
+        }
+        double* const run = next; // what has been counted fits
+        const size_t whole = (count + 7) / 8 * 8;
+        next += whole, taken += whole;
         return run;
     }
     double* plane(const Grid& grid) {
+        if (next) return numbers(grid.pitch * grid.rows + 2 * 8) + 8;
         size_t size;
         fits = fits && multiply(grid.pitch, grid.rows, size) && add(size, 2 * 8, size);
-        double* const run = numbers(fits ? size : 0);
-        return run ? run + 8 : nullptr;
+        return numbers(fits ? size : 0);
     }
     double* filtered_plane(const Grid& grid) { return plane({grid.columns, grid.filtered_rows(), grid.pitch}); }
 };
