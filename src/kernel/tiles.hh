@@ -38,22 +38,25 @@ template <class T> struct Square {
     static void turn(Row* rows) { turn<kSide / 2>(rows); }
 };
 
-// to[c * to_pitch + r] = from[r * from_pitch + c]
+// to[c * to_pitch + r] = from[r * from_pitch + c], the two apart. The last squares lie over those before them.
 template <class T>
 inline void turn(size_t rows, size_t columns, const T* from, size_t from_pitch, T* to, size_t to_pitch) {
     using S = Square<T>;
     constexpr size_t kSide = S::kSide;
-    const size_t whole_rows = rows / kSide * kSide, whole_columns = columns / kSide * kSide;
-    for (size_t c = 0; c < whole_columns; c += kSide)
-        for (size_t r = 0; r < whole_rows; r += kSide) {
+    if (rows < kSide || columns < kSide) {
+        for (size_t r = 0; r < rows; ++r)
+            for (size_t c = 0; c < columns; ++c) to[c * to_pitch + r] = from[r * from_pitch + c];
+        return;
+    }
+    for (size_t column = 0; column < columns; column += kSide)
+        for (size_t row = 0; row < rows; row += kSide) {
+            const size_t c = column + kSide < columns ? column : columns - kSide;
+            const size_t r = row + kSide < rows ? row : rows - kSide;
             typename S::Row square[kSide];
             for (size_t i = 0; i < kSide; ++i) memcpy(&square[i], from + (r + i) * from_pitch + c, sizeof square[i]);
             S::turn(square);
             for (size_t i = 0; i < kSide; ++i) memcpy(to + (c + i) * to_pitch + r, &square[i], sizeof square[i]);
         }
-    for (size_t r = 0; r < rows; ++r)
-        for (size_t c = r < whole_rows ? whole_columns : 0; c < columns; ++c)
-            to[c * to_pitch + r] = from[r * from_pitch + c];
 }
 
 template <int N> inline Lanes<N> join(const Lanes<kNative>* parts) {

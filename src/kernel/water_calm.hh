@@ -14,6 +14,8 @@
 // operations that bind); panels of their own for what the way right finds out (8% slower than one record a place).
 #pragma once
 
+#include <type_traits>
+
 #include "kernel/water_panels.hh"
 
 namespace cd {
@@ -22,6 +24,8 @@ namespace CD_ISA {
 // Lines side by side: two registers, since the loops wait for their own recurrences.
 constexpr int kCalmLanes = kNative < 8 ? 8 : 16;
 
+// Up to N lines, and more than half as many. Where they are fewer than N, the lanes are the first N/2 of them and the
+// last N/2: some are worked on twice.
 template <int N, class T> class CalmLines {
     using L = Lanes<N>;
     using Extreme = decltype(least_of(L{})); // of lines that lie in different registers, too
@@ -30,19 +34,26 @@ template <int N, class T> class CalmLines {
     struct Found {
         double change[N], pull[N], face[N], guess[N];
     };
-    // Numbers of N lines, those of place i together at i * step.
+    static constexpr bool kHalves = lane_kind(N) == LaneKind::kPair; // else there are N lines
+
+    // Numbers of the lanes, those of place i together at i * step, the second half of them `half` numbers on.
     struct Rows {
         const T* first;
-        size_t step;
+        size_t step, half;
 
-        L operator[](size_t i) const { return L::load(first + i * step); }
+        L operator[](size_t i) const {
+            const T* const here = first + i * step;
+            if constexpr (kHalves) return {Lanes<N / 2>::load(here), Lanes<N / 2>::load(here + half)};
+            else return L::load(here);
+        }
     };
 
     const WaterAxis& axis;
     const WaterLines<T>& lines;
     Place place;
     size_t n;
-    bool upright; // neighbours across the lines lie side by side in memory
+    size_t second; // the line from which the second half is
+    bool upright;  // neighbours across the lines lie side by side in memory
     double* free; // to work with
     Found* const found = panel<Found>(1);
     T *const after = panel<T>(N), *const keeps = panel<T>(N); // depths and velocities at last
@@ -52,18 +63,29 @@ template <int N, class T> class CalmLines {
         free += ((n + 2) * per_place * sizeof(S) + sizeof(double) - 1) / sizeof(double);
         return first;
     }
-    // N at `from`, `count` numbers along each line.
+    // f(lane, line, lanes) for those whose lines lie one after the other.
+    template <class F> void each_run(const F& f) const {
+        if (!kHalves || second == N / 2) return f(size_t(0), size_t(0), std::integral_constant<size_t, N>());
+        constexpr std::integral_constant<size_t, (N + 1) / 2> half;
+        f(size_t(0), size_t(0), half), f(half(), second, half);
+    }
+    // `count` numbers along each line.
     Rows rows(const T* from, size_t count) {
-        const size_t at = place.at(0, 0);
-        if (upright) return {from + at, place.along};
+        from += place.at(0, 0);
+        if (upright) return {from, place.along, second};
         T* const turned = panel<T>(N);
-        turn(N, count, from + at, place.across, turned, N);
-        return {turned, N};
+        each_run([&](size_t lane, size_t line, auto lanes) {
+            turn(lanes, count, from + line * place.across, place.across, turned + lane, N);
+        });
+        return {turned, N, N / 2};
     }
     void put_back(const T* from, size_t count, T* to) const {
         to += place.at(0, 0);
-        if (!upright) return turn(count, N, from, N, to, place.across);
-        for (size_t i = 0; i < count; ++i) memcpy(to + i * place.along, from + i * N, N * sizeof(T));
+        each_run([&](size_t lane, size_t line, auto lanes) {
+            if (!upright) return turn(count, lanes, from + lane, N, to + line * place.across, place.across);
+            for (size_t i = 0; i < count; ++i)
+                memcpy(to + i * place.along + line, from + i * N + lane, lanes * sizeof(T));
+        });
     }
 
     double wave() const { return axis.gravity * axis.courant * axis.courant; }
@@ -175,12 +197,13 @@ template <int N, class T> class CalmLines {
     static constexpr double kMost = 0x1p100; // far from where anything overflows
 
 public:
-    // The lines from `first` on, N of them; work: as for sweep_water.
-    CalmLines(const WaterAxis& a, const WaterLines<T>& all, size_t first, double* work)
+    // `count` lines from `first` on; work: as for sweep_water.
+    CalmLines(const WaterAxis& a, const WaterLines<T>& all, size_t first, size_t count, double* work)
         : axis(a),
           lines(all),
-          place{all.along, all.across, first, N},
+          place{all.along, all.across, first, count},
           n(a.cells),
+          second(count - N / 2),
           upright(N == 1 || all.across == 1),
           free(work) {}
 
@@ -189,7 +212,7 @@ public:
         if (!go_right() || !go_left()) return false;
         put_back(after, n, lines.depth);
         put_back(keeps, n + 1, lines.velocity);
-        for (size_t k = place.first; k < place.first + N; ++k)
+        for (size_t k = place.first; k < place.first + place.lanes; ++k)
             for (size_t t = 0; t < kTallies; ++t) lines.tally[k * kTallies + t] = t == kSolves ? 1 : 0;
         return true;
     }

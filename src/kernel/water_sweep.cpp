@@ -90,12 +90,17 @@ template <class T> struct Carry {
 
 } // namespace
 
-// Whether the lines from `line` on were N calm ones, and have made their step.
+// Whether the `count` lines from `line` on were calm, and have made their step.
 template <int N, class T>
-bool sweep_calm(const WaterAxis& axis, const WaterLines<T>& lines, double* work, size_t& line, size_t end) {
-    if (end - line < N || !CalmLines<N, T>(axis, lines, line, work).step()) return false;
-    line += N;
+bool sweep_calm(const WaterAxis& axis, const WaterLines<T>& lines, double* work, size_t& line, size_t count) {
+    if (!CalmLines<N, T>(axis, lines, line, count, work).step()) return false;
+    line += count;
     return true;
+}
+// How many of the lines that are left go together, so that the last ones, too, are more than half of what fits.
+inline size_t calm_lines(size_t left) {
+    constexpr size_t most = kCalmLanes, half = most / 2;
+    return left <= most ? left : left > most + 1 && left < most + half ? half : most;
 }
 
 template <class T>
@@ -103,11 +108,13 @@ bool sweep_water(const WaterAxis& axis, const WaterLines<T>& lines, double* work
     const Sweep<T> sweep{{axis, lines, work}};
     if (!may_be_calm(axis, lines)) return in_bundles(sweep, lines.lines, first, count);
     const size_t end = (first + count) * kWaterPack < lines.lines ? (first + count) * kWaterPack : lines.lines;
+    constexpr int half = kCalmLanes / 2;
     bool finite = true;
     for (size_t line = first * kWaterPack; line < end;) {
-        if (sweep_calm<kCalmLanes>(axis, lines, work, line, end)) continue;
-        if (kCalmLanes > 8 && sweep_calm<8>(axis, lines, work, line, end)) continue;
-        if (end - line <= 4 && sweep_calm<1>(axis, lines, work, line, end)) continue; // few: one by one is faster
+        const size_t left = end - line, together = calm_lines(left);
+        if (together > half && sweep_calm<kCalmLanes>(axis, lines, work, line, together)) continue;
+        if (left >= half && sweep_calm<half>(axis, lines, work, line, half)) continue;
+        if (left <= 4 && sweep_calm<1>(axis, lines, work, line, 1)) continue; // few: one by one is faster
         if (lines.lines == 1) return sweep.template bundle<1>(0);
         finite &= sweep.template bundle<int(kWaterLanes)>(line);
         line += kWaterLanes;

@@ -143,11 +143,12 @@ template <class T> struct WaterStepper {
 
     // Adds up what `lines` lines have to tell. Solves are made line by line, and counted once.
     void count_up(size_t lines) {
-        Sum sums[kTallies];
+        Sum sums[kSolves];
         double solves = 0;
         for (size_t k = 0; k < lines; ++k) {
             const double* const t = work.tally + k * kTallies;
-            for (int which = 0; which < kTallies; ++which) sums[which].add(t[which]);
+            for (int which = 0; which < kSolves; ++which)
+                if (t[which] != 0) sums[which].add(t[which]); // seldom
             solves = t[kSolves] > solves ? t[kSolves] : solves;
         }
         w.account.in += sums[kIn].value() * cell_area(w);

@@ -31,6 +31,7 @@ template <class T> struct Own {
     std::vector<T> bed, depth, velocity;
     std::vector<double> tally, work;
     std::vector<uint8_t> wall;
+    size_t swept = kLines;
 
     Own(const Scene& scene, size_t cells, double lambda, bool along_memory, unsigned seed) {
         const size_t pitch = (along_memory ? cells + 1 : kLines) + 5;
@@ -53,19 +54,19 @@ template <class T> struct Own {
     }
     cd::WaterLines<T> lines() {
         cd::WaterLines<T> all{};
-        all.lines = kLines, all.along = all.byte_along = along, all.across = all.byte_across = across;
+        all.lines = swept, all.along = all.byte_along = along, all.across = all.byte_across = across;
         all.bed = bed.data(), all.depth = depth.data(), all.velocity = velocity.data(), all.tally = tally.data();
         return all;
     }
-    bool step_calm() {
+    bool step_calm(size_t count = kN) {
         const cd::WaterLines<T> all = lines();
-        return cd::CalmLines<kN, T>(axis, all, 0, work.data()).step();
+        return cd::CalmLines<kN, T>(axis, all, 0, count, work.data()).step();
     }
     // By the way for all lines: of walls, which stand nowhere, the calm way knows nothing.
     bool step(bool as_any) {
         cd::WaterLines<T> all = lines();
         if (as_any) all.wall = wall.data();
-        return cd::sweep_water(axis, all, work.data(), 0, cd::water_packs(kLines));
+        return cd::sweep_water(axis, all, work.data(), 0, cd::water_packs(swept));
     }
 };
 
@@ -82,6 +83,7 @@ template <class T> void check_same_bits() {
                     for (double speed : {0.3, 2.0, 6.0})
                         for (unsigned seed = 1; seed <= 3; ++seed) {
                             Own<T> one({courant, 0.2, 1, speed}, cells, lambda, along, seed), other(one), calm(one);
+                            one.swept = other.swept = kLines - scenes % 12;
                             ++scenes, calm_ones += calm.step_calm();
                             assert_true(one.step(false) && other.step(true));
                             assert_true(same(one.depth, other.depth));
@@ -160,7 +162,7 @@ template <class T> void check_left_alone() {
         for (bool along : {false, true}) {
             Own<T> line(w.scene, 40, 0.5, along, 3), before(line);
             print_message("%s\n", w.what);
-            assert_false(line.step_calm());
+            for (size_t count = kN / 2 + 1; count <= kN; ++count) assert_false(line.step_calm(count));
             assert_true(same(line.depth, before.depth));
             assert_true(same(line.velocity, before.velocity));
         }
