@@ -105,21 +105,21 @@ template <class T> Lines<T> lines_of(Chain& c) {
             c.target ? numbers<T>(c.target) : nullptr};
 }
 
-Stage make_stage(const Chain& c, double h, double overshoot, double move) {
-    Stage stage{1 / (h + c.damping), overshoot, move, {}, c.of_change};
-    for (size_t k = 0; k < c.components; ++k) stage.gravity[k] = h * c.gravity[k];
-    return stage;
-}
-
 struct Stages {
     Stage stage[2];
     int count;
 
+    // Number by number: processors wait where what was just stored in parts is read as a whole.
     Stages(const Chain& c, double dt) {
-        const double h = stage_share(c, dt);
+        const double h = stage_share(c, dt), closing_rate = 1 / (h + c.damping);
         const StageMoves moves(c, dt);
         count = moves.count;
-        for (int s = 0; s < count; ++s) stage[s] = make_stage(c, h, moves.overshoot[s], moves.move[s]);
+        for (int s = 0; s < count; ++s) {
+            stage[s].closing_rate = closing_rate;
+            stage[s].overshoot = moves.overshoot[s], stage[s].move = moves.move[s];
+            for (size_t k = 0; k < 4; ++k) stage[s].gravity[k] = h * c.gravity[k];
+            stage[s].of_change = c.of_change;
+        }
     }
 
     // Runs solve(stage, start, scratch row for the answer, whether to keep it there).

@@ -32,13 +32,12 @@ struct StageMoves {
     double overshoot[2], move[2];
 
     StageMoves(const Body& b, double dt) {
+        const bool two = b.method == CD_METHOD_STIFF_SECOND;
         const double h = stage_share(b, dt);
-        if (b.method == CD_METHOD_STIFF_SECOND) *this = {2, {kSqrt2, 0}, {(1 + kSqrt2) * h, h}};
-        else *this = {1, {1 / b.lambda - 1, 0}, {dt, 0}};
+        count = two ? 2 : 1;
+        overshoot[0] = two ? kSqrt2 : 1 / b.lambda - 1, overshoot[1] = 0;
+        move[0] = two ? (1 + kSqrt2) * h : dt, move[1] = two ? h : 0;
     }
-
-private:
-    StageMoves(int n, const double (&o)[2], const double (&m)[2]) : count(n), overshoot{o[0], o[1]}, move{m[0], m[1]} {}
 };
 
 } // namespace cd
