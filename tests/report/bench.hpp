@@ -56,8 +56,11 @@ template <class Real> Subject traffic(std::size_t count) {
                 for (std::size_t i = 0; i < n; ++i) numbers[i] = -numbers[i];
             }};
 }
-inline Subject traffic_of(cd_precision precision, std::size_t count) {
-    return precision == CD_FLOAT32 ? traffic<float>(count) : traffic<double>(count);
+// Beside explicit steps of both precisions: what these cost beyond the caches is what their copies do.
+inline Subject wide_traffic(std::size_t count) {
+    Subject copy = traffic<double>(count);
+    copy.name = "copy of float64";
+    return copy;
 }
 
 // Of many textbook objects, each with an x.

@@ -109,6 +109,7 @@ Bench explicit_beside_copy(const Shape& shape) {
                 }
                 it.subjects.push_back(textbook<float>(shape, dt));
                 it.subjects.push_back(traffic<float>(2 * shape.numbers()));
+                it.subjects.push_back(wide_traffic(2 * shape.numbers()));
                 return it;
             }};
 }

@@ -82,6 +82,7 @@ Bench explicit_beside_copy(std::size_t side, std::size_t components) {
                                                   sheet_of(side, components, precision, Way::symplectic_euler), dt));
                 it.subjects.push_back(textbook<float>(side, components, dt));
                 it.subjects.push_back(traffic<float>(2 * side * side * components));
+                it.subjects.push_back(wide_traffic(2 * side * side * components));
                 return it;
             }};
 }
