@@ -14,7 +14,7 @@ template <class T> struct ExplicitMove {
     Separable acting;
     T *x, *v;
     double move, follow;
-    Lanes<kWidest> probe{};
+    Lanes<kWidest>& probe;
 
     template <int N, bool kInside = false> void bundle(size_t u) {
         using L = Lanes<N>;
@@ -171,16 +171,15 @@ template <class T> bool step_rows(const Grid& grid, const UniformStage<T>& stage
         return rows.probe.finite();
     }
     const StageRows<T, T> rows{grid, stage, x, v, looked, first, first + count};
-    bool finite = true;
+    Lanes<kWidest> probe{};
     rows.look(first, rows.at(first));
     for (size_t r = first; r < rows.end; ++r) {
         if (r + 1 < rows.end) rows.look(r + 1, rows.at(r + 1));
         const size_t row = r * grid.pitch;
-        ExplicitMove<T> step{rows.acting(r, rows.pushes()), x + row, v + row, move.move, move.follow};
+        ExplicitMove<T> step{rows.acting(r, rows.pushes()), x + row, v + row, move.move, move.follow, probe};
         along_springs(grid.columns, step);
-        finite &= !step.probe.any_nan();
     }
-    return finite;
+    return !probe.any_nan();
 }
 
 #define CD_EXPLICIT(T)                                                                                                 \

@@ -66,7 +66,7 @@ template <class S, class T> struct MoveUp {
     bool settles;
     double overshoot, move;
     size_t ahead; // numbers back to what is fetched
-    PlainProbe<T> probe{};
+    PlainProbe<T>& probe;
 
     template <class V> void bundles(size_t& u, size_t end) {
         constexpr int n = kCountOf<V, T>;
@@ -108,7 +108,7 @@ template <class S, class T> void sweep_down(const Grid& grid, const UniformStage
 template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried,
                                           const SheetMove& move, double* plane, double* below, const S* x, const S* v,
                                           T* to_x, T* to_v, size_t first, size_t count) {
-    bool finite = true;
+    PlainProbe<T> probe; // of all rows: looking into it takes as long as a short one
     const size_t ahead = rows_ahead(grid, count);
     const size_t end = first + (count + kWidest - 1) / kWidest * kWidest; // see along_whole_row
     for (size_t r = 1; r < grid.rows && !carried; ++r) {
@@ -117,15 +117,24 @@ template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& 
     }
     for (size_t r = grid.rows; r-- > 0;) {
         const size_t row = r * grid.pitch;
-        MoveUp<S, T> step{
-            r + 1 == grid.rows, filter.pull[r], plane + row,           below,          x + row,   v + row,
-            to_x + row,         to_v + row,     r % kSettleEvery == 0, move.overshoot, move.move, ahead * grid.pitch};
+        MoveUp<S, T> step{r + 1 == grid.rows,
+                          filter.pull[r],
+                          plane + row,
+                          below,
+                          x + row,
+                          v + row,
+                          to_x + row,
+                          to_v + row,
+                          r % kSettleEvery == 0,
+                          move.overshoot,
+                          move.move,
+                          ahead * grid.pitch,
+                          probe};
         size_t u = first;
         step.template bundles<Wide<T>>(u, end);
         if constexpr (kCountOf<Wide<T>, T> > kWidest) step.template bundles<Half<T>>(u, end);
-        finite &= step.probe.finite();
     }
-    return finite;
+    return probe.finite();
 }
 
 #define CD_DOWN(S, T) \
