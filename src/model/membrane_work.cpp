@@ -36,7 +36,6 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
       swept(uniform && !f.ring[kU] && !f.ring[kV]),
       bands(m.rows, m.columns, kBandRows, kPart),
       strips(m.columns, m.rows, kStripColumns, kPart),
-      rows{},
       shared{SharedLines(m.columns, f.bend, f.ring[kU], coefficients),
              SharedLines(m.rows, f.bend, f.ring[kV], coefficients)},
       parts{},
