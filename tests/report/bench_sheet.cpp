@@ -155,7 +155,7 @@ std::vector<Bench> sheet_benches() {
                               coupled(256, 1),
                               coupled(256, 3)};
     for (std::size_t side : {256, 1024, 2048}) all.push_back(explicit_beside_copy(side, 1));
-    all.push_back(explicit_beside_copy(1024, 3));
+    for (std::size_t side : {1024, 2048}) all.push_back(explicit_beside_copy(side, 3));
     all.push_back(shared_by_threads(512, 1));
     all.push_back(shared_by_threads(1024, 3));
     for (std::size_t side : {256, 1024}) all.push_back(by_each_kernels(side, 3, Way::alternating_half));
