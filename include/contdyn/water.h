@@ -119,9 +119,10 @@ CD_API cd_status cd_water_get_lambda(const cd_water* water, double* out_lambda);
 CD_API cd_status cd_water_set_momentum(cd_water* water, cd_momentum momentum);
 CD_API cd_status cd_water_get_momentum(const cd_water* water, cd_momentum* out_momentum);
 
-/* Large steps, of tens of Courant numbers: 0: off (the default); 1 to 8: the surface is solved for such that no depth
- * comes out negative, and the step is made again `corrections - 1` times with the faces' depths in the mean of its
- * beginning and its end. Take 2 up to a Courant number of about 8, 4 beyond. Needs CD_MOMENTUM_ADVECTED,
+/* Large steps, of tens of Courant numbers: 0: off (the default); 1 to 8: where waves cross more than a third of a cell,
+ * the surface is solved for such that no depth comes out negative, and the step is made again `corrections - 1` times
+ * with the faces' depths in the mean of its beginning and its end. Take 2 up to a Courant number of about 8, 4 beyond.
+ * Needs CD_MOMENTUM_ADVECTED,
  * CD_METHOD_IMPLICIT and CD_SOLVER_ALTERNATING, or CD_ERROR_UNSUPPORTED. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
 CD_API cd_status cd_water_set_corrections(cd_water* water, size_t corrections);
 CD_API cd_status cd_water_get_corrections(const cd_water* water, size_t* out_corrections);

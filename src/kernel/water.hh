@@ -8,8 +8,8 @@
 
 namespace cd {
 
-// Squares of cells that waves cross, from which on a step is long, and very long.
-constexpr double kLongStep = 2.5 * 2.5, kVeryLongStep = 1e4;
+// Squares of cells that waves cross, from which on a step is no longer short, is long, and very long.
+constexpr double kShortStep = 1.0 / 9, kLongStep = 2.5 * 2.5, kVeryLongStep = 1e4;
 
 // What is at an end of the lines: see cd_border.
 enum class End { kWall, kOpen, kInflow, kRing };
