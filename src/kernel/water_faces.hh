@@ -97,16 +97,20 @@ template <int N> void WaterLine<N>::rest_if_dry(size_t i) const {
 }
 
 // A dry face inside takes the velocity of the nearest wet one that may come as far in the step, at least of a
-// neighbour; of two as near, the mean. Uses x and pull for what comes from the left, its distance at first.
-template <int N> void WaterLine<N>::carry_to_dry_faces(const double* depths, double* velocities) const {
+// neighbour; of two as near, the mean by their depths. Not more than their momentum makes of the water beside it: a film
+// that has rushed down a slope does not move the lake it comes to. Uses x, rest and pull for what comes from the left,
+// its distance at first.
+template <int N>
+void WaterLine<N>::carry_to_dry_faces(const double* depths, const double* cells, double* velocities) const {
     const L far = L::splat(kFar);
     const L courant = axis.courant * thins; // where 0, to a neighbour only
     const size_t begin = first_inside(), turns = ring ? 2 : 1;
-    NearestLanes<N> left{L{}, far}, right{L{}, far};
+    NearestLanes<N> left{L{}, L{}, far}, right{L{}, L{}, far};
     for (size_t turn = 0; turn < turns; ++turn)
         for (size_t i = begin; i < n; ++i) {
             left.pass(at(depths, i), at(velocities, i), opening(i));
             put(x, i, left.value);
+            put(rest, i, left.depth);
             put(pull, i, left.reach(courant));
         }
     for (size_t turn = 0; turn < turns; ++turn)
@@ -114,10 +118,12 @@ template <int N> void WaterLine<N>::carry_to_dry_faces(const double* depths, dou
             const L wet = at(depths, i), here = at(velocities, i);
             right.pass(wet, here, opening(i));
             if (turn + 1 < turns) continue;
-            const L from_left = at(pull, i), from_right = right.reach(courant), v = at(x, i);
-            L dry =
-                select(from_right - from_left, v, select(from_left - from_right, right.value, 0.5 * (v + right.value)));
-            dry = select(far - smaller(from_left, from_right), dry, L{});
+            const L from_left = at(pull, i), from_right = right.reach(courant);
+            const L comes = far - smaller(from_left, from_right), by_left = from_right - from_left;
+            const L h_l = select(comes, select(-by_left, L{}, at(rest, i)), L{});
+            const L h_r = select(comes, select(by_left, L{}, right.depth), L{});
+            const L beside = 0.5 * (at(cells, left_of(i)) + at(cells, i)), all = larger(h_l + h_r, beside);
+            const L dry = select(all, at(x, i) * (h_l / all) + right.value * (h_r / all), L{});
             put(velocities, i, opening(i) * select(wet, here, dry));
         }
     close(velocities);

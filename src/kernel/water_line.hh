@@ -71,7 +71,7 @@ template <int N> struct WaterLine {
     L end_depth(size_t i, const double* depths) const;
     void look_ahead(const double* speeds);
     void rest_if_dry(size_t i) const;
-    void carry_to_dry_faces(const double* depths, double* velocities) const;
+    void carry_to_dry_faces(const double* depths, const double* cells, double* velocities) const;
 
     // ---- 5. and 6. the new surface, new velocities, and what they move (water_surface.hh) ----
 
@@ -130,7 +130,7 @@ template <int N> struct WaterLine {
     // Faces before anything moves.
     void look() {
         size_up(measure_faces(depth, face));
-        if (axis.advected) carry_to_dry_faces(face, velocity);
+        if (axis.advected) carry_to_dry_faces(face, depth, velocity);
         for (size_t i = 0; i <= n; ++i)
             if (!axis.advected || (!ring && (i == 0 || i == n))) rest_if_dry(i);
         if (!axis.looks_late()) look_ahead(velocity);

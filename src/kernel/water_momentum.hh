@@ -19,7 +19,7 @@ template <int N> void WaterLine<N>::follow_water() const {
         put(wet, i, is);
         dry = larger(dry, select(is, L{}, L::splat(1)));
     }
-    if (any_positive(dry)) carry_to_dry_faces(wet, guess);
+    if (any_positive(dry)) carry_to_dry_faces(wet, after, guess);
 }
 
 // Velocities are carried upwind with the transfers of the step: exactly as much momentum comes in at a face as goes

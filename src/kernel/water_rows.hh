@@ -157,13 +157,14 @@ template <int N> inline FaceLanes<N> between_cells(Lanes<N> bed_l, Lanes<N> bed_
 
 constexpr double kFar = 1e300;
 
-// The velocity of the last wet face that was passed, and how many faces ago.
+// The velocity and the depth of the last wet face that was passed, and how many faces ago.
 template <int N> struct NearestLanes {
-    Lanes<N> value, distance;
+    Lanes<N> value, depth, distance;
 
     void pass(Lanes<N> wet, Lanes<N> here, Lanes<N> opening) {
         using L = Lanes<N>;
         value = select(wet, here, value);
+        depth = select(wet, wet, depth);
         distance = select(wet, L{}, select(opening, distance + L::splat(1), L::splat(kFar)));
     }
     // How far it is; kFar if it does not come here in a step, and is no neighbour.
