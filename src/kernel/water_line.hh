@@ -114,6 +114,7 @@ template <int N> struct WaterLine {
     void carry() const;
     void set_inflow_velocity(size_t i) const;
     void slow_held_back(size_t i) const;
+    L no_faster_than_a_fall(size_t i, L w) const;
     void bound_speeds();
     void settle_face(size_t i) const;
     L slowed_by_newcomers(size_t i, L u) const;

@@ -91,15 +91,29 @@ template <int N> void WaterLine<N>::set_inflow_velocity(size_t i) const {
 }
 
 // A face through which less went than its velocity would have moved is as slow as what went. Not so where momentum
-// is advected in short steps: there what waits at a shore goes on as fast.
+// is advected in short steps: there what waits at a shore goes on as fast; but no faster than by a fall from the face
+// behind and a step's push, lest a film speed up for ever above a lake.
 template <int N> void WaterLine<N>::slow_held_back(size_t i) const {
+    const size_t l = left_of(i);
     const L w = at(guess, i), went = at(transfer, i);
     const L moves = axis.courant * at(face, i), now = axis.lambda * w, then = (1 - axis.lambda) * at(velocity, i);
     const L wanted = moves * (now + then) + streamed(i), noise = 0x1p-40 * (moves * (size_of(now) + size_of(then)));
     const L held_back = (size_of(wanted) - size_of(went)) - noise;
-    L slows = L::splat(1);
-    if (axis.advected) slows = larger(thins, wave() * larger(at(depth, left_of(i)), at(depth, i)) - slows);
-    put(guess, i, select(smaller(smaller(held_back, slows), strained), w * positive(went / wanted), w));
+    L goes_on = w * positive(went / wanted);
+    if (axis.advected) {
+        const L long_wave = wave() * larger(at(depth, l), at(depth, i)) - L::splat(1);
+        goes_on = select(larger(thins, long_wave), goes_on, no_faster_than_a_fall(i, w));
+    }
+    put(guess, i, select(smaller(held_back, strained), goes_on, w));
+}
+
+template <int N> Lanes<N> WaterLine<N>::no_faster_than_a_fall(size_t i, L w) const {
+    const size_t l = left_of(i);
+    const L behind = select(w, at(velocity, ring ? l : i - 1), at(velocity, i + 1));
+    const L drop = (at(bed, l) + at(depth, l)) - (at(bed, i) + at(depth, i));
+    const L fall = 2 * axis.gravity * positive(select(w, drop, -drop));
+    const L bound = smaller(size_of(w), root(behind * behind + fall) + size_of(w - at(velocity, i)));
+    return select(w, bound, -bound);
 }
 
 // Where a step is too long for waves or water to stay in a cell's reach, water gets no faster than by a fall from the
