@@ -97,9 +97,9 @@ template <int N> void WaterLine<N>::rest_if_dry(size_t i) const {
 }
 
 // A dry face inside takes the velocity of the nearest wet one that may come as far in the step, at least of a
-// neighbour; of two as near, the mean by their depths. Not more than their momentum makes of the water beside it: a film
-// that has rushed down a slope does not move the lake it comes to. Uses x, rest and pull for what comes from the left,
-// its distance at first.
+// neighbour; of two as near, the mean. Where a step leaves films, the mean by depths, and not more than their momentum
+// makes of the water beside the face: a film that has rushed down a slope does not move the lake it comes to. Uses x,
+// rest and pull for what comes from the left, its distance at first.
 template <int N>
 void WaterLine<N>::carry_to_dry_faces(const double* depths, const double* cells, double* velocities) const {
     const L far = L::splat(kFar);
@@ -118,13 +118,17 @@ void WaterLine<N>::carry_to_dry_faces(const double* depths, const double* cells,
             const L wet = at(depths, i), here = at(velocities, i);
             right.pass(wet, here, opening(i));
             if (turn + 1 < turns) continue;
+            const L is_open = opening(i);
+            put(velocities, i, is_open * here);
+            if (!any_positive(select(wet, L{}, is_open))) continue;
             const L from_left = at(pull, i), from_right = right.reach(courant);
             const L comes = far - smaller(from_left, from_right), by_left = from_right - from_left;
-            const L h_l = select(comes, select(-by_left, L{}, at(rest, i)), L{});
-            const L h_r = select(comes, select(by_left, L{}, right.depth), L{});
-            const L beside = 0.5 * (at(cells, left_of(i)) + at(cells, i)), all = larger(h_l + h_r, beside);
+            const L one = L::splat(1), beside = 0.5 * (at(cells, left_of(i)) + at(cells, i));
+            const L h_l = select(comes, select(-by_left, L{}, select(thins, one, at(rest, i))), L{});
+            const L h_r = select(comes, select(by_left, L{}, select(thins, one, right.depth)), L{});
+            const L all = larger(h_l + h_r, select(thins, L{}, beside));
             const L dry = select(all, at(x, i) * (h_l / all) + right.value * (h_r / all), L{});
-            put(velocities, i, opening(i) * select(wet, here, dry));
+            put(velocities, i, is_open * select(wet, here, dry));
         }
     close(velocities);
 }

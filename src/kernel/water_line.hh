@@ -130,8 +130,10 @@ template <int N> struct WaterLine {
 
     // Faces before anything moves.
     void look() {
-        size_up(measure_faces(depth, face));
-        if (axis.advected) carry_to_dry_faces(face, depth, velocity);
+        const FaceRange depths = measure_faces(depth, face);
+        size_up(depths);
+        const bool wet = !open && !any_positive(select(depths.least, L{}, L::splat(1)));
+        if (axis.advected && !wet) carry_to_dry_faces(face, depth, velocity);
         for (size_t i = 0; i <= n; ++i)
             if (!axis.advected || (!ring && (i == 0 || i == n))) rest_if_dry(i);
         if (!axis.looks_late()) look_ahead(velocity);
