@@ -35,14 +35,15 @@ template <int N> typename WaterLine<N>::FaceRange WaterLine<N>::measure_faces(co
 
 // What kind of step it is for the line. Where waves cross more than two and a half cells, a shore moves so far that the
 // surface has to be solved for with the cells that run dry: without, the limiter fires all along it, and energy comes
-// out of nothing, 20 times what there was at Courant numbers of 100. Large steps do so from a third of a cell on: a cell
-// that runs dry sucks, films rush after it the faster the shorter the step is, and at Courant numbers of 0.01 40 times
-// the energy came of it.
+// out of nothing, 20 times what there was at Courant numbers of 100. Large steps do so from a third of a cell on. Not
+// in shorter ones: a cell that runs dry sucks, films rush after it the faster the shorter the step is, and at Courant
+// numbers of 0.01 40 times the energy came of it.
 template <int N> void WaterLine<N>::size_up(FaceRange depths) {
     const L one = L::splat(1);
     long_step = select(wave() * depths.most - L::splat(kLongStep), one, L{});
     even = 1.1 * depths.least - depths.most;
-    if (alone) thins = axis.corrections > 0 ? select(wave() * depths.most - L::splat(kShortStep), one, L{}) : long_step;
+    const L large_step = select(wave() * depths.most - L::splat(kShortStep), one, L{});
+    if (alone) thins = axis.corrections > 0 ? large_step : long_step;
     ahead = one;
     if (axis.corrections == 0) return;
     ebbs = L::splat(kVeryLongStep) - wave() * depths.most;
