@@ -64,10 +64,11 @@ template <int N> Lanes<N> WaterLine<N>::end_depth(size_t i, const double* depths
 // spreads or closes up makes it (Lax and Wendroff 1960). Of both, since with one alone small waves on a current grow:
 // at lambda 1/2 by 1% a step where they cross 0.4 cells and the current 0.08. Where water runs further than a cell, its
 // face is as deep as the cell that gives, whose depth at the end of the step counts with a share that keeps this stable
-// at any speed. Not where depths differ much, as at shores; in long steps nothing of what spreads, and where waves
-// cross more than 4 cells streams only of advected momentum in lines that are even: elsewhere they would make energy.
-// Nor, of linear momentum in lines with a shore, where water ebbs from a cell into a much deeper one: its velocity is
-// not that of the water behind. Large steps look into the newest depths instead, but where such a line streams.
+// at any speed. Not where depths differ much, as at shores; in long steps, and of linear momentum where water runs
+// further than a cell, nothing of what spreads; and where waves cross more than 4 cells streams only of advected
+// momentum in lines that are even: elsewhere they would make energy. Nor, of linear momentum in lines with a shore,
+// where water ebbs from a cell into a much deeper one: its velocity is not that of the water behind. Large steps look
+// into the newest depths instead, but where such a line streams.
 template <int N> void WaterLine<N>::look_ahead(const double* speeds) {
     L any{}, shore{};
     for (size_t i = 0; i < n && !axis.advected; ++i) shore = larger(shore, select(at(depth, i), L{}, L::splat(1)));
@@ -77,13 +78,15 @@ template <int N> void WaterLine<N>::look_ahead(const double* speeds) {
         const L d_l = at(depth, l), d_r = at(depth, i), h = at(face, i), mean = 0.5 * (d_l + d_r);
         L later = h - 0.5 * (within(axis.courant * at(speeds, i), -1, 1) * (d_r - d_l));
         const L spread = (0.25 * axis.courant) * (at(speeds, i + 1) - at(speeds, far_l));
-        later = select(long_step, later, later * within(L::splat(1) - spread, 0.5, 2));
+        const L cells = axis.courant * size_of(at(speeds, i)), far = cells - L::splat(1);
+        later =
+            select(larger(long_step, axis.advected ? L{} : far), later, later * within(L::splat(1) - spread, 0.5, 2));
         const L alike = 2 * smaller(d_l, d_r) - larger(d_l, d_r);
         const L is_mean = select(size_of(h - mean), L{}, smaller(smaller(d_l, d_r), ahead));
         const L ebb = smaller(shore, smaller(at(speeds, i) * (d_r - d_l), -akin(d_l, d_r)));
         const L looks = select(ebb, L{}, select(long_step, smaller(is_mean, alike), is_mean));
         put(face, i, select(looks, later, h));
-        const L cells = axis.courant * size_of(at(speeds, i)), runs = smaller(alike, cells - L::splat(1));
+        const L runs = smaller(alike, far);
         const L steady = smaller(calm, wave() * larger(d_l, d_r) - L::splat(16));
         const L streams_here = select(steady, L{}, smaller(is_mean, runs));
         put(share, i, select(streams_here, L::splat(1) - L::splat(1) / cells, L{}));
