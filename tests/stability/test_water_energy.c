@@ -149,7 +149,7 @@ static void no_energy_is_made_but_by_linear_momentum_that_deepens(void** state) 
     /* of its own; 0 where not given, and in long steps of lambda 1/2 not looked at */
     static const double own[WAYS][COUNT(courants)] = {
         [LINEAR_HALF] = {2e-4, 5e-4, 1e-2, 1, 1, 1, 1, 1},
-        [EXPLICIT] = {2e-4, 1e-3},
+        [EXPLICIT] = {1e-3, 5e-3},
     };
     /* of 60 beds some gain in the first long step of lambda 1/2 from rest: what comes to a face takes on its speed */
     static const double from_rest[COUNT(courants)] = {0, 0, 0, 3e-3, 1e-2, 2e-2, 1e-4, 1e-5};
