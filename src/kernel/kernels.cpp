@@ -31,8 +31,9 @@ template <class T> constexpr SheetStateKernels<T> state_kernels() {
 
 #if CD_WITH_WATER
 template <class T> constexpr WaterKernels<T> water_kernels() {
-    return {sweep_water<T>,  carry_across<T>, guess_water<T>, finish_water<T>, keep_water<T>, settle_water<T>,
-            balance_water<T>, look_beside<T>, share_water<T>, fill_water<T>, leap_water<T>, gather_loads, limit_water};
+    return {sweep_water<T>,  carry_across<T>,  guess_water<T>, finish_water<T>, keep_water<T>,
+            settle_water<T>, balance_water<T>, look_beside<T>, share_water<T>,  fill_water<T>,
+            leap_water<T>,   gather_loads,     limit_water};
 }
 #endif
 

@@ -7,7 +7,7 @@
 
 namespace cd {
 
-constexpr size_t kSegments = 8; // whatever the vector width, so that every width gives the same bits
+constexpr size_t kSegments = 8;         // whatever the vector width, so that every width gives the same bits
 constexpr size_t kMostSegmentLines = 4; // in a chain; more fill the lanes by themselves
 
 // Where node i's coefficients and scratch lie: node j of every segment side by side, and last the head, the few nodes

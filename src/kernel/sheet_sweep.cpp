@@ -135,7 +135,7 @@ template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& 
                           probe};
         size_t u = first;
         step.template bundles<Wide<T>>(u, end);
-        if constexpr (kCountOf<Wide<T>, T> > kWidest) step.template bundles<Half<T>>(u, end);
+        if constexpr (kCountOf < Wide<T>, T >> kWidest) step.template bundles<Half<T>>(u, end);
     }
     return probe.finite();
 }

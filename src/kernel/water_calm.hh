@@ -54,7 +54,7 @@ template <int N, class T> class CalmLines {
     size_t n;
     size_t second; // the line from which the second half is
     bool upright;  // neighbours across the lines lie side by side in memory
-    double* free; // to work with
+    double* free;  // to work with
     Found* const found = panel<Found>(1);
     T *const after = panel<T>(N), *const keeps = panel<T>(N); // depths and velocities at last
 

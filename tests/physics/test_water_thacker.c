@@ -63,16 +63,21 @@ static void water_rocks_in_a_parabola(void** state) {
         size_t n;
         double step, most;
     } rows[] = {
-        {LINEAR, 100, 0.5, 2.9e-2},     {LINEAR, 200, 0.5, 2.0e-2},       {LINEAR, 400, 0.5, 1.6e-2},
-        {LINEAR, 200, 2, 2.9e-2},       {LINEAR_ONE, 100, 0.5, 7.1e-2},   {LINEAR_ONE, 200, 0.5, 4.3e-2},
-        {LINEAR_ONE, 400, 0.5, 2.8e-2}, {ADVECTED, 100, 0.5, 1.6e-3},     {ADVECTED, 200, 0.5, 4.7e-4},
-        {ADVECTED, 400, 0.5, 1.14e-4},  {ADVECTED, 200, 2, 1.8e-3},       {ADVECTED, 200, 8, 2.2e-1},
-        {LARGE_1, 100, 0.5, 0.0031},    {LARGE_1, 200, 0.5, 0.0015},      {LARGE_1, 400, 0.5, 0.0007},
-        {LARGE_1, 200, 2, 0.0058},      {LARGE_1, 200, 8, 0.22},          {LARGE_2, 100, 0.5, 0.0012},
-        {LARGE_2, 200, 0.5, 0.00045},   {LARGE_2, 400, 0.5, 0.00011},     {LARGE_2, 200, 2, 0.0008},
-        {LARGE_2, 200, 8, 0.0087},      {LARGE_2, 400, 8, 0.0052},        {LARGE_2, 200, 16, 0.19},
-        {LARGE_4, 200, 2, 0.00062},     {LARGE_4, 200, 8, 0.00092},       {LARGE_4, 400, 8, 0.00033},
-        {LARGE_4, 200, 16, 0.0085},     {COUPLED, 200, 0.5, 2.1e-2},      {COUPLED_ADVECTED, 200, 0.5, 5.6e-4},
+        {LINEAR, 100, 0.5, 2.9e-2},     {LINEAR, 200, 0.5, 2.0e-2},
+        {LINEAR, 400, 0.5, 1.6e-2},     {LINEAR, 200, 2, 2.9e-2},
+        {LINEAR_ONE, 100, 0.5, 7.1e-2}, {LINEAR_ONE, 200, 0.5, 4.3e-2},
+        {LINEAR_ONE, 400, 0.5, 2.8e-2}, {ADVECTED, 100, 0.5, 1.6e-3},
+        {ADVECTED, 200, 0.5, 4.7e-4},   {ADVECTED, 400, 0.5, 1.14e-4},
+        {ADVECTED, 200, 2, 1.8e-3},     {ADVECTED, 200, 8, 2.2e-1},
+        {LARGE_1, 100, 0.5, 0.0031},    {LARGE_1, 200, 0.5, 0.0015},
+        {LARGE_1, 400, 0.5, 0.0007},    {LARGE_1, 200, 2, 0.0058},
+        {LARGE_1, 200, 8, 0.22},        {LARGE_2, 100, 0.5, 0.0012},
+        {LARGE_2, 200, 0.5, 0.00045},   {LARGE_2, 400, 0.5, 0.00011},
+        {LARGE_2, 200, 2, 0.0008},      {LARGE_2, 200, 8, 0.0087},
+        {LARGE_2, 400, 8, 0.0052},      {LARGE_2, 200, 16, 0.19},
+        {LARGE_4, 200, 2, 0.00062},     {LARGE_4, 200, 8, 0.00092},
+        {LARGE_4, 400, 8, 0.00033},     {LARGE_4, 200, 16, 0.0085},
+        {COUPLED, 200, 0.5, 2.1e-2},    {COUPLED_ADVECTED, 200, 0.5, 5.6e-4},
         {EXPLICIT, 200, 0.4, 2.6e-2},   {EXPLICIT_ADVECTED, 200, 0.4, 4.9e-4},
     };
     for (size_t r = 0; r < COUNT(rows); ++r) {

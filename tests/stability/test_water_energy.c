@@ -134,17 +134,10 @@ static void no_energy_is_made_but_by_linear_momentum_that_deepens(void** state) 
     (void)state;
     static const double courants[] = {0.1, 0.3, 1, 3, 10, 100, 1000, 5000};
     static const double most[WAYS][COUNT(courants)] = {
-        [LINEAR] = {0.1, 0.1, 0.1},
-        [LINEAR_HALF] = {0.1, 0.1, 0.1},
-        [LINEAR_ONE] = {0.05, 0.02},
-        [ADVECTED] = {4e-3, 4e-3, 4e-3},
-        [LARGE_1] = {4e-3, 4e-3, 4e-3},
-        [LARGE_2] = {4e-3, 4e-3, 4e-3},
-        [LARGE_4] = {4e-3, 4e-3, 4e-3},
-        [COUPLED] = {0.1, 0.1, 0.1},
-        [COUPLED_ADVECTED] = {4e-3, 4e-3, 4e-3},
-        [EXPLICIT] = {0.1, 0.1},
-        [EXPLICIT_ADVECTED] = {4e-3, 4e-3},
+        [LINEAR] = {0.1, 0.1, 0.1},      [LINEAR_HALF] = {0.1, 0.1, 0.1},    [LINEAR_ONE] = {0.05, 0.02},
+        [ADVECTED] = {4e-3, 4e-3, 4e-3}, [LARGE_1] = {4e-3, 4e-3, 4e-3},     [LARGE_2] = {4e-3, 4e-3, 4e-3},
+        [LARGE_4] = {4e-3, 4e-3, 4e-3},  [COUPLED] = {0.1, 0.1, 0.1},        [COUPLED_ADVECTED] = {4e-3, 4e-3, 4e-3},
+        [EXPLICIT] = {0.1, 0.1},         [EXPLICIT_ADVECTED] = {4e-3, 4e-3},
     };
     /* of its own; 0 where not given, and in long steps of lambda 1/2 not looked at */
     static const double own[WAYS][COUNT(courants)] = {
