@@ -95,8 +95,8 @@ struct WaterCells {
 template <class T> struct WaterBeside {
     const WaterCells& cells;
     const WaterPlanes* planes; // of the faces of both axes, as after guess_water
-    const double courant[2];
-    const bool late; // the water leaves with the velocities of the step's end, else those of its beginning
+    double courant[2];
+    bool late; // the water leaves with the velocities of the step's end, else those of its beginning
     const T *depth, *bed;
     double* leaves[2]; // planes of cells
 };

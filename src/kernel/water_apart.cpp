@@ -188,21 +188,18 @@ template <class T> void look_beside(const WaterBeside<T>& b, size_t first, size_
             if (planes.spring) planes.spring[at] *= is / h;
             h = is;
         };
+        const size_t step = axis == 0 ? 1 : w.pitch, round = (w.rows - 1) * w.pitch; // from the first row to the last
         for (size_t j = first; j < first + count; ++j) {
-            const size_t row = j * w.pitch, last_column = row + w.columns - 1, last_row = (w.rows - 1) * w.pitch;
-            if (axis == 0) {
-                for (size_t at = row + 1; at <= last_column; ++at) look(at, at - 1, at);
-                if (!w.ring[0]) continue;
-                look(row, last_column, row);
+            const size_t begin = j * w.pitch, end = begin + w.columns;
+            if (axis == 0 || j > 0)
+                for (size_t at = begin + (axis == 0); at < end; ++at) look(at, at - step, at);
+            if (!w.ring[axis] || (axis == 1 && j > 0)) continue;
+            // The first faces are the last ones, too.
+            for (size_t at = begin; at < (axis == 0 ? begin + 1 : end); ++at) {
+                const size_t before = axis == 0 ? end - 1 : at + round;
+                look(at, before, at);
                 for (double* plane : {planes.face, planes.transfer, planes.spring})
-                    if (plane) plane[last_column + 1] = plane[row];
-            } else {
-                for (size_t at = row; at <= last_column; ++at) {
-                    if (j > 0) look(at, at - w.pitch, at);
-                    else if (w.ring[1]) look(at, last_row + at, at);
-                    for (double* plane : {planes.face, planes.transfer, planes.spring})
-                        if (plane && j == 0 && w.ring[1]) plane[last_row + w.pitch + at] = plane[at];
-                }
+                    if (plane) plane[before + step] = plane[at];
             }
         }
     }

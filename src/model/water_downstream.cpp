@@ -212,7 +212,7 @@ template <class T> void WaterStepper<T>::carry_at_once(const WaterCells& cells, 
             return false;
         });
     };
-    const auto look_ahead = [&] {
+    const auto sum_ahead = [&] {
         Sum square, product;
         each_from(0, [&](size_t i, size_t j) {
             const size_t at = place(w, i, j);
@@ -230,12 +230,12 @@ template <class T> void WaterStepper<T>::carry_at_once(const WaterCells& cells, 
         });
     };
     bool changes = true;
-    for (size_t k = 1; changes && k <= kSweepsPerIteration * w.most_iterations; ++k) {
+    for (size_t k = 1; changes && (k - 1) / kSweepsPerIteration < w.most_iterations; ++k) {
         changes = each_from(k - 1, mix);
         const size_t after_look = k % kLookEvery;
         if (after_look == kLookEvery - 2 * kRound) keep(before_last);
         if (after_look == kLookEvery - kRound) keep(last);
-        if (after_look == 0 && changes) look_ahead();
+        if (after_look == 0 && changes) sum_ahead();
     }
     worst.reached &= !changes;
 }

@@ -118,10 +118,9 @@ template <class T> static void solve_surface(WaterStepper<T>& s, const WaterCell
 template <class T> static void look_beside(const WaterStepper<T>& s, const WaterCells& cells) {
     const Water& w = s.w;
     if (s.work.thins || cells.columns == 1 || cells.rows == 1) return;
-    const double courant[2] = {s.dt / w.size[kX], s.dt / w.size[kY]};
     const WaterBeside<T> beside{cells,
                                 s.work.both.planes,
-                                {courant[kX], courant[kY]},
+                                {s.dt / w.size[kX], s.dt / w.size[kY]},
                                 !s.work.coupled,
                                 numbers<T>(w.depth),
                                 numbers<T>(w.bed),

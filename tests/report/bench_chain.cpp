@@ -210,7 +210,7 @@ std::vector<Bench> chain_benches() {
         for (cd_precision precision : {CD_FLOAT32, CD_FLOAT64}) all.push_back(still_beside_lively(shape, precision));
     all.push_back(small_scenes());
     for (std::size_t components : {1, 3})
-        for (std::size_t n : {100, 1000, 10000, 100000, 1000000, 10000000})
+        for (std::size_t n : {2, 100, 1000, 10000, 100000, 1000000, 10000000})
             if (n * components <= 10000000) all.push_back(at_any_length({n, components}));
     return all;
 }

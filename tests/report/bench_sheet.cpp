@@ -161,7 +161,7 @@ std::vector<Bench> sheet_benches() {
     for (std::size_t side : {256, 1024}) all.push_back(by_each_kernels(side, 3, Way::alternating_half));
     all.push_back(by_each_kernels(256, 3, Way::coupled_half));
     for (cd_precision precision : {CD_FLOAT32, CD_FLOAT64}) all.push_back(still_beside_lively(128, precision));
-    for (std::size_t side : {10, 32, 100, 316, 1000, 3162}) all.push_back(at_any_size(side, 1));
+    for (std::size_t side : {2, 10, 32, 100, 316, 1000, 3162}) all.push_back(at_any_size(side, 1));
     return all;
 }
 

@@ -151,7 +151,7 @@ std::vector<Bench> water_benches() {
     for (Way way : {Way::water_linear, Way::water_advected}) all.push_back(by_each_kernels(256, way));
     all.push_back(by_each_kernels(1024, Way::water_linear));
     for (cd_precision precision : {CD_FLOAT32, CD_FLOAT64}) all.push_back(still_beside_lively(128, precision));
-    for (std::size_t side : {10, 32, 100, 316, 1000, 3162}) all.push_back(at_any_size(side));
+    for (std::size_t side : {2, 10, 32, 100, 316, 1000, 3162}) all.push_back(at_any_size(side));
     return all;
 }
 

@@ -128,24 +128,31 @@ static struct gain highest_of_kinds(const struct way* way, double courant, int s
 /* Courant numbers are for a metre of depth. A closed form of what is kept exists for water all wet and small waves only
  * (see the seiches). Advected momentum makes what a face between a wet cell and one that just turned wet has more of
  * than its gate had; linear momentum what its equations make, and beyond that nothing where lambda damps. Lambda 1/2
- * and explicit steps make some ten-thousandths of their own; in long steps there is no balance to compare
- * with, as depths change in them as much as they are. */
+ * and explicit steps make some ten-thousandths of their own; in long steps there is no balance to compare with, as
+ * depths change in them as much as they are. */
 static void no_energy_is_made_but_by_linear_momentum_that_deepens(void** state) {
     (void)state;
-    static const double courants[] = {0.1, 0.3, 1, 3, 10, 100, 1000, 5000};
+    static const double courants[] = {0.1, 0.3, 0.5, 1, 3, 10, 100, 1000, 5000};
     static const double most[WAYS][COUNT(courants)] = {
-        [LINEAR] = {0.1, 0.1, 0.1},      [LINEAR_HALF] = {0.1, 0.1, 0.1},    [LINEAR_ONE] = {0.05, 0.02},
-        [ADVECTED] = {4e-3, 4e-3, 4e-3}, [LARGE_1] = {4e-3, 4e-3, 4e-3},     [LARGE_2] = {4e-3, 4e-3, 4e-3},
-        [LARGE_4] = {4e-3, 4e-3, 4e-3},  [COUPLED] = {0.1, 0.1, 0.1},        [COUPLED_ADVECTED] = {4e-3, 4e-3, 4e-3},
-        [EXPLICIT] = {0.1, 0.1},         [EXPLICIT_ADVECTED] = {4e-3, 4e-3},
+        [LINEAR] = {0.1, 0.1, 0.1, 0.1},
+        [LINEAR_HALF] = {0.1, 0.1, 0.1, 0.1},
+        [LINEAR_ONE] = {0.05, 0.02, 0.02},
+        [ADVECTED] = {4e-3, 4e-3, 4e-3, 4e-3},
+        [LARGE_1] = {4e-3, 4e-3, 4e-3, 4e-3},
+        [LARGE_2] = {4e-3, 4e-3, 4e-3, 4e-3},
+        [LARGE_4] = {4e-3, 4e-3, 4e-3, 4e-3},
+        [COUPLED] = {0.1, 0.1, 0.1, 0.1},
+        [COUPLED_ADVECTED] = {4e-3, 4e-3, 4e-3, 4e-3},
+        [EXPLICIT] = {0.1, 0.1},
+        [EXPLICIT_ADVECTED] = {4e-3, 4e-3},
     };
     /* of its own; 0 where not given, and in long steps of lambda 1/2 not looked at */
     static const double own[WAYS][COUNT(courants)] = {
-        [LINEAR_HALF] = {2e-4, 5e-4, 1e-2, 1, 1, 1, 1, 1},
+        [LINEAR_HALF] = {2e-4, 5e-4, 1e-3, 1e-2, 1, 1, 1, 1, 1},
         [EXPLICIT] = {1e-3, 5e-3},
     };
     /* of 60 beds some gain in the first long step of lambda 1/2 from rest: what comes to a face takes on its speed */
-    static const double from_rest[COUNT(courants)] = {0, 0, 0, 3e-3, 1e-2, 2e-2, 1e-4, 1e-5};
+    static const double from_rest[COUNT(courants)] = {0, 0, 0, 0, 3e-3, 1e-2, 2e-2, 1e-4, 1e-5};
     const int many = getenv("CD_LONG") != NULL;
     for (size_t k = 0; k < WAYS; ++k)
         for (size_t c = 0; c < COUNT(courants); ++c) {

@@ -9,6 +9,7 @@ extern "C" {
 #include "contdyn/base.h"
 #include "kernel/kernels.hh"
 #include "kernels.h"
+#include "random.hh"
 #include "solve/rod_line.hh"
 #include "solve/segment_line.hh"
 #include "solve/segment_rod.hh"
@@ -30,10 +31,7 @@ template <class T> struct State {
     explicit State(unsigned seed) {
         for (auto* field : {&position, &velocity})
             for (auto& row : *field)
-                for (T& number : row) {
-                    seed = seed * 1664525u + 1013904223u;
-                    number = T(double(seed >> 8) / double(1u << 24) - 0.5);
-                }
+                for (T& number : row) number = T(random_number(seed) - 0.5);
         position[3][5] = T(1e-30); // settles in float32
     }
     cd::Lines<T> lines() { return {kNodes, kLines, 3, position[0], velocity[0], nullptr, nullptr}; }

@@ -11,6 +11,7 @@ extern "C" {
 #include "kernel/advance.hh"
 #include "kernel/rod_sweep.hh"
 #include "kernel/spring_sweep.hh"
+#include "random.hh"
 #include "solve/ring_closure.hh"
 #include "solve/rod_line.hh"
 #include "solve/spring_line.hh"
@@ -26,11 +27,6 @@ struct Line {
     double spring(size_t i) const { return stiffness[i]; }
     double bend(size_t i) const { return turning[i]; }
 };
-
-double random_number(unsigned& seed) {
-    seed = seed * 1664525u + 1013904223u;
-    return double(seed >> 8) / double(1u << 24);
-}
 
 Line random_line(unsigned seed, double decades, bool bend) {
     Line line{};

@@ -6,6 +6,7 @@ extern "C" {
 
 #include "contdyn/base.h"
 #include "kernel/kernels.hh"
+#include "random.hh"
 #include "solve/ring_closure.hh"
 #include "solve/segment_line.hh"
 #include "solve/segment_rod.hh"
@@ -13,11 +14,6 @@ extern "C" {
 namespace {
 
 constexpr size_t kMost = 300, kMostLines = 4;
-
-double random_number(unsigned& seed) {
-    seed = seed * 1664525u + 1013904223u;
-    return double(seed >> 8) / double(1u << 24);
-}
 
 // One to four lines of one system, twice, [0] in the order of the nodes and [1] in segments.
 struct Scene {

@@ -9,15 +9,11 @@ extern "C" {
 #include <initializer_list>
 #include <vector>
 
+#include "random.hh"
 #include "solve/conjugate_gradients.hh"
 #include "solve/shared_lines.hh"
 
 namespace {
-
-double random_number(unsigned& seed) {
-    seed = seed * 1664525u + 1013904223u;
-    return double(seed >> 8) / double(1u << 24);
-}
 
 using Vector = std::vector<long double>;
 using Matrix = std::vector<Vector>;

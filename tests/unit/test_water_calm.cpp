@@ -5,20 +5,15 @@ extern "C" {
 }
 #include <string.h>
 
-#include <initializer_list>
 #include <vector>
 
 #include "kernel/water_calm.hh"
+#include "random.hh"
 
 namespace {
 
 constexpr size_t kLines = 19; // a bundle, and what is left of another
 constexpr int kN = 8;
-
-double random(unsigned& seed) {
-    seed = seed * 1664525u + 1013904223u;
-    return double(seed >> 8) / double(1u << 24);
-}
 
 struct Scene {
     double courant, bed, depth, speed;
@@ -47,9 +42,9 @@ template <class T> struct Own {
         for (size_t line = 0; line < kLines; ++line)
             for (size_t i = 0; i < cells; ++i) {
                 const size_t at = i * along + line * across;
-                bed[at] = T(scene.bed * random(seed));
-                depth[at] = T(scene.depth * (0.9 + 0.2 * random(seed)));
-                velocity[at] = T(i == 0 ? 0 : scene.speed * (random(seed) - 0.5));
+                bed[at] = T(scene.bed * random_number(seed));
+                depth[at] = T(scene.depth * (0.9 + 0.2 * random_number(seed)));
+                velocity[at] = T(i == 0 ? 0 : scene.speed * (random_number(seed) - 0.5));
             }
     }
     cd::WaterLines<T> lines() {
@@ -103,18 +98,13 @@ void calm_lines_step_to_the_same_bits(void**) {
 #endif
 }
 
-// One of some numbers, by chance.
-double any_of(std::initializer_list<double> numbers, unsigned& seed) {
-    return numbers.begin()[size_t(random(seed) * double(numbers.size()))];
-}
-
 // Short lines, all alike, in which often but one thing is not as calm water has it: none of what tells may be missing.
 template <class T> void check_what_tells() {
     size_t calm_ones = 0;
     const size_t scenes = 60000;
     for (unsigned k = 0; k < scenes; ++k) {
         unsigned seed = k * 2654435761u;
-        random(seed);
+        random_number(seed);
         const size_t cells = size_t(any_of({1, 2, 3, 4, 6}, seed));
         const double courant = any_of({0.02, 0.1, 0.3, 0.4, 0.5, 0.7, 0.9, 40}, seed),
                      swing = any_of({0.02, 0.5, 1}, seed);
@@ -123,8 +113,8 @@ template <class T> void check_what_tells() {
         Own<T> one({courant, 0, 1, 0}, cells, any_of({0.5, 0.55, 1}, seed), k % 2 == 0, 1);
         one.axis.drag = any_of({0, 0, 0.3, 3}, seed);
         for (size_t i = 0; i < cells; ++i) {
-            const double floor = bed * random(seed), speed = runs * (2 * random(seed) - 1);
-            const double depth = random(seed) < dry ? film : 1 - swing * random(seed);
+            const double floor = bed * random_number(seed), speed = runs * (2 * random_number(seed) - 1);
+            const double depth = random_number(seed) < dry ? film : 1 - swing * random_number(seed);
             for (size_t line = 0; line < kLines; ++line) {
                 const size_t at = i * one.along + line * one.across;
                 one.bed[at] = T(floor), one.depth[at] = T(depth), one.velocity[at] = T(i == 0 ? 0 : speed);
