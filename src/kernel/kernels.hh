@@ -91,7 +91,7 @@ template <class T> struct WaterKernels {
     void (*balance)(const WaterBeside<T>&, size_t, size_t);
     void (*look_beside)(const WaterBeside<T>&, size_t, size_t);
     void (*share)(const WaterCells&, const T*, double*, double*, size_t, size_t);
-    bool (*fill)(const WaterCells&, T*, double*, size_t, size_t);
+    bool (*fill)(const WaterCells&, T*, double*, double*, size_t, size_t);
     bool (*leap)(const WaterAxis*, const WaterGrid<T>&, double*, size_t, size_t);
     decltype(&CD_ISA::gather_loads) gather_loads;
     decltype(&CD_ISA::limit_water) limit;

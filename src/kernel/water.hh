@@ -103,6 +103,7 @@ template <class T> struct WaterBeside {
 
 // Along a row of cells that are filled at once, rounding is handed on in so many chains, whatever a register holds.
 constexpr size_t kRowChains = 8;
+inline bool can_take(double depth, double owed) { return depth + 2 * owed > 0 && depth > 0; } // see Rounding
 inline double sum_of_chains(const double* c) {
     return ((c[0] + c[1]) + (c[2] + c[3])) + ((c[4] + c[5]) + (c[6] + c[7]));
 }
@@ -143,13 +144,14 @@ template <class T> bool settle_water(const WaterAxis& axis, const WaterLines<T>&
 template <class T> void balance_water(const WaterBeside<T>& beside, size_t first, size_t count);
 template <class T> void look_beside(const WaterBeside<T>& beside, size_t first, size_t count);
 // Rows of cells. load = what transfers add; share: of what a cell is asked for, how much it can give, and tallies, per
-// row; transfers limited by that (faces: a row more than cells); depth = what is left, held = what was; false if a
-// number left the finite range.
+// row; transfers limited by that (faces: a row more than cells); depth = what is left, held = what was, owed = what
+// rounding took of each row that none of its cells could take; false if a number left the finite range.
 void gather_loads(const WaterCells& cells, double* load, size_t first, size_t count);
 template <class T>
 void share_water(const WaterCells& cells, const T* depth, double* share, double* tally, size_t first, size_t count);
 void limit_water(const WaterCells& cells, const double* share, size_t first, size_t count);
-template <class T> bool fill_water(const WaterCells& cells, T* depth, double* held, size_t first, size_t count);
+template <class T>
+bool fill_water(const WaterCells& cells, T* depth, double* held, double* owed, size_t first, size_t count);
 
 // An explicit step of calm water (water_leap.cpp), rows [first, first + count); axis: x and y; work: 16 rows of faces.
 // False: it is not calm, and the results are none.

@@ -217,12 +217,12 @@ static double exact_sum(std::initializer_list<double> terms) {
 }
 
 // What rounding takes from a cell another one of its row gets, kRowChains further; what is left of all the chains, the
-// last, or the last that can take it where cells pass on what they get. Every row has its own, so that it does not
-// matter which rows lie beside it.
-template <class T> bool fill_water(const WaterCells& w, T* depth, double* held, size_t first, size_t count) {
+// last, or the last that can take it where cells pass on what they get, and what none of them can take is kept in owed_by.
+// Every row has its own, so that it does not matter which rows lie beside it.
+template <class T>
+bool fill_water(const WaterCells& w, T* depth, double* held, double* owed_by, size_t first, size_t count) {
     double probe = 0; // NaN once a depth is too large
     const auto split = [](double a, double& in, double& out) { (a > 0 ? in : out) += a > 0 ? a : -a; };
-    const auto can_take = [](double d, double owed) { return d + 2 * owed > 0 && d > 0; }; // see Rounding
     const auto put = [&](T& d, double now, double& owed) {
         const bool takes = can_take(now, owed);
         const double exact = takes ? now + owed : now;
@@ -247,11 +247,12 @@ template <class T> bool fill_water(const WaterCells& w, T* depth, double* held, 
             put(row[i], now, own);
         }
         double rest = sum_of_chains(owed);
-        for (size_t i = w.columns - 1; rest != 0 && (w.passes || i + 1 == w.columns); --i) {
-            const bool takes = can_take(double(row[i]), rest);
-            if (takes) put(row[i], double(row[i]), rest);
-            if (takes || i == 0) break;
+        bool taken = false;
+        for (size_t i = w.columns; i-- > 0 && rest != 0 && !taken && (w.passes || i + 1 == w.columns);) {
+            taken = can_take(double(row[i]), rest);
+            if (taken) put(row[i], double(row[i]), rest);
         }
+        owed_by[j] = taken ? 0 : rest;
     }
     return probe == probe;
 }
@@ -264,7 +265,7 @@ template <class T> bool fill_water(const WaterCells& w, T* depth, double* held, 
     template void balance_water(const WaterBeside<T>&, size_t, size_t);                                              \
     template void look_beside(const WaterBeside<T>&, size_t, size_t);                                                \
     template void share_water(const WaterCells&, const T*, double*, double*, size_t, size_t);                        \
-    template bool fill_water(const WaterCells&, T*, double*, size_t, size_t);
+    template bool fill_water(const WaterCells&, T*, double*, double*, size_t, size_t);
 #if CD_WITH_FLOAT32
 CD_INSTANTIATE(float)
 #endif

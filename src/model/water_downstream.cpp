@@ -158,6 +158,22 @@ template <class T> bool WaterStepper<T>::settle_residual(const WaterCells& cells
     return enough;
 }
 
+// What rounding took of rows that now are empty, the next cell takes that can: many times a row's water may have gone
+// through it.
+template <class T> void WaterStepper<T>::hand_on(const double* owed) {
+    double rest = 0;
+    for (int turn = 0; turn < 2; ++turn)
+        for (size_t j = 0; j < w.cells[kY]; ++j) {
+            if (turn == 0) rest += owed[j];
+            T* const row = numbers<T>(w.depth) + j * w.pitch;
+            for (size_t i = 0; i < w.cells[kX] && rest != 0; ++i) {
+                if (!can_take(double(row[i]), rest)) continue;
+                row[i] = T(double(row[i]) + rest);
+                rest = 0;
+            }
+        }
+}
+
 // Momentum goes with the water: at a face, what was there mixes with what comes from the faces around it, at the speeds
 // that those end with. Along one axis after the other, as in short steps, would not do: a face may get its water from
 // one axis and give it to the other, many times what is there, and would make energy.
@@ -243,6 +259,7 @@ template <class T> void WaterStepper<T>::carry_at_once(const WaterCells& cells, 
 #define CD_INSTANTIATE(T)                                                    \
     template void WaterStepper<T>::hold_streams();                           \
     template bool WaterStepper<T>::settle_residual(const WaterCells& cells); \
+    template void WaterStepper<T>::hand_on(const double* owed);              \
     template void WaterStepper<T>::carry_at_once(const WaterCells& cells, Axis a);
 #if CD_WITH_FLOAT32
 CD_INSTANTIATE(float)

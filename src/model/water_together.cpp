@@ -207,9 +207,10 @@ template <class T> void WaterStepper<T>::step_together() {
         in_rows(w, rows + 1, [&](size_t first, size_t count) { kernels().limit(cells, share, first, count); });
     }
     in_rows(w, rows, [&](size_t first, size_t count) {
-        if (!kernels().fill(cells, numbers<T>(w.depth), work.held, first, count))
+        if (!kernels().fill(cells, numbers<T>(w.depth), work.held, work.tally, first, count))
             __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
     });
+    if (work.thins) hand_on(work.tally);
 
     for (Axis a : {kX, kY}) {
         along(a, kernels().keep);

@@ -162,6 +162,7 @@ template <class T> struct WaterStepper {
     // of its steps in which cells may run dry, water_downstream.cpp
     void hold_streams();
     bool settle_residual(const WaterCells& cells);
+    void hand_on(const double* owed);
     void carry_at_once(const WaterCells& cells, Axis a);
 };
 
