@@ -10,10 +10,11 @@ namespace CD_ISA {
 // those inside.
 template <int N> typename WaterLine<N>::FaceRange WaterLine<N>::measure_faces(const double* depths, double* out) const {
     const double share = wave() * axis.lambda;
+    const L most_wetting = L::splat(kLongStep / wave());
     L films{}, shallowest = L::splat(1e300), deepest{};
     const auto faces = [&](size_t i) {
         const size_t l = left_of(i);
-        return between_cells<N>(at(bed, l), at(bed, i), at(depths, l), at(depths, i));
+        return between_cells<N>(at(bed, l), at(bed, i), at(depths, l), at(depths, i), most_wetting);
     };
     for (size_t i = first_inside(); i < n; ++i) {
         const FaceLanes<N> f = faces(i);
@@ -49,7 +50,8 @@ template <int N> void WaterLine<N>::size_up(FaceRange depths) {
     ebbs = L::splat(kVeryLongStep) - wave() * depths.most;
     L fastest{};
     for (size_t i = first_inside(); i < n; ++i) fastest = larger(size_of(at(velocity, i)), fastest);
-    ahead = select(even, axis.courant * fastest - L::splat(0.25), L{});
+    const L swift = select(even, axis.courant * fastest - L::splat(0.25), L{});
+    ahead = axis.corrections > 1 ? swift : select(long_step, swift, one);
 }
 
 // Of a face on a side: the mean of the cell and of a column outside that stands on the cell's bed.
@@ -64,11 +66,12 @@ template <int N> Lanes<N> WaterLine<N>::end_depth(size_t i, const double* depths
 // spreads or closes up makes it (Lax and Wendroff 1960). Of both, since with one alone small waves on a current grow:
 // at lambda 1/2 by 1% a step where they cross 0.4 cells and the current 0.08. Where water runs further than a cell, its
 // face is as deep as the cell that gives, whose depth at the end of the step counts with a share that keeps this stable
-// at any speed. Not where depths differ much, as at shores; in long steps, and of linear momentum where water runs
-// further than a cell, nothing of what spreads; and where waves cross more than 4 cells streams only of advected
-// momentum in lines that are even: elsewhere they would make energy. Nor, of linear momentum in lines with a shore,
-// where water ebbs from a cell into a much deeper one: its velocity is not that of the water behind. Large steps look
-// into the newest depths instead, but where such a line streams.
+// at any speed; not where depths differ much, as at shores. In long steps only lines that are even look ahead, and at
+// nothing of what spreads, nor does linear momentum where water runs further than a cell; where waves cross more than 4
+// cells streams only of advected momentum in lines that are even: elsewhere they would make energy. Nor, of linear
+// momentum in lines with a shore, where water ebbs from a cell into a much deeper one: its velocity is not that of the
+// water behind. Large steps of two corrections and more look into the newest depths instead, as do long ones of one,
+// but where such a line streams.
 template <int N> void WaterLine<N>::look_ahead(const double* speeds) {
     L any{}, shore{};
     for (size_t i = 0; i < n && !axis.advected; ++i) shore = larger(shore, select(at(depth, i), L{}, L::splat(1)));
@@ -81,14 +84,13 @@ template <int N> void WaterLine<N>::look_ahead(const double* speeds) {
         const L cells = axis.courant * size_of(at(speeds, i)), far = cells - L::splat(1);
         later =
             select(larger(long_step, axis.advected ? L{} : far), later, later * within(L::splat(1) - spread, 0.5, 2));
-        const L alike = 2 * smaller(d_l, d_r) - larger(d_l, d_r);
         const L is_mean = select(size_of(h - mean), L{}, smaller(smaller(d_l, d_r), ahead));
         const L ebb = smaller(shore, smaller(at(speeds, i) * (d_r - d_l), -akin(d_l, d_r)));
-        const L looks = select(ebb, L{}, select(long_step, smaller(is_mean, alike), is_mean));
+        const L looks = select(ebb, L{}, select(long_step, smaller(is_mean, even), is_mean));
         put(face, i, select(looks, later, h));
-        const L runs = smaller(alike, far);
+        const L alike = 2 * smaller(d_l, d_r) - larger(d_l, d_r);
         const L steady = smaller(calm, wave() * larger(d_l, d_r) - L::splat(16));
-        const L streams_here = select(steady, L{}, smaller(is_mean, runs));
+        const L streams_here = select(steady, L{}, smaller(is_mean, smaller(alike, far)));
         put(share, i, select(streams_here, L::splat(1) - L::splat(1) / cells, L{}));
         any = larger(any, streams_here);
     }

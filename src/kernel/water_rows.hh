@@ -140,17 +140,21 @@ template <int N> inline Lanes<N> critical_depth(Lanes<N> q, double gravity) {
 
 // How deep a face may be.
 template <int N> struct FaceLanes {
-    Lanes<N> mean; // of the cells where both are wet, else the gate
+    Lanes<N> mean; // of the cells where both are wet, else the gate, or more
     Lanes<N> gate; // how far the water stands over the higher bed
     Lanes<N> drop; // of the surface, where it is a film
     Lanes<N> film; // > 0 where the higher bed is wet above the lower one's surface
 };
-template <int N> inline FaceLanes<N> between_cells(Lanes<N> bed_l, Lanes<N> bed_r, Lanes<N> d_l, Lanes<N> d_r) {
+// Water that stands over a dry bed beside it wets it in the step: there the mean counts, too, where it is more than
+// the gate. Not of water deeper than `most`, whose waves cross too many cells in a step.
+template <int N>
+inline FaceLanes<N> between_cells(Lanes<N> bed_l, Lanes<N> bed_r, Lanes<N> d_l, Lanes<N> d_r, Lanes<N> most) {
     using L = Lanes<N>;
     const L rise = bed_l - bed_r, both = smaller(d_l, d_r);
     const L high = select(rise, d_l, d_r), reach = select(rise, d_r - rise, d_l + rise); // over the higher bed
-    const L gate = larger(high, reach);
-    return {select(both, 0.5 * (d_l + d_r), gate), gate, high - reach, select(both, -reach, L{})};
+    const L gate = larger(high, reach), mean = 0.5 * (d_l + d_r);
+    const L wets = smaller(gate, most - larger(d_l, d_r));
+    return {select(both, mean, select(wets, larger(gate, mean), gate)), gate, high - reach, select(both, -reach, L{})};
 }
 
 // ---- dry faces ------------------------------------------------------------------------------------------------------

@@ -32,7 +32,7 @@ void water_keeps_up_with_its_plan() {
         const std::string what =
             row.at("method") + " " + row.at("corrections") + ", " + row.at("cells") + " cells, " + row.at("step");
         ++rows;
-        expect(real(row, "error") < 1.15 * real(row, "planned_error"), what + " errs more than planned");
+        expect(real(row, "error") < 1.05 * real(row, "planned_error"), what + " errs more than planned");
         expect(std::fabs(real(row, "volume_error")) < 1e-13, what + " changes the volume");
         if (real(row, "corrections") > 0)
             expect(real(row, "held_back_over_volume") < 1e-15, what + ": large steps hold water back");
