@@ -26,13 +26,14 @@
  *
  * Waves do not limit the step, and where they cross more than two and a half cells in it, the surface of a line, by
  * CD_SOLVER_COUPLED of all the water, is solved for such that no depth comes out negative. Streams may limit it: where
- * water runs further than a cell in a step, |u| dt > dx, and waves do not outrun it, ripples on it grow, with lambda =
- * 1/2 and waves that cross two cells or more from a fifth of that on. Not so, swept in turn and advected, while waves
- * cross at most 4 cells, nor, in steps of any length, along lines in which depths differ by a tenth at most. Explicit
- * and coupled steps hold such a stream back to a cell a step, coupled ones not where waves cross 16 times its cells.
- * Slower streams, too, let ripples grow in steps in which waves cross 2.5 to some ten cells, a hundred times or more in
- * a thousand steps at a fifth of a cell a step: with lambda = 1/2 and less than 2 corrections, not with 0.55. In
- * explicit steps of advected momentum ripples grow on any current where waves cross 0.4 cells or more.
+ * water runs further than a cell in a step, |u| dt / dx + |v| dt / dy > 1, and waves do not outrun it, ripples on it
+ * grow. Not so, swept in turn and advected, while waves cross at most 4 cells, nor, in steps of any length, along lines
+ * in which depths differ by a tenth at most. Explicit and coupled steps hold such a stream back to a cell a step,
+ * coupled ones not where waves cross 16 times its cells.
+ * Slower streams, too, let ripples grow, in a thousand steps, with a stream of a fifth of a cell a step: coupled ones of
+ * advected momentum a thousand times where waves cross 2.5 to some ten cells, and of linear momentum with lambda = 1/2
+ * twenty times where waves cross 1 to 2.5; neither with lambda = 0.55. In explicit steps of advected momentum ripples
+ * grow on any current where waves cross 0.4 cells or more.
  *
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
  * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.

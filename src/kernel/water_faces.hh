@@ -51,7 +51,7 @@ template <int N> void WaterLine<N>::size_up(FaceRange depths) {
     L fastest{};
     for (size_t i = first_inside(); i < n; ++i) fastest = larger(size_of(at(velocity, i)), fastest);
     const L swift = select(even, axis.courant * fastest - L::splat(0.25), L{});
-    ahead = axis.corrections > 1 ? swift : select(long_step, swift, one);
+    ahead = axis.corrections > 1 ? swift : one;
 }
 
 // Of a face on a side: the mean of the cell and of a column outside that stands on the cell's bed.
@@ -66,12 +66,14 @@ template <int N> Lanes<N> WaterLine<N>::end_depth(size_t i, const double* depths
 // spreads or closes up makes it (Lax and Wendroff 1960). Of both, since with one alone small waves on a current grow:
 // at lambda 1/2 by 1% a step where they cross 0.4 cells and the current 0.08. Where water runs further than a cell, its
 // face is as deep as the cell that gives, whose depth at the end of the step counts with a share that keeps this stable
-// at any speed; not where depths differ much, as at shores. In long steps only lines that are even look ahead, and at
-// nothing of what spreads, nor does linear momentum where water runs further than a cell; where waves cross more than 4
-// cells streams only of advected momentum in lines that are even: elsewhere they would make energy. Nor, of linear
-// momentum in lines with a shore, where water ebbs from a cell into a much deeper one: its velocity is not that of the
-// water behind. Large steps of two corrections and more look into the newest depths instead, as do long ones of one,
-// but where such a line streams.
+// at any speed; not where depths differ much, as at shores, and of linear momentum at nothing of what spreads.
+// In long steps what comes and spreads cannot be told from velocities before the step. Where depths in the line differ
+// little, a face there is as deep as the mean of the cells, and counts half of their change (Crank and Nicolson 1947):
+// then a step keeps the energy of small waves on a current, whatever they cross, and what carries velocities only takes
+// from it. Uneven lines do not look ahead in long steps; and from 4 cells on nothing streams but advected momentum in
+// even lines: it would make energy. Nor does linear momentum look ahead in lines with a shore where water ebbs from a
+// cell into a much deeper one: its velocity is not that of the water behind. Large steps of two corrections and more
+// look into the newest depths instead, but where an even line streams.
 template <int N> void WaterLine<N>::look_ahead(const double* speeds) {
     L any{}, shore{};
     for (size_t i = 0; i < n && !axis.advected; ++i) shore = larger(shore, select(at(depth, i), L{}, L::splat(1)));
@@ -87,12 +89,14 @@ template <int N> void WaterLine<N>::look_ahead(const double* speeds) {
         const L is_mean = select(size_of(h - mean), L{}, smaller(smaller(d_l, d_r), ahead));
         const L ebb = smaller(shore, smaller(at(speeds, i) * (d_r - d_l), -akin(d_l, d_r)));
         const L looks = select(ebb, L{}, select(long_step, smaller(is_mean, even), is_mean));
-        put(face, i, select(looks, later, h));
+        const L centred = alone ? smaller(smaller(is_mean, even), smaller(long_step, -far)) : L{};
+        put(face, i, select(centred, h, select(looks, later, h)));
         const L alike = 2 * smaller(d_l, d_r) - larger(d_l, d_r);
         const L steady = smaller(calm, wave() * larger(d_l, d_r) - L::splat(16));
         const L streams_here = select(steady, L{}, smaller(is_mean, smaller(alike, far)));
-        put(share, i, select(streams_here, L::splat(1) - L::splat(1) / cells, L{}));
-        any = larger(any, streams_here);
+        const L of_giver = select(streams_here, L::splat(1) - L::splat(1) / cells, L{});
+        put(share, i, select(centred, L::splat(-0.5), of_giver));
+        any = larger(any, larger(centred, streams_here));
     }
     close(face);
     streams = any_positive(any);

@@ -82,11 +82,12 @@ template <int N> struct WaterLine {
     L gives(size_t i) const { return larger(thins, select(at(guess, i), at(depth, left_of(i)), at(depth, i))); }
     void look_late();
     void solve_surface();
-    // What a stream carries of the change of the cell that gives.
+    // What a stream carries of the change of the cell that gives, or, where its share is below 0, of the mean of both.
     L streamed(size_t i) const {
         if (!streams) return L{};
         const L k = at(stream, i);
-        return k * select(k, at(x, left_of(i)), at(x, i));
+        const L x_l = at(x, left_of(i)), x_r = at(x, i);
+        return k * select(-at(share, i), 0.5 * (x_l + x_r), select(k, x_l, x_r));
     }
     void move_faces() const;
     void hold_inflow() const;

@@ -34,7 +34,11 @@ template <int N> void WaterLine<N>::guess_faces() const {
         for (double* panel : {gain, spring, transfer}) put(panel, i, select(gives(i), at(panel, i), L{}));
         if (!streams) continue;
         const L speed = axis.lambda * at(guess, i) + (1 - axis.lambda) * at(velocity, i);
-        put(stream, i, axis.courant * (at(share, i) * speed));
+        // The mean of both cells is the one that gives, less half of what it has more: that comes off the spring.
+        const L part = at(share, i), k = axis.courant * (size_of(part) * speed), stiff = at(spring, i);
+        const L eased = select(-part, stiff - 0.5 * size_of(k), stiff);
+        put(stream, i, select(-eased, L{}, k));
+        put(spring, i, select(-eased, stiff, eased));
     }
     for (double* panel : {guess, gain, spring}) close(panel);
     if (streams) close(stream);
