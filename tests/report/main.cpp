@@ -20,7 +20,7 @@ const char* const kUsage =
     "usage: contdyn_report [--out DIR] [--only PART[,PART...]] [--short | --full] [--csv] [--sizes FILE]\n"
     "  --out DIR     where to write index.html and the CSV files; default: report\n"
     "  --only PARTS  of: chain,membrane,water,notes,library\n"
-    "  --short       coarse, half a minute; default: four or five minutes; --full: nothing scaled up, hours\n"
+    "  --short       coarse, half a minute; default: four or five minutes; --full: an hour or two\n"
     "  --csv         no page\n"
     "  --sizes FILE  what the target library_sizes wrote; default: library_sizes.csv\n";
 
