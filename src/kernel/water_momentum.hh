@@ -97,7 +97,8 @@ template <int N> void WaterLine<N>::slow_held_back(size_t i) const {
     const size_t l = left_of(i);
     const L w = at(guess, i), went = at(transfer, i);
     const L moves = axis.courant * at(face, i), now = axis.lambda * w, then = (1 - axis.lambda) * at(velocity, i);
-    const L wanted = moves * (now + then) + streamed(i), noise = 0x1p-40 * (moves * (size_of(now) + size_of(then)));
+    const L more = streamed(i), wanted = moves * (now + then) + more;
+    const L noise = 0x1p-40 * (moves * (size_of(now) + size_of(then)) + size_of(more));
     const L held_back = (size_of(wanted) - size_of(went)) - noise;
     L goes_on = w * positive(went / wanted);
     if (axis.advected) {

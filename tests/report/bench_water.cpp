@@ -73,14 +73,16 @@ Bench explicit_beside_copy(std::size_t side) {
 }
 
 // Calm water, beside the same water on the way that all water can go: where there may be walls inside.
-Bench calm_beside_any(std::size_t side, Way way) {
-    const std::string name = name_of(way == Way::water_explicit ? "any.explicit" : "any.linear", side);
+// Implicit steps: of so many frames, 0.5 cells that waves cross in each.
+Bench calm_beside_any(std::size_t side, Way way, double frames = 1) {
+    const std::string kind = way == Way::water_explicit ? "explicit" : frames > 1 ? "linear.long" : "linear";
+    const std::string name = name_of(("any." + kind).c_str(), side);
     return {name, [=] {
                 Case it{name, side * side, {}};
                 for (cd_precision precision : {CD_FLOAT32, CD_FLOAT64})
                     for (bool walls : {false, true}) {
-                        const auto pool = pool_of(side, precision, 1, way);
-                        double dt = kFrame;
+                        const auto pool = pool_of(side, precision, frames > 1 ? 0.5 : 1, way);
+                        double dt = frames * kFrame;
                         if (way == Way::water_explicit) check(cd_water_stable_dt(pool->get(), &dt)), dt *= 0.7;
                         if (walls) pool->enable(CD_WALL_X), pool->enable(CD_WALL_Y);
                         const std::string subject = std::string(walls ? "any " : "calm ") + report::name_of(precision);
@@ -147,6 +149,7 @@ std::vector<Bench> water_benches() {
                               implicit_beside_textbook(2048, "12 times the textbook")};
     for (std::size_t side : {256, 1024, 2048}) all.push_back(explicit_beside_copy(side));
     for (Way way : {Way::water_linear, Way::water_explicit}) all.push_back(calm_beside_any(256, way));
+    all.push_back(calm_beside_any(256, Way::water_linear, 40));
     all.push_back(shared_by_threads(1024));
     for (Way way : {Way::water_linear, Way::water_advected}) all.push_back(by_each_kernels(256, way));
     all.push_back(by_each_kernels(1024, Way::water_linear));
