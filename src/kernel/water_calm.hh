@@ -91,30 +91,27 @@ template <int N, class T> class CalmLines {
 
     double wave() const { return axis.gravity * axis.courant * axis.courant; }
 
-    // How long a step is, and in long ones whether depths differ little, see WaterLine::look_ahead.
-    enum class Length { kShort, kEven, kUneven, kMixed };
-
     const Rows bed = rows(lines.bed, n), depth = rows(lines.depth, n), velocity = rows(lines.velocity, n + 1);
 
-    // Of all lines alike. Where the first cells are shallow it is not asked for: lines that get deep are not calm then.
-    Length length() const {
+    // Whether the step is long for all lines alike, and what part of a change of depth faces then count: half where
+    // depths in the line differ little (see WaterLine::look_ahead). Where the first cells are shallow it is not asked
+    // for: lines that get deep are not calm then.
+    bool is_long(L& part) const {
         const L one = L::splat(1), first = depth[0];
-        if (!any_positive(wave() * first - L::splat(kLongStep / 2))) return Length::kShort;
+        if (!any_positive(wave() * first - L::splat(kLongStep / 2))) return false;
         L least = L::splat(1e300), most{}, d = first;
         for (size_t i = 1; i < n; ++i) {
             const L d_r = depth[i], mean = 0.5 * (d + d_r);
             least = smaller(mean, least), most = larger(mean, most);
             d = d_r;
         }
-        const L even = 1.1 * least - most, is_long = wave() * most - L::splat(kLongStep);
-        const auto all = [&](L a) { return !any_positive(select(a, L{}, one)); };
-        if (!all(is_long)) return Length::kShort;
-        return all(even) ? Length::kEven : any_positive(even) ? Length::kMixed : Length::kUneven;
+        part = select(1.1 * least - most, L::splat(0.5), L{});
+        return !any_positive(select(wave() * most - L::splat(kLongStep), L{}, one));
     }
 
     // Faces as they will be if the surface stays as it is, and the elimination (see solve_rows). shallowest: the least
     // depth of a cell, in long steps as its surface and its bed tell it. False: not calm.
-    template <Length length> bool go_right(Extreme& shallowest) const {
+    template <bool kLong> bool go_right(L part, Extreme& shallowest) const {
         const Rows bed = this->bed, depth = this->depth, velocity = this->velocity; // which nothing that is written is
         Found* const found = this->found;
         const size_t last = n - 1;
@@ -123,14 +120,12 @@ template <int N, class T> class CalmLines {
         const L one = L::splat(1), gain = friction.push * L::splat(wave_gain * lambda);
         L b = bed[0], d = depth[0], l{}, to_l{}, from_l{}, y{}, own = one, inverse = one;
         L u_l{}, u = velocity[1];
-        const auto stands = [](L b, L d) { return length == Length::kShort ? d : (b + d) - b; };
+        const auto stands = [](L b, L d) { return kLong ? (b + d) - b : d; };
         Extreme clearance = least_of(one), deepest{}, fastest{};
         shallowest = least_of(stands(b, d));
         // The face behind a cell: its spring, what it moves, and what it carries of changes.
         const auto eliminate = [&](size_t i, L spring, L through, L stream) {
-            const bool streams = length == Length::kEven;
-            const L r = streams ? spring + positive(-stream) : spring,
-                    to_r = streams ? spring + positive(stream) : spring;
+            const L r = kLong ? spring + positive(-stream) : spring, to_r = kLong ? spring + positive(stream) : spring;
             const L behind = (to_l * own) * inverse;
             own = one + behind;
             inverse = one / ((one + to_r) + behind);
@@ -141,7 +136,7 @@ template <int N, class T> class CalmLines {
         };
         const auto wild = [&] {
             const Extreme unit = least_of(one), closed = larger(-clearance, select(shallowest, Extreme{}, unit));
-            const Extreme too_long = length == Length::kShort ? wave() * deepest - kLongStep * unit : Extreme{};
+            const Extreme too_long = kLong ? Extreme{} : wave() * deepest - kLongStep * unit;
             return any_positive(larger(closed, larger(too_long, fastest - unit)));
         };
         for (size_t i = 0; i < last; ++i) {
@@ -151,13 +146,13 @@ template <int N, class T> class CalmLines {
             clearance = smaller(least_of(smaller(d_r + up, d - up)), clearance);
             fastest = larger(largest_of(size_of(cells)), fastest);
             const L spread = (0.25 * courant) * (u_r - u_l);
-            const L h = length == Length::kShort ? (mean - 0.5 * (cells * more)) * (one - spread) : mean;
+            const L h = kLong ? mean : (mean - 0.5 * (cells * more)) * (one - spread);
             const L w = friction.keep * u - friction.push * (wave_gain * (up + more));
             h.store(found[i + 1].face);
             w.store(found[i + 1].guess);
-            const L speed = lambda * w + (1 - lambda) * u, stream = courant * (0.5 * speed);
+            const L speed = lambda * w + (1 - lambda) * u, stream = courant * (part * speed);
             L spring = (courant * lambda) * (gain * h);
-            if (length == Length::kEven) {
+            if (kLong) {
                 spring = spring - 0.5 * size_of(stream);
                 clearance = smaller(least_of(spring), clearance);
             }
@@ -170,8 +165,7 @@ template <int N, class T> class CalmLines {
     }
 
     // The surface, what it moves, and what is left of it in cells and on faces. False: not calm.
-    template <Length length> bool go_left(Extreme shallowest_before) const {
-        constexpr bool is_long = length != Length::kShort;
+    template <bool kLong> bool go_left(L part, Extreme shallowest_before) const {
         const Rows depth = this->depth, velocity = this->velocity;
         const Found* const found = this->found;
         T *const after = this->after, *const keeps = this->keeps;
@@ -194,20 +188,19 @@ template <int N, class T> class CalmLines {
             shallowest = smaller(least_of(stored), shallowest);
             stored.store(after + i * N);
             out = in, back = back_in;
-            if (is_long) solved = smaller(least_of(depth[i] + x), solved);
+            if (kLong) solved = smaller(least_of(depth[i] + x), solved);
         };
         for (size_t i = n - 1; i > 0; --i) {
             const L x_r = x, u = velocity[i], x_l = L::load(found[i - 1].change) + L::load(found[i - 1].pull) * x_r;
             const L guess = L::load(found[i].guess), w = guess - gain * (x_r - x_l), h = L::load(found[i].face);
             const L now = lambda * w, then = (1 - lambda) * u;
             L speed = now + then;
-            if (is_long) speed = select(size_of(speed) - 0x1p-40 * (size_of(now) + size_of(then)), speed, none);
+            if (kLong) speed = select(size_of(speed) - 0x1p-40 * (size_of(now) + size_of(then)), speed, none);
             L through = courant * (h * speed);
-            if (length == Length::kEven) {
-                const L k = courant * (0.5 * (lambda * guess + then));
-                through = through + k * (0.5 * (x_l + x_r));
+            if (kLong) {
+                through = through + (courant * (part * (lambda * guess + then))) * (0.5 * (x_l + x_r));
+                most_moved = larger(largest_of(size_of(through)), most_moved);
             }
-            if (is_long) most_moved = larger(largest_of(size_of(through)), most_moved);
             const L kept = settled(w, double(Limits<T>::least));
             fastest = larger(largest_of(size_of(kept)), fastest);
             kept.store(keeps + i * N);
@@ -220,7 +213,7 @@ template <int N, class T> class CalmLines {
         const Extreme least = larger(16 * most_owed, least_of(L::splat(double(Limits<T>::least))));
         const Extreme most = least_of(L::splat(kMost)), one = least_of(L::splat(1));
         Extreme strange = larger(least - shallowest, larger(deepest, fastest) - most);
-        if (is_long) {
+        if (kLong) {
             // A cell drops out of the solve, or so much leaves it that the limiter's rounding counts; see bound_speeds.
             const Extreme dry = select(solved, Extreme{}, one), drained = 0x1p-30 * (deepest + most_moved) - shallowest;
             const Extreme falls = fastest * fastest - axis.gravity * shallowest_before;
@@ -261,17 +254,10 @@ public:
 
     // Makes the step if all of the lines are calm, else leaves them as they are.
     bool step() const {
-        const auto go = [&](auto length) {
-            Extreme shallowest;
-            return go_right<length()>(shallowest) && go_left<length()>(shallowest);
-        };
-        bool calm = false;
-        switch (length()) {
-        case Length::kShort: calm = go(std::integral_constant<Length, Length::kShort>()); break;
-        case Length::kEven: calm = go(std::integral_constant<Length, Length::kEven>()); break;
-        case Length::kUneven: calm = go(std::integral_constant<Length, Length::kUneven>()); break;
-        case Length::kMixed: break;
-        }
+        L part{};
+        Extreme shallowest;
+        const bool calm = is_long(part) ? go_right<true>(part, shallowest) && go_left<true>(part, shallowest)
+                                        : go_right<false>(part, shallowest) && go_left<false>(part, shallowest);
         if (!calm) return false;
         put_back(after, n, lines.depth);
         put_back(keeps, n + 1, lines.velocity);

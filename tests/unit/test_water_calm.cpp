@@ -154,7 +154,6 @@ template <class T> void check_left_alone() {
                       {"films above their neighbours", {0.1, 3, 1, 0}},
                       {"streams", {0.1, 0, 1, 60}},
                       {"streams in long steps", {2, 0, 1, 3}},
-                      {"long steps of lines that are even and of some that are not", {1, 0, 1, 0, 0.12}},
                       {"long steps and shorter ones", {1, 0, 0.9, 0, 0.01, -0.1}}};
     for (const auto& w : wild)
         for (bool along : {false, true}) {
