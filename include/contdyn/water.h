@@ -41,11 +41,11 @@
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
  * mode, of which shores are steep, take a little more than 1/2. Linear water gains energy where it deepens under a
  * velocity, h_t u^2 / 2 which its equations do not take away again: at random shores some hundredths in all, and beyond
- * that nothing with lambda above 1/2. Advected water gains some thousandths, in very short steps up to 0.014, where it
- * comes over a sill. Steps in which waves cross three cells to five thousand made none at the random shores that were
- * tried. Of explicit steps velocities lag half a step behind the surface, and the energy sways by that. In steps too
- * long for waves or water to stay within a cell, no water is let run faster than a fall from the highest head of its
- * line would make it.
+ * that nothing with lambda above 1/2. Advected water gains some thousandths where it comes over a sill. Steps in which
+ * waves cross three cells to five thousand made none at the random shores that were tried, but for some hundredths in
+ * linear ones of lambda = 1/2 from rest. Of explicit steps velocities lag half a step behind the surface, and the energy
+ * sways by that. In steps too long for waves or water to stay within a cell, no water is let run faster than a fall from
+ * the highest head of its line would make it.
  *
  * All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
  * Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them.

@@ -179,7 +179,7 @@ static void very_short_steps_make_no_energy_either(void** state) {
     (void)state;
     static const int which[] = {ADVECTED, LARGE_1, LARGE_2, LARGE_4, COUPLED_ADVECTED, EXPLICIT_ADVECTED};
     for (size_t k = 0; k < COUNT(which); ++k)
-        assert_true(highest_of_kinds(&ways[which[k]], 0.01, 1000, 9).made <= 0.015);
+        assert_true(highest_of_kinds(&ways[which[k]], 0.01, 1000, 9).made <= 0.0025);
 }
 
 /* A film that springs up there runs down a slope and falls into a lake, which rises to the slope's foot: the lake stays
