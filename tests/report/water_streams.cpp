@@ -123,8 +123,9 @@ void add_streams(Report& report, Atlas& atlas) {
         AtlasCase chart{"water", "stream", method(way), precisions().front(), run, courant, {}, {}};
         chart.practice = [way](double u, double c) { return stream(method(way), precisions().front(), u, c); };
         chart.theory = [](double, double) { return Expected({Fate::bounded, Fate::damped}); };
-        chart.finding = [](double u, double) -> std::string {
-            return u >= 0.1 ? "the stream runs further than a tenth of a cell in a step (see water.h)" : "";
+        chart.finding = [way](double u, double) -> std::string {
+            if (way == Way::water_half) return u >= 0.4 ? "lambda = 1/2, and the stream runs 0.4 cells or more" : "";
+            return u >= 0.7 ? "the stream runs 0.7 cells or more in a step (see water.h)" : "";
         };
         maps.push_back(atlas.add(chart));
     }
@@ -132,8 +133,8 @@ void add_streams(Report& report, Atlas& atlas) {
                        "Streams are where a step is limited after all. Water runs round a ring of " +
                            std::to_string(kCells) + " cells with ripples of " + number(kRipple, 1) +
                            " of its depth. The equations let ripples run and never grow; steps do not either while "
-                           "the stream runs through less than a part of a cell in one, at any speed of waves. Crosses "
-                           "are where ripples grow.",
+                           "the stream runs through less than 0.7 of a cell in one, 0.4 with linear λ = 1/2, at any "
+                           "speed of waves. Crosses are where ripples grow.",
                        300);
 }
 
