@@ -124,7 +124,7 @@ void add_streams(Report& report, Atlas& atlas) {
         chart.practice = [way](double u, double c) { return stream(method(way), precisions().front(), u, c); };
         chart.theory = [](double, double) { return Expected({Fate::bounded, Fate::damped}); };
         chart.finding = [way](double u, double) -> std::string {
-            if (way == Way::water_half) return u >= 0.4 ? "lambda = 1/2, and the stream runs 0.4 cells or more" : "";
+            if (way == Way::water_half) return u >= 0.4 ? "the stream runs 0.4 cells or more and lambda is 1/2" : "";
             return u >= 0.7 ? "the stream runs 0.7 cells or more in a step (see water.h)" : "";
         };
         maps.push_back(atlas.add(chart));
