@@ -30,10 +30,11 @@
  * grow. Not so, swept in turn and advected, while waves cross at most 4 cells, nor, in steps of any length, along lines
  * in which depths differ by a tenth at most. Explicit and coupled steps hold such a stream back to a cell a step,
  * coupled ones not where waves cross 16 times its cells.
- * Slower streams, too, let ripples grow, in a thousand steps, with a stream of a fifth of a cell a step: coupled ones of
- * advected momentum a thousand times where waves cross 2.5 to some ten cells, and of linear momentum with lambda = 1/2
- * twenty times where waves cross 1 to 2.5; neither with lambda = 0.55. In explicit steps of advected momentum ripples
- * grow on any current where waves cross 0.4 cells or more.
+ *
+ * Slower streams, too, let ripples grow: in a thousand steps, on a stream of a fifth of a cell a step, coupled steps of
+ * advected momentum a thousand times where waves cross 2.5 to some ten cells, and steps of linear momentum with
+ * lambda = 1/2 twenty times where waves cross 1 to 2.5; neither with lambda = 0.55. In explicit steps of advected
+ * momentum ripples grow on any current where waves cross 0.4 cells or more.
  *
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
  * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.
@@ -43,9 +44,9 @@
  * velocity, h_t u^2 / 2 which its equations do not take away again: at random shores some hundredths in all, and beyond
  * that nothing with lambda above 1/2. Advected water gains some thousandths where it comes over a sill. Steps in which
  * waves cross three cells to five thousand made none at the random shores that were tried, but for some hundredths in
- * linear ones of lambda = 1/2 from rest. Of explicit steps velocities lag half a step behind the surface, and the energy
- * sways by that. In steps too long for waves or water to stay within a cell, no water is let run faster than a fall from
- * the highest head of its line would make it.
+ * linear ones of lambda = 1/2 from rest. Of explicit steps velocities lag half a step behind the surface, and the
+ * energy sways by that. In steps too long for waves or water to stay within a cell, no water is let run faster than a
+ * fall from the highest head of its line would make it.
  *
  * All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
  * Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them.

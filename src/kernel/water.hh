@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "kernel/lanes.hh"
+#include "kernel/lines.hh"
 
 namespace cd {
 
@@ -103,9 +104,18 @@ template <class T> struct WaterBeside {
 
 // Along a row of cells that are filled at once, rounding is handed on in so many chains, whatever a register holds.
 constexpr size_t kRowChains = 8;
-inline bool can_take(double depth, double owed) { return depth + 2 * owed > 0 && depth > 0; } // see Rounding
-inline double sum_of_chains(const double* c) {
+static inline double sum_of_chains(const double* c) {
     return ((c[0] + c[1]) + (c[2] + c[3])) + ((c[4] + c[5]) + (c[6] + c[7]));
+}
+static inline bool can_take(double depth, double owed) { return depth + 2 * owed > 0 && depth > 0; } // see Rounding
+
+// A depth as it will be stored, with what rounding has taken of others if it can take that; what is left is owed.
+template <class T> static inline T stored_depth(double now, double& owed) {
+    const bool takes = can_take(now, owed);
+    const double exact = takes ? now + owed : now;
+    const T stored = T(exact < double(Limits<T>::least) ? 0 : exact);
+    owed = (takes ? 0 : owed) + (exact - double(stored));
+    return stored;
 }
 
 // A water's cells, what of it an explicit step needs, and where its results go, laid out like the state.

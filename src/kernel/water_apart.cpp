@@ -217,18 +217,15 @@ static double exact_sum(std::initializer_list<double> terms) {
 }
 
 // What rounding takes from a cell another one of its row gets, kRowChains further; what is left of all the chains, the
-// last, or the last that can take it where cells pass on what they get, and what none of them can take is kept in owed_by.
-// Every row has its own, so that it does not matter which rows lie beside it.
+// last, or the last that can take it where cells pass on what they get, and what none of them can take is kept in
+// owed_by. Every row has its own, so that it does not matter which rows lie beside it.
 template <class T>
 bool fill_water(const WaterCells& w, T* depth, double* held, double* owed_by, size_t first, size_t count) {
     double probe = 0; // NaN once a depth is too large
     const auto split = [](double a, double& in, double& out) { (a > 0 ? in : out) += a > 0 ? a : -a; };
     const auto put = [&](T& d, double now, double& owed) {
-        const bool takes = can_take(now, owed);
-        const double exact = takes ? now + owed : now;
-        probe += 0.0 * (Limits<T>::to_overflow * exact);
-        d = T(exact < double(Limits<T>::least) ? 0 : exact);
-        owed = (takes ? 0 : owed) + (exact - double(d));
+        d = stored_depth<T>(now, owed);
+        probe += 0.0 * double(d);
     };
     for (size_t j = first; j < first + count; ++j) {
         const double *const x = w.transfer[0] + j * w.pitch, *const y = w.transfer[1] + j * w.pitch;

@@ -42,7 +42,7 @@ template <int N> typename WaterLine<N>::FaceRange WaterLine<N>::measure_faces(co
 template <int N> void WaterLine<N>::size_up(FaceRange depths) {
     const L one = L::splat(1);
     long_step = select(wave() * depths.most - L::splat(kLongStep), one, L{});
-    even = 1.1 * depths.least - depths.most;
+    even = even_depths(depths.least, depths.most);
     const L large_step = select(wave() * depths.most - L::splat(kShortStep), one, L{});
     if (alone) thins = axis.corrections > 0 ? large_step : long_step;
     ahead = one;

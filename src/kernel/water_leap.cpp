@@ -19,7 +19,8 @@ template <int N> struct Seen {
     L shallowest = L::splat(1e300), clearance = L::splat(1), deepest{}, fastest{}, most_owed{}, overdrawn{}, probe{};
 };
 
-// What a row of faces moves before it is known what leaves cells the other way: the cells that water crosses, its depth.
+// What a row of faces moves before it is known what leaves cells the other way: the cells that water crosses, and its
+// depth.
 struct Flow {
     double *cells, *depth;
 };

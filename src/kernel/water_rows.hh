@@ -157,6 +157,9 @@ inline FaceLanes<N> between_cells(Lanes<N> bed_l, Lanes<N> bed_r, Lanes<N> d_l, 
     return {select(both, mean, select(wets, larger(gate, mean), gate)), gate, high - reach, select(both, -reach, L{})};
 }
 
+// > 0 where faces differ in depth by less than a tenth.
+template <int N> inline Lanes<N> even_depths(Lanes<N> least, Lanes<N> most) { return 1.1 * least - most; }
+
 // ---- dry faces ------------------------------------------------------------------------------------------------------
 
 constexpr double kFar = 1e300;

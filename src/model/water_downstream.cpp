@@ -168,7 +168,7 @@ template <class T> void WaterStepper<T>::hand_on(const double* owed) {
             T* const row = numbers<T>(w.depth) + j * w.pitch;
             for (size_t i = 0; i < w.cells[kX] && rest != 0; ++i) {
                 if (!can_take(double(row[i]), rest)) continue;
-                row[i] = T(double(row[i]) + rest);
+                row[i] = stored_depth<T>(double(row[i]), rest);
                 rest = 0;
             }
         }

@@ -64,8 +64,8 @@ static void nor_on_a_stream_that_runs_further_than_a_cell_in_a_step(void** state
     }
 }
 
-/* Coupled steps look ahead with the velocities before the step, since their system has to be symmetric: they want lambda
- * above 1/2, and a slower current. */
+/* Coupled steps look ahead with the velocities before the step, since their system has to be symmetric: they want
+ * lambda above 1/2, and a slower current. */
 static void nor_where_waves_cross_many_cells(void** state) {
     (void)state;
     static const double waves[] = {2.6, 5, 12, 100};

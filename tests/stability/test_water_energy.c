@@ -173,6 +173,12 @@ static void shorter_linear_steps_make_no_more_of_their_own(void** state) {
             assert_true(highest_of_kinds(&ways[which[k]], courants[c], (int)(30 / courants[c]), 9).own <= 5e-4);
 }
 
+/* A face that wets counts the mean of its cells in short steps only: one bed of sixty tells. */
+static void large_steps_make_none_at_any_of_sixty_shores(void** state) {
+    (void)state;
+    assert_true(highest_of_kinds(&ways[LARGE_2], 10, 101, 60).made <= 0);
+}
+
 /* Films that run dry in a step must not drag others after them: it took steps a hundred times shorter than waves need
  * for a cell to make 40 times the energy of that. */
 static void very_short_steps_make_no_energy_either(void** state) {
@@ -302,6 +308,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_energy_is_made_but_by_linear_momentum_that_deepens),
         cmocka_unit_test(shorter_linear_steps_make_no_more_of_their_own),
+        cmocka_unit_test(large_steps_make_none_at_any_of_sixty_shores),
         cmocka_unit_test(very_short_steps_make_no_energy_either),
         cmocka_unit_test(a_film_does_not_throw_the_lake_that_it_falls_into),
         cmocka_unit_test(coupled_steps_of_any_length_do_not_heap_water_up),
