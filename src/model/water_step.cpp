@@ -128,7 +128,7 @@ template <class T> struct Stepper : WaterStepper<T> {
         if (axis.advected) this->carry(a);
     }
 
-    // What rounding takes from a cell the next one gets, line by line: small sources are not lost on deep water.
+    // What rounding takes from a cell the next wet one gets, line by line: small sources are not lost on deep water.
     void add_sources() {
         Sum in, out;
         const Axis along = Axis(w.first);
@@ -140,11 +140,7 @@ template <class T> struct Stepper : WaterStepper<T> {
                 if (source == 0 || !present(w, i, j)) continue;
                 const double added = dt * source > -d ? dt * source : -d, now = d + added;
                 (added > 0 ? in : out).add(added > 0 ? added : -added);
-                const bool takes = now + owed > 0;
-                const double exact = takes ? now + owed : now;
-                const T stored = T(exact < Limits<T>::least ? 0 : exact);
-                owed = (takes ? 0 : owed) + (exact - double(stored));
-                numbers<T>(w.depth)[at] = stored;
+                numbers<T>(w.depth)[at] = stored_depth<T>(now, owed);
             }
         }
         w.account.in += in.value() * cell_area(w);

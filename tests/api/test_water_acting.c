@@ -211,6 +211,19 @@ static void a_drain_takes_what_is_there_and_no_more(void** state) {
     }
 }
 
+/* What float32 rounds off a source is handed on, to cells that are wet: on dry land it would be a film. */
+static void rounding_of_a_source_does_not_wet_a_drain(void** state) {
+    (void)state;
+    cd_water* w = lake(CD_FLOAT32, 0.25);
+    ok(cd_water_set_gravity(w, 0));
+    ok(cd_water_enable_field(w, CD_SOURCE));
+    pool_set(w, CD_SOURCE, 2, 3, 1e-9);
+    pool_set(w, CD_SOURCE, 3, 3, -1), pool_set(w, CD_DEPTH, 3, 3, 0);
+    ok(cd_water_step(w, 1, 1));
+    assert_true(pool_get(w, CD_DEPTH, 2, 3) == 0.25 && pool_get(w, CD_DEPTH, 3, 3) == 0);
+    cd_water_destroy(w);
+}
+
 /* ---- splashes ---- */
 
 static void a_splash_heaps_up_around_what_it_digs_out_and_keeps_the_volume(void** state) {
@@ -370,6 +383,7 @@ int main(void) {
         cmocka_unit_test(many_small_volumes_are_accounted_for_in_both_precisions),
         cmocka_unit_test(a_source_is_added_to_the_field_and_runs_until_it_is_overwritten),
         cmocka_unit_test(a_drain_takes_what_is_there_and_no_more),
+        cmocka_unit_test(rounding_of_a_source_does_not_wet_a_drain),
         cmocka_unit_test(a_splash_heaps_up_around_what_it_digs_out_and_keeps_the_volume),
         cmocka_unit_test(a_splash_without_wet_cells_around_does_nothing),
         cmocka_unit_test(a_splash_that_would_overflow_is_refused),

@@ -54,23 +54,23 @@
 {10, 17, 1, {0xd1930fc623f587a6, 0xcf9e66c1fe8c4e5f}}, /* masked */
 {10, 16, 7, {0xca1324d2682113a4, 0xde4f96126f5224f1}}, /* masked */
 {10, 2, 16, {0xfb68608aad196062, 0xc42d27e79b853a16}}, /* masked */
-{11, 13, 9, {0x32c6ec718a79c060, 0x79b5fe74b61d7e34}}, /* fed */
-{11, 1, 17, {0xba9900da2d99ac87, 0xf645b15456187a73}}, /* fed */
-{11, 17, 1, {0xb16cc26a83b1a3b9, 0x2ce5692190f751c3}}, /* fed */
-{11, 16, 7, {0xef9f231e593d75fb, 0x668a1eb13b61c79a}}, /* fed */
-{11, 2, 16, {0xf06e78b5f10726ff, 0x0e2a86146326657c}}, /* fed */
-{12, 13, 9, {0xf5a9081543b137a9, 0x6ffc06ceebf47b84}}, /* everything */
+{11, 13, 9, {0x92f32cab51e5e6bc, 0x79b5fe74b61d7e34}}, /* fed */
+{11, 1, 17, {0x8311c49f761a9884, 0xf645b15456187a73}}, /* fed */
+{11, 17, 1, {0xb49c5da940634d3b, 0x2ce5692190f751c3}}, /* fed */
+{11, 16, 7, {0xc7c434003e2dd180, 0x668a1eb13b61c79a}}, /* fed */
+{11, 2, 16, {0x6b3812828372aba8, 0x0e2a86146326657c}}, /* fed */
+{12, 13, 9, {0x0645e2d9a6ce4c02, 0x6ffc06ceebf47b84}}, /* everything */
 {12, 1, 17, {0x9c50f54440557269, 0xfeda4329d94b5569}}, /* everything */
-{12, 17, 1, {0x960bd298a74992e2, 0x3c37946aadd27fd9}}, /* everything */
-{12, 16, 7, {0x6686d6b011757e27, 0x95ebfe2b5d5e3ff7}}, /* everything */
-{12, 2, 16, {0x8550756aab2e0522, 0xc74eb4cea6894d97}}, /* everything */
-{13, 13, 9, {0xa2447ad1f3d0de76, 0x9af26bfd45d3bbf4}}, /* everything, large steps */
+{12, 17, 1, {0xdb6a82aea9645f9f, 0x3c37946aadd27fd9}}, /* everything */
+{12, 16, 7, {0xb09291b555858ab5, 0x95ebfe2b5d5e3ff7}}, /* everything */
+{12, 2, 16, {0x8d80784ed9c6cf50, 0xc74eb4cea6894d97}}, /* everything */
+{13, 13, 9, {0x3d8f398d296cd5c3, 0x9af26bfd45d3bbf4}}, /* everything, large steps */
 {13, 1, 17, {0xf3334b807475432f, 0x60678702380e1f68}}, /* everything, large steps */
-{13, 17, 1, {0x7ffa921700bce2d4, 0x2ee15cf27baac901}}, /* everything, large steps */
-{13, 16, 7, {0x5706c0273c8e3f02, 0x028e2c1198cb580f}}, /* everything, large steps */
-{13, 2, 16, {0xae6dfd9e43712021, 0xe527082762746975}}, /* everything, large steps */
-{14, 13, 9, {0xbbd7c9bbbcd801ee, 0x6878a0104f270a55}}, /* everything, coupled */
+{13, 17, 1, {0xa9c3bdd78c4a7247, 0x2ee15cf27baac901}}, /* everything, large steps */
+{13, 16, 7, {0xfd2e643e487aa3ca, 0x028e2c1198cb580f}}, /* everything, large steps */
+{13, 2, 16, {0xec58ab825586676a, 0xe527082762746975}}, /* everything, large steps */
+{14, 13, 9, {0x151858a3c72fed45, 0x6878a0104f270a55}}, /* everything, coupled */
 {14, 1, 17, {0x4d7396dc4243b54b, 0x4dd3363c73346a09}}, /* everything, coupled */
-{14, 17, 1, {0x31a3de2ee092f7e6, 0x30c1661adc756d5f}}, /* everything, coupled */
-{14, 16, 7, {0x8515b20d22129143, 0xaf4b55689f64106e}}, /* everything, coupled */
-{14, 2, 16, {0x83910543084ac78f, 0x962a065178d32f7b}}, /* everything, coupled */
+{14, 17, 1, {0x42d0515824313a62, 0x30c1661adc756d5f}}, /* everything, coupled */
+{14, 16, 7, {0x4ca0ae15bbb403db, 0xaf4b55689f64106e}}, /* everything, coupled */
+{14, 2, 16, {0x00238079915903bb, 0x962a065178d32f7b}}, /* everything, coupled */
