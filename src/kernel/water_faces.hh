@@ -54,12 +54,22 @@ template <int N> void WaterLine<N>::size_up(FaceRange depths) {
     ahead = axis.corrections > 1 ? swift : one;
 }
 
-// Of a face on a side: the mean of the cell and of a column outside that stands on the cell's bed.
+// Of a face on a side: the mean of the cell and of a column outside that stands on the cell's bed, but that of the cell
+// where a stream rushes out.
 template <int N> Lanes<N> WaterLine<N>::end_depth(size_t i, const double* depths) const {
     const WaterEnd& end = axis.end[i == 0 ? 0 : 1];
     if (end.kind != End::kOpen) return L{};
     const size_t cell = i == 0 ? 0 : n - 1;
-    return opening(i) * (0.5 * (at(depths, cell) + outside(end, cell)));
+    const L d = at(depths, cell);
+    return opening(i) * select(rushes_out(i), d, 0.5 * (d + outside(end, cell)));
+}
+
+// > 0: a stream leaves an open side for less deep water, faster than its waves: nothing outside can tell it to stop.
+template <int N> Lanes<N> WaterLine<N>::rushes_out(size_t i) const {
+    if (!axis.advected) return L{};
+    const size_t cell = i == 0 ? 0 : n - 1;
+    const L d = at(depth, cell), inside = inside_end(i), out = positive(i == 0 ? -inside : inside);
+    return smaller(out * out - axis.gravity * d, d - outside(axis.end[i == 0 ? 0 : 1], cell));
 }
 
 // Between wet cells, a face is as deep in the middle of the step as the water that comes to it by then, and as what
@@ -78,11 +88,14 @@ template <int N> void WaterLine<N>::look_ahead(const double* speeds) {
     L any{}, shore{};
     for (size_t i = 0; i < n && !axis.advected; ++i) shore = larger(shore, select(at(depth, i), L{}, L::splat(1)));
     const L calm = axis.advected ? select(even, L{}, long_step) : long_step; // > 0: waves outrun what streams
+    const auto beside = [&](size_t i, size_t far) { // an end that lets water through has none that spreads
+        return at(speeds, !ring && (far == 0 || far == n) && axis.end[far ? 1 : 0].kind != End::kWall ? i : far);
+    };
     for (size_t i = first_inside(); i < n; ++i) {
         const size_t l = left_of(i), far_l = ring ? l : i - 1;
         const L d_l = at(depth, l), d_r = at(depth, i), h = at(face, i), mean = 0.5 * (d_l + d_r);
         L later = h - 0.5 * (within(axis.courant * at(speeds, i), -1, 1) * (d_r - d_l));
-        const L spread = (0.25 * axis.courant) * (at(speeds, i + 1) - at(speeds, far_l));
+        const L spread = (0.25 * axis.courant) * (beside(i, i + 1) - beside(i, far_l));
         const L cells = axis.courant * size_of(at(speeds, i)), far = cells - L::splat(1);
         later =
             select(larger(long_step, axis.advected ? L{} : far), later, later * within(L::splat(1) - spread, 0.5, 2));
@@ -97,6 +110,13 @@ template <int N> void WaterLine<N>::look_ahead(const double* speeds) {
         const L of_giver = select(streams_here, L::splat(1) - L::splat(1) / cells, L{});
         put(share, i, select(centred, L::splat(-0.5), of_giver));
         any = larger(any, larger(centred, streams_here));
+    }
+    for (size_t i : {size_t(0), n}) { // of the depth of an open side half is its cell's, or all where water rushes out
+        if (ring || axis.end[i ? 1 : 0].kind != End::kOpen) continue;
+        const L u = at(speeds, i), cells = axis.courant * (i == 0 ? -u : u), far = cells - L::splat(1);
+        const L of_cell = select(rushes_out(i), L::splat(1), L::splat(0.5));
+        put(share, i, select(far, of_cell * (L::splat(1) - L::splat(1) / cells), L{}));
+        any = larger(any, far);
     }
     close(face);
     streams = any_positive(any);

@@ -69,6 +69,8 @@ template <int N> struct WaterLine {
     FaceRange measure_faces(const double* depths, double* out) const;
     void size_up(FaceRange depths);
     L end_depth(size_t i, const double* depths) const;
+    L rushes_out(size_t i) const;
+    L inside_end(size_t i) const { return at(velocity, i == 0 ? 1 : n - 1); }
     void look_ahead(const double* speeds);
     void rest_if_dry(size_t i) const;
     void carry_to_dry_faces(const double* depths, const double* cells, double* velocities) const;
@@ -78,6 +80,8 @@ template <int N> struct WaterLine {
     void guess_face(size_t i, L slope, double wave_gain, L drag) const;
     void guess_faces() const;
     void guess_end(size_t i, double wave_gain, L drag) const;
+    // Of the step, before its surface is known.
+    L mean_speed(size_t i) const { return axis.lambda * at(guess, i) + (1 - axis.lambda) * at(velocity, i); }
     // > 0: what a face gives has water, but where a cell may get what it gives within the step.
     L gives(size_t i) const { return larger(thins, select(at(guess, i), at(depth, left_of(i)), at(depth, i))); }
     void look_late();
@@ -86,7 +90,7 @@ template <int N> struct WaterLine {
     L streamed(size_t i) const {
         if (!streams) return L{};
         const L k = at(stream, i);
-        const L x_l = at(x, left_of(i)), x_r = at(x, i);
+        const L x_l = at(x, i > 0 || ring ? left_of(i) : i), x_r = at(x, i < n ? i : i - 1);
         return k * select(-at(share, i), 0.5 * (x_l + x_r), select(k, x_l, x_r));
     }
     void move_faces() const;

@@ -86,7 +86,8 @@ template <int N> void WaterLine<N>::set_inflow_velocity(size_t i) const {
     if (ring || end.kind != End::kInflow) return;
     const L q = (1 / axis.courant) * at(transfer, i);
     const L critical = critical_depth(q, axis.gravity);
-    const L h = larger(at(depth, i == 0 ? 0 : n - 1), critical);
+    const size_t cell = i == 0 ? 0 : n - 1;
+    const L h = larger(0.5 * (at(depth, cell) + at(after, cell)), critical);
     put(guess, i, select(h, q / h, L{}));
 }
 

@@ -33,7 +33,7 @@ template <int N> void WaterLine<N>::guess_faces() const {
         guess_face(i, slope, wave_gain, drag);
         for (double* panel : {gain, spring, transfer}) put(panel, i, select(gives(i), at(panel, i), L{}));
         if (!streams) continue;
-        const L speed = axis.lambda * at(guess, i) + (1 - axis.lambda) * at(velocity, i);
+        const L speed = mean_speed(i);
         // The mean of both cells is the one that gives, less half of what it has more: that comes off the spring.
         const L part = at(share, i), k = axis.courant * (size_of(part) * speed), stiff = at(spring, i);
         const L eased = select(-part, stiff - 0.5 * size_of(k), stiff);
@@ -57,15 +57,22 @@ template <int N> void WaterLine<N>::look_late() {
 }
 
 // On an open side the surface half a cell further stands at the level outside plus what a wave that leaves with the
-// face's velocity u carries, u sqrt(depth / g): a drag on it, and a spring to the outside.
+// face's velocity u carries, u sqrt(depth / g): a drag on it, and a spring to the outside. What rushes out goes on as
+// fast as it comes.
 template <int N> void WaterLine<N>::guess_end(size_t i, double wave_gain, L drag) const {
     const WaterEnd& end = axis.end[i == 0 ? 0 : 1];
     const size_t cell = i == 0 ? 0 : n - 1;
-    for (double* panel : {guess, gain, spring, transfer}) put(panel, i, L{});
+    for (double* panel : {guess, gain, spring, transfer, stream}) put(panel, i, L{});
     if (end.kind == End::kOpen) {
         const L rise = at(depth, cell) - outside(end, cell), h = at(face, i);
         const L slope = (2 * wave_gain) * (i == 0 ? rise : -rise);
         guess_face(i, slope, 2 * wave_gain, drag + (2 * axis.courant) * root(axis.gravity * h));
+        const L rushes = rushes_out(i);
+        put(guess, i, select(rushes, inside_end(i), at(guess, i)));
+        for (double* panel : {gain, spring}) put(panel, i, select(rushes, L{}, at(panel, i)));
+        put(transfer, i, select(rushes, axis.courant * (h * mean_speed(i)), at(transfer, i)));
+        const L out = positive((i == 0 ? -1.0 : 1.0) * mean_speed(i)), k = axis.courant * (at(share, i) * out);
+        if (streams) put(stream, i, i == 0 ? -k : k);
     } else if (end.kind == End::kInflow) {
         const L in = end.discharge * opening(i);
         put(transfer, i, i == 0 ? in : -in);
@@ -79,6 +86,8 @@ template <int N> void WaterLine<N>::solve_surface() {
         const bool has_l = ring || i > 0, has_r = ring || i + 1 < n;
         if (!has_l) ground = ground + l;
         if (!has_r) ground = ground + r;
+        if (streams && !has_l) ground = ground - at(stream, i);
+        if (streams && !has_r) ground = ground + at(stream, i + 1);
         RowLanes<N> row{ground, has_l ? l : none, has_r ? r : none, has_l ? l : none, has_r ? r : none, load};
         if (streams && has_l) {
             const L k = at(stream, i);
@@ -141,8 +150,11 @@ template <int N> void WaterLine<N>::move_faces() const {
         const L still = at(transfer, i); // not even the sign of a zero changes where nothing streams
         put(transfer, i, select(size_of(at(stream, i)), still + streamed(i), still));
     }
-    if (!ring && axis.end[0].kind == End::kOpen) finish(0, at(x, 0));
-    if (!ring && axis.end[1].kind == End::kOpen) finish(n, -at(x, n - 1));
+    for (size_t i : {size_t(0), n}) {
+        if (ring || axis.end[i ? 1 : 0].kind != End::kOpen) continue;
+        finish(i, i == 0 ? at(x, 0) : -at(x, n - 1));
+        if (streams) put(transfer, i, at(transfer, i) + streamed(i));
+    }
     close(guess);
     close_transfers();
     hold_inflow();

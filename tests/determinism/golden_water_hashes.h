@@ -34,16 +34,16 @@
 {6, 17, 1, {0x0cc6a528235d039d, 0x41bf44197de7885e}}, /* forward */
 {6, 16, 7, {0x1aabafa5d7a91b9f, 0x89051dceaa9ec6ac}}, /* forward */
 {6, 2, 16, {0x356441ec03349452, 0x66af0de1f9fb2791}}, /* forward */
-{7, 13, 9, {0xf15017c422260b41, 0xd6e85df30bf3bf5b}}, /* tide */
+{7, 13, 9, {0x19eaa8403716fe0b, 0xe6735b91b051866f}}, /* tide */
 {7, 1, 17, {0x4701924f40b9686e, 0x8dbab2d48b87d419}}, /* tide */
-{7, 17, 1, {0x69952fc988c4d0d8, 0xbbed9f41c3892542}}, /* tide */
-{7, 16, 7, {0xe4214201dbf7ea9c, 0x3f840c48a08ae1d8}}, /* tide */
-{7, 2, 16, {0xb49ec55205cb93c7, 0xf319dd319580caf9}}, /* tide */
-{8, 13, 9, {0x8af59ea035c1c7b7, 0x945b4d6a83edd136}}, /* river */
-{8, 1, 17, {0x271678daea4b8910, 0x49f9922e74d13b3c}}, /* river */
-{8, 17, 1, {0xf52e9dd42f58882a, 0x3fe5e9bbb45affb2}}, /* river */
-{8, 16, 7, {0x6f1b33235a3c0fd3, 0x19300fb58d51c17f}}, /* river */
-{8, 2, 16, {0x1cd71a70d3ca5caa, 0xcf11177c4019f5a7}}, /* river */
+{7, 17, 1, {0x426bd570f77fd3c8, 0x9c6aaf52dcf8e0e8}}, /* tide */
+{7, 16, 7, {0x1020c2e5b2be70fc, 0x907333948faa2355}}, /* tide */
+{7, 2, 16, {0x79adc20509d6b359, 0x241cba492c8b6954}}, /* tide */
+{8, 13, 9, {0xbac5cbe5cc263b0f, 0x0a376b161527ac28}}, /* river */
+{8, 1, 17, {0x709d66eddaf0b1a4, 0x0831a6ab4bf77afb}}, /* river */
+{8, 17, 1, {0xb155b9ed3bc3ccdd, 0xd55a4d3497b3b288}}, /* river */
+{8, 16, 7, {0x0ad1c89c108bc61d, 0x350cd7627f8ed7a0}}, /* river */
+{8, 2, 16, {0xb5af4ee3fdb3dfa4, 0xc6511228586eabb3}}, /* river */
 {9, 13, 9, {0x644e289ae36b86d4, 0x5c45fa80fc7c2b41}}, /* torus */
 {9, 1, 17, {0x3e2bd7cd1976a460, 0x0a55d8e1e5d8382f}}, /* torus */
 {9, 17, 1, {0x8a31d22521c236a7, 0xaf981787110e622b}}, /* torus */
@@ -59,18 +59,18 @@
 {11, 17, 1, {0xb49c5da940634d3b, 0x2ce5692190f751c3}}, /* fed */
 {11, 16, 7, {0xc7c434003e2dd180, 0x668a1eb13b61c79a}}, /* fed */
 {11, 2, 16, {0x6b3812828372aba8, 0x0e2a86146326657c}}, /* fed */
-{12, 13, 9, {0x0645e2d9a6ce4c02, 0x6ffc06ceebf47b84}}, /* everything */
-{12, 1, 17, {0x9c50f54440557269, 0xfeda4329d94b5569}}, /* everything */
-{12, 17, 1, {0xdb6a82aea9645f9f, 0x3c37946aadd27fd9}}, /* everything */
-{12, 16, 7, {0xb09291b555858ab5, 0x95ebfe2b5d5e3ff7}}, /* everything */
-{12, 2, 16, {0x8d80784ed9c6cf50, 0xc74eb4cea6894d97}}, /* everything */
-{13, 13, 9, {0x3d8f398d296cd5c3, 0x9af26bfd45d3bbf4}}, /* everything, large steps */
-{13, 1, 17, {0xf3334b807475432f, 0x60678702380e1f68}}, /* everything, large steps */
-{13, 17, 1, {0xa9c3bdd78c4a7247, 0x2ee15cf27baac901}}, /* everything, large steps */
-{13, 16, 7, {0xfd2e643e487aa3ca, 0x028e2c1198cb580f}}, /* everything, large steps */
-{13, 2, 16, {0xec58ab825586676a, 0xe527082762746975}}, /* everything, large steps */
-{14, 13, 9, {0x151858a3c72fed45, 0x6878a0104f270a55}}, /* everything, coupled */
-{14, 1, 17, {0x4d7396dc4243b54b, 0x4dd3363c73346a09}}, /* everything, coupled */
-{14, 17, 1, {0x42d0515824313a62, 0x30c1661adc756d5f}}, /* everything, coupled */
-{14, 16, 7, {0x4ca0ae15bbb403db, 0xaf4b55689f64106e}}, /* everything, coupled */
-{14, 2, 16, {0x00238079915903bb, 0x962a065178d32f7b}}, /* everything, coupled */
+{12, 13, 9, {0x484d3779540becef, 0xd88e8392bb3e8c7d}}, /* everything */
+{12, 1, 17, {0x18d4b79a496325a0, 0x8fc36e2b63904131}}, /* everything */
+{12, 17, 1, {0x7b4b3fb3781f3699, 0xf5baa5a10b5a080a}}, /* everything */
+{12, 16, 7, {0x2d6d400ed1be4591, 0xac0ff08902695f19}}, /* everything */
+{12, 2, 16, {0x5e121513d2ed84fe, 0xac859dcdcd6fa594}}, /* everything */
+{13, 13, 9, {0x91e9e3d9c130293b, 0x360fca1f7e6782b2}}, /* everything, large steps */
+{13, 1, 17, {0xd7e610a00ace7979, 0xdd124040e6c712d0}}, /* everything, large steps */
+{13, 17, 1, {0xc61030336cd11ee0, 0xe169742e9b960ed0}}, /* everything, large steps */
+{13, 16, 7, {0xd8154bd5f78c8e13, 0xf66350c4b2f19089}}, /* everything, large steps */
+{13, 2, 16, {0x463e5c3baf962ec3, 0x6b66ee4665760273}}, /* everything, large steps */
+{14, 13, 9, {0xaa3d38d630753206, 0x648da175dde23be9}}, /* everything, coupled */
+{14, 1, 17, {0x35deb650ee2b7e6f, 0x816383a44c258082}}, /* everything, coupled */
+{14, 17, 1, {0xee6763b85c807677, 0x32fdcbe166462cec}}, /* everything, coupled */
+{14, 16, 7, {0x7d6dc6e0f654421c, 0x5d923b300d5f6035}}, /* everything, coupled */
+{14, 2, 16, {0x0971d348d3f04bb6, 0xefa5b416488749c0}}, /* everything, coupled */
