@@ -15,6 +15,28 @@ inline const char* field_name(cd_field field) {
     return names[field];
 }
 
+// What numbers a field takes, in words.
+inline const char* field_takes(cd_field field) {
+    switch (field) {
+    case CD_MASS: return "numbers from 1e-60 to 1e60";
+    case CD_STIFFNESS: return "0 to 1e60, or infinity";
+    case CD_BEND:
+    case CD_STIFFNESS_U:
+    case CD_STIFFNESS_V: return "0 to 1e60";
+    case CD_PIN: return "values of cd_node that may stand there";
+    case CD_MASK:
+    case CD_WALL_X:
+    case CD_WALL_Y: return "0 and 1";
+    case CD_VELOCITY: return "what is finite in the object's precision, and only 0 of pinned or absent nodes";
+    case CD_VELOCITY_X:
+    case CD_VELOCITY_Y: return "what is finite in the object's precision, and only 0 of faces that no water can cross";
+    case CD_DEPTH: return "what is finite in the object's precision, from 0 on, and only 0 of absent cells";
+    case CD_BED:
+    case CD_SURFACE: return "what is finite in the object's precision, and leaves depths so";
+    default: return "what is finite in the object's precision";
+    }
+}
+
 // object: its name in the names of its functions
 inline cd_status must_be_on(const char* function, const char* object, cd_field field, bool on) {
     if (on) return CD_OK;
@@ -70,8 +92,8 @@ cd_status write_part(const char* function, X& x, const Part& part, const S* valu
         if (bad == SIZE_MAX && !part.valid(x, place, double(values[at]))) bad = at;
     });
     if (bad != SIZE_MAX)
-        return fail(CD_ERROR_VALUE, function, "values[%zu] is %g, not valid in %s", bad, double(values[bad]),
-                    field_name(part.field));
+        return fail(CD_ERROR_VALUE, function, "values[%zu] is %g: %s takes %s", bad, double(values[bad]),
+                    field_name(part.field), field_takes(part.field));
     CD_CHECK(part.check_all(function, x, values));
     part.each(x, [&](size_t at, const auto& place) { part.set(x, place, double(values[at])); });
     part.written(x);

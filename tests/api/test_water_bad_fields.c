@@ -165,7 +165,7 @@ static void an_absent_cell_takes_no_depth(void** state) {
     const double zero = 0, some = 0.25;
     const float some32 = 0.25f;
     pool_set(w, CD_MASK, 2, 2, 0);
-    refuses(w, cd_water_write_f64(w, CD_DEPTH, 2, 2, 1, 1, &some, 1), CD_ERROR_VALUE, "values|0|0.25");
+    refuses(w, cd_water_write_f64(w, CD_DEPTH, 2, 2, 1, 1, &some, 1), CD_ERROR_VALUE, "values|0|0.25|only 0 of absent");
     refuses(w, cd_water_write_f32(w, CD_DEPTH, 2, 2, 1, 1, &some32, 1), CD_ERROR_VALUE, "values|0|0.25");
     ok(cd_water_write_f64(w, CD_DEPTH, 2, 2, 1, 1, &zero, 1));
     ok(cd_water_write_f64(w, CD_SURFACE, 2, 2, 1, 1, &some, 1)); /* nothing changes */
@@ -188,7 +188,8 @@ static void a_closed_face_takes_no_velocity(void** state) {
             if (why == 2) pool_set(water, CD_MASK, i - (along_y ? 0 : 1), j - (along_y ? 1 : 0), 0);
             if (why >= 3) *(along_y ? &j : &i) = why == 3 ? 0 : along_y ? NY : NX; /* sides that are walls */
             const double zero = 0, minus_zero = -0.0, some = -0.25;
-            refuses(water, cd_water_write_f64(water, velocity, i, j, 1, 1, &some, 1), CD_ERROR_VALUE, "values|0|-0.25");
+            refuses(water, cd_water_write_f64(water, velocity, i, j, 1, 1, &some, 1), CD_ERROR_VALUE,
+                    "values|0|-0.25|only 0 of faces that no water can cross");
             ok(cd_water_write_f64(water, velocity, i, j, 1, 1, &zero, 1));
             ok(cd_water_write_f64(water, velocity, i, j, 1, 1, &minus_zero, 1));
             ok(cd_water_write_f64(water, velocity, 4, 3, 1, 1, &some, 1));
@@ -206,7 +207,7 @@ static void what_overflows_in_the_waters_precision_is_refused(void** state) {
         const cd_field f = numbers[i];
         const size_t x = f == CD_VELOCITY_X, y = f == CD_VELOCITY_Y;
         ok(cd_water_enable_field(one, f));
-        refuses(one, cd_water_write_f64(one, f, x, y, 1, 1, &huge, 1), CD_ERROR_VALUE, "values|1e+300");
+        refuses(one, cd_water_write_f64(one, f, x, y, 1, 1, &huge, 1), CD_ERROR_VALUE, "values|1e+300|precision");
         refuses(one, cd_water_write_f64(one, f, x, y, 1, 1, &beyond, 1), CD_ERROR_VALUE, "values");
         ok(cd_water_write_f64(one, f, x, y, 1, 1, &most, 1));
         assert_true(pool_get(one, f, x, y) == most);
