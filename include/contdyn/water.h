@@ -193,8 +193,9 @@ CD_API cd_status cd_water_get_manning(const cd_water* water, double* out_manning
 
 /* What is at a side. `value` now, and how fast it changes, `rate` per second, from now on:
  *   CD_BORDER_OPEN     level of the water outside [m]: a tide is its level and rate, set anew as it goes. Where it is
- *                      below the bed, water falls off the side. Water h deep leaves with the speed u at which it
- *                      stands u sqrt(h / g) higher than outside; advected, and faster than its waves, as it comes.
+ *                      below the bed, water falls off the side. Water leaves with the speed u at which it stands
+ *                      u sqrt(h / g) higher than outside, h the mean of both depths over the bed of the cell;
+ *                      advected, and faster than its waves, as it comes.
  *   CD_BORDER_INFLOW   discharge per metre of the side [m^2/s] into the water
  *   CD_BORDER_WALL, CD_BORDER_PERIODIC   value and rate mean nothing
  * Both sides of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the

@@ -286,8 +286,10 @@ static void a_stream_over_a_bump_keeps_its_head(void** state) {
     static const char* const names[] = {"slow", "turns fast", "jumps back"};
     static const struct {
         int way;
-        double courant, most[3]; /* with 100 cells */
+        double courant, most[3]; /* with 100 cells; 0: not looked at, water runs further than waves in such steps */
     } rows[] = {{ADVECTED, 0.4, {1.7e-3, 3.2e-2, 1.5e-2}},
+                {ADVECTED, 8, {4.3e-3, 0, 0}},
+                {LARGE_2, 8, {4.3e-3, 0, 0}},
                 {ADVECTED, 2, {2.3e-3, 3.7e-2, 1.9e-2}},
                 {LARGE_2, 0.4, {1.7e-3, 3.2e-2, 1.5e-2}},
                 {COUPLED_ADVECTED, 0.4, {1.7e-3, 3.2e-2, 1.5e-2}},
@@ -295,11 +297,11 @@ static void a_stream_over_a_bump_keeps_its_head(void** state) {
     for (size_t r = 0; r < COUNT(rows); ++r)
         for (enum flow flow = SLOW; flow <= JUMPS_BACK; ++flow) {
             double before = INFINITY;
-            for (size_t n = 100; n <= 200; n *= 2) {
+            for (size_t n = 100; n <= 200 && rows[r].most[flow] > 0; n *= 2) {
                 const double error = bump_error(&ways[rows[r].way], flow, n, rows[r].courant);
                 print_message("%-17s courant %.1f, %-10s, %zu cells: off by %.2e of the depth\n",
                               ways[rows[r].way].name, rows[r].courant, names[flow], n, error);
-                assert_true(error <= rows[r].most[flow] && error <= 0.6 * before);
+                assert_true(error <= rows[r].most[flow] && error <= (rows[r].courant < 8 ? 0.6 : 0.7) * before);
                 before = error;
             }
         }
