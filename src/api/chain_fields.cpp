@@ -51,7 +51,7 @@ struct Part {
             return holds ? double(values[i - first]) : old;
         };
         const bool sound = groups_are_sound(
-            c, [&](size_t i) { return isinf(new_value(CD_STIFFNESS, i, stiffness_of(c, i))); },
+            c.nodes, c.ring != 0, [&](size_t i) { return isinf(new_value(CD_STIFFNESS, i, stiffness_of(c, i))); },
             [&](size_t i) {
                 const double pin = new_value(CD_PIN, i, c.pin[i]);
                 return pin == CD_NODE_PINNED || pin == CD_NODE_DRIVEN;
@@ -185,7 +185,7 @@ cd_status cd_chain_weld(cd_chain* chain, size_t spring) {
     CD_OPEN(chain, c);
     CD_CHECK(is_index(__func__, "spring", spring, springs_in_all(c)));
     if (!groups_are_sound(
-            c, [&](size_t i) { return i == spring || welded(c, i); }, [&](size_t i) { return held(c, i); }))
+            c.nodes, c.ring != 0, [&](size_t i) { return i == spring || welded(c, i); }, [&](size_t i) { return held(c, i); }))
         return fail(CD_ERROR_UNSUPPORTED, __func__, "spring %zu would join two pinned or driven nodes", spring);
     CD_CHECK(shared::switch_field(__func__, c, CD_STIFFNESS, true));
     c.spring_stiffness[spring] = double(INFINITY);

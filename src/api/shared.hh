@@ -128,6 +128,12 @@ inline cd_status get_gravity(const char* function, const Body& b, double* out_gr
     return CD_OK;
 }
 
+// Whether the state is finite, as it is but after a step that diverged.
+template <class X> cd_status is_finite(const char* function, const X& x) {
+    if (!x.diverged || all_finite(x)) return CD_OK;
+    return fail(CD_ERROR_DIVERGED, function, "the state of step %llu is not finite", (unsigned long long)x.clock.steps);
+}
+
 // ---- fields: an object says by is_field, is_always_on and switch_own what it has ------------------------------------
 
 // What every body has, and what is no body has not.
@@ -147,6 +153,7 @@ template <class X> cd_status switch_field(const char* function, X& x, cd_field f
 
 template <class X> cd_status enable_field(const char* function, X& x, cd_field field) {
     CD_CHECK(is_field(function, x, field));
+    if (field == CD_TARGET) CD_CHECK(is_finite(function, x)); // targets start as the present positions
     return switch_field(function, x, field, true);
 }
 
@@ -167,6 +174,7 @@ template <class X, class EachPlace> cd_status attach(const char* function, X& x,
     CD_CHECK(in_range(function, "damping", damping, 0, kMost));
     if (target) CD_CHECK(is_count(function, "count", count, x.components));
     if (target) CD_CHECK(are_numbers(function, "target", target, count, most_of(x)));
+    if (!target || !x.target) CD_CHECK(is_finite(function, x)); // some target will be the present position
     CD_CHECK(switch_field(function, x, CD_TARGET, true));
     x.attach_stiffness[node] = stiffness;
     x.attach_damping[node] = damping;
@@ -197,11 +205,8 @@ inline cd_status get_attachment(const char* function, const Body& b, size_t node
 
 // Whether the object can make steps of dt.
 template <class X> cd_status can_step(const char* function, const X& x, double dt, size_t count) {
-    CD_CHECK(in_range(function, "dt", dt, 1e-30, 1e30));
-    if (count > 0 && x.diverged && !all_finite(x))
-        return fail(CD_ERROR_DIVERGED, function, "the state of step %llu is not finite",
-                    (unsigned long long)x.clock.steps);
-    return CD_OK;
+    CD_CHECK(in_range(function, "dt", dt, kLeastStep, kMostStep));
+    return count > 0 ? is_finite(function, x) : CD_OK;
 }
 inline cd_status diverged_at(const char* function, uint64_t step) {
     return fail(CD_ERROR_DIVERGED, function, "a number left the finite range at step %llu", (unsigned long long)step);

@@ -142,6 +142,7 @@ template <class T> struct Along {
 template <class T> struct Drift {
     const Lines<T>& lines;
     double dt;
+    bool finite = true;
 
     template <int N> void bundle(size_t first) {
         using L = Lanes<N>;
@@ -150,6 +151,7 @@ template <class T> struct Drift {
             const size_t at = i * lines.pitch + first;
             store_settled(L::load(lines.position + at) + dt * L::load(lines.velocity + at), lines.position + at, probe);
         }
+        finite &= !probe.any_nan();
     }
 };
 
@@ -171,20 +173,21 @@ template <class T> bool explicit_sweep(const Lines<T>& lines, const ExplicitCoef
     return bundles.finite;
 }
 
-template <class T> void drift(const Lines<T>& lines, double dt, size_t first, size_t count) {
+template <class T> bool drift(const Lines<T>& lines, double dt, size_t first, size_t count) {
     Drift<T> bundles{lines, dt};
     for_each_bundle(first, count, bundles);
+    return bundles.finite;
 }
 
 #if CD_WITH_FLOAT32
 template bool explicit_sweep(const Lines<float>&, const ExplicitCoefficients&, double, const double*, Carrier, size_t,
                              size_t);
-template void drift(const Lines<float>&, double, size_t, size_t);
+template bool drift(const Lines<float>&, double, size_t, size_t);
 #endif
 #if CD_WITH_FLOAT64
 template bool explicit_sweep(const Lines<double>&, const ExplicitCoefficients&, double, const double*, Carrier, size_t,
                              size_t);
-template void drift(const Lines<double>&, double, size_t, size_t);
+template bool drift(const Lines<double>&, double, size_t, size_t);
 #endif
 
 } // namespace CD_ISA

@@ -25,8 +25,8 @@ namespace CD_ISA {
 template <class T> bool explicit_sweep(const Lines<T>& lines, const ExplicitCoefficients& c, double dt,
                                        const double* gravity, Carrier carrier, size_t first, size_t count);
 
-// x += dt v.
-template <class T> void drift(const Lines<T>& lines, double dt, size_t first, size_t count);
+// x += dt v. False if a number left the finite range.
+template <class T> bool drift(const Lines<T>& lines, double dt, size_t first, size_t count);
 
 } // namespace CD_ISA
 } // namespace cd

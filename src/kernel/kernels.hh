@@ -26,7 +26,7 @@ template <class T> struct LineKernels {
     bool (*advance)(const Lines<T>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t, size_t);
     bool (*explicit_sweep)(const Lines<T>&, const ExplicitCoefficients&, double, const double*, Carrier, size_t,
                            size_t);
-    void (*drift)(const Lines<T>&, double, size_t, size_t);
+    bool (*drift)(const Lines<T>&, double, size_t, size_t);
 };
 
 // Of the state of a sheet; those on double planes begin stages between two others.

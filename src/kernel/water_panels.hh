@@ -104,7 +104,12 @@ template <int N> struct Rounding<N, float> {
                 takes = larger(size_of((here + owed).template rounded_to<float>() - here), takes);
             }
             if (!any_positive(takes)) continue;
-            for (size_t i = first; i < end; ++i) (*this)(L::load(depth + i * N)).store(depth + i * N);
+            const L before = owed; // of lanes in which none takes any, as they would be alone
+            for (size_t i = first; i < end; ++i) {
+                const L here = L::load(depth + i * N);
+                select(takes, (*this)(here), here).store(depth + i * N);
+            }
+            owed = select(takes, owed, before);
             if (!any_positive(size_of(owed))) return;
         }
     }

@@ -104,10 +104,12 @@ inline size_t calm_lines(size_t left) {
 }
 
 template <class T>
-bool sweep_water(const WaterAxis& axis, const WaterLines<T>& lines, double* work, size_t first, size_t count) {
+bool sweep_water(const WaterAxis& axis, const WaterLines<T>& all, double* work, size_t first, size_t count) {
+    const size_t end = (first + count) * kWaterPack < all.lines ? (first + count) * kWaterPack : all.lines;
+    WaterLines<T> lines = all;
+    lines.lines = end; // bundles end where the task does
     const Sweep<T> sweep{{axis, lines, work}};
-    if (!may_be_calm(axis, lines)) return in_bundles(sweep, lines.lines, first, count);
-    const size_t end = (first + count) * kWaterPack < lines.lines ? (first + count) * kWaterPack : lines.lines;
+    if (!may_be_calm(axis, lines)) return in_bundles(sweep, end, first, count);
     constexpr int half = kCalmLanes / 2;
     bool finite = true;
     for (size_t line = first * kWaterPack; line < end;) {
@@ -115,7 +117,7 @@ bool sweep_water(const WaterAxis& axis, const WaterLines<T>& lines, double* work
         if (together > half && sweep_calm<kCalmLanes>(axis, lines, work, line, together)) continue;
         if (left >= half && sweep_calm<half>(axis, lines, work, line, half)) continue;
         if (left <= 4 && sweep_calm<1>(axis, lines, work, line, 1)) continue; // few: one by one is faster
-        if (lines.lines == 1) return sweep.template bundle<1>(0);
+        if (all.lines == 1) return sweep.template bundle<1>(0);
         finite &= sweep.template bundle<int(kWaterLanes)>(line);
         line += kWaterLanes;
     }

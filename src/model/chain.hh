@@ -103,11 +103,28 @@ struct Group {
 Group group_of(const Chain& c, size_t node);
 size_t held_in(const Chain& c, Group group);
 
+// Whether every welded group of a chain, or ring, of `nodes` nodes would hold one held node at the most, if springs and
+// nodes were as the functions of their numbers say.
+template <class Welded, class Held> bool groups_are_sound(size_t nodes, bool ring, Welded is_welded, Held is_held) {
+    const size_t springs = ring ? nodes : nodes - 1;
+    size_t start = 0;
+    while (ring && start < nodes && is_welded(start > 0 ? start - 1 : springs - 1)) ++start;
+    if (start == nodes) start = 0;
+    int held_here = 0;
+    for (size_t k = 0, i = start; k < nodes; ++k, i = i + 1 < nodes ? i + 1 : 0) {
+        held_here += is_held(i) ? 1 : 0;
+        if (held_here > 1) return false;
+        if (i >= springs || !is_welded(i)) held_here = 0;
+    }
+    return true;
+}
+
 // Gives the nodes of every welded group one velocity: that of the held node, or the mean by mass.
 void merge_velocities(Chain& c, size_t first_line, size_t lines);
 
-// Stops the nodes that have become pinned.
+// Stops the nodes that have become pinned; and gives welded groups one velocity too.
 void stop_pinned(Chain& c);
+void hold_nodes(Chain& c);
 
 // ---- time (chain_step.cpp) ------------------------------------------------------------------------------------------
 

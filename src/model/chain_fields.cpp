@@ -40,8 +40,10 @@ size_t held_in(const Chain& c, Group group) {
     return count;
 }
 
-// v = v_0 + sum m_i (v_i - v_0) / sum m_i: exact where the velocities already agree.
+// v = v_0 + sum m_i (v_i - v_0) / sum m_i: exact where the velocities already agree. It is computed with velocities so
+// small that their products with masses stay finite.
 template <class T> static void merge_group(Chain& c, Group group, size_t first_line, size_t lines) {
+    constexpr double kSmaller = 0x1p-300, kLarger = 0x1p300;
     T* const v = numbers<T>(c.velocity);
     const auto node = [&](size_t k) { return (group.first + k) % c.nodes; };
     size_t lead = group.first;
@@ -52,11 +54,11 @@ template <class T> static void merge_group(Chain& c, Group group, size_t first_l
         if (held(c, node(k))) lead = node(k), is_held = true;
     }
     for (size_t line = first_line; line < first_line + lines; ++line) {
-        const double base = double(v[lead * c.pitch + line]);
+        const double base = kSmaller * double(v[lead * c.pitch + line]);
         double shift = 0;
         for (size_t k = 0; k < group.count && !is_held; ++k)
-            shift += mass_of(c, node(k)) * (double(v[node(k) * c.pitch + line]) - base);
-        const T merged = T(base + shift / total);
+            shift += mass_of(c, node(k)) * (kSmaller * double(v[node(k) * c.pitch + line]) - base);
+        const T merged = T(kLarger * (base + shift / total));
         for (size_t k = 0; k < group.count; ++k) v[node(k) * c.pitch + line] = merged;
     }
 }
@@ -82,6 +84,11 @@ void stop_pinned(Chain& c) {
         if (c.pin[node] == CD_NODE_PINNED)
             for (size_t strand = 0; strand < c.strands; ++strand)
                 for (size_t k = 0; k < c.components; ++k) set_number(c, c.velocity, place(c, strand, node, k), 0);
+}
+
+void hold_nodes(Chain& c) {
+    stop_pinned(c);
+    merge_velocities(c, 0, c.lines);
 }
 
 } // namespace cd

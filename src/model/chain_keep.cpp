@@ -41,17 +41,39 @@ struct ChainKeep {
 
     static bool check_fields(Reader reader, const Chain& c, const Settings& s) {
         FieldCheck check{reader};
-        check.numbers<uint8_t>(c.nodes, [&](double pin, size_t i) {
+        const SavedNumbers pin = check.here<uint8_t>();
+        check.numbers<uint8_t>(c.nodes, [&](double value, size_t i) {
             const bool end = !s.own.ring && (i == 0 || i + 1 == c.nodes);
-            return pin <= (end ? CD_NODE_MATCHED : CD_NODE_DRIVEN);
+            return value <= (end ? CD_NODE_MATCHED : CD_NODE_DRIVEN);
         });
         if (s.on(CD_MASS)) check.numbers<double>(c.nodes, valid_shared_mass);
+        const SavedNumbers stiffness = s.on(CD_STIFFNESS) ? check.here<double>() : SavedNumbers{};
         if (s.on(CD_STIFFNESS))
             check.numbers<double>(c.springs + size_t(s.own.ring),
                                   [](double k, size_t i) { return valid_shared(k, i) || (isinf(k) && k > 0); });
         if (s.on(CD_BEND)) check.numbers<double>(c.nodes, valid_shared);
-        check_ties_and_state(check, c, layout_of(c), s);
-        return check.all_good();
+        const SavedNumbers velocity = check_ties_and_state(check, c, layout_of(c), s);
+        return check.all_good() && nodes_are_held(c, s.own.ring != 0, pin, stiffness, velocity);
+    }
+
+    // Whether pinned nodes rest, and welded groups move as one and hold one held node at the most.
+    static bool nodes_are_held(const Chain& c, bool ring, SavedNumbers pin, SavedNumbers stiffness,
+                               SavedNumbers velocity) {
+        const size_t springs = c.springs + size_t(ring);
+        const auto is_welded = [&](size_t i) { return stiffness.from && i < springs && isinf(stiffness[i]); };
+        const auto is_held = [&](size_t i) { return pin[i] == CD_NODE_PINNED || pin[i] == CD_NODE_DRIVEN; };
+        if (!groups_are_sound(c.nodes, ring, is_welded, is_held)) return false;
+        bool good = true;
+        for (size_t i = 0; i < c.nodes; ++i) {
+            const size_t next = i + 1 < c.nodes ? i + 1 : 0;
+            const bool pinned = pin[i] == CD_NODE_PINNED, welded = is_welded(i);
+            for (size_t line = 0; line < c.lines && (pinned || welded); ++line) {
+                const double v = velocity[i * c.lines + line], other = velocity[next * c.lines + line];
+                good &= !pinned || v == 0;
+                good &= !welded || v == other || (v != v && other != other);
+            }
+        }
+        return good;
     }
 };
 

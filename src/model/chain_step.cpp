@@ -312,9 +312,9 @@ template <class T> struct ExplicitStep {
     // Welds take up any force without a tension of their own: the nodes they join share what they get.
     bool operator()(size_t first, size_t count) const {
         const LineKernels<T>& kernels = chain.kernels->of(T());
-        const bool finite = kernels.explicit_sweep(lines, coefficients, dt, gravity, carrier, first, count);
+        bool finite = kernels.explicit_sweep(lines, coefficients, dt, gravity, carrier, first, count);
         if (chain.has_welds) merge_velocities(chain, first, count);
-        if (carrier == Carrier::kNothing) kernels.drift(lines, dt, first, count);
+        if (carrier == Carrier::kNothing) finite &= kernels.drift(lines, dt, first, count);
         return finite;
     }
 };
@@ -355,8 +355,7 @@ template <class Step> uint64_t run(Chain& c, const Step& step, size_t count, siz
 }
 
 template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
-    const bool refactor = c.prepared_dt != dt;
-    c.prepared_dt = dt;
+    const bool refactor = must_prepare(c, dt);
     if (refactor) {
         c.has_welds = false;
         for (size_t i = 0; i < c.spring_stiffness.count; ++i) c.has_welds |= welded(c, i);
@@ -386,6 +385,7 @@ uint64_t step_chain(Chain& c, double dt, size_t count) {
     const uint64_t first = c.clock.steps;
     c.clock.advance(dt, count);
     c.diverged = bad != UINT64_MAX;
+    if (c.diverged) hold_nodes(c);
     return c.diverged ? first + bad + 1 : 0;
 }
 

@@ -59,22 +59,27 @@ bool valid_body(const KeptBody& kept) {
     good &= s.lambda >= 0 && s.lambda <= 1 && valid_mass(s.mass);
     good &= valid_parameter(s.drag) && valid_parameter(s.damping);
     for (double g : s.gravity) good &= fabs(g) <= kMost;
-    return good && isfinite(s.clock.start) && isfinite(s.clock.dt);
+    return good && s.clock.is_possible();
 }
 
 BodyFeatures features_of_body(const KeptBody& s, bool bend) {
     return {s.body.method, s.on(CD_MASS), s.on(CD_FORCE), s.on(CD_TARGET), bend};
 }
 
-void check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s) {
+SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s) {
     const size_t state = layout.rows * layout.width;
     if (s.on(CD_TARGET)) check.numbers<double>(2 * b.nodes, [](double tie, size_t) { return valid_parameter(tie); });
+    SavedNumbers velocity{};
     by_precision(b, [&](auto zero) {
         using T = decltype(zero);
-        check.numbers<T>(2 * state, [](double, size_t) { return true; }); // a state that diverged can be saved too
+        const auto any = [](double, size_t) { return true; }; // a state that diverged can be saved too
+        check.numbers<T>(state, any);
+        velocity = check.here<T>();
+        check.numbers<T>(state, any);
         check.numbers<T>((s.on(CD_FORCE) + s.on(CD_TARGET)) * state,
                          [](double value, size_t) { return isfinite(value) != 0; });
     });
+    return velocity;
 }
 
 } // namespace cd

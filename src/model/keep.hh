@@ -136,10 +136,32 @@ cd_status copy_object(const char* function, typename K::Object& x, const typenam
     return CD_OK;
 }
 
+// Numbers that lie one after the other in saved bytes, all of which are there.
+struct SavedNumbers {
+    const unsigned char* from = nullptr; // null: none are saved
+    size_t size = 1;                     // bytes of one: of an unsigned byte, a float or a double
+
+    double operator[](size_t i) const {
+        if (size == sizeof(float)) return number<float>(i);
+        return size == sizeof(double) ? number<double>(i) : number<uint8_t>(i);
+    }
+
+private:
+    template <class Number> double number(size_t i) const {
+        Number read;
+        Reader reader{from + i * sizeof read, from + (i + 1) * sizeof read};
+        walk(reader, read);
+        return double(read);
+    }
+};
+
 // Reads the numbers of fields, to see whether they are all valid.
 struct FieldCheck {
     Reader reader;
     bool good = true;
+
+    // Those that come next.
+    template <class Number> SavedNumbers here() const { return {reader.from, sizeof(Number)}; }
 
     template <class Number, class Valid> void numbers(size_t count, Valid valid) {
         for (size_t i = 0; i < count; ++i) {
@@ -182,7 +204,7 @@ BodyFeatures features_of_body(const KeptBody& s, bool bend);
 inline bool valid_shared(double value, size_t) { return value >= 0 && value <= 1e100; }
 inline bool valid_shared_mass(double value, size_t) { return value >= 1e-100 && value <= 1e100; }
 
-// What comes after an object's own fields: attachments and the state.
-void check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s);
+// What comes after an object's own fields: attachments and the state. Tells where the velocities lie.
+SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s);
 
 } // namespace cd

@@ -61,16 +61,6 @@ bool on_edge(const Membrane& m, cd_edge edge, size_t u, size_t v) {
     return (d == kU ? u : v) == (edge == edge_of(d, true) ? last(m, d) : 0);
 }
 
-cd_node kind_by_edges(const Membrane& m, size_t u, size_t v) {
-    bool pinned = false, driven = false;
-    for (cd_edge edge = CD_EDGE_U_FIRST; edge <= CD_EDGE_V_LAST; ++edge) {
-        if (!on_edge(m, edge, u, v)) continue;
-        pinned |= m.edge[edge] == CD_NODE_PINNED;
-        driven |= m.edge[edge] == CD_NODE_DRIVEN;
-    }
-    return pinned ? CD_NODE_PINNED : driven ? CD_NODE_DRIVEN : CD_NODE_FREE;
-}
-
 // What sends no echo back from a matched edge [N s/m].
 double impedance(const Membrane& m, size_t u, size_t v) {
     double sum = 0;
@@ -85,8 +75,18 @@ double impedance(const Membrane& m, size_t u, size_t v) {
 
 } // namespace
 
+cd_node kind_by_edges(const Membrane& m, const cd_node* edges, size_t u, size_t v) {
+    bool pinned = false, driven = false;
+    for (cd_edge edge = CD_EDGE_U_FIRST; edge <= CD_EDGE_V_LAST; ++edge) {
+        if (!on_edge(m, edge, u, v)) continue;
+        pinned |= edges[edge] == CD_NODE_PINNED;
+        driven |= edges[edge] == CD_NODE_DRIVEN;
+    }
+    return pinned ? CD_NODE_PINNED : driven ? CD_NODE_DRIVEN : CD_NODE_FREE;
+}
+
 cd_node kind_of(const Membrane& m, size_t u, size_t v) {
-    return m.pin ? cd_node(m.pin[node_at(m, u, v)]) : kind_by_edges(m, u, v);
+    return m.pin ? cd_node(m.pin[node_at(m, u, v)]) : kind_by_edges(m, m.edge, u, v);
 }
 
 double mass_of(const Membrane& m, size_t u, size_t v) {
@@ -167,7 +167,7 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
     if (along_v.is_new()) fill_uniform(m, CD_STIFFNESS_V);
     if (mask.is_new()) memset(m.mask.data, 1, m.mask.bytes());
     for (size_t i = 0; pin.is_new() && i < m.nodes; ++i)
-        m.pin[i] = uint8_t(kind_by_edges(m, i % m.columns, i / m.columns));
+        m.pin[i] = uint8_t(kind_by_edges(m, m.edge, i % m.columns, i / m.columns));
     body.fill(m);
     if (!same_edges || !same_pin) stop_nodes(m);
     m.prepared_dt = 0;
@@ -199,7 +199,7 @@ bool set_edge(Membrane& m, cd_edge edge, cd_node kind) {
     if (!set_features(m, wanted)) return false;
     for (size_t i = 0; m.pin && i < m.nodes; ++i) {
         const size_t u = i % m.columns, v = i / m.columns;
-        if (on_edge(m, edge, u, v)) m.pin[i] = uint8_t(kind_by_edges(m, u, v));
+        if (on_edge(m, edge, u, v)) m.pin[i] = uint8_t(kind_by_edges(m, m.edge, u, v));
     }
     stop_nodes(m);
     m.prepared_dt = 0;

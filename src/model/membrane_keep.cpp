@@ -76,13 +76,28 @@ struct MembraneKeep {
     static bool check_fields(Reader reader, const Membrane& m, const Settings& s) {
         FieldCheck check{reader};
         const size_t n = m.nodes;
-        if (s.on(CD_PIN)) check.numbers<uint8_t>(n, [](double pin, size_t) { return pin <= CD_NODE_DRIVEN; });
-        if (s.on(CD_MASK)) check.numbers<uint8_t>(n, [](double mask, size_t) { return mask <= 1; });
+        const SavedNumbers pin = s.on(CD_PIN) ? check.here<uint8_t>() : SavedNumbers{};
+        if (s.on(CD_PIN)) check.numbers<uint8_t>(n, [](double kind, size_t) { return kind <= CD_NODE_DRIVEN; });
+        const SavedNumbers mask = s.on(CD_MASK) ? check.here<uint8_t>() : SavedNumbers{};
+        if (s.on(CD_MASK)) check.numbers<uint8_t>(n, [](double there, size_t) { return there <= 1; });
         if (s.on(CD_MASS)) check.numbers<double>(n, valid_shared_mass);
-        if (s.on(CD_STIFFNESS_U)) check.numbers<double>(n, valid_shared);
-        if (s.on(CD_STIFFNESS_V)) check.numbers<double>(n, valid_shared);
-        check_ties_and_state(check, m, layout_of(m), s);
-        return check.all_good();
+        for (Direction d : {kU, kV})
+            if (s.on(d == kU ? CD_STIFFNESS_U : CD_STIFFNESS_V))
+                check.numbers<double>(n, [&](double k, size_t i) {
+                    const size_t along = d == kU ? i % m.columns : i / m.columns;
+                    return along < m.springs[d] + size_t(s.own.ring[d]) ? valid_shared(k, i) : k == 0;
+                });
+        const SavedNumbers velocity = check_ties_and_state(check, m, layout_of(m), s);
+        if (!check.all_good()) return false;
+        bool good = true;
+        for (size_t k = 0; k < m.components; ++k)
+            for (size_t i = 0; i < n; ++i) {
+                const size_t u = i % m.columns, v = i / m.columns;
+                const cd_node kind = pin.from ? cd_node(pin[i]) : kind_by_edges(m, s.own.edge, u, v);
+                const bool stopped = kind == CD_NODE_PINNED || (mask.from && mask[i] == 0);
+                good &= !stopped || velocity[k * n + i] == 0;
+            }
+        return good;
     }
 };
 

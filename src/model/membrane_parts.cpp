@@ -112,7 +112,7 @@ void prepare_parts(Membrane& m, Work& w) {
 }
 
 void separate_parts(const Membrane& m, const Work& w, double* const* planes, int n, double share,
-                    const double* residual) {
+                    const double* residual, double* taken) {
     const SheetParts& parts = w.parts;
     find_shares(m, w, [&](size_t at) { return residual[at]; });
     each_run(w, [&](size_t part, size_t at, size_t past) {
@@ -120,16 +120,19 @@ void separate_parts(const Membrane& m, const Work& w, double* const* planes, int
     });
     // Twice: of a plane that is little else than such motions the first time leaves mostly rounding, which is not
     // orthogonal to them.
-    for (int k = 0; k < n; ++k)
+    for (int k = 0; k < n; ++k) {
+        double* const plane = planes[k];
+        taken[k] = 0;
         for (int time = 0; time < 2; ++time) {
-            double* const plane = planes[k];
             find_shares(m, w, [&](size_t at) { return parts.pull[at] * plane[at]; });
+            for (size_t p = 1; p <= m.parts; ++p) taken[k] += parts.sums[p] * parts.sums[p] * parts.energy[p];
             each_run(w, [&](size_t part, size_t at, size_t past) {
                 const double out = parts.sums[part];
                 for (size_t i = at; i < past; ++i) plane[i] -= out;
                 for (size_t i = at; i < past && k == 0; ++i) w.one[i] -= share * out;
             });
         }
+    }
 }
 
 } // namespace cd

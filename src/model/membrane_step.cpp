@@ -247,16 +247,16 @@ template <class T> struct Stepper {
     // Moves by the best of v, of a motion of all nodes alike, and of n answers, given the residual that is left beside
     // (1 - share) v. It keeps the momentum of a free sheet, and of each part of it, whatever the answers are.
     void move_by_nearest(SheetMove& by, double share, double* const* answers, int n, const double* residual) const {
-        double *planes[kMostDirections] = {w.free_v}, rhs[kMostDirections];
+        double *planes[kMostDirections] = {w.free_v}, rhs[kMostDirections], taken[kMostDirections] = {};
         int count = 1;
         if (m.parts < 2) planes[count++] = w.one;
         for (int k = 0; k < n; ++k) planes[count++] = answers[k];
-        if (m.parts > 1) separate_parts(m, w, planes, count, share, residual);
+        if (m.parts > 1) separate_parts(m, w, planes, count, share, residual, taken);
         for (int k = 0; k < count; ++k) {
             rhs[k] = w.system.dot(planes[k], residual);
             by.change[k] = planes[k];
         }
-        w.system.project(planes, count, rhs, by.factor);
+        w.system.project(planes, count, rhs, taken, by.factor);
         by.factor[0] -= share;
         if (m.parts > 1) {
             by.change[count] = w.one;
@@ -300,18 +300,21 @@ template <class T> void clear_beyond(Membrane& m) {
 }
 
 template <class T> MembraneOutcome step(Membrane& m, double dt, size_t count) {
+    const bool anew = must_prepare(m, dt);
     Carver coefficients{m.coefficients.data}, scratch{m.scratch.data};
     Work work(m, features(m), coefficients, scratch);
-    if (m.prepared_dt != dt) {
+    if (anew) {
         prepare(m, work, dt);
-        m.prepared_dt = dt;
         if (work.implicit) ++m.factorizations;
     }
     Stepper<T> stepper{m, work, dt, stage_share(m, dt), {}};
     uint64_t bad = 0;
     for (size_t s = 0; s < count; ++s)
         if (!stepper.step() && bad == 0) bad = m.clock.steps + s + 1;
-    if (bad) clear_beyond<T>(m);
+    if (bad) {
+        clear_beyond<T>(m);
+        stop_nodes(m);
+    }
     m.iterations = stepper.worst.iterations;
     m.residual = stepper.worst.residual;
     return {bad, stepper.worst.reached};

@@ -62,9 +62,10 @@ void prepare(Membrane& m, Work& work, double dt);
 // Finds the parts of the sheet, m.parts of them, and makes w.one: 1 where nodes move.
 void prepare_parts(Membrane& m, Work& work);
 // For a sheet of several parts: makes n planes orthogonal in energy to every motion that moves one part alike. Into
-// w.one goes what those motions themselves have to do for this residual, less `share` of what the first plane loses.
-void separate_parts(const Membrane& m, const Work& work, double* const* planes, int n, double share,
-                    const double* residual);
+// w.one goes what those motions themselves have to do for this residual, less `share` of what the first plane loses;
+// into `taken` the energy that each plane loses.
+void separate_parts(const Membrane& m, const Work& w, double* const* planes, int n, double share,
+                    const double* residual, double* taken);
 
 // The force of the pressure on every node, into m.pressed.
 void press(Membrane& m);

@@ -10,6 +10,11 @@
 
 namespace cd {
 
+// Parameters stay far enough inside double's range for products of four of them: see chain.h.
+constexpr double kMost = 1e60, kLeastMass = 1e-60;
+// Steps are between these [s].
+constexpr double kLeastStep = 1e-30, kMostStep = 1e30;
+
 // Time as a count of steps of one length since a start, so that it does not depend on how steps share calls.
 struct Clock {
     double start, dt;
@@ -17,6 +22,11 @@ struct Clock {
     uint64_t steps;   // of any length since create, reset or load
 
     double time() const { return start + double(counted) * dt; }
+    // Whether steps can have led here.
+    bool is_possible() const {
+        const bool of_steps = dt == 0 || (dt >= kLeastStep && dt <= kMostStep);
+        return start >= 0 && start <= kMost && of_steps && counted <= steps && (dt > 0 || counted == 0);
+    }
     void advance(double step, uint64_t count) {
         if (dt != step) *this = {time(), step, 0, steps};
         counted += count;
@@ -48,8 +58,17 @@ struct Object {
     uint64_t factorizations;
 };
 
-// Parameters stay far enough inside double's range for products of four of them: see chain.h.
-constexpr double kMost = 1e60, kLeastMass = 1e-60;
+// Whether the coefficients have to be made for steps of dt. What steps compute with follows from the object's settings
+// and state alone: where more than dt has changed, its layout may be another, and both arrays start from zeros.
+inline bool must_prepare(Object& o, double dt) {
+    if (o.prepared_dt == dt) return false;
+    if (o.prepared_dt == 0)
+        for (const Array<double>& array : {o.coefficients, o.scratch})
+            if (array) memset(array.data, 0, array.bytes());
+    o.prepared_dt = dt;
+    return true;
+}
+
 inline bool valid_parameter(double value) { return value >= 0 && value <= kMost; }
 inline bool valid_mass(double value) { return value >= kLeastMass && value <= kMost; }
 

@@ -157,7 +157,7 @@ struct WaterKeep {
         good &= valid_parameter(o.drag) && o.manning >= 0 && o.manning <= kMostManning;
         good &= o.tolerance >= kLeastTolerance && o.tolerance <= kMostTolerance && o.most_iterations >= 1;
         good &= !(o.account.in < 0) && !(o.account.out < 0);
-        return good && isfinite(o.clock.start) && isfinite(o.clock.dt);
+        return good && o.clock.is_possible();
     }
 
     static bool check_fields(Reader reader, const Water& w, const Settings& s) {

@@ -22,6 +22,11 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
     system.copy(r, start);
     if (norm == 0) return {};
 
+    // Where rounding keeps the residual from falling, the iteration has no end of its own.
+    constexpr size_t kPatience = 500; // iterations in which the least residual has to halve
+    double least = 1;
+    size_t halved = 0; // the iteration at which it last did
+
     // The residual that the iteration carries along drifts away from the true one by rounding. Where it claims success
     // the true one decides; if that has not halved since it was last asked, it will not get better.
     constexpr double kRounding = 0x1p-50, kNothing = 0x1p-400; // a sheet at rest but for this has no squares to add up
@@ -58,6 +63,8 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
         system.combine(1, x, length, direction);
         system.combine(1, r, -length, applied);
         out.residual = sqrt(system.dot(r, r)) / measure();
+        if (out.residual < least / 2) least = out.residual, halved = out.iterations;
+        if (out.iterations - halved > kPatience) break;
         if (out.residual > goal.relative) continue;
         look();
         if (out.reached || !(out.left < true_before / 2)) break;

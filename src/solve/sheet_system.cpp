@@ -67,7 +67,8 @@ void SheetSystem::turn_back(const double* from, double* to) const {
     columns([&](size_t first, size_t count) { kernels->transpose(turned, from, to, grid.pitch, first, count); });
 }
 
-void SheetSystem::project(double* const* planes, int n, const double* rhs, double* factors) const {
+void SheetSystem::project(double* const* planes, int n, const double* rhs, const double* taken,
+                          double* factors) const {
     for (int k = 0; k < n; ++k) wrap(planes[k]);
     rows([&](size_t first, size_t count) { kernels->energies(grid, sheet, planes, n, sums, first, count); });
     double g[kMostDirections][kMostDirections] = {}, c[kMostDirections] = {};
@@ -81,7 +82,7 @@ void SheetSystem::project(double* const* planes, int n, const double* rhs, doubl
     bool adds[kMostDirections];
     for (int a = 0; a < n; ++a) c[a] = rhs[a];
     for (int a = 0; a < n; ++a) {
-        double whole = g[a][a];
+        double whole = g[a][a] + taken[a];
         for (int k = 0; k < a; ++k) whole += adds[k] ? g[k][a] * g[k][a] / g[k][k] : 0;
         adds[a] = g[a][a] > kNothing * whole;
         if (!adds[a]) continue;
