@@ -2,9 +2,11 @@
  *
  * Conventions, the same in every header:
  *   - A function that can fail returns cd_status: CD_OK (0) or an error. cd_error_message() then tells what was wrong
- *     and gives the offending value. A failed call changes nothing.
+ *     and gives the offending value. A call that fails changes nothing, but for steps that end with
+ *     CD_ERROR_DIVERGED or CD_ERROR_TOLERANCE: those have been made.
  *   - Outputs come last and are named out_*. Unless a comment says otherwise, an output pointer may not be null; an
  *     array of no numbers may.
+ *   - A handle is valid from create to destroy. After that it may not be used: its memory is the allocator's again.
  *   - Nothing here prints, aborts or throws. cd_*_destroy(NULL) does nothing.
  *   - Distinct objects may be used from different threads at once; one object from one thread at a time.
  *   - Quantities are in SI units, or in any other consistent set: the library never converts.
@@ -31,7 +33,7 @@ typedef int32_t cd_status;
 enum {
     CD_OK = 0,
     CD_ERROR_NULL = 1,        /* a pointer that may not be null is null */
-    CD_ERROR_HANDLE = 2,      /* the handle is of another kind, or already released */
+    CD_ERROR_HANDLE = 2,      /* the handle is of another kind of object */
     CD_ERROR_VALUE = 3,       /* a number outside its valid range, or NaN or infinity where it has no meaning */
     CD_ERROR_ENUM = 4,        /* not one of the enumeration's values */
     CD_ERROR_RANGE = 5,       /* an index, a range or a buffer length that does not fit the object */
@@ -39,10 +41,10 @@ enum {
     CD_ERROR_MEMORY = 7,      /* the allocator returned null */
     CD_ERROR_DISABLED = 8,    /* the field is not switched on: see cd_*_enable_field */
     CD_ERROR_UNSUPPORTED = 9, /* a combination this object or this build cannot do */
-    CD_ERROR_DIVERGED = 10,   /* the state left the finite range during a step */
+    CD_ERROR_DIVERGED = 10,   /* the state left the finite range during a step, or has not come back to it */
     CD_ERROR_FORMAT = 11,     /* the bytes to load are damaged, or of another version or kind */
     CD_ERROR_MISMATCH = 12,   /* the two objects, or the object and the bytes, differ in shape or precision */
-    CD_ERROR_TOLERANCE = 13   /* an iterative solve ended short of its tolerance */
+    CD_ERROR_TOLERANCE = 13   /* steps were made, but an iterative solve ended short of its tolerance */
 };
 
 /* Name of a status, such as "CD_ERROR_VALUE"; "CD_ERROR_UNKNOWN" for a number that is none. A static string. */
@@ -55,7 +57,8 @@ CD_API const char* cd_error_message(void);
 
 /* ---- enumerations shared by the objects -------------------------------------------------------------------------- */
 
-/* What an object stores and computes in; chosen when it is made. */
+/* What an object stores its state in; chosen when it is made. Steps compute in double precision whatever it is, but for
+ * those that an object's header names. */
 typedef int32_t cd_precision;
 enum { CD_FLOAT32 = 0, CD_FLOAT64 = 1 };
 

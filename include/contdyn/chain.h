@@ -17,8 +17,8 @@
  * Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are taken for 0 where a step
  * stores them, so that a scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
  *
- * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for something that is no living chain;
- * the comments name the other errors. */
+ * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
+ * comments name the other errors. */
 #ifndef CONTDYN_CHAIN_H
 #define CONTDYN_CHAIN_H
 
@@ -43,7 +43,7 @@ enum { CD_END_FIRST = 0, CD_END_LAST = 1 };
 CD_API cd_status cd_chain_create(size_t strands, size_t springs, size_t components, cd_precision precision,
                                  const cd_allocator* allocator, cd_chain** out_chain);
 
-/* Releases a chain and all its memory. Null does nothing; a handle that is no living chain is left alone. */
+/* Releases a chain and all its memory. Null does nothing; a handle of another kind is left alone. */
 CD_API void cd_chain_destroy(cd_chain* chain);
 
 /* What cd_chain_create was given. Each output may be null. */
@@ -202,7 +202,7 @@ CD_API cd_status cd_chain_step(cd_chain* chain, double dt, size_t count);
  * nothing can swing. */
 CD_API cd_status cd_chain_stable_dt(const cd_chain* chain, double* out_dt);
 
-/* Simulated time [s] and steps made since create, reset or load. */
+/* Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */
 CD_API cd_status cd_chain_get_time(const cd_chain* chain, double* out_time);
 CD_API cd_status cd_chain_get_steps(const cd_chain* chain, uint64_t* out_steps);
 

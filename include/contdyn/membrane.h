@@ -40,8 +40,8 @@
  * Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are taken for 0 where a step
  * stores them, so that a scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
  *
- * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for something that is no living
- * membrane; the comments name the other errors. Functions that the chain has too mean the same here. */
+ * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
+ * comments name the other errors. Functions that the chain has too mean the same here. */
 #ifndef CONTDYN_MEMBRANE_H
 #define CONTDYN_MEMBRANE_H
 
@@ -71,7 +71,7 @@ enum {
 CD_API cd_status cd_membrane_create(size_t nu, size_t nv, size_t components, cd_precision precision,
                                     const cd_allocator* allocator, cd_membrane** out_membrane);
 
-/* Releases a membrane and all its memory. Null does nothing; a handle that is no living membrane is left alone. */
+/* Releases a membrane and all its memory. Null does nothing; a handle of another kind is left alone. */
 CD_API void cd_membrane_destroy(cd_membrane* membrane);
 
 /* What cd_membrane_create was given. Each output may be null. */
@@ -93,8 +93,9 @@ CD_API cd_status cd_membrane_set_solver(cd_membrane* membrane, cd_solver solver)
 CD_API cd_status cd_membrane_get_solver(const cd_membrane* membrane, cd_solver* out_solver);
 
 /* When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
- * component), in [1e-14, 1/2], default 1e-6; and how many iterations it may take, >= 1, default 100. When they do not
- * suffice cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE. */
+ * component), in [1e-14, 1/2], default 1e-6; and how many iterations it may take, >= 1, default 100. A solve ends, too,
+ * when 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
+ * tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_membrane_set_tolerance(cd_membrane* membrane, double tolerance, size_t most_iterations);
 CD_API cd_status cd_membrane_get_tolerance(const cd_membrane* membrane, double* out_tolerance,
                                            size_t* out_most_iterations);
@@ -257,7 +258,7 @@ CD_API cd_status cd_membrane_step(cd_membrane* membrane, double dt, size_t count
  * sheets, and a safe lower bound otherwise. INFINITY if nothing can swing. */
 CD_API cd_status cd_membrane_stable_dt(const cd_membrane* membrane, double* out_dt);
 
-/* Simulated time [s] and steps made since create, reset or load. */
+/* Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */
 CD_API cd_status cd_membrane_get_time(const cd_membrane* membrane, double* out_time);
 CD_API cd_status cd_membrane_get_steps(const cd_membrane* membrane, uint64_t* out_steps);
 

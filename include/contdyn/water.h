@@ -51,8 +51,8 @@
  * All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
  * Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them.
  *
- * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for something that is no living water;
- * the comments name the other errors. Functions that chain and membrane have too mean the same here. */
+ * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
+ * comments name the other errors. Functions that chain and membrane have too mean the same here. */
 #ifndef CONTDYN_WATER_H
 #define CONTDYN_WATER_H
 
@@ -101,7 +101,7 @@ enum {
 CD_API cd_status cd_water_create(size_t nx, size_t ny, double dx, double dy, cd_precision precision,
                                  const cd_allocator* allocator, cd_water** out_water);
 
-/* Releases a water and all its memory. Null does nothing; a handle that is no living water is left alone. */
+/* Releases a water and all its memory. Null does nothing; a handle of another kind is left alone. */
 CD_API void cd_water_destroy(cd_water* water);
 
 /* What cd_water_create was given, or what has been loaded since. Each output may be null. */
@@ -306,7 +306,7 @@ CD_API cd_status cd_water_step(cd_water* water, double dt, size_t count);
  * INFINITY if nothing can swing. */
 CD_API cd_status cd_water_stable_dt(const cd_water* water, double* out_dt);
 
-/* Simulated time [s] and steps made since create, reset or load. */
+/* Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */
 CD_API cd_status cd_water_get_time(const cd_water* water, double* out_time);
 CD_API cd_status cd_water_get_steps(const cd_water* water, uint64_t* out_steps);
 

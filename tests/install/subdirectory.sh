@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Builds and runs the consumers in a C project that adds contdyn as a subdirectory; nothing but the library is built.
+# The library is optimised there whatever the project's own build type.
 . "$(dirname "$0")/common.sh"
 
 out=$WORK/subdirectory
@@ -9,3 +10,17 @@ runs shared "$out/rope_shared"
 runs static "$out/rope_static"
 ! needs "$out/rope_static" | grep -E 'stdc|gcc' || fail "a C program with the archive needs the C++ run time"
 [ ! -e "$out/contdyn/tests" ] || fail "contdyn builds its tests inside a user's project"
+
+flags() { # flags NAME TYPE ARGUMENT...: the lines that compile kernels
+    local out=$WORK/subdirectory_$1
+    rm -rf "$out"
+    quietly "$CMAKE" -B "$out" -S "$here/subdirectory" -DCONTDYN_SOURCE="$SOURCE" -DCMAKE_C_COMPILER="$CC" \
+        -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_BUILD_TYPE="$2" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "${@:3}"
+    grep '"command".*/src/kernel/' "$out/compile_commands.json"
+}
+for type in "" Debug; do
+    lines=$(flags "type_$type" "$type")
+    [ "$(grep -c . <<<"$lines")" -ge 10 ] || fail "no lines that compile kernels: what is looked for?"
+    ! grep -v -e ' -O3 ' <<<"$lines" || fail "kernels are not optimised in build type '$type'"
+done
+! flags asked_otherwise Debug -DCONTDYN_OPTIMIZE=OFF | grep -e ' -O3 ' || fail "CONTDYN_OPTIMIZE=OFF optimises"
