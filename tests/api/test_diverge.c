@@ -186,6 +186,66 @@ static void a_chain_within_the_limit_never_diverges(void** state) {
     }
 }
 
+/* Two welded nodes, the others free; masses and ties as they come. Symplectic Euler moves welded nodes apart from its
+ * sweep, where numbers may overflow too. */
+static void no_infinite_state_goes_without_a_status(void** state) {
+    (void)state;
+    const double masses[5] = {35.6, 0.0986, 0.2477, 0.2456, 15.3}, start[5] = {1, 0.3, -0.2, 0.5, 1};
+    const double target = 0;
+    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
+        for (cd_method method = CD_METHOD_IMPLICIT; method <= CD_METHOD_STIFF_SECOND; ++method)
+            for (double dt = 1; dt < 1e30; dt *= 3.7)
+                for (size_t count = 1; count < 40; count += 3) {
+                    cd_chain* chain = scene_chain(1, 4, 1, precision);
+                    double x[5], v[5];
+                    ok(cd_chain_weld(chain, 0));
+                    ok(cd_chain_enable_field(chain, CD_MASS));
+                    scene_write(chain, CD_MASS, masses);
+                    scene_write(chain, CD_POSITION, start);
+                    ok(cd_chain_attach(chain, 0, 5371.29, 0, &target, 1));
+                    ok(cd_chain_set_method(chain, method));
+                    const cd_status status = cd_chain_step(chain, dt, count);
+                    scene_read(chain, CD_POSITION, x);
+                    scene_read(chain, CD_VELOCITY, v);
+                    int finite = 1;
+                    for (size_t i = 0; i < 5; ++i) finite &= isfinite(x[i]) && isfinite(v[i]);
+                    if (status == CD_OK && !finite)
+                        fail_msg("method %d, dt %g, %zu steps: not finite, CD_OK", (int)method, dt, count);
+                    cd_chain_destroy(chain);
+                }
+}
+
+static void the_mean_velocity_of_a_weld_does_not_overflow(void** state) {
+    (void)state;
+    static const double masses[] = {1, 1e60, 1e-60}, speeds[] = {1e300, 1.7e308, 1};
+    for (size_t i = 0; i < COUNT(masses); ++i)
+        for (size_t j = 0; j < COUNT(speeds); ++j) {
+            cd_chain* chain = scene_chain(1, 1, 1, CD_FLOAT64);
+            double v[2] = {speeds[j], -speeds[j]};
+            ok(cd_chain_set_mass(chain, masses[i]));
+            ok(cd_chain_write_f64(chain, CD_VELOCITY, 0, 1, 0, 2, v, 2));
+            ok(cd_chain_weld(chain, 0));
+            ok(cd_chain_read_f64(chain, CD_VELOCITY, 0, 1, 0, 2, v, 2));
+            assert_true(v[0] == 0 && v[1] == 0);
+            cd_chain_destroy(chain);
+        }
+}
+
+static void targets_are_never_taken_from_a_diverged_state(void** state) {
+    (void)state;
+    double dt;
+    const double target[COMPONENTS] = {0, 0};
+    cd_chain* chain = unstable(CD_FLOAT32, CD_METHOD_FORWARD_EULER, &dt);
+    assert_int_equal(cd_chain_step(chain, dt, 5000), CD_ERROR_DIVERGED);
+    refuses(chain, cd_chain_enable_field(chain, CD_TARGET), CD_ERROR_DIVERGED, "");
+    refuses(chain, cd_chain_attach(chain, 3, 1, 0, NULL, 0), CD_ERROR_DIVERGED, "");
+    refuses(chain, cd_chain_attach(chain, 3, 1, 0, target, COMPONENTS), CD_ERROR_DIVERGED, "");
+    ok(cd_chain_reset(chain));
+    ok(cd_chain_attach(chain, 3, 1, 0, NULL, 0));
+    ok(cd_chain_step(chain, dt / 8, 1));
+    cd_chain_destroy(chain);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(divergence_is_reported_with_the_first_bad_step),
@@ -196,6 +256,9 @@ int main(void) {
         cmocka_unit_test(a_diverged_chain_goes_on_after_a_load_or_a_copy),
         cmocka_unit_test(a_diverged_state_can_be_kept_and_stays_diverged),
         cmocka_unit_test(a_chain_within_the_limit_never_diverges),
+        cmocka_unit_test(no_infinite_state_goes_without_a_status),
+        cmocka_unit_test(the_mean_velocity_of_a_weld_does_not_overflow),
+        cmocka_unit_test(targets_are_never_taken_from_a_diverged_state),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

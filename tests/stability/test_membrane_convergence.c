@@ -273,6 +273,31 @@ static void a_sheet_that_has_died_out_asks_for_nothing(void** state) {
     }
 }
 
+/* Where rounding keeps the residual above the tolerance, 500 iterations that do not halve it are the last ones. */
+static void a_solve_that_gets_no_further_ends(void** state) {
+    (void)state;
+    enum { NODES = 13 };
+    size_t ended = 0;
+    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
+        for (double long_dt = 10; long_dt < 1e18; long_dt *= 1e5) {
+            cd_membrane* m;
+            size_t taken;
+            double residual;
+            ok(cd_membrane_create(NODES - 1, NODES - 1, 1, precision, NULL, &m));
+            ok(cd_membrane_set_solver(m, CD_SOLVER_COUPLED));
+            ok(cd_membrane_set_tolerance(m, 1e-14, SIZE_MAX));
+            ok(cd_membrane_set_bend(m, 10));
+            scatter(m, 53);
+            const cd_status status = cd_membrane_step(m, long_dt, 1);
+            ok(cd_membrane_get_convergence(m, &taken, &residual));
+            assert_int_equal(status, residual <= 1e-14 ? CD_OK : CD_ERROR_TOLERANCE);
+            assert_true(taken < 47 * 500);
+            ended += status == CD_ERROR_TOLERANCE;
+            cd_membrane_destroy(m);
+        }
+    assert_true(ended > 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sheet_that_has_died_out_asks_for_nothing),
@@ -283,6 +308,7 @@ int main(void) {
         cmocka_unit_test(ragged_springs_converge_or_the_status_says_how_far),
         cmocka_unit_test(one_iteration_is_not_enough_and_leaves_a_usable_sheet),
         cmocka_unit_test(a_sheet_that_only_falls_needs_no_iterations_to_be_content),
+        cmocka_unit_test(a_solve_that_gets_no_further_ends),
     };
     return cmocka_run_group_tests_name("membrane convergence", tests, NULL, NULL);
 }

@@ -207,8 +207,9 @@ void the_nearest_answer_leaves_nothing_in_the_space(void**) {
             for (unsigned k = 0; k < 3; ++k) sheet.fill(planes[k], 17 + (repeat && k == 2 ? 1 : k));
             sheet.fill(sheet.r, 23);
             double rhs[3], factor[3];
+            const double taken[3] = {};
             for (int k = 0; k < 3; ++k) rhs[k] = sheet.system.dot(planes[k], sheet.r);
-            sheet.system.project(planes, 3, rhs, factor);
+            sheet.system.project(planes, 3, rhs, taken, factor);
             if (repeat) assert_true(factor[2] == 0);
             double* const sum = sheet.gradient.direction;
             sheet.system.clear(sum);

@@ -13,7 +13,7 @@ class Status(IntEnum):
     OK = 0
     #: a pointer that may not be null is null
     ERROR_NULL = 1
-    #: the handle is of another kind, or already released
+    #: the handle is of another kind of object
     ERROR_HANDLE = 2
     #: a number outside its valid range, or NaN or infinity where it has no meaning
     ERROR_VALUE = 3
@@ -29,18 +29,19 @@ class Status(IntEnum):
     ERROR_DISABLED = 8
     #: a combination this object or this build cannot do
     ERROR_UNSUPPORTED = 9
-    #: the state left the finite range during a step
+    #: the state left the finite range during a step, or has not come back to it
     ERROR_DIVERGED = 10
     #: the bytes to load are damaged, or of another version or kind
     ERROR_FORMAT = 11
     #: the two objects, or the object and the bytes, differ in shape or precision
     ERROR_MISMATCH = 12
-    #: an iterative solve ended short of its tolerance
+    #: steps were made, but an iterative solve ended short of its tolerance
     ERROR_TOLERANCE = 13
 
 
 class Precision(IntEnum):
-    """What an object stores and computes in; chosen when it is made."""
+    """What an object stores its state in; chosen when it is made. Steps compute in double precision whatever it is, but
+    for those that an object's header names."""
 
     FLOAT32 = 0
     FLOAT64 = 1

@@ -1,0 +1,105 @@
+/* What a step computes follows from an object's settings and state alone: not from what it was before, nor from steps
+ * that went wrong. An object with a past and a new one with the same settings and state step to the same bits. */
+#include <math.h>
+
+#include "check.h"
+#include "scene.h"
+
+enum { COLUMNS = 9, ROWS = 6, MOST = COLUMNS * ROWS };
+
+typedef void change(cd_membrane* m);
+static void nothing(cd_membrane* m) { (void)m; }
+static void tube(cd_membrane* m) { ok(cd_membrane_set_ring(m, 1, 0)); }
+static void torus(cd_membrane* m) { ok(cd_membrane_set_ring(m, 1, 1)); }
+static void coupled(cd_membrane* m) { ok(cd_membrane_set_solver(m, CD_SOLVER_COUPLED)); }
+static void plate(cd_membrane* m) { ok(cd_membrane_set_bend(m, 0.3)); }
+static void stiff_second(cd_membrane* m) { ok(cd_membrane_set_method(m, CD_METHOD_STIFF_SECOND)); }
+static void explicit_steps(cd_membrane* m) { ok(cd_membrane_set_method(m, CD_METHOD_SYMPLECTIC_EULER)); }
+static void edge(cd_membrane* m) { ok(cd_membrane_set_edge(m, CD_EDGE_V_LAST, CD_NODE_PINNED)); }
+static void masses(cd_membrane* m) { ok(cd_membrane_enable_field(m, CD_MASS)); }
+static void springs(cd_membrane* m) { ok(cd_membrane_enable_field(m, CD_STIFFNESS_V)); }
+static void pins(cd_membrane* m) {
+    const double pinned = CD_NODE_PINNED;
+    ok(cd_membrane_enable_field(m, CD_PIN));
+    ok(cd_membrane_write_f64(m, CD_PIN, 3, 2, 1, 1, &pinned, 1));
+}
+static void hole(cd_membrane* m) {
+    const double absent = 0;
+    ok(cd_membrane_enable_field(m, CD_MASK));
+    ok(cd_membrane_write_f64(m, CD_MASK, 4, 4, 1, 1, &absent, 1));
+}
+static void strips(cd_membrane* m) { ok(cd_membrane_set_stiffness(m, 2, 0)); }
+static change* const changes[] = {nothing, tube,   torus,   coupled, plate, stiff_second, explicit_steps,
+                                  edge,    masses, springs, pins,    hole,  strips};
+
+static cd_membrane* sheet(size_t columns, size_t rows) {
+    cd_membrane* m;
+    double x[MOST];
+    uint64_t seed = 3;
+    for (size_t i = 0; i < MOST; ++i) x[i] = scene_noise(&seed);
+    ok(cd_membrane_create(columns - 1, rows - 1, 1, CD_FLOAT64, NULL, &m));
+    ok(cd_membrane_write_f64(m, CD_POSITION, 0, 0, columns, rows, x, columns * rows));
+    return m;
+}
+
+/* Two changes one after the other, a step before, between and after them; and a copy made before the last step. */
+static void a_sheet_steps_as_its_fresh_copy_does(void** state) {
+    (void)state;
+    static const size_t sizes[][2] = {{COLUMNS, ROWS}, {3, 3}};
+    for (size_t s = 0; s < COUNT(sizes); ++s)
+        for (size_t first = 0; first < COUNT(changes); ++first)
+            for (size_t second = 0; second < COUNT(changes); ++second) {
+                if (s > 0 && (changes[first] == pins || changes[second] == pins || changes[first] == hole ||
+                              changes[second] == hole))
+                    continue; /* of nodes that a small sheet has not */
+                cd_membrane *m = sheet(sizes[s][0], sizes[s][1]), *fresh = sheet(sizes[s][0], sizes[s][1]);
+                ok(cd_membrane_step(m, 10, 1));
+                changes[first](m);
+                ok(cd_membrane_step(m, 0.01, 1));
+                changes[second](m);
+                ok(cd_membrane_copy_state(fresh, m));
+                const cd_status with_a_past = cd_membrane_step(m, 0.01, 2), new = cd_membrane_step(fresh, 0.01, 2);
+                if (with_a_past != new || hash_of(m) != hash_of(fresh))
+                    fail_msg("%zu nodes a row, change %zu and then %zu: another step than a fresh copy's", sizes[s][0],
+                             first, second);
+                cd_membrane_destroy(m);
+                cd_membrane_destroy(fresh);
+            }
+}
+
+static void a_diverged_sheet_leaves_no_trace_after_a_reset(void** state) {
+    (void)state;
+    const double far = 1e308, gravity = -9;
+    size_t diverged = 0;
+    for (cd_method before = CD_METHOD_IMPLICIT; before <= CD_METHOD_STIFF_SECOND; ++before)
+        for (cd_method after = CD_METHOD_IMPLICIT; after <= CD_METHOD_STIFF_SECOND; ++after)
+            for (cd_solver solver = CD_SOLVER_ALTERNATING; solver <= CD_SOLVER_COUPLED; ++solver) {
+                cd_membrane *m = sheet(COLUMNS, ROWS), *fresh = sheet(COLUMNS, ROWS);
+                ok(cd_membrane_set_method(m, before));
+                ok(cd_membrane_set_solver(m, CD_SOLVER_COUPLED - solver));
+                ok(cd_membrane_write_f64(m, CD_POSITION, 0, 0, 1, 1, &far, 1));
+                int lost = 0;
+                for (int i = 0; i < 6 && !lost; ++i) lost = cd_membrane_step(m, 1e30, 8) == CD_ERROR_DIVERGED;
+                diverged += (size_t)lost;
+                ok(cd_membrane_reset(m));
+                ok(cd_membrane_reset(fresh));
+                for (int k = 0; k < 2; ++k) {
+                    ok(cd_membrane_set_method(k ? fresh : m, after));
+                    ok(cd_membrane_set_solver(k ? fresh : m, solver));
+                    ok(cd_membrane_set_gravity(k ? fresh : m, &gravity, 1));
+                    ok(cd_membrane_step(k ? fresh : m, 1e-3, 3));
+                }
+                assert_int_equal(hash_of(m), hash_of(fresh));
+                cd_membrane_destroy(m);
+                cd_membrane_destroy(fresh);
+            }
+    assert_true(diverged >= 16);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_sheet_steps_as_its_fresh_copy_does),
+        cmocka_unit_test(a_diverged_sheet_leaves_no_trace_after_a_reset),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
