@@ -10,46 +10,48 @@
  *           friction = drag + g manning^2 |u| / d^(4/3)         (Kass 1997, eq. 32-33; the bracket: shallow water)
  *
  * CD_MOMENTUM_LINEAR    without the bracket: waves, splashes, tides, floods that creep. Water has no inertia beyond its
- *                       own face: a shore moves with the slope of the surface there.
- * CD_MOMENTUM_ADVECTED  with it: moving shores, dam breaks, bores, whirls. Momentum is carried along with the water
- *                       that leaves a cell, upwind, solved for along the line. Where a step is short enough to show it,
- *                       dt sqrt(g d) < the cell, shocks run at their right speed.
- *                       With large steps (cd_water_set_corrections) the shore may cross many cells in a step.
+ *                       own face: a shore moves with the slope of the surface there, and bores of a tenth, half and
+ *                       twice the depth run 1, 5 and 13% too slow.
+ * CD_MOMENTUM_ADVECTED  with it: moving shores, dam breaks, bores, whirls. Momentum goes with the water that leaves a
+ *                       cell, upwind, of second order where depths are even and waves cross less than a cell in a step.
  *
- * A step sweeps along the rows, then along the columns, in the other order every other step. Along a line the surface
- * is implicit: series-spring elimination, with the faces' depths for springs. A face between two wet cells is as deep
- * as their mean; where one is dry, or too thin a film to give what the mean would take, as deep as the water stands
- * over the higher bed: so a lake lies still on any beach. No cell gives more than it has and gets within the step: what
- * had to be held back is counted, see cd_water_get_limited. Depths are never negative, and volume changes only by what
- * cd_water_get_account tells. Where it is right: waves much longer than the water is deep, surfaces that do not turn
- * over. Ship wakes and anything else that needs dispersion are not in it.
+ * A step sweeps along the rows, then along the columns, in the other order every other step. Along a line the fluxes
+ * and the surface that they change are solved for at once, by the theta scheme, theta = lambda, in time proportional to
+ * the cells; a face is as deep as the cells beside it in the mean, nearer to the one that gives where they differ a lot;
+ * no cell gives more than it has and gets (cd_water_get_limited counts what that held back). So depths are never
+ * negative, a lake lies still on any bed, and volume changes only by what cd_water_get_account tells.
  *
- * Waves do not limit the step, and where they cross more than two and a half cells in it, the surface of a line, by
- * CD_SOLVER_COUPLED of all the water, is solved for such that no depth comes out negative. Streams may limit it: where
- * water runs further than a cell in a step, |u| dt / dx + |v| dt / dy > 1, and waves do not outrun it, ripples on it
- * grow. Not so, swept in turn and advected, while waves cross at most 4 cells, nor, in steps of any length, along lines
- * in which depths differ by a tenth at most. Explicit and coupled steps hold such a stream back to a cell a step,
- * coupled ones not where waves cross 16 times its cells.
- *
- * Slower streams, too, let ripples grow: in a thousand steps, on a stream of a fifth of a cell a step, coupled steps of
- * advected momentum a thousand times where waves cross 2.5 to some ten cells, and steps of linear momentum with
- * lambda = 1/2 twenty times where waves cross 1 to 2.5; neither with lambda = 0.55. In explicit steps of advected
- * momentum ripples grow on any current where waves cross 0.4 cells or more.
- *
- * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
- * CD_METHOD_IMPLICIT with lambda 0.55, CD_SOLVER_ALTERNATING.
+ * Waves do not limit the step. Where water runs more than half a cell in a step, a line makes its step in 2, 4, ... 64
+ * parts, in each of which it runs no more than that, at the cost of so many steps of the line; faster water, of more
+ * than 32 cells a step, is carried all the same, only less exactly. Waves that a step lets cross more than a cell are
+ * slowed down, short ones most. Ripples on a stream do not grow, but for linear momentum with lambda = 1/2 over an
+ * uneven bed. Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5% in steps in
+ * which they cross 2 to 32, over which it is drawn out to up to eight times as many cells. Steps do not depend on each
+ * other's length.
  *
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
- * mode, of which shores are steep, take a little more than 1/2. Linear water gains energy where it deepens under a
- * velocity, h_t u^2 / 2 which its equations do not take away again: at random shores some hundredths in all, and beyond
- * that nothing with lambda above 1/2. Advected water gains some thousandths where it comes over a sill. Steps in which
- * waves cross three cells to five thousand made none at the random shores that were tried, but for some hundredths in
- * linear ones of lambda = 1/2 from rest. Of explicit steps velocities lag half a step behind the surface, and the
- * energy sways by that. In steps too long for waves or water to stay within a cell, no water is let run faster than a
- * fall from the highest head of its line would make it.
+ * mode, of which shores are steep, take a little more than 1/2. Advected water gains no energy in steps in which waves
+ * cross half a cell or more, and up to a hundredth in all at shores in shorter ones. Linear water gains energy where it
+ * deepens under a velocity, h_t u^2 / 2 which its equations do not take away again: at random shores some hundredths in
+ * all. No water is let run faster than a fall from the highest head of its line would make it in steps in which waves
+ * cross more than a cell.
+ *
+ * Explicit steps (cd_water_set_method) share all of this but the surface that is solved for: half of the slope pushes,
+ * the water moves, then the other half (velocity Verlet).
+ *
+ * Rows and columns are solved in turn only. In steps in which waves cross many cells, those that run aslant are slower
+ * than those along the axes. A solve of the whole plane would not be: but what streams carry with them makes its system
+ * neither symmetric nor definite, without that ripples grow, and what keeps depths from below 0 in it is a problem of
+ * its own; it cost tens of times as much and gained and lost water. Shorter steps serve better.
+ *
+ * Where it is right: waves much longer than the water is deep, surfaces that do not turn over. Ship wakes and anything
+ * else that needs dispersion are not in it.
+ *
+ * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
+ * CD_METHOD_IMPLICIT with lambda 0.55.
  *
  * All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
- * Numbers smaller than 2^-80 (float32) or 2^-500 (float64) are taken for 0 where a step stores them.
+ * Depths below 2^-80 m are taken for 0 where a step stores them, and velocities below 2^-80 (float32) or 2^-500 m/s.
  *
  * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
  * comments name the other errors. Functions that chain and membrane have too mean the same here. */
@@ -79,7 +81,8 @@ enum {
     CD_BORDER_WALL = 0,
     CD_BORDER_OPEN = 1,    /* water of a given level outside, into which waves run without an echo */
     CD_BORDER_INFLOW = 2,  /* a given discharge comes in; if negative, leaves as far as there is water */
-    CD_BORDER_PERIODIC = 3 /* goes on at the opposite side */
+    CD_BORDER_PERIODIC = 3, /* goes on at the opposite side */
+    CD_BORDER_LEVEL = 4     /* holds a given level for what flows out slower than its waves: a lake, a weir */
 };
 
 /* Whether water carries its momentum along. */
@@ -110,10 +113,9 @@ CD_API cd_status cd_water_get_shape(const cd_water* water, size_t* out_nx, size_
 
 /* ---- method ------------------------------------------------------------------------------------------------------ */
 
-/* How steps are made: CD_METHOD_IMPLICIT; CD_METHOD_SYMPLECTIC_EULER, which is the explicit forward-backward step, new
- * velocities moving the water, bounded up to cd_water_stable_dt; CD_METHOD_FORWARD_EULER.
- * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_METHOD_STIFF_SECOND, and for an explicit method with large steps;
- * CD_ERROR_MEMORY. */
+/* How steps are made: CD_METHOD_IMPLICIT; CD_METHOD_SYMPLECTIC_EULER, here in its symmetric form, second order in time
+ * and bounded up to cd_water_stable_dt; CD_METHOD_FORWARD_EULER, first order, bounded at no dt.
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_METHOD_STIFF_SECOND; CD_ERROR_MEMORY. */
 CD_API cd_status cd_water_set_method(cd_water* water, cd_method method);
 CD_API cd_status cd_water_get_method(const cd_water* water, cd_method* out_method);
 
@@ -122,41 +124,12 @@ CD_API cd_status cd_water_set_lambda(cd_water* water, double lambda);
 CD_API cd_status cd_water_get_lambda(const cd_water* water, double* out_lambda);
 
 /* Linear or advected momentum; see above. Sets lambda too, to what suits the mode: 0.55 for linear, 1/2 for advected.
- * Advected momentum costs memory. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for linear with large steps on;
- * CD_ERROR_MEMORY. */
+ * Advected momentum costs memory. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY. */
 CD_API cd_status cd_water_set_momentum(cd_water* water, cd_momentum momentum);
 CD_API cd_status cd_water_get_momentum(const cd_water* water, cd_momentum* out_momentum);
 
-/* Large steps, of tens of Courant numbers: 0: off (the default); 1 to 8: where waves cross more than a third of a cell,
- * the surface is solved for such that no depth comes out negative, and the step is made again `corrections - 1` times
- * with the faces' depths in the mean of its beginning and its end. Take 2 up to a Courant number of about 8, 4 beyond.
- * Needs CD_MOMENTUM_ADVECTED, CD_METHOD_IMPLICIT and CD_SOLVER_ALTERNATING, or CD_ERROR_UNSUPPORTED. Errors:
- * CD_ERROR_VALUE; CD_ERROR_MEMORY. */
-CD_API cd_status cd_water_set_corrections(cd_water* water, size_t corrections);
-CD_API cd_status cd_water_get_corrections(const cd_water* water, size_t* out_corrections);
-
-/* How implicit steps solve for the surface: rows and columns in turn (CD_SOLVER_ALTERNATING), or both at once
- * (CD_SOLVER_COUPLED), by conjugate gradients with multigrid: for waves of long steps that run aslant, at tens of times
- * the cost. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED with large steps on; CD_ERROR_MEMORY. */
-CD_API cd_status cd_water_set_solver(cd_water* water, cd_solver solver);
-CD_API cd_status cd_water_get_solver(const cd_water* water, cd_solver* out_solver);
-
-/* When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm), in
- * [1e-14, 1/2], default 1e-6, and of at most the root of that times the change of the surface, which in very long steps
- * asks for more; and how many iterations a solve may take, >= 1, default 100. When they do not suffice cd_water_step
- * says so with CD_ERROR_TOLERANCE. Volume is kept whatever the tolerance. In steps in which cells may run dry the
- * surface is solved for again as long as others do, and what momentum goes where to the same tolerance, in ten sweeps
- * an iteration at most. Errors: CD_ERROR_VALUE. */
-CD_API cd_status cd_water_set_tolerance(cd_water* water, double tolerance, size_t most_iterations);
-CD_API cd_status cd_water_get_tolerance(const cd_water* water, double* out_tolerance, size_t* out_most_iterations);
-
-/* What the last call of cd_water_step did with CD_SOLVER_COUPLED: the most iterations that a solve took, and the
- * largest residual it ended with, as a fraction of the one it started from, or, where that asks for more, of the change
- * of the surface over the root of the tolerance. 0 and 0 if there was none. Each may be null. */
-CD_API cd_status cd_water_get_convergence(const cd_water* water, size_t* out_iterations, double* out_residual);
-
 /* Which way the next step sweeps first: along x (0, the default of a new water) or along y (1). Every step turns it
- * round. Swept in turn, a scene and its transpose, begun opposite ways, stay each other's transpose to the bit.
+ * round. A scene and its transpose, begun opposite ways, stay each other's transpose to the bit.
  * Errors: CD_ERROR_VALUE for anything but 0 and 1. */
 CD_API cd_status cd_water_set_first(cd_water* water, int32_t along_y);
 CD_API cd_status cd_water_get_first(const cd_water* water, int32_t* out_along_y);
@@ -192,11 +165,18 @@ CD_API cd_status cd_water_set_manning(cd_water* water, double manning);
 CD_API cd_status cd_water_get_manning(const cd_water* water, double* out_manning);
 
 /* What is at a side. `value` now, and how fast it changes, `rate` per second, from now on:
- *   CD_BORDER_OPEN     level of the water outside [m]: a tide is its level and rate, set anew as it goes. Where it is
- *                      below the bed, water falls off the side. Water leaves with the speed u at which it stands
- *                      u sqrt(h / g) higher than outside, h the mean of both depths over the bed of the cell;
- *                      advected, and faster than its waves, as it comes.
- *   CD_BORDER_INFLOW   discharge per metre of the side [m^2/s] into the water
+ *   CD_BORDER_OPEN     level of the water outside [m], which is at rest: a tide is its level and rate, set anew as it
+ *                      goes. Waves leave without an echo, by u = 2 (sqrt(g d) - sqrt(g D)), d the depth in the cell at
+ *                      the side and D that of the level over the same bed; linear, u = sqrt(g d) (1 - D / d). The
+ *                      discharge is u d. Where that is faster than the waves, as over a side that lies higher than the
+ *                      level, water falls off: a stream that is slower than its waves leaves at critical depth, u =
+ *                      sqrt(g d), a faster one as it comes.
+ *   CD_BORDER_LEVEL    level [m] that is held at the side itself, whatever flows out: of depth D there water crosses it
+ *                      with U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and discharge U D. Waves
+ *                      are thrown back. What is faster than its waves falls off as above.
+ *   CD_BORDER_INFLOW   discharge per metre of the side [m^2/s] into the water, velocity times depth, whatever the depth
+ *                      is; it comes in at critical depth where the cell is shallower. If negative it leaves, as far as
+ *                      there is water
  *   CD_BORDER_WALL, CD_BORDER_PERIODIC   value and rate mean nothing
  * Both sides of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the
  * opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE. */
@@ -294,29 +274,28 @@ CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double ra
 /* ---- time ------------------------------------------------------------------------------------------------------- */
 
 /* Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
- * count * cells, with CD_SOLVER_COUPLED to the iterations too.
+ * count * cells, and to the parts that steps are made in (see above).
  * Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives
  * the first bad one, the water can be read, and steps again after cd_water_reset, a load, or once finite depths and
- * velocities have been written; CD_ERROR_TOLERANCE if a coupled solve ended short of its tolerance: all steps are made,
- * and good to the residual that cd_water_get_convergence tells. */
+ * velocities have been written. */
 CD_API cd_status cd_water_step(cd_water* water, double dt, size_t count);
 
 /* The longest dt at which CD_METHOD_SYMPLECTIC_EULER stays bounded for small waves on the water as it lies now,
- * whatever method is set: exact in the limit of many cells for water of one depth, a safe lower bound otherwise.
- * INFINITY if nothing can swing. */
+ * whatever method is set: the least of both axes, each exact in the limit of many cells for water of one depth, a safe
+ * lower bound otherwise. INFINITY if nothing can swing. */
 CD_API cd_status cd_water_stable_dt(const cd_water* water, double* out_dt);
 
 /* Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */
 CD_API cd_status cd_water_get_time(const cd_water* water, double* out_time);
 CD_API cd_status cd_water_get_steps(const cd_water* water, uint64_t* out_steps);
 
-/* How many times lines have been solved along a direction, or the plane by CD_SOLVER_COUPLED, since the water was made:
- * each time with a factorization of its own, since depths change. Not part of the saved state. */
+/* How many times lines have been solved along a direction since the water was made: of every sweep the most parts that
+ * a line made its step in, each a factorization of its own, since depths change. Not part of the saved state. */
 CD_API cd_status cd_water_get_factorizations(const cd_water* water, uint64_t* out_count);
 
 /* What the last call of cd_water_step had to hold back so that no cell gave more than it had and got: in how many
- * cells, counted once per sweep, and how much water [m^3]. Faces that lost more than half of a speed (see above), or
- * whose stream a coupled step held back, count with the cells. Each output may be null. */
+ * cells, counted once per sweep and part, and how much water [m^3] went or came less through faces. Each output may be
+ * null. */
 CD_API cd_status cd_water_get_limited(const cd_water* water, uint64_t* out_cells, double* out_volume);
 
 /* ---- measuring --------------------------------------------------------------------------------------------------- */

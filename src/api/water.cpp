@@ -36,8 +36,6 @@ cd_status cd_water_get_shape(const cd_water* water, size_t* out_nx, size_t* out_
 // ---- method ---------------------------------------------------------------------------------------------------------
 
 CD_GETTER(water, get_momentum, cd_momentum, out_momentum, x.momentum)
-CD_GETTER(water, get_corrections, size_t, out_corrections, x.corrections)
-CD_GETTER(water, get_solver, cd_solver, out_solver, x.solver)
 CD_GETTER(water, get_first, int32_t, out_along_y, x.first)
 
 cd_status cd_water_set_momentum(cd_water* water, cd_momentum momentum) {
@@ -45,53 +43,10 @@ cd_status cd_water_set_momentum(cd_water* water, cd_momentum momentum) {
     CD_CHECK(is_enum(__func__, "momentum", momentum, CD_MOMENTUM_ADVECTED));
     WaterFeatures wanted = features(w);
     wanted.momentum = momentum;
-    if (w.corrections > 0 && !takes_large_steps(wanted))
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "momentum is 0, linear, but large steps are on, corrections %zu",
-                    w.corrections);
     CD_CHECK(shared::change_features(__func__, w, wanted));
     w.lambda = momentum == CD_MOMENTUM_LINEAR ? kLinearLambda : 0.5;
     w.prepared_dt = 0;
     return CD_OK;
-}
-
-cd_status cd_water_set_corrections(cd_water* water, size_t corrections) {
-    CD_OPEN(water, w);
-    if (corrections > kMostCorrections)
-        return fail(CD_ERROR_VALUE, __func__, "corrections is %zu, must be 0 to %zu", corrections, kMostCorrections);
-    WaterFeatures wanted = features(w);
-    wanted.corrections = corrections;
-    if (corrections > 0 && !takes_large_steps(wanted))
-        return fail(
-            CD_ERROR_UNSUPPORTED, __func__,
-            "corrections is %zu, but momentum %d, method %d, solver %d: must be advected, implicit, alternating",
-            corrections, int(w.momentum), int(w.method), int(w.solver));
-    return shared::change_features(__func__, w, wanted);
-}
-
-cd_status cd_water_set_solver(cd_water* water, cd_solver solver) {
-    CD_OPEN(water, w);
-    CD_CHECK(is_enum(__func__, "solver", solver, CD_SOLVER_COUPLED));
-    WaterFeatures wanted = features(w);
-    wanted.solver = solver;
-    if (w.corrections > 0 && !takes_large_steps(wanted))
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "solver is 1, coupled, but large steps are on, corrections %zu",
-                    w.corrections);
-    return shared::change_features(__func__, w, wanted);
-}
-
-cd_status cd_water_set_tolerance(cd_water* water, double tolerance, size_t most_iterations) {
-    CD_OPEN(water, w);
-    return shared::set_tolerance(__func__, w, tolerance, most_iterations);
-}
-
-cd_status cd_water_get_tolerance(const cd_water* water, double* out_tolerance, size_t* out_most_iterations) {
-    CD_OPEN(water, w);
-    return shared::get_tolerance(__func__, w, out_tolerance, out_most_iterations);
-}
-
-cd_status cd_water_get_convergence(const cd_water* water, size_t* out_iterations, double* out_residual) {
-    CD_OPEN(water, w);
-    return shared::get_convergence(w, out_iterations, out_residual);
 }
 
 cd_status cd_water_set_first(cd_water* water, int32_t along_y) {
@@ -127,9 +82,9 @@ cd_status cd_water_set_bed_rule(cd_water* water, cd_bed_rule rule) {
 cd_status cd_water_set_side(cd_water* water, cd_side side, cd_border kind, double value, double rate) {
     CD_OPEN(water, w);
     CD_CHECK(is_enum(__func__, "side", side, CD_SIDE_Y_LAST));
-    CD_CHECK(is_enum(__func__, "kind", kind, CD_BORDER_PERIODIC));
+    CD_CHECK(is_enum(__func__, "kind", kind, CD_BORDER_LEVEL));
     WaterSide wanted{kind, 0, 0};
-    if (kind == CD_BORDER_OPEN || kind == CD_BORDER_INFLOW) {
+    if (has_value(kind)) {
         const double most = w.precision == CD_FLOAT64 ? kMost : 1e30;
         CD_CHECK(in_range(__func__, "value", value, -most, most));
         CD_CHECK(in_range(__func__, "rate", rate, -most, most));
@@ -155,11 +110,8 @@ cd_status cd_water_step(cd_water* water, double dt, size_t count) {
     CD_OPEN(water, w);
     CD_CHECK(shared::can_step(__func__, w, dt, count));
     if (count == 0) return CD_OK;
-    const WaterOutcome outcome = step_water(w, dt, count);
-    if (outcome.diverged_at) return shared::diverged_at(__func__, outcome.diverged_at);
-    if (outcome.converged) return CD_OK;
-    return fail(CD_ERROR_TOLERANCE, __func__, "a residual of %g is left after %zu iterations, tolerance is %g",
-                w.residual, w.iterations, w.tolerance);
+    const uint64_t diverged_at = step_water(w, dt, count);
+    return diverged_at ? shared::diverged_at(__func__, diverged_at) : CD_OK;
 }
 
 cd_status cd_water_get_limited(const cd_water* water, uint64_t* out_cells, double* out_volume) {

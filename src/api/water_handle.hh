@@ -39,9 +39,6 @@ inline cd_status set_method(const char* function, Water& w, cd_method method) {
         return fail(CD_ERROR_UNSUPPORTED, function, "method is 3, stiff second, which a water has not");
     WaterFeatures wanted = features(w);
     wanted.method = method;
-    if (w.corrections > 0 && !takes_large_steps(wanted))
-        return fail(CD_ERROR_UNSUPPORTED, function, "method is %d, but large steps are on, corrections %zu",
-                    int(method), w.corrections);
     return change_features(function, w, wanted);
 }
 

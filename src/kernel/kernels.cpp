@@ -29,14 +29,6 @@ template <class T> constexpr SheetStateKernels<T> state_kernels() {
 }
 #endif
 
-#if CD_WITH_WATER
-template <class T> constexpr WaterKernels<T> water_kernels() {
-    return {sweep_water<T>,  carry_across<T>,  guess_water<T>, finish_water<T>, keep_water<T>,
-            settle_water<T>, balance_water<T>, look_beside<T>, share_water<T>,  fill_water<T>,
-            leap_water<T>,   gather_loads,     limit_water};
-}
-#endif
-
 extern const Kernels kernels;
 const Kernels kernels = {
     CD_SET,
@@ -54,15 +46,15 @@ const Kernels kernels = {
 #else
     {},
 #endif
-#if CD_WITH_MEMBRANE || CD_WITH_WATER
+#if CD_WITH_MEMBRANE
     {pull_separable, pull_general, apply, moments, energies, solve_lines, filter_lines, smooth_lines, shift_down,
      shift_up, transpose, combine, multiply, wrap, dot, aggregate, spread,
-#if CD_WITH_MEMBRANE && CD_WITH_FLOAT32
+#if CD_WITH_FLOAT32
      state_kernels<float>(),
 #else
      {},
 #endif
-#if CD_WITH_MEMBRANE && CD_WITH_FLOAT64
+#if CD_WITH_FLOAT64
      state_kernels<double>()
 #else
      {}
@@ -72,12 +64,12 @@ const Kernels kernels = {
     {},
 #endif
 #if CD_WITH_WATER && CD_WITH_FLOAT32
-    water_kernels<float>(),
+    {sweep_water<float>, carry_across<float>},
 #else
     {},
 #endif
 #if CD_WITH_WATER && CD_WITH_FLOAT64
-    water_kernels<double>(),
+    {sweep_water<double>, carry_across<double>},
 #else
     {},
 #endif

@@ -9,7 +9,7 @@
 #include "kernel/segment_sweep.hh"
 #include "kernel/sheet.hh"
 #include "kernel/spring_sweep.hh"
-#include "kernel/water.hh"
+#include "kernel/water/sweep.hh"
 
 namespace cd {
 
@@ -82,19 +82,8 @@ struct SheetKernels {
 };
 
 template <class T> struct WaterKernels {
-    bool (*sweep)(const WaterAxis&, const WaterLines<T>&, double*, size_t, size_t);
-    bool (*carry_across)(const WaterCarried<T>&, double*, size_t, size_t);
-    void (*guess)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
-    void (*finish)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
-    bool (*keep)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
-    bool (*settle)(const WaterAxis&, const WaterLines<T>&, const WaterPlanes&, double*, size_t, size_t);
-    void (*balance)(const WaterBeside<T>&, size_t, size_t);
-    void (*look_beside)(const WaterBeside<T>&, size_t, size_t);
-    void (*share)(const WaterCells&, const T*, double*, double*, size_t, size_t);
-    bool (*fill)(const WaterCells&, T*, double*, double*, size_t, size_t);
-    bool (*leap)(const WaterAxis*, const WaterGrid<T>&, double*, size_t, size_t);
-    decltype(&CD_ISA::gather_loads) gather_loads;
-    decltype(&CD_ISA::limit_water) limit;
+    bool (*sweep)(const WaterSweep&, const WaterLines<T>&, double*, size_t, size_t);
+    bool (*carry_across)(const WaterAcross<T>&, double*, size_t, size_t);
 };
 
 struct Kernels {

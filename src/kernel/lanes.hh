@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
-#if defined(__AVX512F__)
+#if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
@@ -74,6 +74,7 @@ template <> struct Lanes<1, LaneKind::kSingle, double> {
     friend Lanes size_of(Lanes a) { return {__builtin_fabs(a.v)}; }
     template <class F> friend Lanes each_lane(Lanes a, F f) { return {f(a.v)}; }
     bool any_nan() const { return v != v; }
+    bool any_positive() const { return v > 0; }
 };
 
 template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
@@ -139,6 +140,20 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
             if (v[j] != v[j]) return true;
         return false;
     }
+    bool any_positive() const {
+#if defined(__AVX512F__)
+        if constexpr (N == 8) return _mm512_cmp_pd_mask(__m512d(v), __m512d{}, _CMP_GT_OQ) != 0;
+#endif
+#if defined(__AVX__)
+        if constexpr (N == 4) return _mm256_movemask_pd(_mm256_cmp_pd(__m256d(v), __m256d{}, _CMP_GT_OQ)) != 0;
+#endif
+#if defined(__SSE2__)
+        if constexpr (N == 2) return _mm_movemask_pd(_mm_cmpgt_pd(__m128d(v), __m128d{})) != 0;
+#endif
+        bool any = false;
+        for (int j = 0; j < N; ++j) any |= v[j] > 0;
+        return any;
+    }
 };
 
 template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
@@ -167,6 +182,7 @@ template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
     friend Lanes size_of(Lanes x) { return {size_of(x.a), size_of(x.b)}; }
     template <class F> friend Lanes each_lane(Lanes x, F f) { return {each_lane(x.a, f), each_lane(x.b, f)}; }
     bool any_nan() const { return a.any_nan() || b.any_nan(); }
+    bool any_positive() const { return a.any_positive() || b.any_positive(); }
 };
 
 template <int N> inline Lanes<N> operator*(double s, Lanes<N> a) { return Lanes<N>::splat(s) * a; }
@@ -188,15 +204,13 @@ template <int N> inline auto largest_of(Lanes<N> a) {
     if constexpr (N > kNative) return largest_of(larger(a.a, a.b));
     else return a;
 }
-// Whether any lane is > 0.
-template <int N> inline bool any_positive(Lanes<N> a) {
-    double lane[N];
-    a.store(lane);
-    bool any = false;
-    for (double x : lane) any |= x > 0;
-    return any;
+// Whether any lane is > 0, and whether all are.
+template <int N> inline bool any_positive(Lanes<N> a) { return a.any_positive(); }
+template <int N> inline bool all_positive(Lanes<N> a) {
+    return !any_positive(select(a, Lanes<N>{}, Lanes<N>::splat(1)));
 }
 
+// The least of all lanes, and the largest.
 template <int N> inline double least_in(Lanes<N> a) {
     double lane[N], least;
     a.store(lane);
@@ -204,6 +218,7 @@ template <int N> inline double least_in(Lanes<N> a) {
     for (double x : lane) least = x < least ? x : least;
     return least;
 }
+template <int N> inline double largest_in(Lanes<N> a) { return -least_in(-a); }
 
 // The point between `here` and `there` = moving + offset at a fraction of the way, and `extra` on top. With the sign
 // bit set, the fraction is measured from there: so both a fraction near 0 and one near 1 keep their digits, a weight of

@@ -35,14 +35,13 @@ namespace {
 struct WaterChanges {
     Change<char> depth, bed, velocity_x, velocity_y, source, pressure, force_x, force_y;
     Change<uint8_t> mask, wall_x, wall_y;
-    Change<double> coefficients, scratch;
+    Change<double> scratch;
 
-    WaterChanges(Water& w, const WaterFeatures& wanted, size_t coefficients_needed, size_t scratch_needed)
-        : WaterChanges(w, wanted, coefficients_needed, scratch_needed, w.plane * number_size(w),
+    WaterChanges(Water& w, const WaterFeatures& wanted, size_t scratch_needed)
+        : WaterChanges(w, wanted, scratch_needed, w.plane * number_size(w),
                        (w.cells[kX] + 1) * (w.cells[kY] + 1)) {}
 
-    WaterChanges(Water& w, const WaterFeatures& wanted, size_t coefficients_needed, size_t scratch_needed, size_t state,
-                 size_t bytes)
+    WaterChanges(Water& w, const WaterFeatures& wanted, size_t scratch_needed, size_t state, size_t bytes)
         : depth{w.depth, state},
           bed{w.bed, state},
           velocity_x{w.velocity[kX], state},
@@ -54,12 +53,11 @@ struct WaterChanges {
           mask{w.mask, wanted.mask ? bytes : 0},
           wall_x{w.wall[kX], wanted.wall[kX] ? bytes : 0},
           wall_y{w.wall[kY], wanted.wall[kY] ? bytes : 0},
-          coefficients{w.coefficients, coefficients_needed},
           scratch{w.scratch, scratch_needed} {}
 
     template <class F> bool all(F f) {
         return f(depth) && f(bed) && f(velocity_x) && f(velocity_y) && f(source) && f(pressure) && f(force_x) &&
-               f(force_y) && f(mask) && f(wall_x) && f(wall_y) && f(coefficients) && f(scratch);
+               f(force_y) && f(mask) && f(wall_x) && f(wall_y) && f(scratch);
     }
 };
 
@@ -68,8 +66,6 @@ struct WaterChanges {
 WaterFeatures features(const Water& w) {
     return {w.method,
             w.momentum,
-            w.solver,
-            w.corrections,
             bool(w.source),
             bool(w.pressure),
             {bool(w.force[kX]), bool(w.force[kY])},
@@ -79,19 +75,15 @@ WaterFeatures features(const Water& w) {
 }
 
 bool set_features(Water& w, const WaterFeatures& wanted) {
-    size_t coefficients, scratch;
-    if (!needs_of(w, wanted, coefficients, scratch)) return false;
-    WaterChanges changes(w, wanted, coefficients, scratch);
+    size_t scratch;
+    if (!needs_of(w, wanted, scratch)) return false;
+    WaterChanges changes(w, wanted, scratch);
     const auto all = [&](auto f) { return changes.all(f); };
-    if (wanted.method == w.method && wanted.momentum == w.momentum && wanted.solver == w.solver &&
-        wanted.corrections == w.corrections && keep_all(all))
-        return true;
+    if (wanted.method == w.method && wanted.momentum == w.momentum && keep_all(all)) return true;
     if (!take_all(w.memory, all)) return false;
     put_all(w.memory, all);
     w.method = wanted.method;
     w.momentum = wanted.momentum;
-    w.solver = wanted.solver;
-    w.corrections = wanted.corrections;
     if (changes.mask.is_new()) memset(w.mask.data, 1, w.mask.bytes());
     w.prepared_dt = 0;
     return true;
@@ -180,8 +172,6 @@ cd_status create_water(const char* function, size_t nx, size_t ny, double dx, do
         !multiply(rows, shape.pitch = grid.pitch, shape.plane) || !multiply(shape.plane, 80 * sizeof(double), all))
         return fail(CD_ERROR_SIZE, function, "nx %zu and ny %zu cells do not fit in memory", nx, ny);
     shape.lambda = kLinearLambda;
-    shape.tolerance = 1e-6;
-    shape.most_iterations = 100;
     shape.gravity = 9.81;
     shape.density = 1000;
 

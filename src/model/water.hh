@@ -26,13 +26,10 @@ struct Account {
 struct WaterSettings : ObjectSettings {
     double size[2]; // dx, dy
     cd_momentum momentum;
-    cd_solver solver;
     cd_bed_rule bed_rule;
     int32_t first; // the axis that the next step sweeps first
-    size_t corrections;
     WaterSide side[4]; // by cd_side
-    double gravity, density, drag, manning, tolerance;
-    size_t most_iterations;
+    double gravity, density, drag, manning;
     Account account;
 };
 
@@ -48,8 +45,6 @@ struct Water : Object, WaterSettings {
     // what the last call of step did
     uint64_t limited_cells;
     double limited_volume;
-    size_t iterations;
-    double residual;
 
     // f(array, array of another water...) for each field, in the order in which they are kept; and for every array.
     template <class F, class... W> static void each_field(F f, W&... w) {
@@ -59,12 +54,11 @@ struct Water : Object, WaterSettings {
     }
     template <class F> static void each_array(F f, Water& w) {
         each_field(f, w);
-        f(w.coefficients), f(w.scratch);
+        f(w.scratch);
     }
 };
 
 constexpr uint64_t kWaterTag = 0x3172746157644331; // "1CdWatr1"
-constexpr size_t kMostCorrections = 8;
 constexpr double kLinearLambda = 0.55; // the default
 constexpr double kLeastCell = 1e-30, kMostCell = 1e30, kMostGravity = 1e6, kMostManning = 1e3;
 constexpr double kLeastDensity = 1e-6, kMostDensity = 1e6;
@@ -73,15 +67,8 @@ constexpr double kLeastDensity = 1e-6, kMostDensity = 1e6;
 struct WaterFeatures {
     cd_method method;
     cd_momentum momentum;
-    cd_solver solver;
-    size_t corrections;
     bool source, pressure, force[2], mask, wall[2], parallel;
 };
-
-// What large steps need.
-inline bool takes_large_steps(const WaterFeatures& f) {
-    return f.method == CD_METHOD_IMPLICIT && f.momentum == CD_MOMENTUM_ADVECTED && f.solver == CD_SOLVER_ALTERNATING;
-}
 
 // ---- shape and parameters (water.cpp) -------------------------------------------------------------------------------
 
@@ -93,7 +80,9 @@ inline double cell_area(const Water& w) { return w.size[kX] * w.size[kY]; }
 inline Axis axis_of(cd_side side) { return side < CD_SIDE_Y_FIRST ? kX : kY; }
 inline cd_side side_of(Axis a, bool at_last) { return cd_side(2 * a + (at_last ? 1 : 0)); }
 inline bool periodic(const Water& w, Axis a) { return w.side[2 * a].kind == CD_BORDER_PERIODIC; }
-// Level or discharge of a side at a time.
+// Whether a side of that kind has a level or a discharge; and that at a time.
+inline bool has_level(cd_border kind) { return kind == CD_BORDER_OPEN || kind == CD_BORDER_LEVEL; }
+inline bool has_value(cd_border kind) { return kind == CD_BORDER_INFLOW || has_level(kind); }
 inline double side_value(const WaterSide& side, double time) { return side.value + side.rate * time; }
 
 // Faces of an axis there are along a direction.
@@ -122,8 +111,8 @@ bool crossable(const size_t* cells, const WaterSide* side, Axis a, size_t i, siz
     return !wall(a, i, j) && cell(at > 0 ? at - 1 : n - 1) && cell(at < n ? at : 0);
 }
 bool crossable(const Water& w, Axis a, size_t i, size_t j);
-// The depth of a face as sweeps take it, but for what they hold back of films: see kernel/water_line.hh. 0 of faces on
-// a side that is not periodic.
+// The depth of the water at a face, as energies, impulses and Courant numbers count it: the mean of two wet cells, else
+// how deep the water stands over the higher bed. 0 of faces on a side that is not periodic.
 double face_depth(const Water& w, Axis a, size_t i, size_t j);
 
 // ---- life and features (water.cpp) ----------------------------------------------------------------------------------
@@ -146,13 +135,10 @@ void restart_account(Water& w);
 // ---- time (water_step.cpp) ------------------------------------------------------------------------------------------
 
 // Numbers that steps with these features need; false if too many to count.
-bool needs_of(const Water& w, const WaterFeatures& f, size_t& coefficients, size_t& scratch);
+bool needs_of(const Water& w, const WaterFeatures& f, size_t& scratch);
 
-struct WaterOutcome {
-    uint64_t diverged_at; // number of the first step at which a number left the finite range, or 0
-    bool converged;       // of all coupled solves
-};
-WaterOutcome step_water(Water& w, double dt, size_t count);
+// Returns the number of the first step at which a number left the finite range, or 0.
+uint64_t step_water(Water& w, double dt, size_t count);
 
 // ---- measuring (water_measure.cpp) ----------------------------------------------------------------------------------
 

@@ -103,8 +103,6 @@ struct WaterKeep {
     static WaterFeatures features_of(const Settings& s) {
         return {s.own.method,
                 s.own.momentum,
-                s.own.solver,
-                s.own.corrections,
                 s.on(CD_SOURCE),
                 s.on(CD_PRESSURE),
                 {s.on(CD_FORCE_X), s.on(CD_FORCE_Y)},
@@ -113,28 +111,20 @@ struct WaterKeep {
                 false};
     }
 
-    template <class W> static void walk_size(W& w, size_t& size) {
-        uint64_t number = size;
-        walk(w, number);
-        size = number < SIZE_MAX ? size_t(number) : SIZE_MAX;
-    }
     template <class W> static void walk_settings(W& w, Settings& s) {
         WaterSettings& o = s.own;
         walk(w, o.size[kX]), walk(w, o.size[kY]);
-        walk(w, o.method), walk(w, o.momentum), walk(w, o.solver), walk(w, o.bed_rule), walk(w, o.first);
-        walk_size(w, o.corrections);
+        walk(w, o.method), walk(w, o.momentum), walk(w, o.bed_rule), walk(w, o.first);
         for (WaterSide& side : o.side) walk(w, side.kind), walk(w, side.value), walk(w, side.rate);
         walk(w, s.fields), walk(w, o.lambda);
-        walk(w, o.gravity), walk(w, o.density), walk(w, o.drag), walk(w, o.manning), walk(w, o.tolerance);
-        walk_size(w, o.most_iterations);
+        walk(w, o.gravity), walk(w, o.density), walk(w, o.drag), walk(w, o.manning);
         walk(w, o.account.initial), walk(w, o.account.in), walk(w, o.account.out);
         walk(w, o.clock.start), walk(w, o.clock.dt), walk(w, o.clock.counted), walk(w, o.clock.steps);
     }
 
     static bool valid_side(const WaterSide& side) {
         if (side.kind == CD_BORDER_WALL || side.kind == CD_BORDER_PERIODIC) return side.value == 0 && side.rate == 0;
-        return (side.kind == CD_BORDER_OPEN || side.kind == CD_BORDER_INFLOW) && isfinite(side.value) &&
-               fabs(side.rate) <= kMost;
+        return has_value(side.kind) && isfinite(side.value) && fabs(side.rate) <= kMost;
     }
     static bool valid(const Water&, const Settings& s) {
         const WaterSettings& o = s.own;
@@ -144,9 +134,7 @@ struct WaterKeep {
         const auto is_one_of_two = [](int32_t choice) { return choice == 0 || choice == 1; };
         bool good = (s.fields & ~optional) == 0;
         good &= o.method >= CD_METHOD_IMPLICIT && o.method <= CD_METHOD_SYMPLECTIC_EULER;
-        good &= is_one_of_two(o.momentum) && is_one_of_two(o.solver) && is_one_of_two(o.bed_rule);
-        good &= is_one_of_two(o.first) && o.corrections <= kMostCorrections;
-        good &= o.corrections == 0 || takes_large_steps(features_of(s));
+        good &= is_one_of_two(o.momentum) && is_one_of_two(o.bed_rule) && is_one_of_two(o.first);
         for (const WaterSide& side : o.side) good &= valid_side(side);
         for (Axis a : {kX, kY}) {
             good &= o.size[a] >= kLeastCell && o.size[a] <= kMostCell;
@@ -155,7 +143,6 @@ struct WaterKeep {
         good &= o.lambda >= 0 && o.lambda <= 1 && o.gravity >= 0 && o.gravity <= kMostGravity;
         good &= o.density >= kLeastDensity && o.density <= kMostDensity;
         good &= valid_parameter(o.drag) && o.manning >= 0 && o.manning <= kMostManning;
-        good &= o.tolerance >= kLeastTolerance && o.tolerance <= kMostTolerance && o.most_iterations >= 1;
         good &= !(o.account.in < 0) && !(o.account.out < 0);
         return good && o.clock.is_possible();
     }

@@ -21,7 +21,7 @@ FaceWater face_water(const Water& w, Axis a, size_t i, size_t j) {
     return {a == kX ? depth_at(w, inside, j) : depth_at(w, i, inside), 0.5};
 }
 
-// The depth of a face of the cell (i, j) on an open side, as sweeps take it.
+// The depth of a face of the cell (i, j) on a side that has a level.
 double open_depth(const Water& w, cd_side side, size_t i, size_t j) {
     if (!present(w, i, j)) return 0;
     const double outside = side_value(w.side[side], w.clock.time()) - bed_at(w, i, j);
@@ -30,24 +30,25 @@ double open_depth(const Water& w, cd_side side, size_t i, size_t j) {
 
 } // namespace
 
-// Small waves obey h'' = -A h, and the explicit step is bounded up to dt = 2 / sqrt(largest eigenvalue of A). Row sums
-// bound that: a face gives its cell's row twice g H / dx^2, once on the diagonal and once beside it; on an open side
-// both on the diagonal, as the level outside is half a cell away.
+// Small waves along an axis obey h'' = -A h, and the sweep of an explicit step is bounded up to dt = 2 / sqrt(largest
+// eigenvalue of A). Row sums bound that: a face gives its cell's row twice g H / dx^2, once on the diagonal and once
+// beside it; on an open side both on the diagonal, as the level outside is half a cell away. Axes are swept in turn, and
+// what each of them keeps bounded alone they do together.
 double stable_dt(const Water& w) {
     double most = 0;
     each_cell(w, [&](size_t i, size_t j) {
-        double sum = 0;
         for (Axis a : {kX, kY}) {
             if (periodic(w, a) && w.cells[a] == 1) continue; // its own neighbour: nothing swings
+            double sum = 0;
             for (size_t after : {0, 1}) {
                 const size_t x = i + (a == kX ? after : 0), y = j + (a == kY ? after : 0), at = a == kX ? x : y;
                 const bool on_side = !periodic(w, a) && (at == 0 || at == w.cells[a]);
-                if (on_side && w.side[side_of(a, at > 0)].kind != CD_BORDER_OPEN) continue;
+                if (on_side && !has_level(w.side[side_of(a, at > 0)].kind)) continue;
                 const double depth = on_side ? open_depth(w, side_of(a, at > 0), i, j) : face_depth(w, a, x, y);
                 sum += 2 * gravity_over_square(w, a) * depth;
             }
+            if (sum > most) most = sum;
         }
-        if (sum > most) most = sum;
     });
     return most > 0 ? 2 / sqrt(most) : HUGE_VAL;
 }

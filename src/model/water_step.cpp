@@ -1,9 +1,13 @@
-// Steps of a water: sources, then a sweep along each axis (kernel/water_line.hh has the equations, model.md section 5
-// their origin), and, of advected momentum, what each sweep carries of the other axis' velocities. Or both axes at
-// once: water_together.cpp.
-#include "model/water_work.hh"
+// Steps of a water: sources, then a sweep along each axis (kernel/water/line.hh tells the step of a line), and, of
+// advected momentum, what each sweep carries of the other axis' velocities.
+#include "base/parallel.hh"
+#include "base/sum.hh"
+#include "model/water.hh"
+#include "solve/planes.hh"
 
 namespace cd {
+
+static size_t lines_of(const Water& w, Axis a) { return w.cells[other(a)]; }
 
 // ---- memory ---------------------------------------------------------------------------------------------------------
 
@@ -11,136 +15,204 @@ namespace {
 
 constexpr size_t kMostTasks = 16; // that share a sweep: each needs a place to work
 
-// Numbers for one task, of either axis.
-bool task_size(const Water& w, size_t& out) {
-    out = 0;
-    for (Axis a : {kX, kY}) {
-        size_t size;
-        if (!add(w.cells[a], 2, size) || !multiply(size, kWaterPanels * water_lanes(lines_of(w, a)), size))
-            return false;
-        out = size > out ? size : out;
-    }
-    return true;
-}
+// What steps work with: runs of the scratch memory.
+struct WaterWork {
+    size_t tasks[2], per_task = 0; // along each axis; numbers
+    double *task, *tally;          // tasks lie per_task numbers apart; kTallies numbers per line
+    double* moved = nullptr;       // a plane of the state's numbers: through faces, where velocities are carried across
 
-void carve_together(const Water& w, const Grid& grid, bool coupled, WaterTogether& both, Carver& coefficients,
-                    Carver& scratch) {
-    for (WaterPlanes& planes : both.planes) {
-        for (double** plane : {&planes.velocity, &planes.face, &planes.guess, &planes.transfer})
-            *plane = scratch.plane(grid);
-        if (coupled)
-            for (double** plane : {&planes.gain, &planes.spring}) *plane = scratch.plane(grid);
+    WaterWork(const Water& w, const WaterFeatures& f, Carver& scratch) {
+        size_t most = 1;
+        for (Axis a : {kX, kY}) {
+            size_t size = 0;
+            scratch.fits = scratch.fits && add(w.cells[a], kWaterRoom, size) &&
+                           multiply(size, kWaterPanels * kWaterLanes, size);
+            per_task = size > per_task ? size : per_task;
+            const size_t packs = water_packs(lines_of(w, a));
+            tasks[a] = !f.parallel ? 1 : packs < kMostTasks ? packs : kMostTasks;
+            most = tasks[a] > most ? tasks[a] : most;
+        }
+        size_t size = 0, lines = w.cells[kX] > w.cells[kY] ? w.cells[kX] : w.cells[kY];
+        scratch.fits = scratch.fits && multiply(per_task, most, size) && multiply(lines, kTallies, lines);
+        task = scratch.numbers(size);
+        tally = scratch.numbers(lines);
+        const bool has_lines_beside = w.cells[kX] > 1 && w.cells[kY] > 1;
+        if (f.momentum == CD_MOMENTUM_ADVECTED && has_lines_beside)
+            moved = scratch.numbers(w.plane * number_size(w) / sizeof(double) + 1);
     }
-    both.load = scratch.plane(grid);
-    if (!coupled) return;
-    both.change = scratch.plane(grid);
-    for (double** plane : {&both.ground, &both.spring[kX], &both.spring[kY]}) *plane = coefficients.plane(grid);
-    for (WaterPlanes& planes : both.planes) planes.change = both.change;
-
-    // Every direction is a ring, joined by a spring of 0 where no side is periodic: a change of sides needs no memory.
-    SheetSystem& system = both.system;
-    system.kernels = &w.kernels->sheet;
-    system.parallel = &w.parallel;
-    system.grid = {w.cells[kX], w.cells[kY], grid.pitch};
-    scratch.fits &= grid_of(w.cells[kY], w.cells[kX], system.turned);
-    for (Axis a : {kX, kY}) system.ring[a] = w.cells[a] > 1;
-    system.sheet.mass = system.sheet.ground = both.ground;
-    for (Axis a : {kX, kY}) system.sheet.spring[a] = both.spring[a];
-    size_t pairs = 0;
-    scratch.fits = scratch.fits && multiply(w.cells[kY], kPairs, pairs);
-    system.sums = scratch.numbers(pairs);
-    both.gradient = GradientPlanes(system, scratch);
-    both.preconditioner.first.carve(system, false, coefficients, scratch);
-}
+};
 
 } // namespace
 
-WaterWork::WaterWork(const Water& w, const WaterFeatures& f, Carver& coefficients, Carver& scratch)
-    : together(f.method == CD_METHOD_SYMPLECTIC_EULER || f.solver == CD_SOLVER_COUPLED),
-      coupled(f.method == CD_METHOD_IMPLICIT && f.solver == CD_SOLVER_COUPLED),
-      grid{w.cells[kX] + 1, w.cells[kY] + 1, w.pitch},
-      per_task(0),
-      held(nullptr),
-      moved{},
-      both{} {
-    scratch.fits = scratch.fits && task_size(w, per_task);
-    size_t most = 1;
-    for (Axis a : {kX, kY}) {
-        const size_t packs = water_packs(lines_of(w, a));
-        tasks[a] = !f.parallel ? 1 : packs < kMostTasks ? packs : kMostTasks;
-        most = tasks[a] > most ? tasks[a] : most;
-    }
-    size_t size = 0, lines = w.cells[kX] > w.cells[kY] ? w.cells[kX] : w.cells[kY];
-    per_task = (per_task + 7) / 8 * 8;
-    scratch.fits = scratch.fits && multiply(per_task, most, size) && multiply(lines, kTallies, lines);
-    task = scratch.numbers(size);
-    tally = scratch.numbers(lines);
-    if (together) carve_together(w, grid, coupled, both, coefficients, scratch);
-    if (f.momentum == CD_MOMENTUM_ADVECTED || together) held = scratch.plane(grid);
-    if (f.momentum == CD_MOMENTUM_ADVECTED && !together) moved[kX] = moved[kY] = scratch.plane(grid);
-    both.stores = held; // until depths are filled in
-    if (together)
-        for (Axis a : {kX, kY}) {
-            moved[a] = both.planes[a].transfer;
-            both.planes[a].held = held;
-        }
-}
-
-bool needs_of(const Water& w, const WaterFeatures& f, size_t& coefficients, size_t& scratch) {
-    Carver coefficient_carver{nullptr}, scratch_carver{nullptr};
-    WaterWork work(w, f, coefficient_carver, scratch_carver);
-    coefficients = coefficient_carver.taken;
-    scratch = scratch_carver.taken;
-    return coefficient_carver.fits && scratch_carver.fits;
+bool needs_of(const Water& w, const WaterFeatures& f, size_t& scratch) {
+    Carver carver{nullptr};
+    WaterWork work(w, f, carver);
+    scratch = carver.taken;
+    return carver.fits;
 }
 
 // ---- steps ----------------------------------------------------------------------------------------------------------
 
 namespace {
 
-template <class T> struct Stepper : WaterStepper<T> {
-    using Base = WaterStepper<T>;
-    using Base::dt, Base::w, Base::work;
+template <class T> struct Stepper {
+    Water& w;
+    WaterWork& work;
+    double dt;
+    double done = 0; // steps made in this call
+    bool finite = true;
+
+    const WaterKernels<T>& kernels() const { return w.kernels->water_of(T()); }
+    size_t stride(Axis a) const { return a == kX ? 1 : w.pitch; }
+    size_t byte_stride(Axis a) const { return a == kX ? 1 : w.cells[kX] + 1; }
 
     // Makes a step. False if a number left the finite range.
     bool step() {
-        this->finite = true;
+        finite = true;
         if (w.source) add_sources();
         const Axis first = Axis(w.first);
-        if (work.together) {
-            this->step_together();
-        } else {
-            sweep(first);
-            sweep(other(first));
-        }
+        sweep(first);
+        sweep(other(first));
         w.first = other(first);
-        return this->finite;
+        done += 1;
+        return finite;
+    }
+
+    // body(where to work, first pack, count) for all packs of lines, which says whether all came out finite.
+    template <class Body> void in_tasks(Axis a, size_t lines, const Body& body) {
+        const size_t packs = water_packs(lines), tasks = work.tasks[a] < packs ? work.tasks[a] : packs;
+        auto task = [&](size_t t) {
+            const size_t first = packs * t / tasks, end = packs * (t + 1) / tasks;
+            if (!body(work.task + t * work.per_task, first, end - first))
+                __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
+        };
+        parallel_for(w.parallel, tasks, task);
     }
 
     void sweep(Axis a) {
-        const WaterAxis axis = this->axis_of_step(a);
-        WaterLines<T> lines = this->lines_along(a);
-        lines.held = work.held, lines.moved = work.moved[a];
-        this->in_tasks(a, lines.lines, [&](double* place, size_t first, size_t count) {
-            return this->kernels().sweep(axis, lines, place, first, count);
+        const WaterSweep along = sweep_along(a);
+        if (along.cells == 1 && along.closed() && !along.ring()) return; // nothing moves
+        const WaterLines<T> lines = lines_along(a);
+        in_tasks(a, lines.lines, [&](double* place, size_t first, size_t count) {
+            return kernels().sweep(along, lines, place, first, count);
         });
-        this->count_up(lines.lines);
-        if (axis.advected) this->carry(a);
+        count_up(lines.lines);
+        if (work.moved) carry(a);
+    }
+
+    WaterSweep sweep_along(Axis a) const {
+        const bool implicit = w.method == CD_METHOD_IMPLICIT;
+        const double theta = implicit ? w.lambda : w.method == CD_METHOD_FORWARD_EULER ? 0 : 0.5;
+        const double time = time_at(theta);
+        return {w.cells[a],
+                dt,
+                dt / w.size[a],
+                theta,
+                implicit,
+                w.gravity,
+                w.drag,
+                w.gravity * w.manning * w.manning,
+                w.momentum == CD_MOMENTUM_ADVECTED,
+                {end_of(a, false, time), end_of(a, true, time)}};
+    }
+
+    // In a part of the step, as the clock counts however steps share calls.
+    double time_at(double part) const {
+        const double here = done + part;
+        if (w.clock.dt != dt) return w.clock.time() + here * dt;
+        return w.clock.start + (double(w.clock.counted) + here) * dt;
+    }
+
+    WaterEnd end_of(Axis a, bool at_last, double time) const {
+        const WaterSide& side = w.side[side_of(a, at_last)];
+        const double value = side_value(side, time);
+        switch (side.kind) {
+        case CD_BORDER_OPEN: return {End::kOpen, value, 0};
+        case CD_BORDER_LEVEL: return {End::kLevel, value, 0};
+        case CD_BORDER_INFLOW: return {End::kInflow, 0, value};
+        case CD_BORDER_PERIODIC: return {End::kRing, 0, 0};
+        default: return {End::kWall, 0, 0};
+        }
+    }
+
+    WaterLines<T> lines_along(Axis a) const {
+        WaterLines<T> lines{};
+        lines.lines = lines_of(w, a);
+        lines.along = stride(a), lines.across = stride(other(a));
+        lines.byte_along = byte_stride(a), lines.byte_across = byte_stride(other(a));
+        lines.depth = numbers<T>(w.depth), lines.bed = numbers<T>(w.bed), lines.velocity = numbers<T>(w.velocity[a]);
+        lines.pressure = numbers<T>(w.pressure), lines.force = numbers<T>(w.force[a]);
+        lines.pressure_share = dt / (w.density * w.size[a]);
+        lines.mask = w.mask.data, lines.wall = w.wall[a].data;
+        lines.moved = reinterpret_cast<T*>(work.moved);
+        lines.tally = work.tally;
+        return lines;
+    }
+
+    // What moves along `a` carries of the velocities across it, which lie on the faces between the lines.
+    void carry(Axis a) {
+        const size_t last = w.cells[other(a)] - 1, step = stride(other(a));
+        carry_faces(a, 1, last, 0);
+        if (!periodic(w, other(a))) return;
+        carry_faces(a, 0, 1, last);
+        T* const v = numbers<T>(w.velocity[other(a)]); // the faces 0 and n are one
+        for (size_t i = 0; i < w.cells[a]; ++i) v[i * stride(a) + (last + 1) * step] = v[i * stride(a)];
+    }
+
+    // The faces [first, first + count) between lines, and the line of cells before the first one.
+    void carry_faces(Axis a, size_t first, size_t count, size_t before) {
+        const Axis over = other(a);
+        const size_t here = first * stride(over), there = before * stride(over);
+        const size_t byte_here = first * byte_stride(over), byte_there = before * byte_stride(over);
+        const uint8_t *const mask = w.mask.data, *const wall = w.wall[over].data;
+        const T *const depth = numbers<T>(w.depth), *const moved = reinterpret_cast<const T*>(work.moved);
+        const WaterAcross<T> across{w.cells[a],
+                                    count,
+                                    stride(a),
+                                    stride(over),
+                                    periodic(w, a),
+                                    numbers<T>(w.velocity[over]) + here,
+                                    {depth + there, depth + here},
+                                    {moved + there, moved + here},
+                                    {mask ? mask + byte_there : nullptr, mask ? mask + byte_here : nullptr},
+                                    wall ? wall + byte_here : nullptr,
+                                    byte_stride(a),
+                                    byte_stride(over)};
+        in_tasks(a, count, [&](double* place, size_t from, size_t packs) {
+            return kernels().carry_across(across, place, from, packs);
+        });
+    }
+
+    // Adds up what `lines` lines have to tell; of their parts the most.
+    void count_up(size_t lines) {
+        Sum sums[kParts];
+        double parts = 0;
+        for (size_t k = 0; k < lines; ++k) {
+            const double* const t = work.tally + k * kTallies;
+            for (int which = 0; which < kParts; ++which)
+                if (t[which] != 0) sums[which].add(t[which]); // seldom
+            parts = t[kParts] > parts ? t[kParts] : parts;
+        }
+        w.account.in += sums[kIn].value() * cell_area(w);
+        w.account.out += sums[kOut].value() * cell_area(w);
+        w.limited_volume += sums[kHeldBack].value() * cell_area(w);
+        w.limited_cells += uint64_t(sums[kLimited].value());
+        w.factorizations += uint64_t(parts);
     }
 
     // What rounding takes from a cell the next wet one gets, line by line: small sources are not lost on deep water.
     void add_sources() {
         Sum in, out;
         const Axis along = Axis(w.first);
-        double owed = 0;
+        Rounding<T, 1> rounding;
         for (size_t line = 0; line < lines_of(w, along); ++line) {
             for (size_t k = 0; k < w.cells[along]; ++k) {
                 const size_t i = along == kX ? k : line, j = along == kX ? line : k, at = place(w, i, j);
                 const double source = double(numbers<T>(w.source)[at]), d = double(numbers<T>(w.depth)[at]);
                 if (source == 0 || !present(w, i, j)) continue;
-                const double added = dt * source > -d ? dt * source : -d, now = d + added;
+                const double added = dt * source > -d ? dt * source : -d;
                 (added > 0 ? in : out).add(added > 0 ? added : -added);
-                numbers<T>(w.depth)[at] = stored_depth<T>(now, owed);
+                numbers<T>(w.depth)[at] = T(rounding({d + added}).v);
             }
         }
         w.account.in += in.value() * cell_area(w);
@@ -148,35 +220,31 @@ template <class T> struct Stepper : WaterStepper<T> {
     }
 };
 
-template <class T> WaterOutcome step(Water& w, double dt, size_t count) {
-    Carver coefficients{w.coefficients.data}, scratch{w.scratch.data};
-    WaterWork work(w, features(w), coefficients, scratch);
+template <class T> uint64_t step(Water& w, double dt, size_t count) {
+    Carver scratch{w.scratch.data};
+    WaterWork work(w, features(w), scratch);
     w.limited_cells = 0;
     w.limited_volume = 0;
-    Stepper<T> stepper{{w, work, dt, {}}};
+    Stepper<T> stepper{w, work, dt};
     uint64_t bad = 0;
-    for (size_t s = 0; s < count; ++s) {
-        work.done = double(s);
+    for (size_t s = 0; s < count; ++s)
         if (!stepper.step() && bad == 0) bad = w.clock.steps + s + 1;
-    }
-    w.iterations = stepper.worst.iterations;
-    w.residual = stepper.worst.residual;
-    return {bad, stepper.worst.reached};
+    return bad;
 }
 
 } // namespace
 
-WaterOutcome step_water(Water& w, double dt, size_t count) {
-    WaterOutcome outcome{};
+uint64_t step_water(Water& w, double dt, size_t count) {
+    uint64_t diverged_at = 0;
 #if CD_WITH_FLOAT64
-    if (w.precision == CD_FLOAT64) outcome = step<double>(w, dt, count);
+    if (w.precision == CD_FLOAT64) diverged_at = step<double>(w, dt, count);
 #endif
 #if CD_WITH_FLOAT32
-    if (w.precision == CD_FLOAT32) outcome = step<float>(w, dt, count);
+    if (w.precision == CD_FLOAT32) diverged_at = step<float>(w, dt, count);
 #endif
     w.clock.advance(dt, count);
-    w.diverged = outcome.diverged_at != 0;
-    return outcome;
+    w.diverged = diverged_at != 0;
+    return diverged_at;
 }
 
 } // namespace cd

@@ -29,7 +29,6 @@ static const struct bad_number no_gravity[] = {{1.0625e6, "1.0625e+06"}, {1e300,
 static const struct bad_number no_density[] = {{1e-7, "1e-07"}, {1.0625e6, "1.0625e+06"}, {1e300, "1e+300"}};
 static const struct bad_number no_manning[] = {{1000.5, "1000.5"}, {1e300, "1e+300"}};
 static const struct bad_number no_cell[] = {{1e-31, "1e-31"}, {1e31, "1e+31"}, {-0.125, "-0.125"}};
-static const struct bad_number no_tolerance[] = {{0.9e-14, "9e-15"}, {0.75, "0.75"}, {0, "0"}, {-1e-6, "-1e-06"}};
 
 static void no_parameter_takes_a_number_outside_its_range(void** state) {
     (void)state;
@@ -47,12 +46,6 @@ static void no_parameter_takes_a_number_outside_its_range(void** state) {
     refuses_each(w, cd_water_set_manning(w, bad), "manning", not_finite);
     refuses_each(w, cd_water_set_manning(w, bad), "manning", negative);
     refuses_each(w, cd_water_set_manning(w, bad), "manning", no_manning);
-    refuses_each(w, cd_water_set_tolerance(w, bad, 10), "tolerance", not_finite);
-    refuses_each(w, cd_water_set_tolerance(w, bad, 10), "tolerance", no_tolerance);
-    refuses(w, cd_water_set_tolerance(w, 1e-6, 0), CD_ERROR_VALUE, "most_iterations|0");
-    static const size_t too_many[] = {9, 77, SIZE_MAX};
-    for (size_t i = 0; i < COUNT(too_many); ++i)
-        refuses(w, cd_water_set_corrections(w, too_many[i]), CD_ERROR_VALUE, name_and_size("corrections", too_many[i]));
 }
 
 static void no_step_is_made_of_what_is_no_time(void** state) {
@@ -180,14 +173,13 @@ static void no_array_takes_a_place_outside(void** state) {
 
 static void no_number_is_taken_for_an_enumerator(void** state) {
     (void)state;
-    static const int32_t none[] = {-1, 4, 99, INT32_MAX, INT32_MIN};
+    static const int32_t none[] = {-1, 5, 99, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < COUNT(none); ++i) {
         const int bad = none[i];
         refuses(w, cd_water_create(1, 1, 1, 1, bad, NULL, &out.water), CD_ERROR_ENUM, text_of("precision|%d", bad));
         refuses(w, cd_water_set_method(w, bad), CD_ERROR_ENUM, text_of("method|%d", bad));
         refuses(w, cd_water_set_kernels(w, bad), CD_ERROR_ENUM, text_of("kernels|%d", bad));
         refuses(w, cd_water_set_momentum(w, bad), CD_ERROR_ENUM, text_of("momentum|%d", bad));
-        refuses(w, cd_water_set_solver(w, bad), CD_ERROR_ENUM, text_of("solver|%d", bad));
         refuses(w, cd_water_set_bed_rule(w, bad), CD_ERROR_ENUM, text_of("rule|%d", bad));
         refuses(w, cd_water_set_side(w, bad, CD_BORDER_WALL, 0, 0), CD_ERROR_ENUM, text_of("side|%d", bad));
         refuses(w, cd_water_set_side(w, CD_SIDE_X_LAST, bad, 0, 0), CD_ERROR_ENUM, text_of("kind|%d", bad));
@@ -197,7 +189,6 @@ static void no_number_is_taken_for_an_enumerator(void** state) {
     }
     refuses(w, cd_water_create(1, 1, 1, 1, 2, NULL, &out.water), CD_ERROR_ENUM, "precision|2");
     refuses(w, cd_water_set_momentum(w, 2), CD_ERROR_ENUM, "momentum|2");
-    refuses(w, cd_water_set_solver(w, 2), CD_ERROR_ENUM, "solver|2");
     refuses(w, cd_water_set_bed_rule(w, 2), CD_ERROR_ENUM, "rule|2");
     refuses(w, cd_water_set_first(w, 2), CD_ERROR_VALUE, "along_y|2");
 }

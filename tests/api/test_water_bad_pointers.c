@@ -50,13 +50,6 @@ static void only_a_living_water_is_taken_for_one(void** state) {
     refuses_handles(cd_water_get_lambda, n);
     refuses_handles(cd_water_set_momentum, CD_MOMENTUM_LINEAR);
     refuses_handles(cd_water_get_momentum, &out.i32);
-    refuses_handles(cd_water_set_corrections, 2);
-    refuses_handles(cd_water_get_corrections, out.size);
-    refuses_handles(cd_water_set_solver, CD_SOLVER_COUPLED);
-    refuses_handles(cd_water_get_solver, &out.i32);
-    refuses_handles(cd_water_set_tolerance, 1e-3, 10);
-    refuses_handles(cd_water_get_tolerance, n, out.size);
-    refuses_handles(cd_water_get_convergence, out.size, n);
     refuses_handles(cd_water_set_first, 1);
     refuses_handles(cd_water_get_first, &out.i32);
     refuses_handles(cd_water_set_parallel, NULL);
@@ -149,10 +142,6 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(w, cd_water_get_kernels(w, NULL), CD_ERROR_NULL, "out_kernels");
     refuses(w, cd_water_get_lambda(w, NULL), CD_ERROR_NULL, "out_lambda");
     refuses(w, cd_water_get_momentum(w, NULL), CD_ERROR_NULL, "out_momentum");
-    refuses(w, cd_water_get_corrections(w, NULL), CD_ERROR_NULL, "out_corrections");
-    refuses(w, cd_water_get_solver(w, NULL), CD_ERROR_NULL, "out_solver");
-    refuses(w, cd_water_get_tolerance(w, NULL, out.size), CD_ERROR_NULL, "out_tolerance");
-    refuses(w, cd_water_get_tolerance(w, out.number, NULL), CD_ERROR_NULL, "out_most_iterations");
     refuses(w, cd_water_get_first(w, NULL), CD_ERROR_NULL, "out_along_y");
     refuses(w, cd_water_get_gravity(w, NULL), CD_ERROR_NULL, "out_gravity");
     refuses(w, cd_water_get_density(w, NULL), CD_ERROR_NULL, "out_density");
@@ -193,8 +182,6 @@ static const char* const nullable[] = {
     "cd_water_get_shape out_dx",
     "cd_water_get_shape out_dy",
     "cd_water_get_shape out_precision",
-    "cd_water_get_convergence out_iterations",
-    "cd_water_get_convergence out_residual",
     "cd_water_set_parallel parallel",
     "cd_water_get_side out_kind",
     "cd_water_get_side out_value",
@@ -226,7 +213,6 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     const double at[2] = {0.25, 0.25};
     cd_water* other = pool(1, 1, CD_FLOAT32);
     ok(cd_water_get_shape(other, NULL, NULL, NULL, NULL, NULL));
-    ok(cd_water_get_convergence(other, NULL, NULL));
     ok(cd_water_set_parallel(other, NULL));
     ok(cd_water_get_side(other, CD_SIDE_X_FIRST, NULL, NULL, NULL));
     ok(cd_water_add_volume(other, 0, 0, 0, 1, NULL));

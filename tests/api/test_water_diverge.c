@@ -210,43 +210,6 @@ static void enormous_depths_and_velocities_either_step_or_diverge(void** state) 
             }
 }
 
-/* ---- tolerance ---- */
-
-static void a_solve_that_ends_short_of_its_tolerance_is_told_and_the_steps_are_made(void** state) {
-    (void)state;
-    size_t iterations = 0;
-    double residual = 0;
-    uint64_t steps;
-    cd_water* w = pool(31, 33, CD_FLOAT64);
-    ok(cd_water_set_solver(w, CD_SOLVER_COUPLED));
-    pool_vary(w, CD_DEPTH, 5, 1, 3);
-    ok(cd_water_set_tolerance(w, 1e-12, 1));
-    assert_int_equal(cd_water_step(w, 2, 3), CD_ERROR_TOLERANCE);
-    ok(cd_water_get_convergence(w, &iterations, &residual));
-    assert_int_equal(iterations, 1);
-    assert_true(residual > 1e-12);
-    const char* message = cd_error_message();
-    assert_non_null(strstr(message, "cd_water_step: "));
-    assert_non_null(strstr(message, text_of("%g", residual)));
-    assert_non_null(strstr(message, text_of(" %zu iterations", iterations)));
-    assert_non_null(strstr(message, "1e-12"));
-    ok(cd_water_get_steps(w, &steps));
-    assert_int_equal(steps, 3);
-    double initial, error;
-    ok(cd_water_get_account(w, &initial, NULL, NULL, &error)); /* kept whatever the tolerance */
-    assert_true(fabs(error) <= 1e-13 * initial);
-    assert_int_equal(cd_water_step(w, 2, 1), CD_ERROR_TOLERANCE); /* and goes on */
-    ok(cd_water_set_tolerance(w, 1e-9, 1000));
-    ok(cd_water_step(w, 2, 1));
-    ok(cd_water_get_convergence(w, &iterations, &residual));
-    assert_true(iterations > 1 && iterations <= 1000 && residual <= 1e-9);
-    ok(cd_water_set_solver(w, CD_SOLVER_ALTERNATING));
-    ok(cd_water_step(w, 2, 1));
-    ok(cd_water_get_convergence(w, &iterations, &residual));
-    assert_true(iterations == 0 && residual == 0);
-    cd_water_destroy(w);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(divergence_is_reported_with_the_first_bad_step),
@@ -256,7 +219,6 @@ int main(void) {
         cmocka_unit_test(a_diverged_water_goes_on_once_finite_numbers_are_written),
         cmocka_unit_test(a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loaded),
         cmocka_unit_test(enormous_depths_and_velocities_either_step_or_diverge),
-        cmocka_unit_test(a_solve_that_ends_short_of_its_tolerance_is_told_and_the_steps_are_made),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -196,7 +196,7 @@ static struct account account_of(const cd_water* w) {
 static void a_bed_lifts_the_water_and_the_account_stays(void** state) {
     (void)state;
     for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
-        cd_water* w = pool_of(7, NX, NY, precision, 3);
+        cd_water* w = pool_of(POOL_TIDE, NX, NY, precision, 3);
         double depth[2][MOST];
         const struct account before = account_of(w);
         pool_read(w, CD_DEPTH, depth[0]);
@@ -213,7 +213,7 @@ static void a_bed_that_keeps_the_surface_takes_or_makes_room_and_accounts_for_it
     (void)state;
     for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
         const double exactly = precision ? 1e-14 : 1e-6;
-        cd_water* w = pool_of(7, NX, NY, precision, 3);
+        cd_water* w = pool_of(POOL_TIDE, NX, NY, precision, 3);
         ok(cd_water_set_bed_rule(w, CD_BED_KEEPS_SURFACE));
         ok(cd_water_restart_account(w));
         double surface[2][MOST], depth[MOST], bed[MOST];

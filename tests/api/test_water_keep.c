@@ -41,7 +41,7 @@ static void assert_same_in_all_that_can_be_read(const cd_water* a, const cd_wate
         cd_water_get_time,   cd_water_stable_dt,   cd_water_get_volume,  cd_water_get_wet_area,
     };
     static cd_status (*const enums[])(const cd_water*, int32_t*) = {
-        cd_water_get_method, cd_water_get_momentum, cd_water_get_solver, cd_water_get_first, cd_water_get_bed_rule};
+        cd_water_get_method, cd_water_get_momentum, cd_water_get_first, cd_water_get_bed_rule};
     const cd_water* const both[2] = {a, b};
     for (size_t i = 0; i < COUNT(numbers); ++i) {
         double x[2];
@@ -54,16 +54,13 @@ static void assert_same_in_all_that_can_be_read(const cd_water* a, const cd_wate
         assert_int_equal(x[0], x[1]);
     }
     struct {
-        double size[2], tolerance, value[4], rate[4], account[4], energy[2], courant;
+        double size[2], value[4], rate[4], account[4], energy[2], courant;
         int32_t kind[4];
-        size_t most, corrections;
         uint64_t steps;
     } told[2];
     memset(told, 0, sizeof told);
     for (int k = 0; k < 2; ++k) {
         ok(cd_water_get_shape(both[k], NULL, NULL, &told[k].size[0], &told[k].size[1], NULL));
-        ok(cd_water_get_tolerance(both[k], &told[k].tolerance, &told[k].most));
-        ok(cd_water_get_corrections(both[k], &told[k].corrections));
         ok(cd_water_get_steps(both[k], &told[k].steps));
         ok(cd_water_get_energy(both[k], &told[k].energy[0], &told[k].energy[1]));
         ok(cd_water_get_courant(both[k], 0.1, &told[k].courant));
@@ -172,20 +169,17 @@ static void a_rollback_in_the_same_water_repeats_itself(void** state) {
 static void what_was_saved_can_be_loaded_at_the_ends_of_every_range(void** state) {
     (void)state;
     static const struct {
-        double cell, lambda, gravity, density, drag, manning, tolerance, value;
-        size_t most, corrections;
-    } ends[] = {{1e-30, 0, 0, 1e-6, 0, 0, 1e-14, -1e60, 1, 0}, {1e30, 1, 1e6, 1e6, 1e60, 1e3, 0.5, 1e60, SIZE_MAX, 8}};
+        double cell, lambda, gravity, density, drag, manning, value;
+    } ends[] = {{1e-30, 0, 0, 1e-6, 0, 0, -1e60}, {1e30, 1, 1e6, 1e6, 1e60, 1e3, 1e60}};
     for (size_t i = 0; i < COUNT(ends); ++i) {
         cd_water *w = NULL, *fresh = pool(NX, NY, CD_FLOAT64);
         ok(cd_water_create(NX, NY, ends[i].cell, ends[1 - i].cell, CD_FLOAT64, NULL, &w));
         ok(cd_water_set_momentum(w, CD_MOMENTUM_ADVECTED));
-        ok(cd_water_set_corrections(w, ends[i].corrections));
         ok(cd_water_set_lambda(w, ends[i].lambda));
         ok(cd_water_set_gravity(w, ends[i].gravity));
         ok(cd_water_set_density(w, ends[i].density));
         ok(cd_water_set_drag(w, ends[i].drag));
         ok(cd_water_set_manning(w, ends[i].manning));
-        ok(cd_water_set_tolerance(w, ends[i].tolerance, ends[i].most));
         ok(cd_water_step(w, i ? 1e30 : 1e-30, 3)); /* dry: only time runs */
         ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_INFLOW, ends[i].value, -ends[i].value));
         ok(cd_water_set_side(w, CD_SIDE_X_LAST, CD_BORDER_OPEN, ends[i].value, ends[i].value));

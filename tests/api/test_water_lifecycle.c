@@ -49,22 +49,14 @@ static uint64_t count_of(cd_status (*get)(const cd_water*, uint64_t*), const cd_
     return number;
 }
 
-static size_t corrections_of(const cd_water* w) {
-    size_t corrections = 77;
-    ok(cd_water_get_corrections(w, &corrections));
-    return corrections;
-}
-
 static void a_new_water_has_the_defaults_of_the_header(void** state) {
     (void)state;
     for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
         cd_water* w = pool(4, 3, precision);
         assert_int_equal(enum_of(cd_water_get_method, w), CD_METHOD_IMPLICIT);
         assert_int_equal(enum_of(cd_water_get_momentum, w), CD_MOMENTUM_LINEAR);
-        assert_int_equal(enum_of(cd_water_get_solver, w), CD_SOLVER_ALTERNATING);
         assert_int_equal(enum_of(cd_water_get_bed_rule, w), CD_BED_LIFTS_WATER);
         assert_int_equal(enum_of(cd_water_get_first, w), 0);
-        assert_int_equal(corrections_of(w), 0);
         assert_true(number_of(cd_water_get_lambda, w) == 0.55);
         assert_true(number_of(cd_water_get_gravity, w) == 9.81);
         assert_true(number_of(cd_water_get_density, w) == 1000);
@@ -77,12 +69,7 @@ static void a_new_water_has_the_defaults_of_the_header(void** state) {
         assert_int_equal(count_of(cd_water_get_steps, w), 0);
         assert_int_equal(count_of(cd_water_get_factorizations, w), 0);
         double a = -1, b = -1, account[4] = {-1, -1, -1, -1};
-        size_t iterations = 77;
         uint64_t cells = 77;
-        ok(cd_water_get_tolerance(w, &a, &iterations));
-        assert_true(a == 1e-6 && iterations == 100);
-        ok(cd_water_get_convergence(w, &iterations, &a));
-        assert_true(a == 0 && iterations == 0);
         ok(cd_water_get_limited(w, &cells, &a));
         assert_true(a == 0 && cells == 0);
         ok(cd_water_get_energy(w, &a, &b));
@@ -142,7 +129,6 @@ static void getters_tell_what_was_set(void** state) {
         int32_t last;
     } enums[] = {{cd_water_set_method, cd_water_get_method, CD_METHOD_SYMPLECTIC_EULER},
                  {cd_water_set_momentum, cd_water_get_momentum, CD_MOMENTUM_ADVECTED},
-                 {cd_water_set_solver, cd_water_get_solver, CD_SOLVER_COUPLED},
                  {cd_water_set_bed_rule, cd_water_get_bed_rule, CD_BED_KEEPS_SURFACE},
                  {cd_water_set_first, cd_water_get_first, 1}};
     for (size_t i = 0; i < COUNT(enums); ++i)
@@ -150,20 +136,6 @@ static void getters_tell_what_was_set(void** state) {
             ok(enums[i].set(w, value));
             assert_int_equal(enum_of(enums[i].get, w), value);
         }
-    static const double tolerances[] = {1e-14, 0.25, 0.5};
-    static const size_t mosts[] = {1, 7, SIZE_MAX};
-    for (size_t i = 0; i < COUNT(mosts); ++i) {
-        double tolerance;
-        size_t most;
-        ok(cd_water_set_tolerance(w, tolerances[i], mosts[i]));
-        ok(cd_water_get_tolerance(w, &tolerance, &most));
-        assert_true(tolerance == tolerances[i] && most == mosts[i]);
-    }
-    ok(cd_water_set_momentum(w, CD_MOMENTUM_ADVECTED));
-    for (size_t corrections = 0; corrections <= 8; ++corrections) {
-        ok(cd_water_set_corrections(w, corrections));
-        assert_int_equal(corrections_of(w), corrections);
-    }
     cd_water_destroy(w);
 }
 
@@ -216,13 +188,13 @@ static void zero_steps_do_nothing(void** state) {
     }
 }
 
-/* Each line along a direction, or the plane, counts once however many there are. */
+/* Each direction counts once however many lines there are, and of lines that make their step in parts the most. */
 static void solves_are_counted_by_direction(void** state) {
     (void)state;
     static const struct {
         pool_build* build;
         uint64_t each; /* step */
-    } wanted[] = {{pool_beach, 2}, {pool_torus, 2}, {pool_explicit, 0}, {pool_forward, 0}};
+    } wanted[] = {{pool_beach, 2}, {pool_torus, 2}, {pool_explicit, 2}, {pool_forward, 2}};
     for (size_t i = 0; i < COUNT(wanted); ++i) {
         cd_water* w = pool(6, 5, CD_FLOAT64);
         wanted[i].build(w);

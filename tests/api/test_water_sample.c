@@ -94,7 +94,7 @@ static void at_a_centre_the_numbers_are_those_of_the_cell(void** state) {
 
 static void on_a_face_the_velocity_is_that_of_the_face(void** state) {
     (void)state;
-    cd_water* w = pool_of(9, NX, NY, CD_FLOAT64, 3); /* periodic both ways, so that all faces move */
+    cd_water* w = pool_of(POOL_TORUS, NX, NY, CD_FLOAT64, 3); /* periodic both ways, so that all faces move */
     for (size_t j = 0; j < NY; ++j)
         for (size_t i = 0; i < NX; ++i) {
             const double on_x[2] = {(double)i * POOL_DX, centre_y(j)}, on_y[2] = {centre_x(i), (double)j * POOL_DY};
@@ -146,8 +146,8 @@ static void nothing_is_told_of_cells_that_are_not_there(void** state) {
 
 static void round_a_periodic_side_there_is_no_edge(void** state) {
     (void)state;
-    cd_water* w = pool_of(9, NX, NY, CD_FLOAT64, 5);
-    cd_water* moved = pool_of(9, NX, NY, CD_FLOAT64, 5);
+    cd_water* w = pool_of(POOL_TORUS, NX, NY, CD_FLOAT64, 5);
+    cd_water* moved = pool_of(POOL_TORUS, NX, NY, CD_FLOAT64, 5);
     double from[(NX + 1) * (NY + 1)], to[(NX + 1) * (NY + 1)];
     static const cd_field fields[] = {CD_DEPTH, CD_VELOCITY_X, CD_VELOCITY_Y};
     for (size_t f = 0; f < COUNT(fields); ++f) { /* by four cells along x and three along y */

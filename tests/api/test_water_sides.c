@@ -15,42 +15,6 @@ static void a_water_has_no_second_order_stiff_method(void** state) {
     }
 }
 
-static void large_steps_need_advected_implicit_alternating_water(void** state) {
-    (void)state;
-    for (cd_method method = CD_METHOD_IMPLICIT; method <= CD_METHOD_SYMPLECTIC_EULER; ++method)
-        for (cd_momentum momentum = CD_MOMENTUM_LINEAR; momentum <= CD_MOMENTUM_ADVECTED; ++momentum)
-            for (cd_solver solver = CD_SOLVER_ALTERNATING; solver <= CD_SOLVER_COUPLED; ++solver) {
-                cd_water* w = pool(5, 4, CD_FLOAT32);
-                ok(cd_water_set_method(w, method)); /* all these go together */
-                ok(cd_water_set_momentum(w, momentum));
-                ok(cd_water_set_solver(w, solver));
-                ok(cd_water_set_corrections(w, 0));
-                ok(cd_water_step(w, 0.01, 2));
-                if (method == CD_METHOD_IMPLICIT && momentum == CD_MOMENTUM_ADVECTED && solver == CD_SOLVER_ALTERNATING)
-                    ok(cd_water_set_corrections(w, 8));
-                else refuses(w, cd_water_set_corrections(w, 1), CD_ERROR_UNSUPPORTED, "corrections|1");
-                ok(cd_water_step(w, 0.01, 2));
-                cd_water_destroy(w);
-            }
-}
-
-static void nothing_else_is_chosen_while_large_steps_are_on(void** state) {
-    (void)state;
-    cd_water* w = pool_of(POOL_EVERYTHING_LARGE, 5, 4, CD_FLOAT64, 1);
-    refuses(w, cd_water_set_momentum(w, CD_MOMENTUM_LINEAR), CD_ERROR_UNSUPPORTED, "momentum|2");
-    refuses(w, cd_water_set_solver(w, CD_SOLVER_COUPLED), CD_ERROR_UNSUPPORTED, "solver|2");
-    refuses(w, cd_water_set_method(w, CD_METHOD_FORWARD_EULER), CD_ERROR_UNSUPPORTED, "method|1");
-    refuses(w, cd_water_set_method(w, CD_METHOD_SYMPLECTIC_EULER), CD_ERROR_UNSUPPORTED, "method|2");
-    ok(cd_water_set_momentum(w, CD_MOMENTUM_ADVECTED));
-    ok(cd_water_set_solver(w, CD_SOLVER_ALTERNATING));
-    ok(cd_water_set_method(w, CD_METHOD_IMPLICIT));
-    ok(cd_water_set_corrections(w, 0));
-    ok(cd_water_set_solver(w, CD_SOLVER_COUPLED));
-    ok(cd_water_set_momentum(w, CD_MOMENTUM_LINEAR));
-    ok(cd_water_set_method(w, CD_METHOD_SYMPLECTIC_EULER));
-    cd_water_destroy(w);
-}
-
 /* ---- sides ---- */
 
 struct side {
@@ -68,7 +32,8 @@ static void sides_tell_what_was_set(void** state) {
     (void)state;
     cd_water* w = pool(5, 4, CD_FLOAT32);
     for (cd_side which = CD_SIDE_X_FIRST; which <= CD_SIDE_Y_LAST; ++which)
-        for (cd_border kind = CD_BORDER_INFLOW; kind >= CD_BORDER_WALL; --kind) {
+        for (cd_border kind = CD_BORDER_LEVEL; kind >= CD_BORDER_WALL; --kind) {
+            if (kind == CD_BORDER_PERIODIC) continue;
             ok(cd_water_set_side(w, which, kind, -1.5, 0.25));
             const struct side side = side_of(w, which);
             assert_int_equal(side.kind, kind);
@@ -205,8 +170,6 @@ static void what_comes_in_and_goes_out_at_sides_is_accounted_for(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_water_has_no_second_order_stiff_method),
-        cmocka_unit_test(large_steps_need_advected_implicit_alternating_water),
-        cmocka_unit_test(nothing_else_is_chosen_while_large_steps_are_on),
         cmocka_unit_test(sides_tell_what_was_set),
         cmocka_unit_test(the_value_runs_on_with_its_rate_from_when_it_was_set),
         cmocka_unit_test(both_sides_of_a_direction_are_periodic_or_neither),

@@ -46,7 +46,7 @@ COMPONENTS = 3
 SHAPES = {"chain": (2, 4, COMPONENTS, 1, None), "membrane": (4, 5, COMPONENTS, 1, None),
           "water": (5, 4, 1.0, 2.0, 1, None)}
 # Arguments with which every call succeeds; what is not here is 1.
-VALUES = {"lambda": 0.5, "tolerance": 0.01, "dt": 0.01, "corrections": 0, "strand": 0, "index_size": 4, "stride": 64,
+VALUES = {"lambda": 0.5, "tolerance": 0.01, "dt": 0.01, "strand": 0, "index_size": 4, "stride": 64,
           "position_offset": 0, "normal_offset": 12, "depth_offset": 24, "first": 0, "first_strand": 0, "first_u": 0,
           "first_v": 0, "first_x": 0, "first_y": 0, "along_u": 1, "along_v": 1, "height": 0.1, "skip_dry": 0}
 ROOM = 1 << 16

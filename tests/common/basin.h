@@ -14,20 +14,13 @@ struct way {
     cd_method method;
     cd_momentum momentum;
     double lambda;
-    size_t corrections;
-    cd_solver solver;
 };
 enum {
     LINEAR, /* as a new water is */
     LINEAR_HALF,
     LINEAR_ONE,
     ADVECTED,
-    LARGE_1, /* large steps, with so many corrections */
-    LARGE_2,
-    LARGE_4,
-    COUPLED,
-    COUPLED_ADVECTED,
-    EXPLICIT, /* forward-backward */
+    EXPLICIT, /* CD_METHOD_SYMPLECTIC_EULER */
     EXPLICIT_ADVECTED,
     WAYS
 };
@@ -48,8 +41,7 @@ void basin_set(cd_water* water, cd_field field, size_t i, size_t j, double value
 typedef double basin_shape(double x, double y, const void* user);
 void basin_fill(cd_water* water, cd_field field, basin_shape* shape, const void* user);
 
-/* Steps, and takes it that a tolerance asks for more than rounding leaves: returns whether it was met. */
-int basin_step(cd_water* water, double dt, size_t count);
+void basin_step(cd_water* water, double dt, size_t count);
 
 double basin_volume(const cd_water* water);
 double basin_volume_off(const cd_water* water); /* what the account cannot explain, over all that was ever there */

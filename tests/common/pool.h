@@ -40,34 +40,32 @@ double pool_volume(const cd_water* water);
  * that no water can cross stay 0. */
 void pool_vary(cd_water* water, cd_field field, double mean, double size, uint64_t seed);
 
-/* Makes steps that must end well, or only short of a coupled solve's tolerance. */
+/* Makes steps that must end well. */
 void pool_step(cd_water* water, double dt, size_t count);
 
 /* Scenes for a water that is new, of any shape. */
 typedef void pool_build(cd_water* water);
 
-pool_build pool_beach;            /* linear, walled in, partly dry */
-pool_build pool_dam;              /* advected, breaks over a dry bed */
-pool_build pool_flood;            /* the same with large steps */
-pool_build pool_coupled;          /* linear, coupled */
-pool_build pool_coupled_advected; /* advected, coupled, partly dry, rough */
-pool_build pool_explicit;         /* forward-backward, with wind */
-pool_build pool_forward;          /* forward Euler, damped */
-pool_build pool_tide;             /* linear, open along x, the level outside moves */
-pool_build pool_river;            /* advected, rough, water comes in at one end and falls off the other */
-pool_build pool_torus;            /* advected, periodic both ways, drag, a current */
-pool_build pool_masked;           /* linear, periodic along y, islands and walls */
-pool_build pool_fed;              /* advected, sources and drains, pressure, wind */
-pool_build pool_everything;       /* every field and parameter at once, alternating */
-pool_build pool_everything_large; /* and with large steps, periodic along x */
-pool_build pool_everything_both;  /* and coupled */
+pool_build pool_beach;           /* linear, walled in, partly dry */
+pool_build pool_dam;             /* advected, breaks over a dry bed */
+pool_build pool_flood;           /* the same over a rough bed, in long steps */
+pool_build pool_weir;            /* advected, runs down to levels that two sides hold */
+pool_build pool_explicit;        /* explicit, with wind */
+pool_build pool_forward;         /* forward Euler, damped */
+pool_build pool_tide;            /* linear, open along x, the level outside moves */
+pool_build pool_river;           /* advected, rough, water comes in at one end and falls off the other */
+pool_build pool_torus;           /* advected, periodic both ways, drag, a current */
+pool_build pool_masked;          /* linear, periodic along y, islands and walls */
+pool_build pool_fed;             /* advected, sources and drains, pressure, wind */
+pool_build pool_everything;      /* every field and parameter at once */
+pool_build pool_everything_long; /* the same in long steps, periodic along x */
 
 struct pool_scene {
     const char* name;
     pool_build* build;
     double dt;
 };
-enum { POOLS = 15, POOL_EVERYTHING = 12, POOL_EVERYTHING_LARGE = 13, POOL_EVERYTHING_BOTH = 14 };
+enum { POOLS = 13, POOL_TIDE = 6, POOL_TORUS = 8, POOL_EVERYTHING = 11 };
 extern const struct pool_scene pools[POOLS];
 
 /* A pool of a scene, after some steps. */

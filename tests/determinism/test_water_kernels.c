@@ -27,7 +27,7 @@ static void all_kernels_give_the_same_bits(void** state) {
             }
 }
 
-static uint64_t run_calm(size_t nx, size_t ny, cd_precision precision, cd_kernels kernels) {
+static uint64_t run_lake(size_t nx, size_t ny, cd_precision precision, cd_kernels kernels) {
     cd_water* const water = pool(nx, ny, precision);
     pool_fill(water, CD_BED, -1);
     pool_vary(water, CD_DEPTH, 1, 0.05, nx + 100 * ny);
@@ -39,20 +39,20 @@ static uint64_t run_calm(size_t nx, size_t ny, cd_precision precision, cd_kernel
 }
 
 /* However many lines are left over when those that go side by side are done. */
-static void any_number_of_calm_lines_gives_the_same_bits(void** state) {
+static void any_number_of_lines_gives_the_same_bits(void** state) {
     (void)state;
     for (size_t nx = 1; nx <= 40; ++nx)
         for (size_t ny = 1; ny <= 40; ny += nx % 3 + 1)
             for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
-                const uint64_t plain = run_calm(nx, ny, precision, CD_KERNELS_PLAIN);
+                const uint64_t plain = run_lake(nx, ny, precision, CD_KERNELS_PLAIN);
                 FOR_RUNNABLE(kernels)
-                if (run_calm(nx, ny, precision, kernels) != plain)
+                if (run_lake(nx, ny, precision, kernels) != plain)
                     fail_msg("%zu x %zu: %s differs", nx, ny, cd_kernels_name(kernels));
             }
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(all_kernels_give_the_same_bits),
-                                       cmocka_unit_test(any_number_of_calm_lines_gives_the_same_bits)};
+                                       cmocka_unit_test(any_number_of_lines_gives_the_same_bits)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

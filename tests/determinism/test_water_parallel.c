@@ -6,7 +6,7 @@
 #include "jobs.h"
 #include "pool.h"
 
-/* Large enough to be dealt out in several parts. Coupled solves are cut short: every iteration counts the same. */
+/* Large enough to be dealt out in several parts. */
 static void the_job_system_leaves_no_trace(void** state) {
     (void)state;
     for (size_t scene = 0; scene < POOLS; ++scene)
@@ -19,7 +19,6 @@ static void the_job_system_leaves_no_trace(void** state) {
                 cd_water* w = pool(67, 61, precision);
                 pools[scene].build(w);
                 ok(cd_water_set_parallel(w, how == 0 ? NULL : &parallel));
-                ok(cd_water_set_tolerance(w, 1e-9, 3));
                 pool_step(w, pools[scene].dt, 2);
                 hashes[how] = hash_of(w);
                 tasks = jobs.tasks;
@@ -56,8 +55,6 @@ static cd_water* many_rows(const cd_water* slice, cd_precision precision) {
     double row[NX + 1], all[MOST];
     cd_momentum momentum;
     ok(cd_water_get_momentum(slice, &momentum));
-    size_t corrections;
-    ok(cd_water_get_corrections(slice, &corrections));
     double lambda, manning, drag;
     ok(cd_water_get_lambda(slice, &lambda));
     ok(cd_water_get_manning(slice, &manning));
@@ -65,7 +62,6 @@ static cd_water* many_rows(const cd_water* slice, cd_precision precision) {
     cd_method method;
     ok(cd_water_get_method(slice, &method));
     ok(cd_water_set_momentum(w, momentum));
-    ok(cd_water_set_corrections(w, corrections));
     ok(cd_water_set_method(w, method));
     ok(cd_water_set_lambda(w, lambda));
     ok(cd_water_set_manning(w, manning));

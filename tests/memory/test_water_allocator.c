@@ -19,10 +19,6 @@ static cd_status forward(cd_water* w) { return cd_water_set_method(w, CD_METHOD_
 static cd_status implicit(cd_water* w) { return cd_water_set_method(w, CD_METHOD_IMPLICIT); }
 static cd_status linear(cd_water* w) { return cd_water_set_momentum(w, CD_MOMENTUM_LINEAR); }
 static cd_status advected(cd_water* w) { return cd_water_set_momentum(w, CD_MOMENTUM_ADVECTED); }
-static cd_status large(cd_water* w) { return cd_water_set_corrections(w, 4); }
-static cd_status small(cd_water* w) { return cd_water_set_corrections(w, 0); }
-static cd_status coupled(cd_water* w) { return cd_water_set_solver(w, CD_SOLVER_COUPLED); }
-static cd_status alternating(cd_water* w) { return cd_water_set_solver(w, CD_SOLVER_ALTERNATING); }
 static cd_status parallel(cd_water* w) {
     const cd_parallel reversed = jobs_reversed(&jobs);
     return cd_water_set_parallel(w, &reversed);
@@ -59,10 +55,6 @@ static const struct call {
     {"set_method implicit", implicit, 0},
     {"set_momentum linear", linear, 0},
     {"set_momentum advected", advected, 0},
-    {"set_corrections", large, 0},
-    {"set_corrections 0", small, 0},
-    {"set_solver coupled", coupled, 0},
-    {"set_solver alternating", alternating, 0},
     {"set_parallel", parallel, 0},
     {"set_parallel null", single, 0},
     {"set_side open", side, 1},

@@ -62,7 +62,6 @@ static cd_water* scene(const struct way* way, enum extra extra, uint64_t seed, c
     size_t n_x, n_y;
     cd_water* w = basin(NX, NY, 0.5, 0.7, precision);
     basin_set_way(w, way);
-    ok(cd_water_set_tolerance(w, 1e-13, 300));
     basin_random_bed(w, 1, 2, seed);
     if (extra == RINGS || extra == WET_RINGS) {
         ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
@@ -122,7 +121,6 @@ static cd_water* view_of(const cd_water* from, enum view view, const struct way*
     size_t n_x, n_y;
     cd_water* to = swap ? basin(NY, NX, 0.7, 0.5, precision) : basin(NX, NY, 0.5, 0.7, precision);
     basin_set_way(to, way);
-    ok(cd_water_set_tolerance(to, 1e-13, 300));
     ok(cd_water_get_first(from, &first));
     ok(cd_water_set_first(to, swap ? 1 - first : first));
     ok(cd_water_get_drag(from, &drag));
@@ -173,24 +171,19 @@ static double apart(const struct way* way, enum extra extra, enum view view, uin
     return same ? -1 : off;
 }
 
-/* Transposed scenes that begin the other way round: to the bit, but for coupled solves and explicit steps, whose
- * sums go along x first, and which at shores make more of every rounding. */
+/* Transposed scenes that begin the other way round. */
 static void a_transposed_scene_is_the_same_to_the_bit(void** state) {
     (void)state;
     for (size_t k = 0; k < WAYS; ++k)
         for (int extra = 0; extra < EXTRAS; ++extra)
             for (uint64_t seed = 1; seed <= 5; ++seed) {
                 const double dt = basin_is_explicit(&ways[k]) ? 0.03 : seed % 2 ? 0.1 : 1;
-                const int coupled = ways[k].solver == CD_SOLVER_COUPLED;
                 const cd_precision precision = seed == 4 ? CD_FLOAT32 : CD_FLOAT64;
-                const double off = apart(&ways[k], (enum extra)extra, TRANSPOSED, seed, coupled ? 0.1 : dt,
-                                         coupled ? 10 : 100, precision);
-                if (off > (coupled ? 1e-5 : -1))
+                const double off = apart(&ways[k], (enum extra)extra, TRANSPOSED, seed, dt, 100, precision);
+                if (off > -1)
                     print_message("%s, %s, number %d: apart by %.1e\n", ways[k].name, extra_names[extra], (int)seed,
                                   off);
-                if (coupled) assert_true(off <= 1e-6 || precision == CD_FLOAT32);
-                else if (basin_is_explicit(&ways[k])) assert_true(off <= 1e-3 || precision == CD_FLOAT32);
-                else assert_true(off == -1);
+                assert_true(off == -1);
             }
 }
 
@@ -210,32 +203,25 @@ static void mirrored_scenes_stay_each_others_image(void** state) {
                                   worst);
                 /* what is pushed or let in may wet a cell but for rounding, and a face changes with that */
                 const int to_rounding = extra == PLAIN || extra == WET || extra == RINGS || extra == WET_RINGS;
-                const int sweeps = !basin_is_explicit(&ways[k]) && ways[k].solver != CD_SOLVER_COUPLED;
-                assert_true(worst <= (to_rounding && sweeps ? 1e-12 : ways[k].corrections ? 5e-3 : 1e-3));
-                if (extra == WET) assert_true(worst <= 1e-12 || ways[k].solver == CD_SOLVER_COUPLED);
+                assert_true(worst <= (to_rounding ? 1e-12 : 1e-3));
             }
 }
 
-/* What long coupled steps leave in a cell may be a film but for the solve's tolerance, and the next step differs. */
 static void a_ring_may_begin_anywhere(void** state) {
     (void)state;
-    for (size_t k = 0; k < WAYS; ++k) {
-        const int coupled = ways[k].solver == CD_SOLVER_COUPLED;
+    for (size_t k = 0; k < WAYS; ++k)
         for (enum extra extra = RINGS; extra <= WET_RINGS; ++extra)
             for (int longer = 0; longer < 2; ++longer) {
                 double worst = 0;
                 for (uint64_t seed = 1; seed <= 5; ++seed) {
                     const double dt = basin_is_explicit(&ways[k]) ? 0.03 : longer ? 0.5 : 0.05;
-                    const int steps = coupled && longer && extra == RINGS ? 1 : 20;
-                    worst = fmax(worst, apart(&ways[k], extra, ROLLED, seed, dt, steps, CD_FLOAT64));
+                    worst = fmax(worst, apart(&ways[k], extra, ROLLED, seed, dt, 20, CD_FLOAT64));
                 }
-                const double most = coupled ? 1e-11 : 1e-13;
-                if (worst > most / 10)
+                if (worst > 1e-14)
                     print_message("%-17s %-9s %s steps: apart by %.1e\n", ways[k].name, extra_names[extra],
                                   longer ? "long" : "short", worst);
-                assert_true(worst <= most);
+                assert_true(worst <= 1e-13);
             }
-    }
 }
 
 int main(void) {

@@ -69,15 +69,7 @@ static void water_rocks_in_a_parabola(void** state) {
         {LINEAR_ONE, 400, 0.5, 2.8e-2}, {ADVECTED, 100, 0.5, 1.24e-3},
         {ADVECTED, 200, 0.5, 4.4e-4},   {ADVECTED, 400, 0.5, 9.6e-5},
         {ADVECTED, 200, 2, 1.7e-3},     {ADVECTED, 200, 8, 2.1e-1},
-        {LARGE_1, 100, 0.5, 1.35e-3},   {LARGE_1, 200, 0.5, 4.8e-4},
-        {LARGE_1, 400, 0.5, 1.2e-4},    {LARGE_1, 200, 2, 2.2e-3},
-        {LARGE_1, 200, 8, 0.22},        {LARGE_2, 100, 0.5, 1.07e-3},
-        {LARGE_2, 200, 0.5, 4.3e-4},    {LARGE_2, 400, 0.5, 1.1e-4},
-        {LARGE_2, 200, 2, 5.9e-4},      {LARGE_2, 200, 8, 6.7e-3},
-        {LARGE_2, 400, 8, 4.6e-3},      {LARGE_2, 200, 16, 0.19},
-        {LARGE_4, 200, 2, 6.2e-4},      {LARGE_4, 200, 8, 9.2e-4},
-        {LARGE_4, 400, 8, 4.0e-4},      {LARGE_4, 200, 16, 8.5e-3},
-        {COUPLED, 200, 0.5, 2.1e-2},    {COUPLED_ADVECTED, 200, 0.5, 5.6e-4},
+        {ADVECTED, 400, 8, 2.2e-4},     {ADVECTED, 200, 16, 1.0e-3},
         {EXPLICIT, 200, 0.4, 2.6e-2},   {EXPLICIT_ADVECTED, 200, 0.4, 4.9e-4},
     };
     for (size_t r = 0; r < COUNT(rows); ++r) {
@@ -88,8 +80,6 @@ static void water_rocks_in_a_parabola(void** state) {
                       (size_t)c.limited);
         assert_true(c.error <= rows[r].most);
         assert_true(c.volume_off <= 1e-14);
-        /* in large steps only speeds may be bounded, on films */
-        if (way->corrections > 0) assert_true(c.held_back <= 1e-12);
     }
 }
 
@@ -110,7 +100,6 @@ static void a_trough_along_y_rocks_like_one_along_x(void** state) {
         enum { N = 60 };
         double depth[4][N];
         const double step = basin_is_explicit(&ways[k]) ? 0.4 : 1;
-        if (ways[k].solver == CD_SOLVER_COUPLED) continue; /* sums go along x first */
         rock(&ways[k], 0, N, 1, step, depth[0]);
         rock(&ways[k], 1, N, 1, step, depth[1]);
         rock(&ways[k], 0, N, 9, step, depth[2]);
@@ -172,13 +161,6 @@ static void water_goes_round_in_a_bowl(void** state) {
         {ADVECTED, 100, 0.5, 1.43e-03},
         {ADVECTED, 200, 0.5, 4.1e-04},
         {ADVECTED, 100, 2, 4.0e-03},
-        {LARGE_2, 50, 0.5, 4.1e-03},
-        {LARGE_2, 100, 0.5, 1.21e-03},
-        {LARGE_2, 100, 2, 2.5e-03},
-        {LARGE_4, 100, 8, 2.3e-02},
-        {COUPLED, 50, 0.5, 5.7e-02},
-        {COUPLED_ADVECTED, 50, 0.5, 7.1e-03},
-        {COUPLED_ADVECTED, 100, 0.5, 2.25e-03},
         {EXPLICIT, 50, 0.3, 7.4e-02},
         {EXPLICIT_ADVECTED, 50, 0.3, 5.6e-03},
         {EXPLICIT_ADVECTED, 100, 0.3, 1.77e-03},

@@ -26,7 +26,7 @@ static void launch(cd_water* w, int along_y, size_t n, double dx, double from, d
 }
 
 /* Fastest and slowest first: linear 0.55 damps short waves. */
-static const int kinds[] = {LINEAR, LINEAR_HALF, ADVECTED, LARGE_2, COUPLED, EXPLICIT, EXPLICIT_ADVECTED};
+static const int kinds[] = {LINEAR, LINEAR_HALF, ADVECTED, EXPLICIT, EXPLICIT_ADVECTED};
 
 /* ---- speed ------------------------------------------------------------------------------------------------------- */
 
@@ -105,7 +105,7 @@ static double shoaling(const struct way* way, size_t n) {
 
 static void waves_grow_towards_the_shore_as_green_says(void** state) {
     (void)state;
-    static const int which[] = {LINEAR_HALF, ADVECTED, LARGE_2, EXPLICIT};
+    static const int which[] = {LINEAR_HALF, ADVECTED, EXPLICIT};
     for (size_t k = 0; k < COUNT(which); ++k) {
         double before = 0;
         for (size_t n = 600; n <= 2400; n *= 2) {
@@ -157,7 +157,6 @@ static void a_step_of_the_bed_splits_a_wave(void** state) {
             const double root = sqrt(depths[d][1] / depths[d][0]), on = 2 / (1 + root), back = (1 - root) / (1 + root);
             double before = INFINITY;
             for (size_t n = 200; n <= 800; n *= 2) {
-                if (ways[kinds[k]].solver == CD_SOLVER_COUPLED && n > 200) continue;
                 const struct parts p = over_a_step(&ways[kinds[k]], n == 400, n, depths[d][0], depths[d][1]);
                 const double off = fmax(fabs(p.on - on), fabs(p.back - back));
                 if (d == 0)
@@ -197,7 +196,6 @@ static double bent(const struct way* way, size_t rows) {
     struct packet p = {40, 12, 2 * (double)PI / width, 2 * (double)PI / width, 0};
     cd_water* w = basin(nx, rows, dx, dx, CD_FLOAT64);
     basin_set_way(w, way);
-    ok(cd_water_set_tolerance(w, 1e-8, 200));
     ok(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_PERIODIC, 0, 0));
     ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_OPEN, 0, 0));
     basin_fill(w, CD_BED, step_bed, NULL);
@@ -222,12 +220,11 @@ static double bent(const struct way* way, size_t rows) {
 
 static void waves_turn_towards_shallow_water_as_snell_says(void** state) {
     (void)state;
-    static const int which[] = {LINEAR_HALF, ADVECTED, COUPLED, EXPLICIT};
+    static const int which[] = {LINEAR_HALF, ADVECTED, EXPLICIT};
     const double expected = sqrt(0.5) * sqrt(1.0 / 4);
     for (size_t k = 0; k < COUNT(which); ++k) {
         double before = INFINITY;
         for (size_t rows = 16; rows <= 32; rows *= 2) {
-            if (ways[which[k]].solver == CD_SOLVER_COUPLED && rows > 16) continue;
             const double sine = bent(&ways[which[k]], rows);
             print_message("%-17s %zu cells per wave's width: sin %.5f of %.5f\n", ways[which[k]].name, rows, sine,
                           expected);

@@ -34,11 +34,9 @@ std::vector<cd_precision> precisions() {
 const char* name_of(cd_precision precision) { return precision == CD_FLOAT32 ? "float32" : "float64"; }
 
 // Water with advected momentum.
-static Method water(const char* key, const char* name, const Style& style, std::size_t corrections,
-                    cd_method method = CD_METHOD_IMPLICIT) {
+static Method water(const char* key, const char* name, const Style& style, cd_method method) {
     Method made{key, name, method, 0.5, false, style};
     made.momentum = CD_MOMENTUM_ADVECTED;
-    made.corrections = corrections;
     return made;
 }
 
@@ -73,20 +71,10 @@ const Method& method(Way way) {
         {"linear", "linear λ = 0.55", CD_METHOD_IMPLICIT, 0.55, false, {1, Marker::circle}},
         {"linear_half", "linear λ = 1/2", CD_METHOD_IMPLICIT, 0.5, false, {6, Marker::circle}},
         {"linear_one", "linear λ = 1", CD_METHOD_IMPLICIT, 1, false, {5, Marker::diamond}},
-        water("advected", "advected", {3, Marker::wedge}, 0),
-        water("large_two", "large steps, 2 corrections", {4, Marker::triangle}, 2),
-        water("large_four", "large steps, 4 corrections", {8, Marker::square}, 4),
-        {"coupled", "linear λ = 0.55 coupled", CD_METHOD_IMPLICIT, 0.55, false, {7, Marker::circle}, CD_SOLVER_COUPLED},
-        {"coupled_half",
-         "linear λ = 1/2 coupled",
-         CD_METHOD_IMPLICIT,
-         0.5,
-         false,
-         {7, Marker::diamond},
-         CD_SOLVER_COUPLED},
+        water("advected", "advected", {3, Marker::wedge}, CD_METHOD_IMPLICIT),
         {"forward", "forward Euler", CD_METHOD_FORWARD_EULER, 0, false, {4, Marker::triangle}},
         {"explicit", "explicit", CD_METHOD_SYMPLECTIC_EULER, 0, false, {2, Marker::square}},
-        water("explicit_advected", "explicit advected", {2, Marker::triangle}, 0, CD_METHOD_SYMPLECTIC_EULER),
+        water("explicit_advected", "explicit advected", {8, Marker::triangle}, CD_METHOD_SYMPLECTIC_EULER),
         {"textbook", "textbook", CD_METHOD_IMPLICIT, 1, true, {0, Marker::cross, Dash::dotted}},
         textbook_that_puts_volume_back(),
     };

@@ -25,9 +25,8 @@ struct Method {
     double lambda;
     bool textbook;
     Style style;
-    cd_solver solver = CD_SOLVER_ALTERNATING;  // of sheets and water
+    cd_solver solver = CD_SOLVER_ALTERNATING;   // of sheets
     cd_momentum momentum = CD_MOMENTUM_LINEAR;  // of water
-    std::size_t corrections = 0;                // of water's large steps
     bool puts_back = false;                     // the textbook's lost and gained volume
 
     bool is_explicit() const { return method == CD_METHOD_FORWARD_EULER || method == CD_METHOD_SYMPLECTIC_EULER; }
@@ -52,10 +51,6 @@ enum class Way {
     water_half,
     water_one,
     water_advected,
-    water_two_corrections,
-    water_four_corrections,
-    water_coupled,
-    water_coupled_half,
     water_forward,
     water_explicit,
     water_explicit_advected,

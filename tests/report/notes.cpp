@@ -241,7 +241,7 @@ void report_notes(Report& report) {
                        "Courant numbers to 5000: water at most " + n(value) +
                            " times as high as at first; the printed scheme's volume off by up to " +
                            n(printed("water.any_step.textbook_worst_volume_error"), 2) + "%",
-                       0, 2, "holds for waves; streams are another matter (see the atlas)", "see the table");
+                       0, 2, "holds for waves, and for streams up to 32 cells a step", "see the table");
     value = printed("water.growth.per_cell_exponent.linear_half");
     claims.check_range("a step of water costs as many operations as there are cells", "section 10",
                        "water_exponent_per_cell", value, "(cells)^" + n(value), 0.85, 1.25, "holds",
@@ -286,7 +286,7 @@ void report_notes(Report& report) {
         report.page.headline(count(cells), "scenes of every stiffness, depth, mass and step stood beside theory; " +
                                                count(differ) +
                                                " of them differ, nearly all of them streams of water that run "
-                                               "across cells in a step");
+                                               "more than 32 cells in a step");
     report.progress("the notes' claims");
 }
 

@@ -142,7 +142,7 @@ void the_summary_has_stable_keys() {
           "membrane.growth.exponent.alternating_half.float64", "membrane.iterations.most_but_for_random_springs",
           "membrane.sluggish.coupled_over_alternating_frequency.at_3",
           "membrane.safe.library_greatest_growth_of_speed", "water.seiche.at_1_percent.explicit_over_implicit",
-          "water.thacker.corrections_4.n200.step_8", "water.stoker.order", "water.lake.textbook_gained",
+          "water.thacker.advected.n200.courant_8", "water.stoker.order", "water.lake.textbook_gained",
           "water.storm.worst_account_error.advected.float64", "water.growth.per_cell_exponent.linear_half",
           "water.cost.ns_per_cell_step.plain", "water.run_up.measured", "chain.atlas.differ_from_theory",
           "membrane.survival.survive", "chain.feature.bytes_per_node.plain", "notes.half_life_of_1_s_wave"})

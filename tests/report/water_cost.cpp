@@ -67,8 +67,7 @@ std::vector<Feature> features() {
                            }));
                }),
     };
-    for (Way way : {Way::water_advected, Way::water_two_corrections, Way::water_four_corrections, Way::water_coupled,
-                    Way::water_explicit, Way::water_explicit_advected})
+    for (Way way : {Way::water_advected, Way::water_explicit, Way::water_explicit_advected})
         all.push_back({method(way).key, method(way).name, way, narrow, nothing});
     if (precisions().front() != narrow)
         for (Way way : {Way::water_linear, Way::water_advected})
@@ -94,10 +93,7 @@ double step_of(const Water& water, const Feature& feature) {
     return std::fmin(kFrame, 0.7 * stable);
 }
 
-std::size_t steps_of(const Feature& feature, std::size_t n) {
-    const double cells = double(n * n), share = method(feature.way).solver == CD_SOLVER_COUPLED ? 2e5 : 4e5;
-    return std::max<std::size_t>(2, std::size_t(share / cells));
-}
+std::size_t steps_of(std::size_t n) { return std::max<std::size_t>(2, std::size_t(4e5 / double(n * n))); }
 
 void cost_of_features(Report& report) {
     const std::size_t n = report.by_extent<std::size_t>(48, 256, 256);
@@ -109,21 +105,18 @@ void cost_of_features(Report& report) {
         waters.push_back(waves(n, feature));
         Water* water = waters.back().get();
         const double dt = step_of(*water, feature);
-        const std::size_t steps = steps_of(feature, n);
+        const std::size_t steps = steps_of(n);
         jobs.push_back({[] {}, [=] { check(cd_water_step(water->get(), dt, steps)); }});
     }
     time_in_turns(jobs, report.by_extent(1e-3, 0.1, 1.0), report.by_extent<std::size_t>(1, 3, 5), 15);
     Table table{{"feature", "ns per cell and step", "of the plain one", "bytes per cell"}, {}, {}};
     Csv csv("feature,ns_per_cell_step,of_plain,bytes_per_cell");
-    auto nanoseconds = [&](std::size_t i) { return jobs[i].least() / double(steps_of(all[i], n)) / cells * 1e9; };
+    auto nanoseconds = [&](std::size_t i) { return jobs[i].least() / double(steps_of(n)) / cells * 1e9; };
     for (std::size_t i = 0; i < all.size(); ++i) {
         std::size_t bytes = 0;
         check(cd_water_get_memory(waters[i]->get(), &bytes));
         const double each = double(bytes) / cells, ns = nanoseconds(i);
-        const std::string iterations =
-            waters[i]->iterations() ? ", " + std::to_string(waters[i]->iterations()) + " iterations" : "";
-        table.rows.push_back(
-            {all[i].name + iterations, number(ns, 3), number(ns / nanoseconds(0), 2) + "×", number(each, 3)});
+        table.rows.push_back({all[i].name, number(ns, 3), number(ns / nanoseconds(0), 2) + "×", number(each, 3)});
         csv.row(all[i].key, ns, ns / nanoseconds(0), each);
         report.summary("water.cost.ns_per_cell_step." + all[i].key, ns, "ns");
         report.summary("water.cost.bytes_per_cell." + all[i].key, each, "bytes");
@@ -154,6 +147,7 @@ void cost_beside_the_textbook(Report& report) {
     std::vector<std::string> ratios, dearer;
     for (std::size_t n : sides) {
         const double cells = double(n * n);
+        const std::size_t steps = steps_of(n);
         table.head.push_back("ns per cell and step, " + count(double(n)) + "²");
         std::vector<std::unique_ptr<Water>> waters;
         std::vector<Job> jobs;
@@ -161,7 +155,6 @@ void cost_beside_the_textbook(Report& report) {
             waters.push_back(waves(n, feature));
             Water* water = waters.back().get();
             const double dt = step_of(*water, feature);
-            const std::size_t steps = steps_of(feature, n);
             jobs.push_back({[] {}, [=] { check(cd_water_step(water->get(), dt, steps)); }});
         }
         const std::vector<double> surface = waters.front()->read(CD_SURFACE);
@@ -170,7 +163,6 @@ void cost_beside_the_textbook(Report& report) {
         wide.now = wide.before = surface;
         wide.bed.assign(n * n, -1), narrow.bed.assign(n * n, -1);
         narrow.now.assign(surface.begin(), surface.end()), narrow.before = narrow.now;
-        const std::size_t steps = steps_of(all.front(), n);
         jobs.push_back({[] {},
                         [&, steps] {
                             for (std::size_t i = 0; i < steps; ++i) wide.step(kFrame);
@@ -185,8 +177,7 @@ void cost_beside_the_textbook(Report& report) {
             const std::string key = i < all.size()    ? all[i].key
                                     : i == all.size() ? "textbook.float64"
                                                       : "textbook.float32";
-            const std::size_t made = i < all.size() ? steps_of(all[i], n) : steps;
-            ns.push_back(jobs[i].least() / double(made) / cells * 1e9);
+            ns.push_back(jobs[i].least() / double(steps) / cells * 1e9);
             table.rows[i].push_back(number(ns.back(), 3));
             csv.row(n, key, ns.back());
             report.summary("water.beside.ns_per_cell_step.n" + std::to_string(n) + "." + key, ns.back(), "ns");

@@ -33,10 +33,7 @@ Sized pool_of_side(const Report& report, std::size_t n) {
             seiches.at(minute),
             std::max(stable, accurate),
             expected,
-            [=](const Method& how) {
-                const bool coupled = how.solver == CD_SOLVER_COUPLED;
-                return std::max<std::size_t>(coupled ? 1 : 4, std::size_t((coupled ? 0.05 : 1) * cell_steps / cells));
-            },
+            [=](const Method&) { return std::max<std::size_t>(4, std::size_t(cell_steps / cells)); },
             minute};
 }
 
@@ -55,8 +52,7 @@ void report_water_growth(Report& report) {
         "that, and shorten as 1/n once the limit of stability binds; implicit ones are the longest that reach it, the "
         "same at every n. With n² cells that makes n³ for the one and n² for the other: run time is linear in cells.");
     std::vector<Growth> growths;
-    for (Way way : {Way::water_explicit, Way::water_half, Way::water_linear, Way::water_advected,
-                    Way::water_coupled_half, Way::water_textbook})
+    for (Way way : {Way::water_explicit, Way::water_half, Way::water_linear, Way::water_advected, Way::water_textbook})
         growths.push_back({&method(way), precisions().front(), {}});
     for (std::size_t n : sides(report)) measure_size(report, pool_of_side(report, n), growths);
 

@@ -10,6 +10,7 @@ namespace report {
 namespace {
 
 const std::size_t kX = 132, kY = 88;
+const double kShore = 0.02; // a depth [m]: what is shallower counts as dry
 const double kCell = 25, kTide = 1.6, kPeriod = 44700, kStep = 15;
 
 const char* const kWater[] = {"#cfe6ea", "#a9d3df", "#7fbcd2", "#57a2c4", "#3586b3", "#1f6a9c", "#15507f"};
@@ -52,7 +53,7 @@ std::string map_of(const Water& water, const std::string& title, const std::vect
     std::string svg =
         open_svg(scale * double(kX), top + scale * double(kY), title) + text_at(2, 15, "title", "start", title);
     auto class_of = [&](std::size_t k) {
-        if (depth[k] < 0.02) return std::clamp(int(std::floor((bed[k] + 1.6) / 1.4)), 0, 4);
+        if (depth[k] < kShore) return std::clamp(int(std::floor((bed[k] + 1.6) / 1.4)), 0, 4);
         return 5 + std::clamp(int(std::floor(depth[k])), 0, 6);
     };
     std::vector<std::string> paths(12);
@@ -69,13 +70,17 @@ std::string map_of(const Water& water, const std::string& title, const std::vect
             svg += "<path" + attribute("d", paths[kind]) +
                    attribute("style", std::string("fill:") + (kind < 5 ? kLand[kind] : kWater[kind - 5])) + "/>\n";
     auto line = [&](const std::vector<double>& depths, const char* look) {
-        const std::string d = contour(depths, 0.02, scale, top);
+        const std::string d = contour(depths, kShore, scale, top);
         if (!d.empty())
             svg += "<path" + attribute("d", d) + attribute("style", std::string("fill:none;") + look) + "/>\n";
     };
     if (!other_shore.empty()) line(other_shore, "stroke:#5b3a1c;stroke-width:1");
     line(depth, "stroke:#22303a;stroke-width:1.4");
     return svg + "</svg>\n";
+}
+
+double wet_area(const std::vector<double>& depth) {
+    return kCell * kCell * double(std::count_if(depth.begin(), depth.end(), [](double d) { return d >= kShore; }));
 }
 
 std::string swatches() {
@@ -115,13 +120,13 @@ void draw_island(Report& report) {
         }
         check(cd_water_step(water.get(), kStep, 1));
         if (step == std::size_t(0.77 * double(period))) {
-            check(cd_water_get_wet_area(water.get(), &low));
             low_depth = water.read(CD_DEPTH);
+            low = wet_area(low_depth);
             check(cd_water_copy_state(at_low.get(), water.get()));
         }
         if (step == std::size_t(1.27 * double(period))) break;
     }
-    check(cd_water_get_wet_area(water.get(), &high));
+    high = wet_area(water.read(CD_DEPTH));
     double in = 0, out = 0, off = 0;
     check(cd_water_get_account(water.get(), nullptr, &in, &out, &off));
     const double relative = std::fabs(off) / water.volume();

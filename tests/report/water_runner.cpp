@@ -21,12 +21,9 @@ std::vector<double> Water::read(cd_field field) const {
 }
 
 void Water::set(const Method& method) {
-    check(cd_water_set_corrections(water_, 0));
     check(cd_water_set_momentum(water_, method.momentum));
     check(cd_water_set_method(water_, method.method));
-    check(cd_water_set_solver(water_, method.solver));
     if (method.method == CD_METHOD_IMPLICIT) check(cd_water_set_lambda(water_, method.lambda));
-    check(cd_water_set_corrections(water_, method.corrections));
 }
 
 double Water::volume() const {
@@ -45,12 +42,6 @@ std::uint64_t Water::hash() const {
     std::uint64_t hash = 0;
     check(cd_water_hash(water_, &hash));
     return hash;
-}
-
-std::size_t Water::iterations() const {
-    std::size_t iterations = 0;
-    check(cd_water_get_convergence(water_, &iterations, nullptr));
-    return iterations;
 }
 
 void set_up(const WaterProblem& problem, Water& water) {
@@ -79,7 +70,7 @@ public:
 
     bool step(double dt, std::size_t count) override {
         const cd_status status = cd_water_step(water_.get(), dt, count);
-        if (status == CD_ERROR_DIVERGED || status == CD_ERROR_TOLERANCE) return false;
+        if (status == CD_ERROR_DIVERGED) return false;
         check(status);
         return true;
     }
@@ -91,7 +82,6 @@ public:
     }
     std::vector<double> velocities() const override { return {}; }
     std::uint64_t hash() const override { return water_.hash(); }
-    std::size_t iterations() const override { return water_.iterations(); }
 
 private:
     WaterProblem problem_;

@@ -27,7 +27,6 @@ public:
     double volume() const;
     double energy() const; // kinetic and potential
     std::uint64_t hash() const;
-    std::size_t iterations() const;
 
 private:
     std::size_t nx_, ny_;

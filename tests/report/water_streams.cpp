@@ -1,5 +1,4 @@
-// Where water does not stay as calm as its waves alone would: streams that run across cells in a step, and violent
-// shores in long steps.
+// Streams, whose ripples must not grow, and violent shores, which must gain no energy.
 #include <cmath>
 #include <random>
 
@@ -11,14 +10,14 @@ namespace report {
 namespace {
 
 const std::size_t kCells = 32;
-const double kRipple = 1e-6; // of the depth
+const double kRipple = 1e-6, kMostParts = 64; // of the depth; that a step is made in (see water.h)
 
-// A stream round a ring of cells of 1 m, steps of 1 s: `run` cells a step, waves `courant` cells.
-Course stream(const Method& how, cd_precision precision, double run, double courant) {
+// A stream round a ring of cells of 1 m in steps of 1 s, in which waves cross `courant` cells in still water.
+Course stream(const Method& how, cd_precision precision, double froude, double courant) {
     Water water(kCells, 1, 1, 1, precision);
     water.set(how);
     check(cd_water_set_side(water.get(), CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
-    const double deep = courant * courant / kEarth;
+    const double run = froude * courant, deep = courant * courant / kEarth;
     std::mt19937 random(7);
     std::vector<double> depth;
     for (std::size_t i = 0; i < kCells; ++i)
@@ -115,26 +114,31 @@ double highest(const Shore& shore, const Method& how, cd_precision precision, do
 } // namespace
 
 void add_streams(Report& report, Atlas& atlas) {
-    const AtlasAxis run{"run", "cells the stream runs in a step", decades(-3, 3, report.by_extent(1.0, 0.25, 0.125))},
-        courant{"courant", "cells a wave runs in a step", decades(-3, 3, report.by_extent(1.0, 0.25, 0.125))};
+    const AtlasAxis froude{"froude", "Froude number", decades(-3, 3, report.by_extent(1.0, 0.5, 0.125))},
+        courant{"courant", "Courant number", decades(-3, 3, report.by_extent(1.0, 0.5, 0.125))};
     std::vector<std::string> maps;
-    for (Way way :
-         {Way::water_half, Way::water_linear, Way::water_one, Way::water_advected, Way::water_four_corrections}) {
-        AtlasCase chart{"water", "stream", method(way), precisions().front(), run, courant, {}, {}};
-        chart.practice = [way](double u, double c) { return stream(method(way), precisions().front(), u, c); };
-        chart.theory = [](double, double) { return Expected({Fate::bounded, Fate::damped}); };
-        chart.finding = [way](double u, double) -> std::string {
-            if (way == Way::water_half) return u >= 0.4 ? "the stream runs 0.4 cells or more and lambda is 1/2" : "";
-            return u >= 0.7 ? "the stream runs 0.7 cells or more in a step (see water.h)" : "";
+    for (Way way : {Way::water_half, Way::water_linear, Way::water_one, Way::water_advected, Way::water_explicit,
+                    Way::water_explicit_advected}) {
+        AtlasCase chart{"water", "stream", method(way), precisions().front(), froude, courant, {}, {}};
+        chart.practice = [way](double f, double c) { return stream(method(way), precisions().front(), f, c); };
+        // Explicit steps are bounded where waves cross less than a cell in each part that they are made in.
+        chart.theory = [way](double f, double c) {
+            double parts = 1;
+            while (parts < kMostParts && parts < 2 * f * c) parts *= 2;
+            if (!method(way).is_explicit() || c < 0.99 * parts) return Expected({Fate::bounded, Fate::damped});
+            return Expected({Fate::growing, Fate::not_finite, Fate::bounded, Fate::damped});
+        };
+        chart.finding = [](double f, double c) -> std::string {
+            return 2 * f * c > kMostParts ? "the stream runs more than 32 cells in a step (see water.h)" : "";
         };
         maps.push_back(atlas.add(chart));
     }
     report.page.figure(maps, fate_legend(),
-                       "Streams are where a step is limited after all. Water runs round a ring of " +
-                           std::to_string(kCells) + " cells with ripples of " + number(kRipple, 1) +
-                           " of its depth. The equations let ripples run and never grow; steps do not either while "
-                           "the stream runs through less than 0.7 of a cell in one, 0.4 with linear λ = 1/2, at any "
-                           "speed of waves. Crosses are where ripples grow.",
+                       "Streams: water runs round a ring of " + std::to_string(kCells) + " cells with ripples of " +
+                           number(kRipple, 1) +
+                           " of its depth. The Froude number is its speed over that of its waves, the Courant number "
+                           "how many cells these would cross in a step if it stood still. The equations let ripples "
+                           "run and never grow.",
                        300);
 }
 
@@ -147,7 +151,7 @@ void report_shores(Report& report) {
     plot.guides = {{NAN, 1, NAN, 1, ""}};
     Csv csv("method,courant,highest_energy_over_first");
     std::vector<std::string> words;
-    for (Way way : {Way::water_linear, Way::water_one, Way::water_advected, Way::water_four_corrections}) {
+    for (Way way : {Way::water_linear, Way::water_one, Way::water_advected}) {
         const Method& how = method(way);
         Series series{how.name, how.style, {}, {}, {}};
         double most = 0, at = 0;

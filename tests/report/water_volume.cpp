@@ -165,7 +165,7 @@ void storm(Report& report) {
     plot.y = {"off by, relative to the volume", Scale::log};
     Csv csv("method,precision,steps,error_over_volume,through_over_volume,limited_cells");
     double worst[2] = {0, 0}; // float64, float32
-    for (Way way : {Way::water_linear, Way::water_advected, Way::water_two_corrections})
+    for (Way way : {Way::water_linear, Way::water_advected, Way::water_explicit})
         for (cd_precision precision : precisions()) {
             const Method& how = method(way);
             Storm storm(how, precision);
@@ -216,9 +216,8 @@ void steps_of_any_length(Report& report) {
     Table table{{"highest water in " + count(double(steps)) + " steps"}, {}, {}};
     for (double courant : courants) table.head.push_back("Courant " + plain(courant));
     Csv csv("method,courant,highest_m,highest_at_first_m,volume_error,finite");
-    double worst = 0, off = 0, textbook_off = 0, coupled_worst = 0, explicit_worst = 0;
-    for (Way way : {Way::water_linear, Way::water_one, Way::water_advected, Way::water_four_corrections,
-                    Way::water_coupled, Way::water_explicit, Way::water_textbook}) {
+    double worst = 0, off = 0, textbook_off = 0, explicit_worst = 0;
+    for (Way way : {Way::water_linear, Way::water_one, Way::water_advected, Way::water_explicit, Way::water_textbook}) {
         const Method& how = method(way);
         std::vector<std::string> cells = {how.name};
         for (double courant : courants) {
@@ -227,10 +226,9 @@ void steps_of_any_length(Report& report) {
             double high = 0, volume = 0, first = 0;
             bool finite = true;
             for (double d : problem.depth) first += d;
-            const std::size_t coupled = how.solver == CD_SOLVER_COUPLED ? 10 : 1;
-            for (std::size_t step = 0; finite && step < steps / coupled; ++step) {
+            for (std::size_t step = 0; finite && step < steps; ++step) {
                 finite = runner->step(dt, 1);
-                if (step % 20 < 19 && step + 1 < steps / coupled) continue;
+                if (step % 20 < 19 && step + 1 < steps) continue;
                 volume = 0;
                 const std::vector<double> depth = runner->positions();
                 for (std::size_t k = 0; k < depth.size(); ++k) {
@@ -242,7 +240,7 @@ void steps_of_any_length(Report& report) {
             if (how.textbook) {
                 textbook_off = std::fmax(textbook_off, lost);
             } else {
-                double& most = how.is_explicit() ? explicit_worst : coupled > 1 ? coupled_worst : worst;
+                double& most = how.is_explicit() ? explicit_worst : worst;
                 most = std::fmax(most, finite ? high : INFINITY);
                 off = std::fmax(off, lost);
             }
@@ -255,13 +253,12 @@ void steps_of_any_length(Report& report) {
     report.summary("water.any_step.highest_water_over_first", worst / highest);
     report.summary("water.any_step.worst_volume_error", off);
     report.summary("water.any_step.textbook_worst_volume_error", textbook_off * 100, "%");
-    report.summary("water.any_step.coupled_highest_over_first", coupled_worst / highest);
     std::string caption = "Steps of any length keep the water down: from random depths, " + si(highest, "m", 3) +
-                          " at the highest, no alternating step takes it beyond " + si(worst, "m", 3) +
+                          " at the highest, no implicit step takes it beyond " + si(worst, "m", 3) +
                           ", and every way to step keeps its volume to " + number(off, 1) +
                           ". A pool with an island and a beach, " + std::to_string(n) + " × " + std::to_string(n) +
-                          " cells; the Courant number of a step is how many cells a wave crosses in it (coupled: a "
-                          "tenth as many steps). Explicit steps beyond their limit throw it up to " +
+                          " cells; the Courant number of a step is how many cells a wave crosses in it. "
+                          "Explicit steps beyond their limit throw it up to " +
                           si(explicit_worst, "m", 3) + ". ";
     report.page.table(table, caption + "The notes' steps change the volume, the more the longer they are.");
     report.save("water_any_step.csv", csv);

@@ -27,9 +27,16 @@ Matrix power(Matrix base, std::size_t exponent) {
 }
 
 // A sweep along axis a (1: x, 2: y): v' = v - w^2 dt (h + lambda (h' - h)), h' = h + dt (v + lambda (v' - v)).
-Matrix sweep(int a, double omega, double dt, double lambda) {
-    const double w = omega * omega * dt, factor = 1 / (1 + lambda * lambda * w * dt);
+// Explicit: h' with v; or, of second order, half of the push, the height, and the other half.
+Matrix sweep(int a, double omega, double dt, const Method& how) {
+    const double w = omega * omega * dt, lambda = how.is_explicit() ? 0 : how.lambda;
+    const double factor = 1 / (1 + lambda * lambda * w * dt);
     Matrix m{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    if (how.method == CD_METHOD_SYMPLECTIC_EULER) {
+        Matrix move = m;
+        m[a][0] = -w / 2, move[0][a] = dt;
+        return product(m, product(move, m));
+    }
     m[a][0] = -w * factor;
     m[a][a] = 1 - w * lambda * dt * factor;
     m[0][0] = 1 + dt * lambda * m[a][0];
@@ -44,13 +51,7 @@ double height_after(const Method& how, double omega_x, double omega_y, double dt
         const double factor = 1 / ((1 + std::pow(omega_x * dt, 2)) * (1 + std::pow(omega_y * dt, 2)));
         return -dt * omega * power({{{2 * factor, -factor, 0}, {1, 0, 0}, {0, 0, 0}}}, steps)[0][1];
     }
-    if (how.is_explicit()) {
-        const double w = omega * omega * dt;
-        const double moved = how.method == CD_METHOD_SYMPLECTIC_EULER ? w * dt : 0;  // the new velocity moves the water
-        return omega * power({{{1 - moved, dt, 0}, {-w, 1, 0}, {0, 0, 0}}}, steps)[0][1];
-    }
-    if (how.solver == CD_SOLVER_COUPLED) return omega * power(sweep(1, omega, dt, how.lambda), steps)[0][1];
-    const Matrix x = sweep(1, omega_x, dt, how.lambda), y = sweep(2, omega_y, dt, how.lambda);
+    const Matrix x = sweep(1, omega_x, dt, how), y = sweep(2, omega_y, dt, how);
     const Matrix first = product(y, x), second = product(x, y);
     Matrix all = power(product(second, first), steps / 2);
     if (steps % 2) all = product(first, all);
@@ -152,6 +153,10 @@ std::vector<double> Thacker::depth(std::size_t n, double t) {
     return depth;
 }
 
+std::size_t Thacker::steps(std::size_t n, double courant) {
+    return std::size_t(std::ceil(3 * period() * std::sqrt(kEarth) * double(n) / (courant * kLength)));
+}
+
 WaterProblem Thacker::problem(std::size_t n) {
     WaterProblem problem;
     problem.nx = n;
@@ -183,6 +188,24 @@ DamBreak::DamBreak(double left_depth, double right_depth) : left(left_depth), ri
     plateau = low;
     speed = 2 * (std::sqrt(kEarth * left) - std::sqrt(kEarth * plateau));
     shock = plateau * speed / (plateau - right);
+}
+
+WaterProblem DamBreak::problem(std::size_t n) const {
+    WaterProblem problem;
+    problem.nx = n;
+    problem.dx = kLength / double(n);
+    for (std::size_t i = 0; i < n; ++i) problem.depth.push_back(2 * i < n ? left : right);
+    return problem;
+}
+
+std::vector<double> DamBreak::depths(std::size_t n) const {
+    std::vector<double> depths;
+    for (std::size_t i = 0; i < n; ++i) depths.push_back(depth(kLength * ((double(i) + 0.5) / double(n) - 0.5), kTime));
+    return depths;
+}
+
+std::size_t DamBreak::steps(std::size_t n, double courant) const {
+    return std::size_t(std::ceil(kTime * std::sqrt(kEarth * left) * double(n) / (courant * kLength)));
 }
 
 double DamBreak::depth(double x, double t) const {

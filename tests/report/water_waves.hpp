@@ -9,6 +9,9 @@
 
 namespace report {
 
+// The lengths of steps that errors are told for: cells that waves cross in one.
+const std::vector<double> kCourants = {0.5, 2, 8};
+
 // So low that motion is linear, and still well above the rounding of the depth [m].
 double small_height();
 
@@ -51,6 +54,8 @@ struct Thacker {
     static double period();
     static WaterProblem problem(std::size_t n);
     static std::vector<double> depth(std::size_t n, double t);
+    // Of three periods, in each of which a wave where it is 1 m deep crosses `courant` cells.
+    static std::size_t steps(std::size_t n, double courant);
 };
 
 // The L1 distance of two depths, relative to the volume of the second; infinite if the first is not finite.
@@ -59,11 +64,15 @@ double depth_error(const std::vector<double>& depth, const std::vector<double>& 
 // A dam at x = 0 that breaks at t = 0, `left` metres deep on its left, `right` on its right (Stoker 1957; Ritter 1892
 // where it is 0): the depth at x and the time t > 0.
 struct DamBreak {
+    static constexpr double kLength = 10, kTime = 6; // of the canal, and after which it is looked at
     double left, right;
     double plateau = 0, speed = 0, shock = 0; // depth and velocity behind the shock, and its own velocity; of Ritter 0
 
     DamBreak(double left_depth, double right_depth);
     double depth(double x, double t) const;
+    WaterProblem problem(std::size_t n) const;
+    std::vector<double> depths(std::size_t n) const;        // after kTime
+    std::size_t steps(std::size_t n, double courant) const; // in each the fastest wave crosses so many cells
     double front() const { return right > 0 ? shock : 2 * std::sqrt(kEarth * left); }
 };
 

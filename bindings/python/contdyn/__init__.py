@@ -22,12 +22,12 @@ from ._api import (BedRule, Border, Edge, End, Field, Kernels, MassRule, Method,
 from ._arrays import Array, View
 from ._body import Attachment, Energy
 from ._callbacks import Allocator, Parallel, Task
-from ._sheet import Convergence, Tolerance, Vertices
+from ._sheet import Vertices
 from .chain import Chain, ChainShape
 from .errors import (DisabledError, DivergedError, Error, FormatError, HandleError, InvalidEnumError, InvalidValueError,
                      MismatchError, NullError, OutOfMemoryError, RangeError, SizeError, ToleranceError,
                      UnsupportedError)
-from .membrane import Membrane, MembraneShape, Ring, Stiffness
+from .membrane import Convergence, Membrane, MembraneShape, Ring, Stiffness, Tolerance
 from .water import (Account, Limited, Sample, SideState, Water, WaterEnergy, WaterShape, WaterVertices)
 
 __all__ = [

@@ -174,6 +174,8 @@ class Border(IntEnum):
     INFLOW = 2
     #: goes on at the opposite side
     PERIODIC = 3
+    #: holds a given level for what flows out slower than its waves: a lake, a weir
+    LEVEL = 4
 
 
 class Momentum(IntEnum):
@@ -445,13 +447,6 @@ FUNCTIONS: Dict[str, str] = {
     "cd_water_get_lambda": "status: water handle, out_lambda double*",
     "cd_water_set_momentum": "status: water handle, momentum int",
     "cd_water_get_momentum": "status: water handle, out_momentum int*",
-    "cd_water_set_corrections": "status: water handle, corrections size",
-    "cd_water_get_corrections": "status: water handle, out_corrections size*",
-    "cd_water_set_solver": "status: water handle, solver int",
-    "cd_water_get_solver": "status: water handle, out_solver int*",
-    "cd_water_set_tolerance": "status: water handle, tolerance double, most_iterations size",
-    "cd_water_get_tolerance": "status: water handle, out_tolerance double*, out_most_iterations size*",
-    "cd_water_get_convergence": "status: water handle, out_iterations size*, out_residual double*",
     "cd_water_set_first": "status: water handle, along_y int",
     "cd_water_get_first": "status: water handle, out_along_y int*",
     "cd_water_set_parallel": "status: water handle, parallel Parallel*",

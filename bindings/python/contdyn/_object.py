@@ -188,8 +188,8 @@ class Object:
     def step(self, dt: float, count: int = 1) -> None:
         """Makes `count` steps of dt [s] each, in [1e-30, 1e30]. Never allocates in the library.
 
-        DivergedError: a number left the finite range. ToleranceError: a coupled solve ended short of its tolerance.
-        All steps have been made in both cases.
+        DivergedError: a number left the finite range. ToleranceError, of a membrane: a coupled solve ended short of its
+        tolerance. All steps have been made in both cases.
         """
         if not 0 <= count <= _MOST_STEPS:
             self._c.step.refuse(2, count)

@@ -1,32 +1,11 @@
 """What membrane and water have in common: a lattice in two directions."""
-from ctypes import byref, c_size_t
-from math import prod
 from typing import Any, NamedTuple, Optional, Tuple
 
 from . import _arrays
-from ._api import Field, Precision, Solver
+from ._api import Field
 from ._arrays import Array, Values
 from ._library import MOST
 from ._object import Object, rest
-from ._properties import Reading, Setting, SettingOfSeveral
-
-
-class Tolerance(NamedTuple):
-    """When Solver.COUPLED is content."""
-
-    #: of the residual, as a fraction of the one it starts from, in [1e-14, 1/2]; default 1e-6
-    tolerance: float
-    #: >= 1; default 100
-    most_iterations: int
-
-
-class Convergence(NamedTuple):
-    """What the last call of step did with Solver.COUPLED; zeros if there was no such solve."""
-
-    #: the most that a solve took
-    iterations: int
-    #: the largest that a solve ended with, as a fraction of the one it started from
-    residual: float
 
 
 class Vertices(NamedTuple):
@@ -42,10 +21,6 @@ class Sheet(Object):
     """A lattice in two directions. Arrays have the second direction first: [v][u], [y][x], as in the C API."""
 
     __slots__ = ()
-
-    solver = Setting(Solver, "How implicit steps solve their system, a Solver; default Solver.ALTERNATING.")
-    tolerance = SettingOfSeveral(Tolerance, "When Solver.COUPLED is content: (tolerance, most_iterations).")
-    convergence = Reading(Convergence, "What the last call of step did with Solver.COUPLED: (iterations, residual).")
 
     def _places(self, field: Field) -> Tuple[int, int]:
         """How many places of a field there are along the first and the second direction."""

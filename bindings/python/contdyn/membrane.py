@@ -2,7 +2,7 @@
 from typing import Any, List, NamedTuple, Optional, Tuple
 
 from . import _arrays
-from ._api import Edge, Field, Node, Precision
+from ._api import Edge, Field, Node, Precision, Solver
 from ._arrays import Array, Values, row
 from ._body import Attachment, Body
 from ._callbacks import Allocator
@@ -38,6 +38,24 @@ class Ring(NamedTuple):
     along_v: bool
 
 
+class Tolerance(NamedTuple):
+    """When Solver.COUPLED is content."""
+
+    #: of the residual, as a fraction of the one it starts from, in [1e-14, 1/2]; default 1e-6
+    tolerance: float
+    #: >= 1; default 100
+    most_iterations: int
+
+
+class Convergence(NamedTuple):
+    """What the last call of step did with Solver.COUPLED; zeros if there was no such solve."""
+
+    #: the most that a solve took
+    iterations: int
+    #: the largest that a solve ended with, as a fraction of the one it started from
+    residual: float
+
+
 class Membrane(Body, Sheet, kind="membrane"):
     """`nu` springs along u, `nv` along v, and (nu + 1) (nv + 1) nodes.
 
@@ -60,6 +78,12 @@ class Membrane(Body, Sheet, kind="membrane"):
 
     shape = Reading(lambda nu, nv, components, precision: MembraneShape(nu, nv, components, Precision(precision)),
                     "(nu, nv, components, precision) and nodes, as it was made.")
+
+    # ---- method -----------------------------------------------------------------------------------------------------
+
+    solver = Setting(Solver, "How implicit steps solve their system, a Solver; default Solver.ALTERNATING.")
+    tolerance = SettingOfSeveral(Tolerance, "When Solver.COUPLED is content: (tolerance, most_iterations).")
+    convergence = Reading(Convergence, "What the last call of step did with Solver.COUPLED: (iterations, residual).")
 
     # ---- parameters -------------------------------------------------------------------------------------------------
 

@@ -25,7 +25,7 @@ class SideState(NamedTuple):
     """What is at a side, as of now."""
 
     kind: Border
-    #: level [m] of Border.OPEN, discharge per metre [m^2/s] of Border.INFLOW, else 0
+    #: level [m] of Border.OPEN and Border.LEVEL, discharge per metre [m^2/s] of Border.INFLOW, else 0
     value: float
     #: how fast the value changes, per second
     rate: float
@@ -87,8 +87,8 @@ class Water(Sheet, kind="water"):
     (i, j) has its centre at ((i + 1/2) dx, (j + 1/2) dy).
 
     A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, without drag, with
-    Momentum.LINEAR, Method.IMPLICIT, lambda 0.55 and Solver.ALTERNATING. The C header water.h tells the equations, what
-    steps suit, and where the model is right.
+    Momentum.LINEAR, Method.IMPLICIT and lambda 0.55. The C header water.h tells the equations, what steps suit, and
+    where the model is right.
     """
 
     __slots__ = ()
@@ -105,8 +105,6 @@ class Water(Sheet, kind="water"):
 
     momentum = Setting(Momentum, "Whether water carries its momentum along, a Momentum; default Momentum.LINEAR. Sets "
                                  "lambda_ too: 0.55 for linear, 1/2 for advected.")
-    corrections = Setting(int, "Large steps: 0: off, the default; 1 to 8: no depth comes out negative however long the "
-                               "step. Needs Momentum.ADVECTED, Method.IMPLICIT and Solver.ALTERNATING.")
     first = Setting(int, "Which way the next step sweeps first: along x (0, the default) or along y (1).")
 
     # ---- parameters -------------------------------------------------------------------------------------------------
@@ -119,8 +117,9 @@ class Water(Sheet, kind="water"):
     def set_side(self, side: Side, kind: Border, value: float = 0.0, rate: float = 0.0) -> None:
         """What is at a side; `value` now, and its `rate` of change per second from now on.
 
-        Border.OPEN: the level of the water outside [m]. Border.INFLOW: discharge per metre of the side [m^2/s]. Both
-        sides of a direction are Border.PERIODIC or neither is.
+        Border.OPEN: the level of the water outside [m], into which waves run without an echo. Border.LEVEL: a level [m]
+        that is held at the side itself for what flows out slower than its waves. Border.INFLOW: discharge per metre of
+        the side [m^2/s]. Both sides of a direction are Border.PERIODIC or neither is.
         """
         self._call("set_side", side, kind, value, rate)
 

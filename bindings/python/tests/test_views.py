@@ -160,9 +160,8 @@ class Lasting(unittest.TestCase):
                        lambda m: setattr(m, "ring", (True, False)), lambda m: setattr(m, "solver", Solver.COUPLED),
                        lambda m: setattr(m, "pressure", 0.1), lambda m: m.set_edge(2, Node.MATCHED),
                        lambda m: setattr(m, "solver", Solver.ALTERNATING)],
-            Water: [lambda m: setattr(m, "momentum", Momentum.ADVECTED), lambda m: setattr(m, "corrections", 2),
-                    lambda m: m.add_source(1, 0.5, 1, 0.1), lambda m: setattr(m, "corrections", 0),
-                    lambda m: setattr(m, "solver", Solver.COUPLED)],
+            Water: [lambda m: setattr(m, "momentum", Momentum.ADVECTED), lambda m: m.add_source(1, 0.5, 1, 0.1),
+                    lambda m: setattr(m, "momentum", Momentum.LINEAR)],
         }
         for kind, more in changes.items():
             switching = [lambda m, f=f: m.enable_field(f) for f, info in kind._fields.items() if not info.always]

@@ -139,7 +139,8 @@ enum class border : std::int32_t {
     wall = CD_BORDER_WALL,
     open = CD_BORDER_OPEN,
     inflow = CD_BORDER_INFLOW,
-    periodic = CD_BORDER_PERIODIC
+    periodic = CD_BORDER_PERIODIC,
+    level = CD_BORDER_LEVEL
 };
 
 // Whether water carries its momentum along.
@@ -977,26 +978,9 @@ public:
     outcome<> set_lambda(double lambda) { return call(cd_water_set_lambda, lambda); }
     outcome<double> get_lambda() const { return value<double>(cd_water_get_lambda); }
 
-    // Linear or advected momentum; large steps, made 1 to 8 times, or 0.
+    // Linear or advected momentum.
     outcome<> set_momentum(momentum m) { return call(cd_water_set_momentum, m); }
     outcome<momentum> get_momentum() const { return value<momentum>(cd_water_get_momentum); }
-    outcome<> set_corrections(std::size_t corrections) { return call(cd_water_set_corrections, corrections); }
-    outcome<std::size_t> get_corrections() const { return value<std::size_t>(cd_water_get_corrections); }
-
-    // How implicit steps solve their system; when the coupled solver is content; what it did in the last call of step.
-    outcome<> set_solver(solver s) { return call(cd_water_set_solver, s); }
-    outcome<solver> get_solver() const { return value<solver>(cd_water_get_solver); }
-    outcome<> set_tolerance(double tolerance, std::size_t most_iterations = 100) {
-        return call(cd_water_set_tolerance, tolerance, most_iterations);
-    }
-    outcome<stopping> get_tolerance() const {
-        stopping out{};
-        return detail::got(cd_water_get_tolerance(handle_, &out.tolerance, &out.most_iterations), out);
-    }
-    outcome<convergence> get_convergence() const {
-        convergence out{};
-        return detail::got(cd_water_get_convergence(handle_, &out.iterations, &out.residual), out);
-    }
 
     // Whether the next step sweeps along y first.
     outcome<> set_first(bool along_y) { return call(cd_water_set_first, along_y); }
@@ -1021,7 +1005,9 @@ public:
     outcome<> set_manning(double manning) { return call(cd_water_set_manning, manning); }
     outcome<double> get_manning() const { return value<double>(cd_water_get_manning); }
 
-    // What is at a side: a level [m] or a discharge [m^2/s], and how fast it changes per second.
+    // What is at a side: a level [m] or a discharge [m^2/s], and how fast it changes per second. Of the two that have a
+    // level, border::open lets waves leave without an echo, border::level holds it at the side for what flows out
+    // slower than its waves.
     outcome<> set_side(side s, border kind, double level = 0, double rate = 0) {
         return call(cd_water_set_side, s, kind, level, rate);
     }

@@ -1,0 +1,132 @@
+// What happens at a face between two cells: what pushes there, how friction takes it, and how deep the face is.
+#pragma once
+
+#include "kernel/water/sweep.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+template <int N> struct CellLanes {
+    Lanes<N> bed, depth;
+
+    Lanes<N> surface() const { return bed + depth; }
+};
+
+// How far the surface rises across the face as far as it pushes water: a dry bed pushes nothing, water pushes onto it.
+template <int N> inline Lanes<N> rise_between(const CellLanes<N>& l, const CellLanes<N>& r) {
+    using L = Lanes<N>;
+    const L rise = (r.bed - l.bed) + (r.depth - l.depth), none{};
+    return select(rise, select(r.depth, rise, none), select(l.depth, rise, none));
+}
+
+// The same, had neither cell run dry.
+template <int N> inline Lanes<N> full_rise(const CellLanes<N>& l, const CellLanes<N>& r) {
+    return (r.bed - l.bed) + (r.depth - l.depth);
+}
+
+template <int N> inline Lanes<N> mean_depth(const CellLanes<N>& l, const CellLanes<N>& r) {
+    return 0.5 * (l.depth + r.depth);
+}
+
+// > 0: water can cross the face: both cells are wet, or one stands higher than the other's bed.
+template <int N> inline Lanes<N> conducts(const CellLanes<N>& l, const CellLanes<N>& r) {
+    using L = Lanes<N>;
+    const L none{}, high = larger(l.bed, r.bed);
+    const L over = larger(select(l.depth, l.surface() - high, none), select(r.depth, r.surface() - high, none));
+    return larger(smaller(l.depth, r.depth), over);
+}
+
+// ---- friction -------------------------------------------------------------------------------------------------------
+
+// a^(-1/3) of a normal number a > 0, by Newton's iteration from its exponent: 4 times squares an error of 4% away.
+inline double inverse_cube_root(double a) {
+    uint64_t bits;
+    memcpy(&bits, &a, sizeof bits);
+    bits = 0x553ef0ff289dd796u - bits / 3;
+    double r;
+    memcpy(&r, &bits, sizeof r);
+    for (int k = 0; k < 4; ++k) r = r * ((4.0 / 3) - (a * (1.0 / 3)) * (r * r * r));
+    return r;
+}
+
+// What friction leaves of a velocity, and of what is added to it, in a step over which it takes z = dt friction: by the
+// trapezoidal rule, and from z = 2 on, where that would turn it round, all. What is at rest between push and friction
+// stays so at any z.
+template <int N> struct FrictionLanes {
+    Lanes<N> keep, push;
+
+    explicit FrictionLanes(Lanes<N> z) {
+        using L = Lanes<N>;
+        const L half = L::splat(1) + 0.5 * z;
+        keep = positive(L::splat(1) - 0.5 * z) / half;
+        push = L::splat(1) / larger(half, z);
+    }
+};
+
+// dt times Manning's friction on water of depth h at what it leaves of a speed: k u with u + k u^2 = speed,
+// k = manning h^(-4/3). manning: dt g times its square.
+template <int N> inline Lanes<N> manning_drag(Lanes<N> h, Lanes<N> speed, Lanes<N> manning) {
+    using L = Lanes<N>;
+    const L r = each_lane(h, [](double a) { return a > Limits<double>::least ? inverse_cube_root(a) : 0; });
+    const L k = manning * ((r * r) * (r * r));
+    return (2 * (k * speed)) / (L::splat(1) + root(L::splat(1) + 4 * (k * speed)));
+}
+
+// The depth at which a discharge q [m^2/s] runs as fast as its own waves, (q^2 / g)^(1/3).
+inline double critical_depth(double q, double gravity) {
+    if (!(gravity > 0)) return 0;
+    const double cube = q * q / gravity, r = cube > 0 ? inverse_cube_root(cube) : 0;
+    return cube * (r * r);
+}
+
+// ---- the face's depth -----------------------------------------------------------------------------------------------
+
+// What a cell that runs dry gives of its water. What it keeps is far above rounding, so that rounding does not decide
+// whether it is wet; the next steps take it.
+constexpr double kGives = 1 - 0x1p-40;
+
+// The depth of a face that water crosses with the speed `speed`; the giver is the cell that it comes from, the taker the
+// other. It is the mean of the two depths V but
+//
+//   giver shallower than taker    at most twice the giver's depth and what the bed drops (and no more than lets the
+//                                 giver run dry in the step, which is told by `dries`)
+//   giver deeper than taker       at least what the surface falls, as far as the giver stands over the higher bed
+//   giver's surface below the     at most how far it stands over the middle of the two beds, and how far its heads of
+//   taker's bed                   speed lift it over the taker's
+//
+// all of which agree where they meet. On a flat bed: V up to a ratio of depths of 3, then nearer the giver's.
+// Water climbs as far as so many heads of its speed, speed^2 / 2 g, lift it, and not at all from rest.
+constexpr double kClimbedHeads = 8;
+
+template <int N> struct FaceDepth {
+    Lanes<N> depth, closed; // closed > 0: nothing crosses the face, whatever the step brings
+
+    // run: of the speed, and what a fall of the surface adds to it [s]: lambda dt / cell, and g times its square. head:
+    // speed^2 / 2 g.
+    FaceDepth(Lanes<N> depth_, Lanes<N> closed_) : depth(depth_), closed(closed_) {}
+    FaceDepth(const CellLanes<N>& l, const CellLanes<N>& r, Lanes<N> speed, const Lanes<N>* dries, Lanes<N> run,
+              Lanes<N> run_by_fall, Lanes<N> head) {
+        using L = Lanes<N>;
+        const L none{}, rightward = select(size_of(speed), speed, l.surface() - r.surface());
+        const L give = select(rightward, l.depth, r.depth), take = select(rightward, r.depth, l.depth);
+        const L bed = select(rightward, l.bed, r.bed), next_bed = select(rightward, r.bed, l.bed);
+        const L mean = 0.5 * (give + take), fall = (bed - next_bed) + (give - take);
+        const L climb = next_bed - bed, over = give - positive(climb);
+
+        L most = 2 * give + positive(-climb);
+        if (dries) {
+            const L out = run * size_of(speed) + run_by_fall * positive(fall);
+            const L whole = larger(2 * give, smaller(most, (kGives * give) / larger(out, L::splat(0x1p-900))));
+            most = select(*dries, whole, most);
+        }
+        const L shallower = smaller(mean, most), deeper = larger(mean, smaller(fall, over));
+        const L above = positive(smaller(give - 0.5 * climb, over + kClimbedHeads * head));
+        const L uphill = select(climb, select(over, none, L::splat(1)), none);
+        depth = select(uphill, smaller(mean, above), select(take - give, shallower, deeper));
+        depth = select(give, depth, none);
+        closed = select(give, select(uphill, select(above, none, L::splat(1)), none), none);
+    }
+};
+
+} // namespace CD_ISA
+} // namespace cd

@@ -1,0 +1,93 @@
+// Lines of a water in and out of panels, N side by side.
+#pragma once
+
+#include "kernel/tiles.hh"
+#include "kernel/water/sweep.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+// Numbers of N lines: number i of lane k lies at i * N + k.
+template <int N> struct Panel {
+    double* first;
+
+    explicit operator bool() const { return first != nullptr; }
+    Lanes<N> operator[](size_t i) const { return Lanes<N>::load(first + i * N); }
+    void put(size_t i, Lanes<N> a) const { a.store(first + i * N); }
+};
+
+// Where the numbers of N lines from `line` on lie: `along` apart on a line, lines `across`. Lanes beyond the last of
+// the `lanes` lines that there are repeat that one.
+struct Place {
+    size_t along, across, line, lanes;
+
+    size_t at(size_t i, size_t lane) const { return i * along + (line + (lane < lanes ? lane : lanes - 1)) * across; }
+};
+template <class Lines> Place place_of(const Lines& lines, size_t line, size_t most) {
+    const size_t left = lines.lines - line;
+    return {lines.along, lines.across, line, left < most ? left : most};
+}
+
+constexpr auto kUnseen = [](auto) {};
+
+// see(numbers) is called for all of them in turn.
+template <int N, class T, class F = decltype(kUnseen)>
+void fetch(const Place& p, size_t count, const T* from, Panel<N> to, F see = kUnseen) {
+    static_assert(N == kTile, "a tile is as wide as a panel");
+    size_t i = 0;
+    if (p.across == 1 && p.lanes == N)
+        for (; i < count; ++i) {
+            const Lanes<N> numbers = Lanes<N>::load(from + p.at(i, 0));
+            to.put(i, numbers);
+            see(numbers);
+        }
+    else if (p.along == 1 && p.lanes == N)
+        for (; i + kTile <= count; i += kTile) {
+            Lanes<N> numbers[kTile];
+            load_tile(from + p.at(i, 0), p.across, numbers);
+            for (size_t k = 0; k < kTile; ++k) to.put(i + k, numbers[k]), see(numbers[k]);
+        }
+    for (; i < count; ++i) {
+        double numbers[N];
+        for (size_t lane = 0; lane < N; ++lane) numbers[lane] = double(from[p.at(i, lane)]);
+        to.put(i, Lanes<N>::load(numbers));
+        see(Lanes<N>::load(numbers));
+    }
+}
+
+// What stored(i) makes of all numbers in turn.
+template <int N, class T, class F> void put(const Place& p, size_t count, T* to, F stored) {
+    size_t i = 0;
+    if (p.across == 1 && p.lanes == N)
+        for (; i < count; ++i) stored(i).store(to + p.at(i, 0));
+    else if (p.along == 1 && p.lanes == N)
+        for (; i + kTile <= count; i += kTile) {
+            Lanes<N> numbers[kTile];
+            for (size_t k = 0; k < kTile; ++k) numbers[k] = stored(i + k);
+            store_tile(numbers, to + p.at(i, 0), p.across);
+        }
+    for (; i < count; ++i) {
+        double numbers[N];
+        stored(i).store(numbers);
+        for (size_t lane = 0; lane < p.lanes; ++lane) to[p.at(i, lane)] = T(numbers[lane]);
+    }
+}
+
+// A number that shall be stored; probe gets NaN for what is too large. Velocities below kRest are 0.
+template <class T, int N> inline Lanes<N> storable(Lanes<N> a, Lanes<N>& probe) {
+    probe = probe + 0.0 * (Limits<T>::to_overflow * a);
+    return a;
+}
+template <class T> constexpr double kRest = double(Limits<T>::least); // [m/s]
+
+// work.bundle<N>(its first line) for what lies in packs [first, first + count); whether all came out finite.
+template <class Work> bool in_bundles(const Work& work, size_t lines, size_t first, size_t count) {
+    const size_t end = (first + count) * kWaterPack < lines ? (first + count) * kWaterPack : lines;
+    bool finite = true;
+    for (size_t line = first * kWaterPack; line < end; line += kWaterLanes)
+        finite &= work.template bundle<int(kWaterLanes)>(line);
+    return finite;
+}
+
+} // namespace CD_ISA
+} // namespace cd

@@ -1,0 +1,56 @@
+// What crosses a side of the scene: the discharge as a function of the depth of the cell there, by the invariants
+// u + 2 c and u - 2 c, c = sqrt(g d), that simple waves carry (Stoker 1957, chapter 10). Outside an open side water rests
+// at a level; a level side holds its level under what flows out.
+//
+// Of linear momentum the invariants have no closed form; u = c (1 - d_out / d) is that of u - 2 c up to the third order
+// of a wave's height.
+#pragma once
+
+#include "kernel/water/face.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+struct SideFlow {
+    double discharge = 0, slope = 0; // outward [m^2/s]; its derivative by the cell's depth, never below 0 [m/s]
+    double depth = 0;                // of what crosses [m]
+};
+
+struct SideWaves {
+    double gravity;
+    bool advected;
+
+    double speed(double depth) const { return __builtin_sqrt(gravity * depth); }
+
+    // Water of a depth d in the cell, which runs outward at u, beside water of a depth d_out at rest.
+    SideFlow open(double d, double d_out, double u) const {
+        const double c_here = speed(d);
+        if (advected && u > c_here && d > d_out) return falls(d, u);
+        if (!advected) {
+            const double depth = d > d_out / 3 ? d : d_out / 3, c = speed(depth); // comes in by a third at the least
+            return {c * (depth - d_out), depth > d || !(c > 0) ? 0 : c * (1.5 - d_out / (2 * depth)), depth};
+        }
+        const double depth = d > d_out * (4.0 / 9) ? d : d_out * (4.0 / 9), c = speed(depth), c_out = speed(d_out);
+        const double wave = 2 * (c - c_out);
+        if (wave > c) return falls(d, u);
+        return {depth * wave, depth > d ? 0 : 3 * c - 2 * c_out, depth};
+    }
+
+    // The same beside a side that holds the depth d_out there.
+    SideFlow level(double d, double d_out, double u) const {
+        const double c = speed(d), c_out = speed(d_out), wave = u + 2 * (c - c_out);
+        if (u > c || wave > c_out) return falls(d, u);
+        if (wave < -c_out) return {-c_out * d_out, 0, d_out};
+        return {d_out * wave, d > 0 ? d_out * c / d : 0, d_out};
+    }
+
+    // What runs faster than its waves leaves as it comes, all else at its critical depth.
+    SideFlow falls(double d, double u) const {
+        const double c = speed(d);
+        if (u > c) return {u * d, u, d};
+        return {c * d, 1.5 * c, d};
+    }
+};
+
+} // namespace CD_ISA
+} // namespace cd

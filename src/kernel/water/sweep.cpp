@@ -1,0 +1,150 @@
+// Sweeps of a water along one axis: lines between memory and panels, and the parts that they make their step in.
+#include "kernel/water/sweep.hh"
+
+#include "kernel/water/carry.hh"
+#include "kernel/water/limiter.hh"
+#include "kernel/water/surface.hh"
+#include "kernel/water/velocity.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+namespace {
+
+template <class T> struct Sweep {
+    const WaterSweep& sweep;
+    const WaterLines<T>& lines;
+    double* work;
+
+    template <int N> bool bundle(size_t first) const {
+        using L = Lanes<N>;
+        const size_t n = sweep.cells;
+        const Place p = place_of(lines, first, N);
+        double* free = work;
+        const auto panel = [&] {
+            double* const own = free;
+            free += (n + kWaterRoom) * N;
+            return Panel<N>{own};
+        };
+        WaterLine<N> line{sweep, n, sweep.ring()};
+        for (Panel<N>* one : {&line.bed, &line.depth, &line.velocity, &line.flux, &line.after, &line.speed, &line.pull,
+                              &line.push, &line.spare[0], &line.spare[1]})
+            *one = panel();
+        if (lines.mask || lines.wall) fetch_openings(p, line.opening = panel());
+        if (lines.force || lines.pressure) fetch_acceleration(p, line.acceleration = panel(), line.flux);
+        L deepest{}, shallowest = L::splat(1), fastest{}; // shallowest: as far as it matters
+        const auto see_depth = [&](L d) { deepest = larger(d, deepest), shallowest = smaller(d, shallowest); };
+        fetch(p, n, lines.bed, line.bed);
+        fetch(p, n, lines.depth, line.depth, see_depth);
+        fetch(p, n + 1, lines.velocity, line.velocity, [&](L u) { fastest = larger(size_of(u), fastest); });
+
+        const L none{}, parts = StepKind<N>::parts_of(sweep, larger(fastest, coming_in(line)));
+        const size_t most = size_t(largest_in(parts));
+        L in{}, out{};
+        const Panel<N> moved = most > 1 ? panel() : line.flux; // in all parts
+        for (size_t part = 0; part < most; ++part) {
+            const L goes_on = parts - L::splat(double(part)); // > 0: makes this part
+            if (part > 0) { // from what the last one has left
+                deepest = none, shallowest = L::splat(1);
+                for (size_t i = 0; i < n; ++i) {
+                    const L d = settled(line.after[i], kDry);
+                    line.depth.put(i, d);
+                    see_depth(d);
+                }
+                const Panel<N> velocity = line.velocity;
+                line.velocity = line.speed, line.speed = velocity;
+            }
+            if (!all_positive(shallowest)) line.follow_water(goes_on);
+            line.step(StepKind<N>(sweep, parts, deepest));
+            if (most > 1) {
+                const bool is_first = part == 0;
+                for (size_t i = 0; i <= n; ++i) {
+                    line.speed.put(i, select(goes_on, line.speed[i], line.velocity[i]));
+                    line.flux.put(i, select(goes_on, line.flux[i], none));
+                    moved.put(i, is_first ? line.flux[i] : moved[i] + line.flux[i]);
+                }
+                for (size_t i = 0; i < n; ++i) line.after.put(i, select(goes_on, line.after[i], line.depth[i]));
+            }
+            if (sweep.closed()) continue;
+            const L q0 = line.flux[0], q1 = line.flux[n];
+            in = in + (positive(q0) + positive(-q1));
+            out = out + (positive(-q0) + positive(q1));
+        }
+
+        L probe{};
+        constexpr size_t kChains = 4; // of cells that round together: one waits long for the next
+        Rounding<T, N> rounding[kChains];
+        put<N>(p, n, lines.depth, [&](size_t i) { return rounding[i % kChains](storable<T>(line.after[i], probe)); });
+        put<N>(p, n + 1, lines.velocity, [&](size_t i) { return settled(storable<T>(line.speed[i], probe), kRest<T>); });
+        if (lines.moved) put<N>(p, n + 1, lines.moved, [&](size_t i) { return moved[i]; });
+        put_tally(p, in, out, line.held_back, line.limited, parts);
+        return !probe.any_nan();
+    }
+
+    // The speed at which water comes in at the ends of a line.
+    template <int N> Lanes<N> coming_in(const WaterLine<N>& line) const {
+        using L = Lanes<N>;
+        L most{};
+        for (int e = 0; e < 2; ++e) {
+            const WaterEnd& end = sweep.end[e];
+            if (end.kind != End::kInflow) continue;
+            const L deep = larger(line.depth[e ? line.n - 1 : 0], L::splat(critical_depth(end.discharge, sweep.gravity)));
+            most = larger(select(deep, size_of(L::splat(end.discharge)) / deep, L{}), most);
+        }
+        return most;
+    }
+
+    // What lets water cross faces: 1, or 0 beside cells that are not there and on walls.
+    template <int N> void fetch_openings(const Place& p, Panel<N> to) const {
+        const size_t n = sweep.cells;
+        const Place bytes{lines.byte_along, lines.byte_across, p.line, p.lanes};
+        const bool ring = sweep.ring();
+        for (size_t i = 0; i <= n; ++i)
+            for (size_t lane = 0; lane < N; ++lane) {
+                const auto there = [&](size_t cell) { return !lines.mask || lines.mask[bytes.at(cell, lane)] != 0; };
+                bool is_open = true;
+                if (i > 0 || ring) is_open = is_open && there(i > 0 ? i - 1 : n - 1);
+                if (i < n || ring) is_open = is_open && there(i < n ? i : 0);
+                if (lines.wall && ((i > 0 && i < n) || ring)) is_open = is_open && lines.wall[bytes.at(i < n ? i : 0, lane)] == 0;
+                to.first[i * N + lane] = is_open ? 1 : 0;
+            }
+    }
+
+    // What forces and pressures add to velocities in the step. pressure: scratch.
+    template <int N> void fetch_acceleration(const Place& p, Panel<N> to, Panel<N> pressure) const {
+        using L = Lanes<N>;
+        const size_t n = sweep.cells;
+        if (lines.force) fetch(p, n + 1, lines.force, to);
+        for (size_t i = 0; i <= n; ++i) to.put(i, lines.force ? sweep.dt * to[i] : L{});
+        if (!lines.pressure) return;
+        fetch(p, n, lines.pressure, pressure);
+        for (size_t i = sweep.ring() ? 0 : 1; i < n; ++i)
+            to.put(i, to[i] - lines.pressure_share * (pressure[i] - pressure[i > 0 ? i - 1 : n - 1]));
+    }
+
+    template <int N>
+    void put_tally(const Place& p, Lanes<N> in, Lanes<N> out, Lanes<N> held_back, Lanes<N> limited, Lanes<N> parts) const {
+        const Lanes<N> tally[kTallies] = {in, out, held_back, limited, parts}; // by WaterTally
+        double sums[kTallies][N];
+        for (int t = 0; t < kTallies; ++t) tally[t].store(sums[t]);
+        for (size_t k = 0; k < p.lanes; ++k)
+            for (int t = 0; t < kTallies; ++t) lines.tally[(p.line + k) * kTallies + size_t(t)] = sums[t][k];
+    }
+};
+
+} // namespace
+
+template <class T>
+bool sweep_water(const WaterSweep& sweep, const WaterLines<T>& lines, double* work, size_t first, size_t count) {
+    return in_bundles(Sweep<T>{sweep, lines, work}, lines.lines, first, count);
+}
+
+#if CD_WITH_FLOAT32
+template bool sweep_water(const WaterSweep&, const WaterLines<float>&, double*, size_t, size_t);
+#endif
+#if CD_WITH_FLOAT64
+template bool sweep_water(const WaterSweep&, const WaterLines<double>&, double*, size_t, size_t);
+#endif
+
+} // namespace CD_ISA
+} // namespace cd

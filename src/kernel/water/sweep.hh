@@ -1,0 +1,98 @@
+// What a sweep of water along one axis is given, and its kernels. The step of a line is told in line.hh.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "kernel/lanes.hh"
+#include "kernel/lines.hh"
+
+namespace cd {
+
+// Water that is shallower is none [m].
+constexpr double kDry = 0x1p-80;
+
+// What is at an end of the lines: see cd_border.
+enum class End { kWall, kOpen, kLevel, kInflow, kRing };
+struct WaterEnd {
+    End kind;
+    double level;     // [m] of the water outside, of kOpen and kLevel
+    double discharge; // [m^2/s] that comes in, of kInflow
+};
+
+struct WaterSweep {
+    size_t cells;
+    double dt, courant;   // courant: dt / the cell's size [s/m]
+    double theta;         // how much the end of the step counts against its beginning
+    bool implicit;        // fluxes answer to the surface of the step's end
+    double gravity;       // [m/s^2]
+    double drag, manning; // drag [1/s]; gravity times manning^2
+    bool advected;        // momentum
+    WaterEnd end[2];
+
+    bool ring() const { return end[0].kind == End::kRing; }
+    bool closed() const { return ring() || (end[0].kind == End::kWall && end[1].kind == End::kWall); }
+    bool rubs() const { return drag > 0 || manning > 0; }
+};
+
+// The numbers of lines along an axis: those of line k at cell or face i lie at i * along + k * across. Null: not there.
+template <class T> struct WaterLines {
+    size_t lines, along, across;
+    T *depth, *velocity;
+    const T *bed, *pressure, *force;
+    double pressure_share;      // from a difference of pressures to an acceleration
+    const uint8_t *mask, *wall; // at i * byte_along + k * byte_across
+    size_t byte_along, byte_across;
+    T* moved;      // out, for carry_across: what went through faces, as depths [m]
+    double* tally; // out: kTallies numbers per line
+};
+
+// What a line let in and out at its ends, what the limiter held back, all as depths [m]; in how many cells; and the
+// parts that it made its step in.
+enum WaterTally { kIn, kOut, kHeldBack, kLimited, kParts, kTallies };
+
+// How what a sweep has moved along its lines carries the velocities of the other axis, which lie on the faces between
+// lines of cells: before them and behind.
+template <class T> struct WaterAcross {
+    size_t cells, lines, along, across;
+    bool ring; // along the lines
+    T* velocity;
+    const T *depth[2], *moved[2];
+    // what closes faces, see WaterLines: the cells before and behind them, walls on them
+    const uint8_t *mask[2], *wall;
+    size_t byte_along, byte_across;
+};
+
+// Lines that are worked on side by side, the panels of numbers that they need, and what panels have room for beside
+// their cells. Tasks take packs of lines: whole lines of the cache.
+constexpr size_t kWaterLanes = 8, kWaterPanels = 14, kWaterRoom = 1, kWaterPack = 16;
+inline size_t water_packs(size_t lines) { return (lines + kWaterPack - 1) / kWaterPack; }
+
+namespace CD_ISA {
+
+// Depths as they will be stored, cell after cell. What rounding takes from a wet cell the next one gets that can take
+// it, and the other way round; depths below the least are 0.
+template <class T, int N> struct Rounding {
+    using L = Lanes<N>;
+    L owed{};
+
+    L operator()(L now) {
+        if (sizeof(T) == sizeof(double)) return settled(now, kDry);
+        const L none{}, takes = select(now, now + 2 * owed, none), exact = select(takes, now + owed, now);
+        const L stored = settled(exact, kDry).template rounded_to<T>();
+        owed = select(takes, none, owed) + (exact - stored);
+        return stored;
+    }
+};
+
+// Makes the step along packs [first, first + count) of lines; work: kWaterPanels * (cells + kWaterRoom) * kWaterLanes
+// numbers. False if a number left the finite range.
+template <class T>
+bool sweep_water(const WaterSweep& sweep, const WaterLines<T>& lines, double* work, size_t first, size_t count);
+
+// The same for what is carried across.
+template <class T> bool carry_across(const WaterAcross<T>& across, double* work, size_t first, size_t count);
+
+} // namespace CD_ISA
+
+} // namespace cd
