@@ -227,7 +227,7 @@ template <class T> struct RodStep {
                         rod.follow, rod.lean,       rod.bend,  c.has_welds ? closing : nullptr,
                         has_bend,   gains.gains(c), c.pin.data};
     }
-    // A weld that closes a ring is a constraint, kept to rounding; its nodes then share what they have, to the bit.
+    // The solve keeps welds to rounding; their nodes then share what they have, to the bit.
     bool operator()(size_t first, size_t count) const {
         const LineKernels<T>& kernels = chain.kernels->of(T());
         double* const slope = chain.scratch.data + size_t(stages.count) * chain.nodes * chain.pitch;
@@ -236,7 +236,7 @@ template <class T> struct RodStep {
             kernels.rod_sweep(lines, coefficients, stage, start, row, slope, first, count);
             return kernels.advance(lines, stage, start, chain.closure, row, keep, first, count);
         });
-        if (chain.ring && welded(chain, chain.springs)) merge_velocities(chain, first, count);
+        if (chain.has_welds) merge_velocities(chain, first, count);
         return finite;
     }
 };

@@ -45,7 +45,7 @@ protected:
 private:
     double energy_before = 0, room_before = 0;
 
-    double room_for_energy(size_t steps) const;
+    double room_for_energy(size_t steps, double dt) const;
 };
 
 } // namespace fuzz
