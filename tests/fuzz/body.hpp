@@ -16,11 +16,10 @@ protected:
     virtual double stiffest() const = 0;       // the largest stiffness of a spring, of bend or of a tie
     virtual double heaviest() const = 0;       // the largest mass of a node, or more
     virtual double gravity() const = 0;        // the largest of its components
-    virtual bool is_driven() const = 0;        // something but springs and gravity works on it
     virtual bool keeps_its_energy() const = 0; // an implicit step adds none to what energy() tells
 
     double state_size() const override { return this->largest_of({CD_POSITION, CD_VELOCITY}); }
-    void before_step() override;
+    void before_step(double dt) override;
     void after_step(const Step& step) override;
 
     void set_gravity(cd_status (*setter)(Handle*, const double*, size_t));
@@ -45,7 +44,7 @@ protected:
 private:
     double energy_before = 0, room_before = 0;
 
-    double room_for_energy(size_t steps, double dt) const;
+    double room_for_energy(double dt) const;
 };
 
 } // namespace fuzz

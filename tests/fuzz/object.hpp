@@ -40,8 +40,9 @@ public:
 protected:
     virtual void act_by_kind() = 0;        // a call that only this kind of object has
     virtual double state_size() const = 0; // the largest of its numbers; INFINITY if one is not finite
+    virtual bool is_driven() const = 0;    // whether something but springs and gravity works on it
     bool is_finite() const { return state_size() < HUGE_VAL; }
-    virtual void before_step() = 0;
+    virtual void before_step(double dt) = 0;
     virtual void after_step(const Step& step) = 0;
 
 private:

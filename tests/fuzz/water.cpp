@@ -98,7 +98,7 @@ Water::Account Water::account() const {
     return a;
 }
 
-void Water::before_step() { before = account(); }
+void Water::before_step(double) { before = account(); }
 
 void Water::after_step(const Step& s) {
     if (s.status == CD_ERROR_DIVERGED) {

@@ -17,7 +17,8 @@ protected:
     void act_by_kind() override;
     void check_state() override;
     double state_size() const override { return largest_of({CD_DEPTH, CD_VELOCITY_X, CD_VELOCITY_Y}); }
-    void before_step() override;
+    bool is_driven() const override { return false; }
+    void before_step(double dt) override;
     void after_step(const Step& step) override;
 
 private:
