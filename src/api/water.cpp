@@ -156,7 +156,10 @@ cd_status cd_water_step(cd_water* water, double dt, size_t count) {
     CD_CHECK(shared::can_step(__func__, w, dt, count));
     if (count == 0) return CD_OK;
     const WaterOutcome outcome = step_water(w, dt, count);
-    if (outcome.diverged_at) return shared::diverged_at(__func__, outcome.diverged_at);
+    if (outcome.diverged_at) {
+        stop_closed(w); // what is not finite leaks over walls
+        return shared::diverged_at(__func__, outcome.diverged_at);
+    }
     if (outcome.converged) return CD_OK;
     return fail(CD_ERROR_TOLERANCE, __func__, "a residual of %g is left after %zu iterations, tolerance is %g",
                 w.residual, w.iterations, w.tolerance);
