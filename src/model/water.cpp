@@ -136,7 +136,6 @@ void set_side(Water& w, cd_side side, const WaterSide& wanted) {
 void clear_state(Water& w) {
     for (const Array<char>* array : {&w.depth, &w.velocity[kX], &w.velocity[kY]})
         memset(array->data, 0, array->bytes());
-    for (WaterSide& side : w.side) side.value = side_value(side, w.clock.time()); // levels go on from where they are
     w.clock = {};
     w.account = {};
     w.first = kX;

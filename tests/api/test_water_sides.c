@@ -97,21 +97,6 @@ static void the_value_runs_on_with_its_rate_from_when_it_was_set(void** state) {
     cd_water_destroy(w);
 }
 
-static void values_go_on_from_what_they_are_after_a_reset(void** state) {
-    (void)state;
-    cd_water* w = pool(5, 4, CD_FLOAT64);
-    ok(cd_water_step(w, 0.25, 3));
-    ok(cd_water_set_side(w, CD_SIDE_X_LAST, CD_BORDER_OPEN, -3, 0.5));
-    ok(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_INFLOW, 0, -0.25));
-    ok(cd_water_step(w, 0.25, 8));
-    ok(cd_water_reset(w));
-    assert_true(side_of(w, CD_SIDE_X_LAST).value == -2);
-    assert_true(side_of(w, CD_SIDE_Y_FIRST).value == -0.5);
-    ok(cd_water_step(w, 0.5, 2));
-    assert_true(side_of(w, CD_SIDE_X_LAST).value == -1.5);
-    cd_water_destroy(w);
-}
-
 static void both_sides_of_a_direction_are_periodic_or_neither(void** state) {
     (void)state;
     cd_water* w = pool(5, 4, CD_FLOAT64);
@@ -224,7 +209,6 @@ int main(void) {
         cmocka_unit_test(nothing_else_is_chosen_while_large_steps_are_on),
         cmocka_unit_test(sides_tell_what_was_set),
         cmocka_unit_test(the_value_runs_on_with_its_rate_from_when_it_was_set),
-        cmocka_unit_test(values_go_on_from_what_they_are_after_a_reset),
         cmocka_unit_test(both_sides_of_a_direction_are_periodic_or_neither),
         cmocka_unit_test(a_side_that_becomes_a_wall_stops_the_water_at_it_and_no_other),
         cmocka_unit_test(the_ends_of_a_line_that_is_made_periodic_become_one_face),
