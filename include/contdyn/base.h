@@ -62,18 +62,21 @@ CD_API const char* cd_error_message(void);
 typedef int32_t cd_precision;
 enum { CD_FLOAT32 = 0, CD_FLOAT64 = 1 };
 
-/* How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. */
+/* How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. What is bounded, and keeps
+ * energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that its velocity would carry it,
+ * which shows where dt is longer than 1e12 times the time of the fastest swing. */
 typedef int32_t cd_method;
 enum {
     CD_METHOD_IMPLICIT = 0,         /* Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is
                                        backward Euler; for lambda >= 1/2 bounded at every dt */
     CD_METHOD_FORWARD_EULER = 1,    /* Kass 1997, eq. 13; without damping it grows at every dt */
-    CD_METHOD_SYMPLECTIC_EULER = 2, /* the new velocity moves the position; bounded up to cd_*_stable_dt */
+    CD_METHOD_SYMPLECTIC_EULER = 2, /* the new velocity moves the position (of water: velocity Verlet, its
+                                       symmetric form); bounded up to cd_*_stable_dt */
     CD_METHOD_STIFF_SECOND = 3      /* two implicit stages with gamma = 1 - 1/sqrt(2) (SDIRK2): second order, and
                                        L-stable: motion too fast for dt dies out */
 };
 
-/* How the two-dimensional system of an implicit step is solved. */
+/* How the two-dimensional system of a membrane's implicit step is solved. */
 typedef int32_t cd_solver;
 enum {
     CD_SOLVER_ALTERNATING = 0, /* rows, then columns: Kass 1997, section 9 */
@@ -87,8 +90,9 @@ enum {
     CD_MASS_HALF_ENDS = 1 /* nodes on a border half as heavy as those inside: second order in space */
 };
 
-/* The instructions that steps are made of. All give the same bits; a new object has the fastest that its processor
- * runs. */
+/* The instructions that steps are made of. All give the same bits, as long as those are of finite numbers: how far what
+ * is not finite spreads in steps that end with CD_ERROR_DIVERGED may differ. A new object has the fastest that its
+ * processor runs. */
 typedef int32_t cd_kernels;
 enum {
     CD_KERNELS_PLAIN = 0, /* what every processor of the target has: SSE2 on x86-64, NEON on AArch64, and on WebAssembly
@@ -145,7 +149,8 @@ typedef struct cd_allocator {
 } cd_allocator;
 
 /* Parallel work from the caller. run calls task(context, i) once for every i in [0, count), in any order, on any
- * threads, and returns when all are done. Results do not depend on it, bit for bit. Copied when it is set. */
+ * threads, and returns when all are done. Results do not depend on it, bit for bit, as long as they are finite. Copied
+ * when it is set. */
 typedef struct cd_parallel {
     void* user;
     void (*run)(void* user, size_t count, void (*task)(void* context, size_t index), void* context);

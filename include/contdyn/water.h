@@ -23,8 +23,8 @@
  *
  * Waves do not limit the step. Where water runs more than half a cell in a step, a line makes its step in 2, 4, ... 64
  * parts, in each of which it runs no more than that, at the cost of so many steps of the line; faster water, of more
- * than 32 cells a step, is carried all the same, only less exactly. Waves that a step lets cross more than a cell are
- * slowed down, short ones most. Ripples on a stream do not grow, but for linear momentum with lambda = 1/2 over an
+ * than 32 cells a step, is carried all the same, only less exactly, and ripples on it may grow. Waves that a step lets cross more than a cell are
+ * slowed down, short ones most. Ripples on slower streams do not grow, but for linear momentum with lambda = 1/2 over an
  * uneven bed. Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5% in steps in
  * which they cross 2 to 32, over which it is drawn out to up to eight times as many cells. Steps do not depend on each
  * other's length.
@@ -79,8 +79,8 @@ enum {
 typedef int32_t cd_border;
 enum {
     CD_BORDER_WALL = 0,
-    CD_BORDER_OPEN = 1,    /* water of a given level outside, into which waves run without an echo */
-    CD_BORDER_INFLOW = 2,  /* a given discharge comes in; if negative, leaves as far as there is water */
+    CD_BORDER_OPEN = 1,     /* water of a given level outside, into which waves run without an echo */
+    CD_BORDER_INFLOW = 2,   /* a given discharge comes in; if negative, leaves as far as there is water */
     CD_BORDER_PERIODIC = 3, /* goes on at the opposite side */
     CD_BORDER_LEVEL = 4     /* holds a given level for what flows out slower than its waves: a lake, a weir */
 };
@@ -372,7 +372,9 @@ CD_API cd_status cd_water_load(cd_water* water, const void* bytes, size_t size);
  * Allocates only if they differ in the fields switched on. Errors: CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
 CD_API cd_status cd_water_copy_state(cd_water* water, const cd_water* source);
 
-/* Depths, velocities, time, steps and account back to 0. Bed, parameters and the other fields stay. */
+/* Depths, velocities, time, steps and account back to 0. Bed, parameters and the other fields stay. What is at sides
+ * begins again with time: a level or discharge that changes is what it was at time 0, or by its rate would have been if
+ * it was set later; then set it anew. */
 CD_API cd_status cd_water_reset(cd_water* water);
 
 #ifdef __cplusplus

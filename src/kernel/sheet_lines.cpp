@@ -10,11 +10,11 @@ namespace {
 
 constexpr size_t kStrip = 128;
 
-// Stores a number on its way through a line, every 16th node without what is too small: see Limits.
-template <class L> inline void store_on_way(L sum, size_t row, double* to) {
-    if (row % kSettleEvery == 0) sum = settled(sum, Limits<double>::least);
-    sum.store(to);
+// A number on its way through a line, every 16th node without what is too small: see Limits.
+template <class L> inline L on_way(L sum, size_t row) {
+    return row % kSettleEvery == 0 ? settled(sum, Limits<double>::least) : sum;
 }
+template <class L> inline void store_on_way(L sum, size_t row, double* to) { on_way(sum, row).store(to); }
 
 template <class Strip> void in_strips(size_t first, size_t count, const Strip& strip) {
     for (size_t done = 0; done < count; done += kStrip)
@@ -55,7 +55,8 @@ template <int N> inline Lanes<N> coloured(size_t u, int colour) {
     return Lanes<N>::load(kAlternate + ((u + size_t(colour)) & 1));
 }
 
-// The same for the columns of one colour, whose neighbours keep still.
+// The same for the columns of one colour, whose neighbours keep still, to the bit: which of them a bundle has already
+// stored depends on how wide it is.
 struct ForwardBeside {
     const double *b, *pull, *cross;
     double* x;
@@ -67,7 +68,7 @@ struct ForwardBeside {
         L sum =
             L::load(b + u) + (L::load(cross + u) * L::load(x + u + 1) + L::load(cross + u - 1) * L::load(x + u - 1));
         if (pull) sum = sum + L::load(pull + u) * L::load(x + u - pitch);
-        store_on_way(select(coloured<N>(u, colour), sum, L::load(x + u)), row, x + u);
+        select(coloured<N>(u, colour), on_way(sum, row), L::load(x + u)).store(x + u);
     }
 };
 
@@ -83,7 +84,7 @@ struct BackwardBeside {
         const L old = L::load(x + u);
         L sum = L::load(gain + u) * old;
         if (!last) sum = sum + L::load(pull + u) * L::load(x + u + pitch);
-        store_on_way(select(coloured<N>(u, colour), sum, old), row, x + u);
+        select(coloured<N>(u, colour), on_way(sum, row), old).store(x + u);
     }
 };
 

@@ -105,6 +105,15 @@ template <class T> Lines<T> lines_of(Chain& c) {
             c.target ? numbers<T>(c.target) : nullptr};
 }
 
+// Whether lines are finite now: where welds take back what a sweep left, that may be all that was not.
+template <class T> bool are_finite(const Lines<T>& lines, size_t first, size_t count) {
+    bool finite = true;
+    for (size_t i = 0; i < lines.nodes; ++i)
+        for (size_t at = i * lines.pitch + first, end = at + count; at < end; ++at)
+            finite &= isfinite(lines.position[at]) && isfinite(lines.velocity[at]);
+    return finite;
+}
+
 struct Stages {
     Stage stage[2];
     int count;
@@ -227,7 +236,7 @@ template <class T> struct RodStep {
                         rod.follow, rod.lean,       rod.bend,  c.has_welds ? closing : nullptr,
                         has_bend,   gains.gains(c), c.pin.data};
     }
-    // A weld that closes a ring is a constraint, kept to rounding; its nodes then share what they have, to the bit.
+    // The solve keeps welds to rounding; their nodes then share what they have, to the bit.
     bool operator()(size_t first, size_t count) const {
         const LineKernels<T>& kernels = chain.kernels->of(T());
         double* const slope = chain.scratch.data + size_t(stages.count) * chain.nodes * chain.pitch;
@@ -236,8 +245,8 @@ template <class T> struct RodStep {
             kernels.rod_sweep(lines, coefficients, stage, start, row, slope, first, count);
             return kernels.advance(lines, stage, start, chain.closure, row, keep, first, count);
         });
-        if (chain.ring && welded(chain, chain.springs)) merge_velocities(chain, first, count);
-        return finite;
+        if (chain.has_welds) merge_velocities(chain, first, count);
+        return finite || (chain.has_welds && are_finite(lines, first, count));
     }
 };
 
@@ -315,7 +324,7 @@ template <class T> struct ExplicitStep {
         bool finite = kernels.explicit_sweep(lines, coefficients, dt, gravity, carrier, first, count);
         if (chain.has_welds) merge_velocities(chain, first, count);
         if (carrier == Carrier::kNothing) finite &= kernels.drift(lines, dt, first, count);
-        return finite;
+        return finite || (chain.has_welds && are_finite(lines, first, count));
     }
 };
 

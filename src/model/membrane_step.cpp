@@ -292,8 +292,10 @@ template <class T> struct Stepper {
     }
 };
 
-// What lies beyond the rows' ends stays 0: sweeps work on it too, and numbers that are not finite leak there.
+// What lies beyond the rows' ends, and in the scratch, is no part of the sheet, but sweeps work on it too: numbers that
+// are not finite leak there and back, or grow there by themselves.
 template <class T> void clear_beyond(Membrane& m) {
+    if (m.scratch) memset(m.scratch.data, 0, m.scratch.bytes());
     for (T* const state : {numbers<T>(m.position), numbers<T>(m.velocity)})
         for (size_t row = 0; row < m.components * m.rows; ++row)
             memset(state + row * m.pitch + m.columns, 0, (m.pitch - m.columns) * sizeof(T));
@@ -309,12 +311,12 @@ template <class T> MembraneOutcome step(Membrane& m, double dt, size_t count) {
     }
     Stepper<T> stepper{m, work, dt, stage_share(m, dt), {}};
     uint64_t bad = 0;
-    for (size_t s = 0; s < count; ++s)
-        if (!stepper.step() && bad == 0) bad = m.clock.steps + s + 1;
-    if (bad) {
+    for (size_t s = 0; s < count; ++s) {
+        if (stepper.step()) continue;
         clear_beyond<T>(m);
-        stop_nodes(m);
+        if (bad == 0 && !all_finite(m)) bad = m.clock.steps + s + 1;
     }
+    if (bad) stop_nodes(m);
     m.iterations = stepper.worst.iterations;
     m.residual = stepper.worst.residual;
     return {bad, stepper.worst.reached};

@@ -244,6 +244,7 @@ uint64_t step_water(Water& w, double dt, size_t count) {
 #endif
     w.clock.advance(dt, count);
     w.diverged = diverged_at != 0;
+    if (w.diverged) stop_closed(w); // what is not finite leaks over walls
     return diverged_at;
 }
 

@@ -10,8 +10,9 @@ inline double share(double a, double b) {
     return a < b ? (a / b) / (1 + a / b) : 1 / (1 + b / a);
 }
 
-// The same as a fraction for between() (kernel/lanes.hh): a share above 1/2 as that of b, with its sign bit set.
-inline double fraction(double a, double b) { return a <= b ? share(a, b) : -share(b, a); }
+// The same as a fraction for between() (kernel/lanes.hh): a share above 1/2 as that of b, with its sign bit set. A
+// stiffness of -0 is one of 0, and its share not to be taken for the whole.
+inline double fraction(double a, double b) { return a <= b ? share(a, b) + 0.0 : -share(b, a); }
 
 // What such a fraction stands for, and what it leaves of 1.
 inline double of_fraction(double f) { return __builtin_signbit(f) ? 1 + f : f; }

@@ -215,6 +215,28 @@ static void no_infinite_state_goes_without_a_status(void** state) {
                 }
 }
 
+/* What a step makes of nodes that are welded to one that is held does not count. */
+static void what_is_welded_to_a_pinned_node_does_not_diverge(void** state) {
+    (void)state;
+    const double target = 1;
+    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
+        for (cd_method method = CD_METHOD_IMPLICIT; method <= CD_METHOD_STIFF_SECOND; ++method)
+            for (int bends = 0; bends <= 1; ++bends) {
+                cd_chain* chain = scene_chain(3, 3, 1, precision);
+                double v[12];
+                ok(cd_chain_set_end(chain, CD_END_LAST, CD_NODE_PINNED));
+                ok(cd_chain_set_mass(chain, 1e-60));
+                ok(cd_chain_attach(chain, 2, 1e60, 0, &target, 1));
+                if (bends) ok(cd_chain_set_bend(chain, 1));
+                for (size_t spring = 0; spring < 3; ++spring) ok(cd_chain_weld(chain, spring));
+                ok(cd_chain_set_method(chain, method));
+                ok(cd_chain_step(chain, precision ? 1e30 : 1, 2));
+                scene_read(chain, CD_VELOCITY, v);
+                for (size_t i = 0; i < 12; ++i) assert_true(v[i] == 0);
+                cd_chain_destroy(chain);
+            }
+}
+
 static void the_mean_velocity_of_a_weld_does_not_overflow(void** state) {
     (void)state;
     static const double masses[] = {1, 1e60, 1e-60}, speeds[] = {1e300, 1.7e308, 1};
@@ -257,6 +279,7 @@ int main(void) {
         cmocka_unit_test(a_diverged_state_can_be_kept_and_stays_diverged),
         cmocka_unit_test(a_chain_within_the_limit_never_diverges),
         cmocka_unit_test(no_infinite_state_goes_without_a_status),
+        cmocka_unit_test(what_is_welded_to_a_pinned_node_does_not_diverge),
         cmocka_unit_test(the_mean_velocity_of_a_weld_does_not_overflow),
         cmocka_unit_test(targets_are_never_taken_from_a_diverged_state),
     };

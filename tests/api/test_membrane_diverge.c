@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "cloth.h"
+#include "kernels.h"
 
 enum { NU = 6, NV = 5, COMPONENTS = 2, ALL = (NU + 1) * (NV + 1) * COMPONENTS };
 
@@ -221,6 +222,36 @@ static void a_sheet_within_the_limit_never_diverges(void** state) {
     }
 }
 
+/* Whatever lies beside the sheet in its memory, where it serves wider registers. */
+static void a_sheet_that_falls_far_is_finite_as_long_as_its_nodes_are(void** state) {
+    (void)state;
+    const double gravity = -9.81;
+    for (size_t count = 1; count <= 6; ++count) {
+        cd_membrane* m = cloth(2, 28, 1, CD_FLOAT32);
+        ok(cd_membrane_set_gravity(m, &gravity, 1));
+        ok(cd_membrane_set_method(m, CD_METHOD_SYMPLECTIC_EULER));
+        for (size_t steps = 0; steps < 6; steps += count) ok(cd_membrane_step(m, 1e9, count));
+        cd_membrane_destroy(m);
+    }
+}
+
+static void a_diverged_membrane_is_as_new_after_a_reset_with_other_kernels_too(void** state) {
+    (void)state;
+    const double gravity = -9.81;
+    FOR_RUNNABLE(before)
+    FOR_RUNNABLE(after)
+    for (size_t nu = 0; nu < 23; ++nu) {
+        cd_membrane* m = cloth(nu, 20, 1, CD_FLOAT32);
+        ok(cd_membrane_set_gravity(m, &gravity, 1));
+        ok(cd_membrane_set_kernels(m, before));
+        assert_int_equal(cd_membrane_step(m, 1.27e24, 3), CD_ERROR_DIVERGED);
+        ok(cd_membrane_set_kernels(m, after));
+        ok(cd_membrane_reset(m));
+        ok(cd_membrane_step(m, 1e-3, 2));
+        cd_membrane_destroy(m);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(divergence_is_reported_with_the_first_bad_step),
@@ -230,6 +261,8 @@ int main(void) {
         cmocka_unit_test(a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loaded),
         cmocka_unit_test(a_solve_that_ends_short_of_its_tolerance_is_told_and_the_steps_are_made),
         cmocka_unit_test(a_sheet_within_the_limit_never_diverges),
+        cmocka_unit_test(a_sheet_that_falls_far_is_finite_as_long_as_its_nodes_are),
+        cmocka_unit_test(a_diverged_membrane_is_as_new_after_a_reset_with_other_kernels_too),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

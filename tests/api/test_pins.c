@@ -165,6 +165,27 @@ static void a_node_let_go_moves_again(void** state) {
     cd_chain_destroy(chain);
 }
 
+/* -0 is a stiffness of 0: nothing is joined by it. */
+static void a_pinned_node_rests_whatever_the_sign_of_a_stiffness_of_zero(void** state) {
+    (void)state;
+    const double kick = -400;
+    for (size_t springs = 2; springs < 152; springs += 15)
+        for (int bends = 0; bends <= 1; ++bends) {
+            cd_chain* chain = scene_chain(1, springs, 1, CD_FLOAT64);
+            double v;
+            ok(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_PINNED));
+            if (bends) ok(cd_chain_set_bend(chain, 1e-9));
+            ok(cd_chain_impulse(chain, 0, springs / 3, &kick, 1));
+            ok(cd_chain_step(chain, 74, 1));
+            ok(cd_chain_set_stiffness(chain, -0.0));
+            if (bends) ok(cd_chain_set_bend(chain, -0.0));
+            ok(cd_chain_step(chain, 6.4e-5, 2));
+            ok(cd_chain_read_f64(chain, CD_VELOCITY, 0, 1, 0, 1, &v, 1));
+            assert_true(v == 0);
+            cd_chain_destroy(chain);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_ends_and_the_pin_field_say_the_same),
@@ -174,6 +195,7 @@ int main(void) {
         cmocka_unit_test(a_pinned_node_rests_whatever_pulls_at_it),
         cmocka_unit_test(a_driven_node_moves_with_the_velocity_written_to_it),
         cmocka_unit_test(a_node_let_go_moves_again),
+        cmocka_unit_test(a_pinned_node_rests_whatever_the_sign_of_a_stiffness_of_zero),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -210,6 +210,30 @@ static void enormous_depths_and_velocities_either_step_or_diverge(void** state) 
             }
 }
 
+static void absent_cells_of_a_diverged_water_are_dry_and_its_bytes_are_taken(void** state) {
+    (void)state;
+    enum { COLUMNS = 14, CELLS = 2 * COLUMNS };
+    static const size_t absent[] = {10, 14, 17, 26};
+    static unsigned char bytes[10000];
+    cd_water* w;
+    double mask[CELLS], depth[CELLS];
+    size_t size, written;
+    ok(cd_water_create(COLUMNS, 2, 6, 6, CD_FLOAT32, NULL, &w));
+    for (size_t k = 0; k < CELLS; ++k) mask[k] = 1;
+    for (size_t k = 0; k < COUNT(absent); ++k) mask[absent[k]] = 0;
+    ok(cd_water_add_source_rectangle(w, 9, 0, 3, 1, 1e38));
+    ok(cd_water_enable_field(w, CD_MASK));
+    ok(cd_water_write_f64(w, CD_MASK, 0, 0, COLUMNS, 2, mask, CELLS));
+    assert_int_equal(cd_water_step(w, 65, 15), CD_ERROR_DIVERGED);
+    ok(cd_water_read_f64(w, CD_DEPTH, 0, 0, COLUMNS, 2, depth, CELLS));
+    for (size_t k = 0; k < COUNT(absent); ++k) assert_true(depth[absent[k]] == 0);
+    ok(cd_water_save_size(w, &size));
+    assert_true(size <= sizeof bytes);
+    ok(cd_water_save(w, bytes, size, &written));
+    ok(cd_water_load(w, bytes, size));
+    cd_water_destroy(w);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(divergence_is_reported_with_the_first_bad_step),
@@ -218,6 +242,7 @@ int main(void) {
         cmocka_unit_test(a_diverged_water_is_as_new_after_a_reset),
         cmocka_unit_test(a_diverged_water_goes_on_once_finite_numbers_are_written),
         cmocka_unit_test(a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loaded),
+        cmocka_unit_test(absent_cells_of_a_diverged_water_are_dry_and_its_bytes_are_taken),
         cmocka_unit_test(enormous_depths_and_velocities_either_step_or_diverge),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

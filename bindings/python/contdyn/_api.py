@@ -48,14 +48,16 @@ class Precision(IntEnum):
 
 
 class Method(IntEnum):
-    """How a step advances the state by dt. Method.IMPLICIT is the default, with lambda = 1/2."""
+    """How a step advances the state by dt. Method.IMPLICIT is the default, with lambda = 1/2. What is bounded, and
+    keeps energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that its velocity would
+    carry it, which shows where dt is longer than 1e12 times the time of the fastest swing."""
 
     #: Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is backward Euler; for lambda >= 1/2
     #: bounded at every dt
     IMPLICIT = 0
     #: Kass 1997, eq. 13; without damping it grows at every dt
     FORWARD_EULER = 1
-    #: the new velocity moves the position; bounded up to stable_dt
+    #: the new velocity moves the position (of water: velocity Verlet, its symmetric form); bounded up to stable_dt
     SYMPLECTIC_EULER = 2
     #: two implicit stages with gamma = 1 - 1/sqrt(2) (SDIRK2): second order, and L-stable: motion too fast for dt dies
     #: out
@@ -63,7 +65,7 @@ class Method(IntEnum):
 
 
 class Solver(IntEnum):
-    """How the two-dimensional system of an implicit step is solved."""
+    """How the two-dimensional system of a membrane's implicit step is solved."""
 
     #: rows, then columns: Kass 1997, section 9
     ALTERNATING = 0
@@ -81,8 +83,9 @@ class MassRule(IntEnum):
 
 
 class Kernels(IntEnum):
-    """The instructions that steps are made of. All give the same bits; a new object has the fastest that its processor
-    runs."""
+    """The instructions that steps are made of. All give the same bits, as long as those are of finite numbers: how far
+    what is not finite spreads in steps that end with CD_ERROR_DIVERGED may differ. A new object has the fastest that
+    its processor runs."""
 
     #: what every processor of the target has: SSE2 on x86-64, NEON on AArch64, and on WebAssembly SIMD128 where that
     #: was built with -msimd128

@@ -1,0 +1,346 @@
+// Random chains and membranes, and what is done with them while they run: all of it follows from a seed, and is the
+// same for every object that a scene is run on. For test_random.cpp. No two random numbers are drawn among the
+// arguments of one call, since compilers may take those in any order.
+#ifndef RANDOM_BODIES_HPP
+#define RANDOM_BODIES_HPP
+
+#include <contdyn/contdyn.h>
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <initializer_list>
+#include <vector>
+
+class Random {
+public:
+    Random(uint64_t seed, uint64_t round) : state(seed * 0x2545f4914f6cdd1d + round * 0xd1342543de82ef95) { bits(); }
+    size_t below(size_t n) { return size_t(bits() % n); }
+    size_t from_to(size_t least, size_t most) { return least + below(most - least + 1); }
+    bool chance(double probability) { return uniform(0, 1) < probability; }
+    double uniform(double from, double to) { return from + (to - from) * (double(bits() >> 11) * 0x1p-53); }
+    double decades(double from, double to) { return pow(10, uniform(from, to)); } // 10^from to 10^to
+    double any_of(std::initializer_list<double> numbers) { return numbers.begin()[below(numbers.size())]; }
+
+private:
+    uint64_t state;
+    uint64_t bits() { // splitmix64
+        uint64_t z = state += 0x9e3779b97f4a7c15;
+        z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
+        z = (z ^ z >> 27) * 0x94d049bb133111eb;
+        return z ^ z >> 31;
+    }
+};
+
+// What calls returned: must be the same for all objects that a scene is run on.
+struct Returned {
+    uint64_t hash = 0;
+    void operator+=(double number) {
+        uint64_t word;
+        memcpy(&word, &number, sizeof word);
+        hash = (hash ^ word) * 0x9e3779b97f4a7c15;
+        hash ^= hash >> 29;
+    }
+};
+
+// How large a field is: rows of so many numbers, or strands of them.
+struct Size {
+    size_t rows, columns, components;
+};
+
+// Lines that are solved side by side, and nodes or cells along them: from one to 200 lines, mostly with few along them,
+// so that there are full bundles of lanes, partly filled ones, and both short and long lines.
+struct Lines {
+    size_t count, length;
+    explicit Lines(Random& random) {
+        count = random.from_to(1, size_t(random.any_of({1, 4, 40, 40, 200})));
+        const size_t most = random.chance(0.1) ? 200 : 24;
+        length = random.from_to(1, count * most > 2400 ? 2400 / count : most);
+    }
+};
+
+// A size of the numbers in a scene: mostly 1, at times such that squares of them or they themselves nearly vanish.
+inline double random_size(Random& random, cd_precision precision) {
+    if (random.chance(0.85)) return 1;
+    return precision == CD_FLOAT64 ? random.decades(-165, -130) : random.decades(-26, -15);
+}
+
+// Writes a whole field or a random part of it, of a chain or of a sheet.
+template <class Scene, class Pick> void write_part(const Scene& scene, typename Scene::Handle* handle, cd_field field,
+                                                   Random& random, Returned& returned, const Pick& pick) {
+    const Size size = scene.size_of(handle, field);
+    if (size.rows == 0 || size.columns == 0) return;
+    size_t row = 0, rows = size.rows, column = 0, columns = size.columns;
+    if (random.chance(0.4)) {
+        row = random.below(rows), rows = random.from_to(1, rows - row);
+        column = random.below(columns), columns = random.from_to(1, columns - column);
+    }
+    std::vector<double> values(rows * columns * size.components);
+    for (double& value : values) value = pick();
+    returned += scene.write(handle, field, row, rows, column, columns, values);
+}
+
+// ---- chains ---------------------------------------------------------------------------------------------------------
+
+struct ChainScene {
+    using Handle = cd_chain;
+    static constexpr const char* name = "chain";
+    size_t strands, nodes, components;
+    cd_precision precision;
+    double size;
+
+    explicit ChainScene(Random& random) {
+        const Lines lines(random);
+        strands = lines.count, nodes = lines.length, components = random.from_to(1, 4);
+        precision = cd_precision(random.below(2));
+        size = random_size(random, precision);
+    }
+    Handle* make() const {
+        Handle* chain = nullptr;
+        cd_chain_create(strands, nodes - 1, components, precision, nullptr, &chain);
+        return chain;
+    }
+    size_t springs(const Handle* chain) const {
+        int32_t ring = 0;
+        cd_chain_get_ring(chain, &ring);
+        return nodes - 1 + size_t(ring);
+    }
+    size_t numbers() const { return strands * nodes * components; }
+    Size size_of(const Handle* chain, cd_field field) const {
+        const bool shared = field == CD_MASS || field == CD_STIFFNESS || field == CD_BEND || field == CD_PIN;
+        return {shared ? 1 : strands, field == CD_STIFFNESS ? springs(chain) : nodes, shared ? 1 : components};
+    }
+    cd_status write(Handle* chain, cd_field field, size_t strand, size_t count, size_t first, size_t n,
+                    const std::vector<double>& values) const {
+        return cd_chain_write_f64(chain, field, strand, count, first, n, values.data(), values.size());
+    }
+    cd_status read(const Handle* chain, cd_field field, std::vector<double>& out) const {
+        const Size s = size_of(chain, field);
+        out.resize(s.rows * s.columns * s.components);
+        return cd_chain_read_f64(chain, field, 0, s.rows, 0, s.columns, out.data(), out.size());
+    }
+
+    void begin(Handle* chain, Random& random, size_t busy, Returned& returned) const {
+        returned += cd_chain_set_stiffness(chain, random.decades(-1, 3));
+        write_numbers(chain, CD_POSITION, random, returned);
+        write_numbers(chain, CD_VELOCITY, random, returned);
+        if (random.chance(0.3)) returned += cd_chain_set_method(chain, cd_method(random.below(4)));
+        for (size_t k = random.below(busy); k > 0; --k) act(chain, random, returned);
+    }
+    void write_numbers(Handle* chain, cd_field field, Random& random, Returned& returned) const {
+        write_part(*this, chain, field, random, returned, [&] { return size * random.uniform(-1, 1); });
+    }
+    void act(Handle* chain, Random& random, Returned& returned) const;
+    double pick_dt(const Handle* chain, Random& random, Returned& returned) const {
+        return chain_or_membrane_dt(chain, cd_chain_get_method, cd_chain_get_lambda, cd_chain_stable_dt, random,
+                                    returned);
+    }
+    void measure(const Handle* chain, Returned& returned) const {
+        double k = 0, e = 0, g = 0;
+        returned += cd_chain_get_energy(chain, &k, &e, &g);
+        returned += k, returned += e, returned += g;
+    }
+
+    // Implicit steps of all lengths; steps that may grow only where they are short.
+    template <class Object, class Method, class Lambda, class Stable>
+    static double chain_or_membrane_dt(const Object* object, Method get_method, Lambda get_lambda, Stable stable_dt,
+                                       Random& random, Returned& returned) {
+        cd_method method = CD_METHOD_IMPLICIT;
+        double lambda = 0, stable = 0;
+        get_method(object, &method);
+        get_lambda(object, &lambda);
+        returned += stable_dt(object, &stable);
+        returned += stable;
+        if (!(stable < 1)) stable = 1;
+        const double share = random.uniform(0.1, 0.9), dt = random.decades(-4, 1);
+        if (method == CD_METHOD_FORWARD_EULER) return 0.1 * share * stable;
+        return method == CD_METHOD_SYMPLECTIC_EULER || (method == CD_METHOD_IMPLICIT && lambda < 0.5) ? share * stable
+                                                                                                      : dt;
+    }
+};
+
+// One random change.
+inline void ChainScene::act(Handle* chain, Random& random, Returned& returned) const {
+    static const cd_field optional[] = {CD_FORCE, CD_MASS, CD_STIFFNESS, CD_BEND, CD_TARGET};
+    const cd_field field = optional[random.below(5)];
+    const auto number = [&] { return size * random.uniform(-1, 1); };
+    double vector[4];
+    for (double& x : vector) x = number();
+    switch (random.below(20)) {
+    case 0: return write_numbers(chain, CD_POSITION, random, returned);
+    case 1: return write_numbers(chain, CD_VELOCITY, random, returned);
+    case 2: returned += cd_chain_disable_field(chain, field); break;
+    case 3:
+    case 4:
+    case 5:
+        returned += cd_chain_enable_field(chain, field);
+        if (field == CD_FORCE || field == CD_TARGET) return write_numbers(chain, field, random, returned);
+        return write_part(*this, chain, field, random, returned, [&] {
+            if (field == CD_STIFFNESS && random.chance(0.1)) return random.any_of({0, INFINITY}); // a cut or a weld
+            return field == CD_BEND ? random.decades(-4, 0) : random.decades(-2, 2);
+        });
+    case 6:
+        return write_part(*this, chain, CD_PIN, random, returned,
+                          [&] { return random.chance(0.1) ? 1 + double(random.below(2)) : 0; });
+    case 7: returned += cd_chain_set_mass(chain, random.decades(-1, 1)); break;
+    case 8: returned += cd_chain_set_stiffness(chain, random.chance(0.1) ? 0 : random.decades(-1, 4)); break;
+    case 9: returned += cd_chain_set_bend(chain, random.chance(0.5) ? 0 : random.decades(-5, -1)); break;
+    case 10: returned += cd_chain_set_drag(chain, random.any_of({0, 0.1, 3})); break;
+    case 11: returned += cd_chain_set_stiffness_damping(chain, random.any_of({0, 0.001, 0.1})); break;
+    case 12: returned += cd_chain_set_gravity(chain, vector, components); break;
+    case 13: returned += cd_chain_set_ring(chain, int32_t(random.below(2))); break;
+    case 14: {
+        const cd_end end = cd_end(random.below(2));
+        returned += cd_chain_set_end(chain, end, cd_node(random.below(4)));
+        break;
+    }
+    case 15: returned += cd_chain_set_mass_rule(chain, cd_mass_rule(random.below(2))); break;
+    case 16: returned += cd_chain_set_method(chain, cd_method(random.chance(0.5) ? 0 : random.below(4))); break;
+    case 17: returned += cd_chain_set_lambda(chain, random.any_of({0.5, 0.5, 0.6, 0.75, 1, 0.3})); break;
+    case 18: {
+        const size_t node = random.below(nodes);
+        const double stiffness = random.decades(-1, 3), damping = random.any_of({0, 1});
+        returned += random.chance(0.3) ? cd_chain_detach(chain, node)
+                                       : cd_chain_attach(chain, node, stiffness, damping, vector, components);
+        break;
+    }
+    default:
+        if (springs(chain) == 0 || random.chance(0.4)) {
+            const size_t strand = random.below(strands);
+            returned += cd_chain_impulse(chain, strand, random.below(nodes), vector, components);
+        } else {
+            const size_t spring = random.below(springs(chain));
+            returned += random.chance(0.5) ? cd_chain_cut(chain, spring) : cd_chain_weld(chain, spring);
+        }
+    }
+}
+
+// ---- membranes ------------------------------------------------------------------------------------------------------
+
+struct MembraneScene {
+    using Handle = cd_membrane;
+    static constexpr const char* name = "membrane";
+    size_t columns, rows, components;
+    cd_precision precision;
+    double size;
+
+    explicit MembraneScene(Random& random) {
+        const Lines lines(random);
+        const bool turned = random.chance(0.5);
+        columns = turned ? lines.count : lines.length, rows = turned ? lines.length : lines.count;
+        components = columns * rows > 600 ? 1 : random.from_to(1, 4);
+        precision = cd_precision(random.below(2));
+        size = random_size(random, precision);
+    }
+    Handle* make() const {
+        Handle* membrane = nullptr;
+        cd_membrane_create(columns - 1, rows - 1, components, precision, nullptr, &membrane);
+        return membrane;
+    }
+    size_t numbers() const { return rows * columns * components; }
+    Size size_of(const Handle* membrane, cd_field field) const {
+        int32_t u = 0, v = 0;
+        cd_membrane_get_ring(membrane, &u, &v);
+        if (field == CD_STIFFNESS_U) return {rows, columns - 1 + size_t(u), 1};
+        if (field == CD_STIFFNESS_V) return {rows - 1 + size_t(v), columns, 1};
+        return {rows, columns, field == CD_MASS || field == CD_PIN || field == CD_MASK ? 1 : components};
+    }
+    cd_status write(Handle* membrane, cd_field field, size_t row, size_t n_rows, size_t column, size_t n_columns,
+                    const std::vector<double>& values) const {
+        return cd_membrane_write_f64(membrane, field, column, row, n_columns, n_rows, values.data(), values.size());
+    }
+    cd_status read(const Handle* membrane, cd_field field, std::vector<double>& out) const {
+        const Size s = size_of(membrane, field);
+        out.resize(s.rows * s.columns * s.components);
+        return cd_membrane_read_f64(membrane, field, 0, 0, s.columns, s.rows, out.data(), out.size());
+    }
+
+    void begin(Handle* membrane, Random& random, size_t busy, Returned& returned) const {
+        const double tolerance = random.decades(-12, -2), along_u = random.decades(-1, 3);
+        returned += cd_membrane_set_tolerance(membrane, tolerance, random.from_to(1, 12));
+        returned += cd_membrane_set_stiffness(membrane, along_u, random.decades(-1, 3));
+        write_numbers(membrane, CD_POSITION, random, returned);
+        write_numbers(membrane, CD_VELOCITY, random, returned);
+        if (random.chance(0.3)) returned += cd_membrane_set_method(membrane, cd_method(random.below(4)));
+        for (size_t k = random.below(busy); k > 0; --k) act(membrane, random, returned);
+    }
+    void write_numbers(Handle* membrane, cd_field field, Random& random, Returned& returned) const {
+        write_part(*this, membrane, field, random, returned, [&] { return size * random.uniform(-1, 1); });
+    }
+    void act(Handle* membrane, Random& random, Returned& returned) const;
+    double pick_dt(const Handle* membrane, Random& random, Returned& returned) const {
+        return ChainScene::chain_or_membrane_dt(membrane, cd_membrane_get_method, cd_membrane_get_lambda,
+                                                cd_membrane_stable_dt, random, returned);
+    }
+    void measure(const Handle* membrane, Returned& returned) const {
+        double k = 0, e = 0, g = 0, residual = 0;
+        size_t iterations = 0;
+        returned += cd_membrane_get_energy(membrane, &k, &e, &g);
+        returned += cd_membrane_get_convergence(membrane, &iterations, &residual);
+        returned += k, returned += e, returned += g, returned += residual, returned += double(iterations);
+    }
+};
+
+inline void MembraneScene::act(Handle* membrane, Random& random, Returned& returned) const {
+    static const cd_field optional[] = {CD_FORCE, CD_MASS, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_TARGET, CD_PIN, CD_MASK};
+    const cd_field field = optional[random.below(7)];
+    double vector[4];
+    for (double& x : vector) x = size * random.uniform(-1, 1);
+    switch (random.below(21)) {
+    case 0: return write_numbers(membrane, CD_POSITION, random, returned);
+    case 1: return write_numbers(membrane, CD_VELOCITY, random, returned);
+    case 2: returned += cd_membrane_disable_field(membrane, field); break;
+    case 3:
+    case 4:
+    case 5:
+        returned += cd_membrane_enable_field(membrane, field);
+        if (field == CD_FORCE || field == CD_TARGET) return write_numbers(membrane, field, random, returned);
+        return write_part(*this, membrane, field, random, returned, [&] {
+            if (field == CD_PIN) return random.chance(0.1) ? 1 + double(random.below(2)) : 0;
+            if (field == CD_MASK) return double(random.chance(0.9));
+            return field != CD_MASS && random.chance(0.1) ? 0 : random.decades(-2, 2);
+        });
+    case 6: returned += cd_membrane_set_mass(membrane, random.decades(-1, 1)); break;
+    case 7: {
+        const double along_u = random.chance(0.1) ? 0 : random.decades(-1, 4);
+        returned += cd_membrane_set_stiffness(membrane, along_u, random.chance(0.1) ? 0 : random.decades(-1, 4));
+        break;
+    }
+    case 8: returned += cd_membrane_set_bend(membrane, random.chance(0.5) ? 0 : random.decades(-5, -1)); break;
+    case 9: returned += cd_membrane_set_drag(membrane, random.any_of({0, 0.1, 3})); break;
+    case 10: returned += cd_membrane_set_stiffness_damping(membrane, random.any_of({0, 0.001, 0.1})); break;
+    case 11: returned += cd_membrane_set_gravity(membrane, vector, components); break;
+    case 12: {
+        const int32_t along_u = int32_t(random.below(2));
+        returned += cd_membrane_set_ring(membrane, along_u, int32_t(random.below(2)));
+        break;
+    }
+    case 13:
+    case 14: {
+        const cd_edge edge = cd_edge(random.below(4));
+        returned += cd_membrane_set_edge(membrane, edge, cd_node(random.below(4)));
+        break;
+    }
+    case 15: returned += cd_membrane_set_mass_rule(membrane, cd_mass_rule(random.below(2))); break;
+    case 16: returned += cd_membrane_set_method(membrane, cd_method(random.chance(0.5) ? 0 : random.below(4))); break;
+    case 17: returned += cd_membrane_set_lambda(membrane, random.any_of({0.5, 0.5, 0.6, 0.75, 1, 0.3})); break;
+    case 18: returned += cd_membrane_set_solver(membrane, cd_solver(random.chance(0.3))); break;
+    case 19: {
+        const size_t u = random.below(columns), v = random.below(rows);
+        const double stiffness = random.decades(-1, 3), damping = random.any_of({0, 1});
+        returned += random.chance(0.3) ? cd_membrane_detach(membrane, u, v)
+                                       : cd_membrane_attach(membrane, u, v, stiffness, damping, vector, components);
+        break;
+    }
+    default:
+        if (random.chance(0.5)) {
+            returned += cd_membrane_set_pressure(membrane, random.chance(0.5) ? 0 : random.uniform(-1, 1));
+        } else {
+            const double u = random.uniform(0, double(columns - 1)), v = random.uniform(0, double(rows - 1));
+            returned += cd_membrane_impulse(membrane, u, v, random.uniform(0, 5), vector, components);
+        }
+    }
+}
+
+#endif

@@ -1,0 +1,52 @@
+// What chain and membrane share: nodes with masses joined by springs, whose energy is bounded.
+#ifndef FUZZ_BODY_HPP
+#define FUZZ_BODY_HPP
+
+#include "object.hpp"
+
+namespace fuzz {
+
+template <class Api> class Body : public Object<Api> {
+protected:
+    using Handle = typename Api::Handle;
+
+    size_t components = 1, nodes = 1;
+
+    virtual double energy() const = 0;
+    virtual double stiffest() const = 0;       // the largest stiffness of a spring, of bend or of a tie
+    virtual double heaviest() const = 0;       // the largest mass of a node, or more
+    virtual double gravity() const = 0;        // the largest of its components
+    virtual bool keeps_its_energy() const = 0; // an implicit step adds none to what energy() tells
+
+    double state_size() const override { return this->largest_of({CD_POSITION, CD_VELOCITY}); }
+    void before_step(double dt) override;
+    void after_step(const Step& step) override;
+
+    void set_gravity(cd_status (*setter)(Handle*, const double*, size_t));
+    void get_gravity(cd_status (*getter)(const Handle*, double*, size_t));
+    void get_energy(cd_status (*getter)(const Handle*, double*, double*, double*));
+    void get_momentum(cd_status (*getter)(const Handle*, double*, size_t));
+    // What to attach a node with. has_tied is to be called once that is done.
+    struct Tie {
+        double stiffness, damping, target[4];
+        bool null;
+        size_t count;
+        const double* at() const { return null ? nullptr : target; }
+    };
+    Tie pick_tie() const;
+    void has_tied(const Tie& tie, cd_status status);
+    struct Impulse {
+        double size[4];
+        size_t count;
+    };
+    Impulse pick_impulse() const;
+
+private:
+    double energy_before = 0, room_before = 0;
+
+    double room_for_energy(double dt) const;
+};
+
+} // namespace fuzz
+
+#endif
