@@ -70,8 +70,8 @@ enum {
     CD_METHOD_IMPLICIT = 0,         /* Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is
                                        backward Euler; for lambda >= 1/2 bounded at every dt */
     CD_METHOD_FORWARD_EULER = 1,    /* Kass 1997, eq. 13; without damping it grows at every dt */
-    CD_METHOD_SYMPLECTIC_EULER = 2, /* the new velocity moves the position (of water: velocity Verlet, its
-                                       symmetric form); bounded up to cd_*_stable_dt */
+    CD_METHOD_SYMPLECTIC_EULER = 2, /* the new velocity moves the position, of water in its symmetric form
+                                       (velocity Verlet); bounded up to cd_*_stable_dt */
     CD_METHOD_STIFF_SECOND = 3      /* two implicit stages with gamma = 1 - 1/sqrt(2) (SDIRK2): second order, and
                                        L-stable: motion too fast for dt dies out */
 };

@@ -22,19 +22,18 @@
  * negative, a lake lies still on any bed, and volume changes only by what cd_water_get_account tells.
  *
  * Waves do not limit the step. Where water runs more than half a cell in a step, a line makes its step in 2, 4, ... 64
- * parts, in each of which it runs no more than that, at the cost of so many steps of the line; faster water, of more
- * than 32 cells a step, is carried all the same, only less exactly, and ripples on it may grow. Waves that a step lets cross more than a cell are
- * slowed down, short ones most. Ripples on slower streams do not grow, but for linear momentum with lambda = 1/2 over an
- * uneven bed. Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5% in steps in
- * which they cross 2 to 32, over which it is drawn out to up to eight times as many cells. Steps do not depend on each
- * other's length.
+ * parts, in each of which it runs no more than that, at the cost of so many steps of the line. Faster water, of more
+ * than 32 cells a step, is carried all the same, only less exactly, and ripples on it may grow; on slower streams they
+ * do not, but for linear momentum with lambda = 1/2 over an uneven bed. Waves that a step lets cross more than a cell
+ * are slowed down, short ones most. Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and
+ * at most 5% in steps in which they cross 2 to 32, over which it is drawn out to up to eight times as many cells.
  *
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
  * mode, of which shores are steep, take a little more than 1/2. Advected water gains no energy in steps in which waves
  * cross half a cell or more, and up to a hundredth in all at shores in shorter ones. Linear water gains energy where it
  * deepens under a velocity, h_t u^2 / 2 which its equations do not take away again: at random shores some hundredths in
- * all. No water is let run faster than a fall from the highest head of its line would make it in steps in which waves
- * cross more than a cell.
+ * all. In steps in which waves cross more than a cell, and depths are not smooth, no face gains more energy than its
+ * water loses by falling.
  *
  * Explicit steps (cd_water_set_method) share all of this but the surface that is solved for: half of the slope pushes,
  * the water moves, then the other half (velocity Verlet).

@@ -127,11 +127,11 @@ template <class T> struct Stepper {
         const WaterSide& side = w.side[side_of(a, at_last)];
         const double value = side_value(side, time);
         switch (side.kind) {
-        case CD_BORDER_OPEN: return {End::kOpen, value, 0};
-        case CD_BORDER_LEVEL: return {End::kLevel, value, 0};
-        case CD_BORDER_INFLOW: return {End::kInflow, 0, value};
-        case CD_BORDER_PERIODIC: return {End::kRing, 0, 0};
-        default: return {End::kWall, 0, 0};
+        case CD_BORDER_OPEN: return {End::kOpen, value, dt * side.rate, 0};
+        case CD_BORDER_LEVEL: return {End::kLevel, value, dt * side.rate, 0};
+        case CD_BORDER_INFLOW: return {End::kInflow, 0, 0, value};
+        case CD_BORDER_PERIODIC: return {End::kRing, 0, 0, 0};
+        default: return {End::kWall, 0, 0, 0};
         }
     }
 

@@ -36,6 +36,39 @@ static double echo(const struct way* way, cd_side side, cd_border kind, size_t n
     return largest;
 }
 
+/* A simple wave, a tenth of the depth high, runs out through an open side: u = 2 (sqrt(g d) - sqrt(g D)). */
+static void a_high_simple_wave_leaves_too(void** state) {
+    (void)state;
+    enum { CELLS = 400 };
+    static const int which[] = {ADVECTED, EXPLICIT_ADVECTED};
+    static const double courants[] = {0.4, 0.8};
+    for (size_t k = 0; k < COUNT(which); ++k)
+        for (size_t c = 0; c < COUNT(courants); ++c)
+            for (int end = 0; end < 4; ++end) {
+                const int along_y = end / 2, last = end % 2;
+                const double height = 0.1, speed = sqrt(gravity), dt = courants[c] / speed;
+                double d[CELLS], u[CELLS + 1], most = 0;
+                cd_water* w = line_basin(along_y, CELLS, 1, 1, CD_FLOAT64);
+                basin_set_way(w, &ways[which[k]]);
+                ok(cd_water_set_side(w, line_side(along_y, last), CD_BORDER_OPEN, 1, 0));
+                for (size_t i = 0; i <= CELLS; ++i) {
+                    const double here = height * exp(-pow(((double)i - 200) / 30, 2));
+                    u[i] = (last ? 2 : -2) * (sqrt(gravity * (1 + here)) - speed);
+                    if (i < CELLS) d[i] = 1 + height * exp(-pow(((double)i + 0.5 - 200) / 30, 2));
+                }
+                u[0] = u[CELLS] = 0;
+                line_write(w, along_y, CD_DEPTH, d);
+                line_write(w, along_y, CD_VELOCITY_X, u);
+                basin_step(w, dt, (size_t)(330 / courants[c]));
+                line_read(w, along_y, CD_DEPTH, 0, d);
+                for (size_t i = 0; i < CELLS; ++i) most = fmax(most, fabs(d[i] - 1) / height);
+                print_message("%-17s side %d: %.1e of a wave of a tenth of the depth comes back\n", ways[which[k]].name,
+                              end, most);
+                assert_true(most <= 0.01);
+                cd_water_destroy(w);
+            }
+}
+
 static void a_wave_leaves_through_an_open_side(void** state) {
     (void)state;
     static const int which[] = {LINEAR, LINEAR_HALF, ADVECTED, EXPLICIT, EXPLICIT_ADVECTED};
@@ -105,7 +138,7 @@ static void a_tide_runs_into_a_basin_and_out_again(void** state) {
                 if (side == CD_SIDE_X_FIRST)
                     print_message("%-17s %zu cells: tide off by %.1e of its height (without a rate: %.1e)\n",
                                   ways[which[k]].name, n, off, tide(&ways[which[k]], side, n, 0));
-                assert_true(off < 0.4 * before);
+                assert_true(off < 0.5 * before);
                 before = off;
             }
             assert_true(before < 2e-5);
@@ -189,15 +222,17 @@ static void a_stream_goes_through_as_it_comes_in(void** state) {
         for (size_t c = 0; c < COUNT(courants); ++c) {
             if (basin_is_explicit(&ways[k]) && c > 0) continue;
             double worst = 0;
-            for (int end = 0; end < 4; ++end) {
-                const int along_y = end / 2, last = end % 2;
+            for (int end = 0; end < 8; ++end) {
+                const int along_y = end / 2 % 2, last = end % 2, held = end >= 4;
                 const double dt = courants[c] / sqrt(gravity * deep);
                 const double speed = speeds[end % 2], q = speed * deep, level = level_for(&ways[k], speed, deep);
                 double values[N + 1];
                 cd_water* w = line_basin(along_y, N, 3, 1, CD_FLOAT64);
                 basin_set_way(w, &ways[k]);
                 ok(cd_water_set_side(w, line_side(along_y, last), CD_BORDER_INFLOW, q, 0));
-                ok(cd_water_set_side(w, line_side(along_y, !last), CD_BORDER_OPEN, level, 0));
+                /* a held level is that of the stream; advected, as its u is carried */
+                if (held) ok(cd_water_set_side(w, line_side(along_y, !last), CD_BORDER_LEVEL, deep, 0));
+                else ok(cd_water_set_side(w, line_side(along_y, !last), CD_BORDER_OPEN, level, 0));
                 for (size_t i = 0; i < N; ++i) values[i] = deep;
                 line_write(w, along_y, CD_DEPTH, values);
                 for (size_t i = 0; i <= N; ++i) values[i] = last ? -speed : speed;
@@ -270,27 +305,74 @@ static double bump_error(const struct way* way, enum flow flow, size_t n, double
     return error;
 }
 
-/* Of first order: momentum is carried upwind. */
+/* Of second order, and the same whatever the step. */
 static void a_stream_over_a_bump_keeps_its_head(void** state) {
     (void)state;
     static const char* const names[] = {"slow", "turns fast", "jumps back"};
     static const struct {
         int way;
-        double courant, most[3]; /* with 100 cells; 0: not looked at, water runs further than waves in such steps */
-    } rows[] = {{ADVECTED, 0.4, {1.7e-3, 3.2e-2, 1.5e-2}},
-                {ADVECTED, 8, {4.3e-3, 0, 0}},
-                {ADVECTED, 2, {2.3e-3, 3.7e-2, 1.9e-2}},
-                {EXPLICIT_ADVECTED, 0.3, {1.6e-3, 3.2e-2, 1.5e-2}}};
+        double courant, most[3]; /* with 100 cells */
+    } rows[] = {{ADVECTED, 0.4, {2.5e-4, 2.7e-3, 1.3e-2}},
+                {ADVECTED, 2, {2.5e-4, 2.7e-3, 1.3e-2}},
+                {ADVECTED, 8, {2.5e-4, 2.7e-3, 1.3e-2}},
+                {EXPLICIT_ADVECTED, 0.3, {2.5e-4, 2.7e-3, 1.3e-2}}};
     for (size_t r = 0; r < COUNT(rows); ++r)
         for (enum flow flow = SLOW; flow <= JUMPS_BACK; ++flow) {
             double before = INFINITY;
-            for (size_t n = 100; n <= 200 && rows[r].most[flow] > 0; n *= 2) {
+            for (size_t n = 100; n <= 200; n *= 2) {
                 const double error = bump_error(&ways[rows[r].way], flow, n, rows[r].courant);
                 print_message("%-17s courant %.1f, %-10s, %zu cells: off by %.2e of the depth\n",
                               ways[rows[r].way].name, rows[r].courant, names[flow], n, error);
-                assert_true(error <= rows[r].most[flow] && error <= (rows[r].courant < 8 ? 0.6 : 0.7) * before);
+                assert_true(error <= rows[r].most[flow] && error <= 0.4 * before);
                 before = error;
             }
+        }
+}
+
+/* ---- levels and edges -------------------------------------------------------------------------------------------- */
+
+/* Whatever a pool holds at first, it comes to the level that a side holds. */
+static void a_pool_comes_to_the_level_of_its_side(void** state) {
+    (void)state;
+    enum { N = 20 };
+    for (size_t k = 0; k < WAYS; ++k)
+        for (int end = 0; end < 4; ++end) {
+            double d[N];
+            cd_water* w = line_basin(end / 2, N, 2, 0.5, CD_FLOAT64);
+            basin_set_way(w, &ways[k]);
+            ok(cd_water_set_drag(w, 0.5));
+            ok(cd_water_set_side(w, line_side(end / 2, end % 2), CD_BORDER_LEVEL, 0.5, 0));
+            for (size_t i = 0; i < N; ++i) d[i] = end % 3 ? 1 : 0.2;
+            line_write(w, end / 2, CD_DEPTH, d);
+            basin_step(w, basin_is_explicit(&ways[k]) ? 0.05 : 0.3, 4000);
+            line_read(w, end / 2, CD_DEPTH, 1e-9, d);
+            for (size_t i = 0; i < N; ++i) assert_near(d[i], 0.5, 1e-7, 0);
+            assert_true(basin_volume_off(w) <= 1e-12);
+            cd_water_destroy(w);
+        }
+}
+
+/* A slow stream and a film that fall off a lower edge run over it at their critical depth, (q^2 / g)^(1/3). */
+static void what_falls_off_an_edge_is_critical_there(void** state) {
+    (void)state;
+    enum { N = 400 };
+    static const double discharges[] = {0.5, 1e-3};
+    for (size_t q = 0; q < COUNT(discharges); ++q)
+        for (int c = 0; c < 2; ++c) {
+            const double critical = pow(discharges[q] * discharges[q] / gravity, 1.0 / 3), dx = critical / 4;
+            double d[N];
+            cd_water* w = line_basin(0, N, 1, dx, CD_FLOAT64);
+            basin_set_way(w, &ways[ADVECTED]);
+            ok(cd_water_set_manning(w, 0.02 * pow(critical, 1.0 / 6))); /* alike at every depth */
+            ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_INFLOW, discharges[q], 0));
+            ok(cd_water_set_side(w, CD_SIDE_X_LAST, CD_BORDER_OPEN, -1, 0));
+            for (size_t i = 0; i < N; ++i) d[i] = 2 * critical;
+            line_write(w, 0, CD_DEPTH, d);
+            basin_step(w, (c ? 2 : 0.5) * dx / sqrt(gravity * critical), 20000);
+            line_read(w, 0, CD_DEPTH, 0, d);
+            print_message("%g m^2/s off an edge: %.4f of its critical depth\n", discharges[q], d[N - 1] / critical);
+            assert_near(d[N - 1], critical, 0.03, 0);
+            cd_water_destroy(w);
         }
 }
 
@@ -326,6 +408,9 @@ static void a_dam_breaks_over_the_edge(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_wave_leaves_through_an_open_side),
+        cmocka_unit_test(a_high_simple_wave_leaves_too),
+        cmocka_unit_test(a_pool_comes_to_the_level_of_its_side),
+        cmocka_unit_test(what_falls_off_an_edge_is_critical_there),
         cmocka_unit_test(a_tide_runs_into_a_basin_and_out_again),
         cmocka_unit_test(a_basin_fills_to_the_level_outside_and_drains),
         cmocka_unit_test(discharges_bring_in_what_they_say),

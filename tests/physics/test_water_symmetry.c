@@ -201,9 +201,9 @@ static void mirrored_scenes_stay_each_others_image(void** state) {
                 if (worst > 1e-9)
                     print_message("%-17s %-7s %s: apart by %.1e\n", ways[k].name, extra_names[extra], view_names[view],
                                   worst);
-                /* what is pushed or let in may wet a cell but for rounding, and a face changes with that */
-                const int to_rounding = extra == PLAIN || extra == WET || extra == RINGS || extra == WET_RINGS;
-                assert_true(worst <= (to_rounding ? 1e-12 : 1e-3));
+                /* at shores a face may be wet or not but for rounding, and what goes with the water changes with that */
+                const int wet = extra == WET || extra == WET_RINGS, plain = wet || extra == PLAIN || extra == RINGS;
+                assert_true(worst <= (wet ? 1e-12 : plain ? 1e-9 : 1e-5));
             }
 }
 
@@ -220,7 +220,7 @@ static void a_ring_may_begin_anywhere(void** state) {
                 if (worst > 1e-14)
                     print_message("%-17s %-9s %s steps: apart by %.1e\n", ways[k].name, extra_names[extra],
                                   longer ? "long" : "short", worst);
-                assert_true(worst <= 1e-13);
+                assert_true(worst <= (extra == WET_RINGS ? 1e-13 : 1e-7));
             }
 }
 

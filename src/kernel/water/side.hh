@@ -14,6 +14,7 @@ namespace CD_ISA {
 struct SideFlow {
     double discharge = 0, slope = 0; // outward [m^2/s]; its derivative by the cell's depth, never below 0 [m/s]
     double depth = 0;                // of what crosses [m]
+    double half_cell = 0;            // 0.5: the side's depth is the cell's when the wave was there, half a cell before
 };
 
 struct SideWaves {
@@ -28,12 +29,13 @@ struct SideWaves {
         if (advected && u > c_here && d > d_out) return falls(d, u);
         if (!advected) {
             const double depth = d > d_out / 3 ? d : d_out / 3, c = speed(depth); // comes in by a third at the least
-            return {c * (depth - d_out), depth > d || !(c > 0) ? 0 : c * (1.5 - d_out / (2 * depth)), depth};
+            const bool dips = depth > d || !(c > 0);
+            return {c * (depth - d_out), dips ? 0 : c * (1.5 - d_out / (2 * depth)), depth, dips ? 0 : 0.5};
         }
         const double depth = d > d_out * (4.0 / 9) ? d : d_out * (4.0 / 9), c = speed(depth), c_out = speed(d_out);
         const double wave = 2 * (c - c_out);
         if (wave > c) return falls(d, u);
-        return {depth * wave, depth > d ? 0 : 3 * c - 2 * c_out, depth};
+        return {depth * wave, depth > d ? 0 : 3 * c - 2 * c_out, depth, depth > d ? 0 : 0.5};
     }
 
     // The same beside a side that holds the depth d_out there.

@@ -74,7 +74,7 @@ template <int N> FaceLanes<N> WaterLine<N>::end_face(size_t i, const StepKind<N>
     const size_t inside = at_last ? n - 1 : 0, next = n == 1 ? n - i : at_last ? n - 1 : 1;
     const double outward = at_last ? 1 : -1, critical = critical_depth(end.discharge, sweep.gravity);
     const SideWaves waves{sweep.gravity, sweep.advected};
-    double d[N], b[N], u[N], discharge[N], slope[N];
+    double d[N], b[N], u[N], discharge[N], slope[N], half_cell[N];
     depth[inside].store(d), bed[inside].store(b), (outward * velocity[next]).store(u);
     for (int k = 0; k < N; ++k) {
         const double outside = end.level > b[k] ? end.level - b[k] : 0;
@@ -82,10 +82,12 @@ template <int N> FaceLanes<N> WaterLine<N>::end_face(size_t i, const StepKind<N>
                               : end.kind == End::kOpen ? waves.open(d[k], outside, u[k])
                                                        : waves.level(d[k], outside, u[k]);
         discharge[k] = outward * flow.discharge, slope[k] = flow.slope, d[k] = flow.depth;
+        half_cell[k] = flow.half_cell;
     }
-    const L answer = open(i) * (sweep.implicit ? sweep.theta * (kind.courant * L::load(slope)) : none);
+    const L answer = open(i) * (sweep.theta * (kind.courant * L::load(slope)) - L::load(half_cell));
     side_depth[at_last ? 1 : 0] = L::load(d);
-    return {open(i) * (kind.courant * L::load(discharge)), at_last ? answer : none, at_last ? none : answer, none, none};
+    const L flow = kind.courant * L::load(discharge) + outward * (kind.share * (end.rise * L::load(half_cell)));
+    return {open(i) * flow, at_last ? answer : none, at_last ? none : answer, none, none};
 }
 
 template <int N> void WaterLine<N>::solve_surface(StepKind<N> kind) {

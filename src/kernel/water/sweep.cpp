@@ -72,13 +72,23 @@ template <class T> struct Sweep {
         }
 
         L probe{};
-        constexpr size_t kChains = 4; // of cells that round together: one waits long for the next
-        Rounding<T, N> rounding[kChains];
-        put<N>(p, n, lines.depth, [&](size_t i) { return rounding[i % kChains](storable<T>(line.after[i], probe)); });
+        for (size_t i = 0; i < n; ++i) line.after.put(i, storable<T>(line.after[i], probe));
+        round_depths(line.after);
+        put<N>(p, n, lines.depth, [&](size_t i) { return line.after[i]; });
         put<N>(p, n + 1, lines.velocity, [&](size_t i) { return settled(storable<T>(line.speed[i], probe), kRest<T>); });
         if (lines.moved) put<N>(p, n + 1, lines.moved, [&](size_t i) { return moved[i]; });
         put_tally(p, in, out, line.held_back, line.limited, parts);
         return !probe.any_nan();
+    }
+
+    // In chains of cells, since one waits long for the next; what they owe in the end goes to the last cells that take it.
+    // Of water as deep in all cells of a line, but for a factor of 2, none is left.
+    template <int N> void round_depths(Panel<N> depth) const {
+        constexpr size_t kChains = 4;
+        Rounding<T, N> chain[kChains], rest;
+        for (size_t i = 0; i < sweep.cells; ++i) depth.put(i, chain[i % kChains](depth[i]));
+        for (const auto& one : chain) rest.owed = rest.owed + one.owed;
+        for (size_t i = sweep.cells; i-- > 0 && any_positive(size_of(rest.owed));) depth.put(i, rest(depth[i]));
     }
 
     // The speed at which water comes in at the ends of a line.

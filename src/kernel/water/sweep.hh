@@ -17,6 +17,7 @@ enum class End { kWall, kOpen, kLevel, kInflow, kRing };
 struct WaterEnd {
     End kind;
     double level;     // [m] of the water outside, of kOpen and kLevel
+    double rise;      // [m] of that level in the step
     double discharge; // [m^2/s] that comes in, of kInflow
 };
 

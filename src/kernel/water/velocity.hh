@@ -119,15 +119,16 @@ template <int N> void WaterLine<N>::set_velocities(StepKind<N> kind) {
     if (ring) speed.put(n, speed[0]);
 }
 
-// What crosses a side runs as fast as its discharge in its depth.
+// What crosses a side runs as fast as its discharge in its depth, but no faster than it came or than its waves: more
+// may cross a film than there is of it.
 template <int N> void WaterLine<N>::end_velocities(const StepKind<N>& kind) {
     if (ring) return;
     for (int e = 0; e < 2; ++e) {
         const size_t face = e ? n : 0, inside = e ? n - 1 : 0;
-        L d = side_depth[e];
-        if (sweep.end[e].kind == End::kInflow) d = larger(d, 0.5 * (depth[inside] + after[inside]));
-        d = kind.courant * d;
-        speed.put(face, sweep.end[e].kind == End::kWall ? L{} : select(d, flux[face] / d, L{}));
+        const L d = larger(side_depth[e], 0.5 * (depth[inside] + after[inside]));
+        const L most = larger(size_of(velocity[e ? n - 1 : n == 1 ? 0 : 1]), root(sweep.gravity * d));
+        const L u = select(d, flux[face] / (kind.courant * d), L{});
+        speed.put(face, sweep.end[e].kind == End::kWall ? L{} : larger(-most, smaller(most, u)));
     }
 }
 
