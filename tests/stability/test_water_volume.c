@@ -93,7 +93,7 @@ static void a_hundred_thousand_steps_of_storms_lose_no_water(void** state) {
 static void draw_sides(cd_water* w, uint64_t* seed, double height) {
     for (cd_side s = CD_SIDE_X_FIRST; s <= CD_SIDE_Y_LAST; ++s) {
         const cd_border kind = (cd_border)among(seed, 8); /* mostly walls */
-        if (kind > CD_BORDER_PERIODIC || (kind == CD_BORDER_PERIODIC && s % 2)) continue;
+        if (kind > CD_BORDER_LEVEL || (kind == CD_BORDER_PERIODIC && s % 2)) continue;
         ok(cd_water_set_side(w, s, kind, in_range(seed, -0.5, 1) * height, 0.1 * random_number(seed) * height));
     }
 }
@@ -161,7 +161,7 @@ static void anything(uint64_t number, cd_precision precision, double* worst) {
         (void)basin_largest(w, CD_VELOCITY_X); /* finite */
         (void)basin_largest(w, CD_VELOCITY_Y);
         const double off = basin_volume_off(w);
-        if (!(off <= (precision ? 1e-14 : 4e-6)))
+        if (!(off <= (precision ? 1e-13 : 4e-6)))
             print_message("number %zu, %s, step %d: off by %.1e\n", (size_t)number, way->name, k, off);
         *worst = fmax(*worst, off);
     }
@@ -176,7 +176,7 @@ static void anything_at_all_keeps_its_account_and_no_column_is_less_than_empty(v
         for (int p = 0; p < 2; ++p) anything(number, p ? CD_FLOAT64 : CD_FLOAT32, &worst[p]);
     print_message("%zu scenes: accounts off by %.1e (float32), %.1e (float64)\n", (size_t)count, worst[0], worst[1]);
     assert_true(worst[0] <= (count > 2000 ? 4e-6 : 1e-6)); /* far out in the sweep, all of it in a few cells */
-    assert_true(worst[1] <= 1e-14);
+    assert_true(worst[1] <= 1e-13);
 }
 
 int main(void) {

@@ -13,6 +13,7 @@ namespace cd {
 namespace CD_ISA {
 
 template <int N> void WaterLine<N>::limit(L need) {
+    limits = need;
     const L one = L::splat(1), none{};
     const Panel<N> run = pull, low = spare[0], part = spare[1]; // run: cells a step
     constexpr double kFastest = 0x1p-40;
@@ -82,6 +83,7 @@ template <int N> void WaterLine<N>::limit(L need) {
         const L now = select(need, select(one - fits, base_flux + fits * more, q), q);
         if (i < n || !ring) held_back = held_back + size_of(q - now);
         flux.put(i, now);
+        pull.put(i, select(size_of(q), within(now / q, 0, 1), one)); // for set_velocities
     }
     L q = flux[0];
     for (size_t i = 0; i < n; ++i) {

@@ -84,6 +84,7 @@ template <int N> struct WaterLine {
     // Of the energy bound (velocity.hh): > 0 in lines that it counts for; the share of what faces gain that others take;
     // the share of the square of velocities that is kept.
     L rough{}, bounds{}, taken{}, keeps{};
+    L limits{}; // > 0 in lines that the limiter counts for, of whose fluxes `pull` holds the parts that it has left
 
     size_t first_face() const { return ring ? 0 : 1; }
     size_t left(size_t face) const { return face > 0 ? face - 1 : n - 1; }
@@ -122,7 +123,7 @@ template <int N> struct WaterLine {
     void carry(const StepKind<N>& kind);
 
     void step(const StepKind<N>& kind) {
-        rough = bounds = L{};
+        rough = bounds = limits = L{};
         solve_surface(kind);
         const L least = fill();
         if (any_positive(-least)) limit(-least);

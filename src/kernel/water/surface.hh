@@ -82,7 +82,7 @@ template <int N> FaceLanes<N> WaterLine<N>::end_face(size_t i, const StepKind<N>
                               : end.kind == End::kOpen ? waves.open(d[k], outside, u[k])
                                                        : waves.level(d[k], outside, u[k]);
         discharge[k] = outward * flow.discharge, slope[k] = flow.slope, d[k] = flow.depth;
-        half_cell[k] = flow.half_cell;
+        half_cell[k] = n > 1 ? flow.half_cell : 0; // a single cell has one half on each side
     }
     const L answer = open(i) * (sweep.theta * (kind.courant * L::load(slope)) - L::load(half_cell));
     side_depth[at_last ? 1 : 0] = L::load(d);

@@ -71,7 +71,7 @@ template <class T> struct Sweep {
             out = out + (positive(-q0) + positive(q1));
         }
 
-        L probe{};
+        L probe = 0.0 * (in + out);
         for (size_t i = 0; i < n; ++i) line.after.put(i, storable<T>(line.after[i], probe));
         round_depths(line.after);
         put<N>(p, n, lines.depth, [&](size_t i) { return line.after[i]; });

@@ -16,7 +16,7 @@ namespace CD_ISA {
 
 // A long step is bounded where it is not smooth: some face is not as deep as the mean of its cells or lies at a shore,
 // or some depth changes by more than this part of itself.
-constexpr double kRoughChange = 0.1;
+constexpr double kRoughChange = 0.05;
 
 // What lifting water over a face takes before the step, per flux [m^2/s^2], but for what pushes it from outside.
 template <int N> Lanes<N> WaterLine<N>::lift(size_t i) const {
@@ -107,13 +107,14 @@ template <int N> void WaterLine<N>::follow_water(L moves) {
 // Of linear momentum.
 template <int N> void WaterLine<N>::set_velocities(StepKind<N> kind) {
     const L none{};
-    const bool any_bounded = any_positive(bounds);
+    const bool any_bounded = any_positive(bounds), any_limited = any_positive(limits);
     const WaterLine<N> here = *this;
     for (size_t i = first_face(); i < n; ++i) {
         const Cell l = here.cell_after(here.left(i)), r = here.cell_after(i);
         const bool wet = all_positive(smaller(l.depth, r.depth));
         L w = here.speed[i] - here.push_of(i, kind) * (wet ? full_rise(l, r) : rise_between(l, r));
         if (any_bounded) w = here.bounded(i, w);
+        if (any_limited) w = select(limits, here.pull[i] * w, w);
         here.speed.put(i, wet ? w : select(conducts(l, r), w, none));
     }
     if (ring) speed.put(n, speed[0]);
