@@ -38,8 +38,7 @@ struct WaterChanges {
     Change<double> scratch;
 
     WaterChanges(Water& w, const WaterFeatures& wanted, size_t scratch_needed)
-        : WaterChanges(w, wanted, scratch_needed, w.plane * number_size(w),
-                       (w.cells[kX] + 1) * (w.cells[kY] + 1)) {}
+        : WaterChanges(w, wanted, scratch_needed, w.plane * number_size(w), (w.cells[kX] + 1) * (w.cells[kY] + 1)) {}
 
     WaterChanges(Water& w, const WaterFeatures& wanted, size_t scratch_needed, size_t state, size_t bytes)
         : depth{w.depth, state},

@@ -27,7 +27,7 @@ struct WaterSettings : ObjectSettings {
     double size[2]; // dx, dy
     cd_momentum momentum;
     cd_bed_rule bed_rule;
-    int32_t first; // the axis that the next step sweeps first
+    int32_t first;     // the axis that the next step sweeps first
     WaterSide side[4]; // by cd_side
     double gravity, density, drag, manning;
     Account account;
@@ -59,7 +59,7 @@ struct Water : Object, WaterSettings {
 };
 
 constexpr uint64_t kWaterTag = 0x3172746157644331; // "1CdWatr1"
-constexpr double kLinearLambda = 0.55; // the default
+constexpr double kLinearLambda = 0.55;             // the default
 constexpr double kLeastCell = 1e-30, kMostCell = 1e30, kMostGravity = 1e6, kMostManning = 1e3;
 constexpr double kLeastDensity = 1e-6, kMostDensity = 1e6;
 

@@ -25,8 +25,8 @@ struct WaterWork {
         size_t most = 1;
         for (Axis a : {kX, kY}) {
             size_t size = 0;
-            scratch.fits = scratch.fits && add(w.cells[a], kWaterRoom, size) &&
-                           multiply(size, kWaterPanels * kWaterLanes, size);
+            scratch.fits =
+                scratch.fits && add(w.cells[a], kWaterRoom, size) && multiply(size, kWaterPanels * kWaterLanes, size);
             per_task = size > per_task ? size : per_task;
             const size_t packs = water_packs(lines_of(w, a));
             tasks[a] = !f.parallel ? 1 : packs < kMostTasks ? packs : kMostTasks;

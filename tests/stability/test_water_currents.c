@@ -61,7 +61,7 @@ static void grows_little(const struct way* way, const struct current* at, int st
 
 /* Over a wavy bed, linear momentum with lambda = 1/2 or in explicit steps damps nothing: see water.h. */
 static int looks_at(const struct way* way, const struct current* at) {
-    if (basin_is_explicit(way) && !(at->waves < 1)) return 0;
+    if (basin_is_explicit(way) && !(at->waves < (at->bed > 0 ? 0.8 : 1))) return 0; /* see cd_water_stable_dt */
     return at->bed == 0 || way->momentum || way->lambda > 0.5;
 }
 

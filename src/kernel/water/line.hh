@@ -49,9 +49,10 @@ template <int N> struct StepKind {
         });
     }
 
-    StepKind(const WaterSweep& sweep, Lanes<N> parts, Lanes<N> deepest) {
+    // of a part; goes_on: > 0 in lines that make it
+    StepKind(const WaterSweep& sweep, Lanes<N> parts, Lanes<N> goes_on, Lanes<N> deepest) {
         using L = Lanes<N>;
-        share = L::splat(1) / parts;
+        share = select(goes_on, L::splat(1) / parts, L{});
         courant = sweep.courant * share;
         const L square = (sweep.gravity * deepest) * (courant * courant);
         resolves = within((1 / (1 - kResolved)) * (L::splat(1) - square), 0, 1);

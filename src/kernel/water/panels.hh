@@ -33,7 +33,6 @@ constexpr auto kUnseen = [](auto) {};
 // see(numbers) is called for all of them in turn.
 template <int N, class T, class F = decltype(kUnseen)>
 void fetch(const Place& p, size_t count, const T* from, Panel<N> to, F see = kUnseen) {
-    static_assert(N == kTile, "a tile is as wide as a panel");
     size_t i = 0;
     if (p.across == 1 && p.lanes == N)
         for (; i < count; ++i) {
@@ -41,12 +40,13 @@ void fetch(const Place& p, size_t count, const T* from, Panel<N> to, F see = kUn
             to.put(i, numbers);
             see(numbers);
         }
-    else if (p.along == 1 && p.lanes == N)
-        for (; i + kTile <= count; i += kTile) {
-            Lanes<N> numbers[kTile];
-            load_tile(from + p.at(i, 0), p.across, numbers);
-            for (size_t k = 0; k < kTile; ++k) to.put(i + k, numbers[k]), see(numbers[k]);
-        }
+    if constexpr (N == kTile)
+        if (p.along == 1 && p.lanes == N)
+            for (; i + kTile <= count; i += kTile) {
+                Lanes<N> numbers[kTile];
+                load_tile(from + p.at(i, 0), p.across, numbers);
+                for (size_t k = 0; k < kTile; ++k) to.put(i + k, numbers[k]), see(numbers[k]);
+            }
     for (; i < count; ++i) {
         double numbers[N];
         for (size_t lane = 0; lane < N; ++lane) numbers[lane] = double(from[p.at(i, lane)]);
@@ -60,12 +60,13 @@ template <int N, class T, class F> void put(const Place& p, size_t count, T* to,
     size_t i = 0;
     if (p.across == 1 && p.lanes == N)
         for (; i < count; ++i) stored(i).store(to + p.at(i, 0));
-    else if (p.along == 1 && p.lanes == N)
-        for (; i + kTile <= count; i += kTile) {
-            Lanes<N> numbers[kTile];
-            for (size_t k = 0; k < kTile; ++k) numbers[k] = stored(i + k);
-            store_tile(numbers, to + p.at(i, 0), p.across);
-        }
+    if constexpr (N == kTile)
+        if (p.along == 1 && p.lanes == N)
+            for (; i + kTile <= count; i += kTile) {
+                Lanes<N> numbers[kTile];
+                for (size_t k = 0; k < kTile; ++k) numbers[k] = stored(i + k);
+                store_tile(numbers, to + p.at(i, 0), p.across);
+            }
     for (; i < count; ++i) {
         double numbers[N];
         stored(i).store(numbers);
@@ -84,8 +85,8 @@ template <class T> constexpr double kRest = double(Limits<T>::least); // [m/s]
 template <class Work> bool in_bundles(const Work& work, size_t lines, size_t first, size_t count) {
     const size_t end = (first + count) * kWaterPack < lines ? (first + count) * kWaterPack : lines;
     bool finite = true;
-    for (size_t line = first * kWaterPack; line < end; line += kWaterLanes)
-        finite &= work.template bundle<int(kWaterLanes)>(line);
+    constexpr int kLanes = kNative < 4 ? 4 : kWaterLanes; // two registers of the narrowest, which it has few of
+    for (size_t line = first * kWaterPack; line < end; line += kLanes) finite &= work.template bundle<kLanes>(line);
     return finite;
 }
 

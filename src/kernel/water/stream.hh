@@ -53,7 +53,9 @@ template <int N> struct StreamAlong {
 template <int N> struct StreamAcceleration {
     using L = Lanes<N>;
     const StreamAlong<N> stream;
-    struct Passed { L flux{}, speed{}, sloped{}; } before; // by the cell before the next face
+    struct Passed {
+        L flux{}, speed{}, sloped{};
+    } before; // by the cell before the next face
 
     StreamAcceleration(const WaterLine<N>& line, const StepKind<N>& kind) : stream{line, kind} {
         if (line.sweep.advected && line.n > 1) before = through(line.ring ? line.n - 1 : 0);

@@ -19,8 +19,9 @@ namespace cd {
 namespace CD_ISA {
 
 // stream: what the stream adds to the velocity in the step times the face's depth, see stream.hh.
-template <int N>
-__attribute__((always_inline)) inline FaceLanes<N> WaterLine<N>::inner_face(size_t i, const StepKind<N>& kind, L stream) {
+template <int N> __attribute__((always_inline)) inline FaceLanes<N> WaterLine<N>::inner_face(size_t i,
+                                                                                             const StepKind<N>& kind,
+                                                                                             L stream) {
     const double theta = sweep.theta;
     const Cell l = cell(left(i)), r = cell(i);
     const L none{}, u = velocity[i], gc = gravity_run(kind), mean = mean_depth(l, r);
@@ -31,10 +32,12 @@ __attribute__((always_inline)) inline FaceLanes<N> WaterLine<N>::inner_face(size
 
     // 1. push
     const L force = acceleration ? kind.share * acceleration[i] : none;
-    L rise = gc * (deep ? full_rise(l, r) : rise_between(l, r)), kept = u + force, answer = theta * gc; // of a rise after the step
+    L rise = gc * (deep ? full_rise(l, r) : rise_between(l, r)), kept = u + force,
+      answer = theta * gc; // of a rise after the step
     if (sweep.rubs()) {
         L z = sweep.drag * (sweep.dt * kind.share);
-        if (sweep.manning > 0) z = z + manning_drag(mean, size_of(kept - rise), sweep.manning * (sweep.dt * kind.share));
+        if (sweep.manning > 0)
+            z = z + manning_drag(mean, size_of(kept - rise), sweep.manning * (sweep.dt * kind.share));
         const FrictionLanes<N> friction(z);
         kept = friction.keep * u + friction.push * force;
         rise = friction.push * rise;

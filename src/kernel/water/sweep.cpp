@@ -11,6 +11,51 @@ namespace CD_ISA {
 
 namespace {
 
+// What a line's step was: what came in and went out at its ends, in how many parts it was made, what went through faces.
+template <int N> struct WaterStep {
+    Lanes<N> in, out, parts;
+    Panel<N> moved;
+};
+
+// Depths and velocities after it are in the panels `after` and `speed`. all: for what went through faces in all parts.
+template <int N> __attribute__((noinline)) WaterStep<N> make_step(WaterLine<N>& line, Lanes<N> fastest,
+                                                                  Lanes<N> deepest, Lanes<N> shallowest, Panel<N> all) {
+    using L = Lanes<N>;
+    const WaterSweep& sweep = line.sweep;
+    const size_t n = line.n;
+    const L none{}, parts = StepKind<N>::parts_of(sweep, fastest);
+    const size_t most = size_t(largest_in(parts));
+    WaterStep<N> out{none, none, parts, most > 1 ? all : line.flux};
+    for (size_t part = 0; part < most; ++part) {
+        const L goes_on = parts - L::splat(double(part)); // > 0: makes this part
+        if (part > 0) {                                   // from what the last one has left
+            deepest = none, shallowest = L::splat(1);
+            for (size_t i = 0; i < n; ++i) {
+                const L d = settled(line.after[i], kDry);
+                line.depth.put(i, d);
+                deepest = larger(d, deepest), shallowest = smaller(d, shallowest);
+            }
+            const Panel<N> velocity = line.velocity;
+            line.velocity = line.speed, line.speed = velocity;
+        }
+        if (!all_positive(shallowest)) line.follow_water(goes_on);
+        line.step(StepKind<N>(sweep, parts, goes_on, deepest));
+        if (most > 1) {
+            for (size_t i = 0; i <= n; ++i) {
+                line.speed.put(i, select(goes_on, line.speed[i], line.velocity[i]));
+                line.flux.put(i, select(goes_on, line.flux[i], none));
+                all.put(i, part == 0 ? line.flux[i] : all[i] + line.flux[i]);
+            }
+            for (size_t i = 0; i < n; ++i) line.after.put(i, select(goes_on, line.after[i], line.depth[i]));
+        }
+        if (sweep.closed()) continue;
+        const L q0 = line.flux[0], q1 = line.flux[n];
+        out.in = out.in + (positive(q0) + positive(-q1));
+        out.out = out.out + (positive(-q0) + positive(q1));
+    }
+    return out;
+}
+
 template <class T> struct Sweep {
     const WaterSweep& sweep;
     const WaterLines<T>& lines;
@@ -38,57 +83,33 @@ template <class T> struct Sweep {
         fetch(p, n, lines.depth, line.depth, see_depth);
         fetch(p, n + 1, lines.velocity, line.velocity, [&](L u) { fastest = larger(size_of(u), fastest); });
 
-        const L none{}, parts = StepKind<N>::parts_of(sweep, larger(fastest, coming_in(line)));
-        const size_t most = size_t(largest_in(parts));
-        L in{}, out{};
-        const Panel<N> moved = most > 1 ? panel() : line.flux; // in all parts
-        for (size_t part = 0; part < most; ++part) {
-            const L goes_on = parts - L::splat(double(part)); // > 0: makes this part
-            if (part > 0) { // from what the last one has left
-                deepest = none, shallowest = L::splat(1);
-                for (size_t i = 0; i < n; ++i) {
-                    const L d = settled(line.after[i], kDry);
-                    line.depth.put(i, d);
-                    see_depth(d);
-                }
-                const Panel<N> velocity = line.velocity;
-                line.velocity = line.speed, line.speed = velocity;
-            }
-            if (!all_positive(shallowest)) line.follow_water(goes_on);
-            line.step(StepKind<N>(sweep, parts, deepest));
-            if (most > 1) {
-                const bool is_first = part == 0;
-                for (size_t i = 0; i <= n; ++i) {
-                    line.speed.put(i, select(goes_on, line.speed[i], line.velocity[i]));
-                    line.flux.put(i, select(goes_on, line.flux[i], none));
-                    moved.put(i, is_first ? line.flux[i] : moved[i] + line.flux[i]);
-                }
-                for (size_t i = 0; i < n; ++i) line.after.put(i, select(goes_on, line.after[i], line.depth[i]));
-            }
-            if (sweep.closed()) continue;
-            const L q0 = line.flux[0], q1 = line.flux[n];
-            in = in + (positive(q0) + positive(-q1));
-            out = out + (positive(-q0) + positive(q1));
-        }
+        const WaterStep<N> step = make_step(line, larger(fastest, coming_in(line)), deepest, shallowest, panel());
 
-        L probe = 0.0 * (in + out);
-        for (size_t i = 0; i < n; ++i) line.after.put(i, storable<T>(line.after[i], probe));
-        round_depths(line.after);
+        L probe = 0.0 * (step.in + step.out);
+        round_depths(line.after, deepest, probe);
         put<N>(p, n, lines.depth, [&](size_t i) { return line.after[i]; });
-        put<N>(p, n + 1, lines.velocity, [&](size_t i) { return settled(storable<T>(line.speed[i], probe), kRest<T>); });
-        if (lines.moved) put<N>(p, n + 1, lines.moved, [&](size_t i) { return moved[i]; });
-        put_tally(p, in, out, line.held_back, line.limited, parts);
+        put<N>(p, n + 1, lines.velocity,
+               [&](size_t i) { return settled(storable<T>(line.speed[i], probe), kRest<T>); });
+        if (lines.moved) put<N>(p, n + 1, lines.moved, [&](size_t i) { return step.moved[i]; });
+        put_tally(p, {step.in, step.out, line.held_back, line.limited, step.parts});
         return !probe.any_nan();
     }
 
     // In chains of cells, since one waits long for the next; what they owe in the end goes to the last cells that take it.
-    // Of water as deep in all cells of a line, but for a factor of 2, none is left.
-    template <int N> void round_depths(Panel<N> depth) const {
+    // Of water as deep in all cells of a line, but for a factor of 2, none is left but for what double rounds.
+    template <int N> void round_depths(Panel<N> depth, Lanes<N> deepest, Lanes<N>& probe) const {
+        using L = Lanes<N>;
         constexpr size_t kChains = 4;
+        constexpr double kNoise = 0x1p-44; // of the deepest cell
         Rounding<T, N> chain[kChains], rest;
-        for (size_t i = 0; i < sweep.cells; ++i) depth.put(i, chain[i % kChains](depth[i]));
+        for (size_t i = 0; i < sweep.cells; ++i) depth.put(i, chain[i % kChains](storable<T>(larger(L{}, depth[i]), probe)));
         for (const auto& one : chain) rest.owed = rest.owed + one.owed;
-        for (size_t i = sweep.cells; i-- > 0 && any_positive(size_of(rest.owed));) depth.put(i, rest(depth[i]));
+        for (size_t i = sweep.cells; i-- > 0;) {
+            const L more = size_of(rest.owed) - kNoise * deepest;
+            if (!any_positive(more)) break;
+            rest.owed = select(more, rest.owed, L{});
+            depth.put(i, rest(depth[i]));
+        }
     }
 
     // The speed at which water comes in at the ends of a line.
@@ -98,7 +119,8 @@ template <class T> struct Sweep {
         for (int e = 0; e < 2; ++e) {
             const WaterEnd& end = sweep.end[e];
             if (end.kind != End::kInflow) continue;
-            const L deep = larger(line.depth[e ? line.n - 1 : 0], L::splat(critical_depth(end.discharge, sweep.gravity)));
+            const L deep =
+                larger(line.depth[e ? line.n - 1 : 0], L::splat(critical_depth(end.discharge, sweep.gravity)));
             most = larger(select(deep, size_of(L::splat(end.discharge)) / deep, L{}), most);
         }
         return most;
@@ -115,7 +137,8 @@ template <class T> struct Sweep {
                 bool is_open = true;
                 if (i > 0 || ring) is_open = is_open && there(i > 0 ? i - 1 : n - 1);
                 if (i < n || ring) is_open = is_open && there(i < n ? i : 0);
-                if (lines.wall && ((i > 0 && i < n) || ring)) is_open = is_open && lines.wall[bytes.at(i < n ? i : 0, lane)] == 0;
+                if (lines.wall && ((i > 0 && i < n) || ring))
+                    is_open = is_open && lines.wall[bytes.at(i < n ? i : 0, lane)] == 0;
                 to.first[i * N + lane] = is_open ? 1 : 0;
             }
     }
@@ -132,9 +155,7 @@ template <class T> struct Sweep {
             to.put(i, to[i] - lines.pressure_share * (pressure[i] - pressure[i > 0 ? i - 1 : n - 1]));
     }
 
-    template <int N>
-    void put_tally(const Place& p, Lanes<N> in, Lanes<N> out, Lanes<N> held_back, Lanes<N> limited, Lanes<N> parts) const {
-        const Lanes<N> tally[kTallies] = {in, out, held_back, limited, parts}; // by WaterTally
+    template <int N> void put_tally(const Place& p, const Lanes<N> (&tally)[kTallies]) const { // by WaterTally
         double sums[kTallies][N];
         for (int t = 0; t < kTallies; ++t) tally[t].store(sums[t]);
         for (size_t k = 0; k < p.lanes; ++k)

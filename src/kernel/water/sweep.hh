@@ -78,7 +78,8 @@ template <class T, int N> struct Rounding {
     L owed{};
 
     L operator()(L now) {
-        if (sizeof(T) == sizeof(double)) return settled(now, kDry);
+        now = settled(now, kDry);
+        if (sizeof(T) == sizeof(double)) return now;
         const L none{}, takes = select(now, now + 2 * owed, none), exact = select(takes, now + owed, now);
         const L stored = settled(exact, kDry).template rounded_to<T>();
         owed = select(takes, none, owed) + (exact - stored);
