@@ -1,76 +1,66 @@
 /* Printed by test_water_golden.c: scene, cells along x and y, {float32, float64}. */
-{0, 13, 9, {0xa8431ef69e5e5eac, 0x4c9985200f0d9233}}, /* beach */
-{0, 1, 17, {0x22557650a7707914, 0xfe769948f135a155}}, /* beach */
-{0, 17, 1, {0xa21d05c75d6d9a82, 0xa8a02f3edad30b29}}, /* beach */
-{0, 16, 7, {0x67b71c7066b224ff, 0x70d9ea4f60b7ae3f}}, /* beach */
-{0, 2, 16, {0xd618bfe5960a7bbb, 0xa273b151f1bae12b}}, /* beach */
-{1, 13, 9, {0x08628f3d6ef53c21, 0xa230078a906436b3}}, /* dam */
-{1, 1, 17, {0x88341f72647985d9, 0x92821ba5f68e95b9}}, /* dam */
-{1, 17, 1, {0xcfd259813dd131aa, 0xe6a91783a45dead5}}, /* dam */
-{1, 16, 7, {0xc04cddfd6e44f8a8, 0x74d198385362c6f3}}, /* dam */
-{1, 2, 16, {0x1fa3f5598cca591c, 0xaa006afc6bab035d}}, /* dam */
-{2, 13, 9, {0x9a9c4e1521101a10, 0xc46aed6fc3c9b434}}, /* flood */
-{2, 1, 17, {0xd5f2d33161874988, 0x2463c3ec692f322b}}, /* flood */
-{2, 17, 1, {0x87b4919cf43297c8, 0x853f51fbbd6e7292}}, /* flood */
-{2, 16, 7, {0xbe986ef8ce279e0a, 0xb05da218a8dfc0ef}}, /* flood */
-{2, 2, 16, {0x8ab9826b2ca8a1ea, 0x28084be318f74163}}, /* flood */
-{3, 13, 9, {0x6f3bc59647ec5125, 0x3ccdea6e209f41c6}}, /* coupled */
-{3, 1, 17, {0x798fd8e226aad56b, 0xc6dd9580dc9197a4}}, /* coupled */
-{3, 17, 1, {0x05fc4ea8219bface, 0x516c35b58ea31d82}}, /* coupled */
-{3, 16, 7, {0x2cfe34ac5eec62cf, 0xd919c9d695363d7d}}, /* coupled */
-{3, 2, 16, {0x7b5d216d545e32b0, 0xf8de3bd41d591ed6}}, /* coupled */
-{4, 13, 9, {0x19659d357bab4167, 0x3ec0dd8a0606dfee}}, /* coupled, advected */
-{4, 1, 17, {0xefbd1b382c40eb25, 0x65a174a460a78c36}}, /* coupled, advected */
-{4, 17, 1, {0x886a8241fe45723a, 0xb2cc4194fa72f94e}}, /* coupled, advected */
-{4, 16, 7, {0xf5bc029a2a3a0dfb, 0x4de70da377aa9c19}}, /* coupled, advected */
-{4, 2, 16, {0x26ff6dc6d5b34df8, 0xdf7330bb0230fd32}}, /* coupled, advected */
-{5, 13, 9, {0x903ec049640ee45b, 0x6acd7480af39c1bf}}, /* explicit */
-{5, 1, 17, {0x018954743d60efd2, 0x6c5984d1366f012a}}, /* explicit */
-{5, 17, 1, {0xe690cea379de466e, 0xf37acd34af9f0478}}, /* explicit */
-{5, 16, 7, {0xe4507306a7c667c5, 0xdc2bac6de7629103}}, /* explicit */
-{5, 2, 16, {0x85d88cc7e7faeab6, 0xa6d255961a40baca}}, /* explicit */
-{6, 13, 9, {0x3a5f0b72d0df4d61, 0x668f650ddc9c5a16}}, /* forward */
-{6, 1, 17, {0x73e0263b0c300a01, 0x875173af29e73e97}}, /* forward */
-{6, 17, 1, {0x0cc6a528235d039d, 0x41bf44197de7885e}}, /* forward */
-{6, 16, 7, {0x1aabafa5d7a91b9f, 0x89051dceaa9ec6ac}}, /* forward */
-{6, 2, 16, {0x356441ec03349452, 0x66af0de1f9fb2791}}, /* forward */
-{7, 13, 9, {0x19eaa8403716fe0b, 0xe6735b91b051866f}}, /* tide */
-{7, 1, 17, {0x4701924f40b9686e, 0x8dbab2d48b87d419}}, /* tide */
-{7, 17, 1, {0x426bd570f77fd3c8, 0x9c6aaf52dcf8e0e8}}, /* tide */
-{7, 16, 7, {0x1020c2e5b2be70fc, 0x907333948faa2355}}, /* tide */
-{7, 2, 16, {0x79adc20509d6b359, 0x241cba492c8b6954}}, /* tide */
-{8, 13, 9, {0xbac5cbe5cc263b0f, 0x0a376b161527ac28}}, /* river */
-{8, 1, 17, {0x709d66eddaf0b1a4, 0x0831a6ab4bf77afb}}, /* river */
-{8, 17, 1, {0xb155b9ed3bc3ccdd, 0xd55a4d3497b3b288}}, /* river */
-{8, 16, 7, {0x0ad1c89c108bc61d, 0x350cd7627f8ed7a0}}, /* river */
-{8, 2, 16, {0xb5af4ee3fdb3dfa4, 0xc6511228586eabb3}}, /* river */
-{9, 13, 9, {0x644e289ae36b86d4, 0x5c45fa80fc7c2b41}}, /* torus */
-{9, 1, 17, {0x3e2bd7cd1976a460, 0x0a55d8e1e5d8382f}}, /* torus */
-{9, 17, 1, {0x8a31d22521c236a7, 0xaf981787110e622b}}, /* torus */
-{9, 16, 7, {0xe496bb4cae2a0c36, 0xe9eac246ed39a7c0}}, /* torus */
-{9, 2, 16, {0x82adb15e554953fa, 0x9396cbb36fa959cf}}, /* torus */
-{10, 13, 9, {0x9db062a299ff6113, 0x8eaae7afba38c525}}, /* masked */
-{10, 1, 17, {0x540906991129215b, 0xc9b2170ccf5b1cbd}}, /* masked */
-{10, 17, 1, {0xd1930fc623f587a6, 0xcf9e66c1fe8c4e5f}}, /* masked */
-{10, 16, 7, {0xca1324d2682113a4, 0xde4f96126f5224f1}}, /* masked */
-{10, 2, 16, {0xfb68608aad196062, 0xc42d27e79b853a16}}, /* masked */
-{11, 13, 9, {0x92f32cab51e5e6bc, 0x79b5fe74b61d7e34}}, /* fed */
-{11, 1, 17, {0x8311c49f761a9884, 0xf645b15456187a73}}, /* fed */
-{11, 17, 1, {0xb49c5da940634d3b, 0x2ce5692190f751c3}}, /* fed */
-{11, 16, 7, {0xc7c434003e2dd180, 0x668a1eb13b61c79a}}, /* fed */
-{11, 2, 16, {0x6b3812828372aba8, 0x0e2a86146326657c}}, /* fed */
-{12, 13, 9, {0x484d3779540becef, 0xd88e8392bb3e8c7d}}, /* everything */
-{12, 1, 17, {0x18d4b79a496325a0, 0x8fc36e2b63904131}}, /* everything */
-{12, 17, 1, {0x7b4b3fb3781f3699, 0xf5baa5a10b5a080a}}, /* everything */
-{12, 16, 7, {0x2d6d400ed1be4591, 0xac0ff08902695f19}}, /* everything */
-{12, 2, 16, {0x5e121513d2ed84fe, 0xac859dcdcd6fa594}}, /* everything */
-{13, 13, 9, {0x91e9e3d9c130293b, 0x360fca1f7e6782b2}}, /* everything, large steps */
-{13, 1, 17, {0xd7e610a00ace7979, 0xdd124040e6c712d0}}, /* everything, large steps */
-{13, 17, 1, {0xc61030336cd11ee0, 0xe169742e9b960ed0}}, /* everything, large steps */
-{13, 16, 7, {0xd8154bd5f78c8e13, 0xf66350c4b2f19089}}, /* everything, large steps */
-{13, 2, 16, {0x463e5c3baf962ec3, 0x6b66ee4665760273}}, /* everything, large steps */
-{14, 13, 9, {0xaa3d38d630753206, 0x648da175dde23be9}}, /* everything, coupled */
-{14, 1, 17, {0x35deb650ee2b7e6f, 0x816383a44c258082}}, /* everything, coupled */
-{14, 17, 1, {0xee6763b85c807677, 0x32fdcbe166462cec}}, /* everything, coupled */
-{14, 16, 7, {0x7d6dc6e0f654421c, 0x5d923b300d5f6035}}, /* everything, coupled */
-{14, 2, 16, {0x0971d348d3f04bb6, 0xefa5b416488749c0}}, /* everything, coupled */
+{0, 13, 9, {0x4616ad38e556fa10, 0xccdb904c3dad62b9}}, /* beach */
+{0, 1, 17, {0x0b0a8529a85631bd, 0x920972a2d4430450}}, /* beach */
+{0, 17, 1, {0x91b076a87dd56eee, 0x6957decb95b00c01}}, /* beach */
+{0, 16, 7, {0xb08bf2b4f7f226ec, 0x9416679f50ba4193}}, /* beach */
+{0, 2, 16, {0x745bae2d9f39ceed, 0x30346aea6e28e47f}}, /* beach */
+{1, 13, 9, {0x631ec1d9f51e98ab, 0x839e38f3d0dac1e3}}, /* dam */
+{1, 1, 17, {0xecdb26bc5b1e7eec, 0x7d4ccd182f396cfd}}, /* dam */
+{1, 17, 1, {0x1fcd93a6615d713e, 0x3ea7f5a7c64321b1}}, /* dam */
+{1, 16, 7, {0x10427dac58fa4405, 0x752ad42ad96a2935}}, /* dam */
+{1, 2, 16, {0x200263ed247e496c, 0xe231227e4f58fc20}}, /* dam */
+{2, 13, 9, {0x50a689ddf5a53ae1, 0x088481e89ee42c23}}, /* flood */
+{2, 1, 17, {0x49c2aa75d9e0d7f3, 0x50371d5db650f36d}}, /* flood */
+{2, 17, 1, {0x423c672a3e4aa3fd, 0xcd2745d8e9cf84fd}}, /* flood */
+{2, 16, 7, {0xfd95f8bf9ff5fbb2, 0xaec5685319e634d8}}, /* flood */
+{2, 2, 16, {0x602dc4845c9ea7eb, 0x8c4e889121d29e03}}, /* flood */
+{3, 13, 9, {0xdf4f14f0c97f47be, 0x016e813c04fd3a63}}, /* weir */
+{3, 1, 17, {0x000c2cafbc72f4d2, 0xb0d43a9f19ade0d7}}, /* weir */
+{3, 17, 1, {0xb83bad7df0454898, 0xb839e63673689925}}, /* weir */
+{3, 16, 7, {0xbb3649814b4d8747, 0xa9781d6a38e0fdac}}, /* weir */
+{3, 2, 16, {0xa341d0bf76c37cae, 0x2a27c98b381b4337}}, /* weir */
+{4, 13, 9, {0x34ff9a256ba8112e, 0x380f62d35a5d541c}}, /* explicit */
+{4, 1, 17, {0x198e4dec868efae1, 0x9bd595cdeda19578}}, /* explicit */
+{4, 17, 1, {0xba518f52d22e4f33, 0x9597a377557876a4}}, /* explicit */
+{4, 16, 7, {0xc4b96200e56e28c2, 0xd0c19653193d9022}}, /* explicit */
+{4, 2, 16, {0x50a272351bf36b3a, 0x60fce1d8ab12313e}}, /* explicit */
+{5, 13, 9, {0xc25686b6cf9e33ed, 0x12bfa964b08c9b8a}}, /* forward */
+{5, 1, 17, {0xd2eec3c49f952ee8, 0x0a158bad57804522}}, /* forward */
+{5, 17, 1, {0x659e9a0f86c3b3ca, 0xcb56a0b64b209b37}}, /* forward */
+{5, 16, 7, {0xd72a3b17eeafe701, 0xa2032450d92bc4af}}, /* forward */
+{5, 2, 16, {0x1562c493214caa8f, 0x19011cf8cd6b6fd1}}, /* forward */
+{6, 13, 9, {0xf85ba0e2e46a6801, 0x6a5746ee6e5d05dc}}, /* tide */
+{6, 1, 17, {0xef63e20fb5eb0cdf, 0x60070954c8237a08}}, /* tide */
+{6, 17, 1, {0x2a201b05c86e6d99, 0x98c3c3b5435523d2}}, /* tide */
+{6, 16, 7, {0xcaa2ddc9609470a0, 0x888e07453f73b216}}, /* tide */
+{6, 2, 16, {0x550118643eadb862, 0x8992b2b60c47c2a3}}, /* tide */
+{7, 13, 9, {0xc6c78f7f00970a9b, 0xdef795a41abf9673}}, /* river */
+{7, 1, 17, {0x0bf022df59761559, 0x2fe2b547ac76b05f}}, /* river */
+{7, 17, 1, {0xb974bd8d9dc61c61, 0x03f5c59d81d86bc9}}, /* river */
+{7, 16, 7, {0x63ca19db50de809c, 0x04286088411c9917}}, /* river */
+{7, 2, 16, {0x9358a1bbc79a7277, 0xd5defa16bbd85854}}, /* river */
+{8, 13, 9, {0xe8b9d74f3e3b41e4, 0x6ff3490b9960871f}}, /* torus */
+{8, 1, 17, {0xb5ee5fb0a94ffff0, 0x01340486f726c40d}}, /* torus */
+{8, 17, 1, {0x2e8cee63efb9cfa2, 0x688e3a524699351a}}, /* torus */
+{8, 16, 7, {0x240a90f75cc20524, 0xd776ccd4bab4ca17}}, /* torus */
+{8, 2, 16, {0x699d6a80082044fd, 0x962b646db81dfdd6}}, /* torus */
+{9, 13, 9, {0x685449c367df7c34, 0xd52e06c00dd0e03d}}, /* masked */
+{9, 1, 17, {0x25226b653692210b, 0xd28bebf71893d1ae}}, /* masked */
+{9, 17, 1, {0x1d326e3ce732cdfa, 0x33f3c06b72c03e8c}}, /* masked */
+{9, 16, 7, {0x007e077e8746bddd, 0x1ea4b528ac880f49}}, /* masked */
+{9, 2, 16, {0xc84b6b1dd312aefd, 0x0024e715f5ab37de}}, /* masked */
+{10, 13, 9, {0x01cb6f68ecf23f8e, 0x942b53187457d406}}, /* fed */
+{10, 1, 17, {0xeb401a96a66eb344, 0xe33227e318a863b4}}, /* fed */
+{10, 17, 1, {0x76a00fc9e757c8c6, 0x8bb0f004791a59d4}}, /* fed */
+{10, 16, 7, {0x0f8a10c41740fc7c, 0x56579e455719bbea}}, /* fed */
+{10, 2, 16, {0x5709f1bd2d163a80, 0x167ac3319304afdc}}, /* fed */
+{11, 13, 9, {0xde862066fbc25343, 0xd9c74fe44b18d570}}, /* everything */
+{11, 1, 17, {0x2641bf11755796e0, 0xbe6b6b4e1aa8bffa}}, /* everything */
+{11, 17, 1, {0x41823a9cded6325c, 0xe7e85b1820233746}}, /* everything */
+{11, 16, 7, {0xcd907fd44b1da803, 0x5071e74edba2881b}}, /* everything */
+{11, 2, 16, {0xbd966dc3a44abc92, 0x447e154142028930}}, /* everything */
+{12, 13, 9, {0xf8a9b97958390b86, 0x4cb4d29a754c1509}}, /* everything, long steps */
+{12, 1, 17, {0x42583f1396f8f3bd, 0x6be1e8a70257c44c}}, /* everything, long steps */
+{12, 17, 1, {0x0954220639fd0c96, 0x753ddf4e6b1c6c6c}}, /* everything, long steps */
+{12, 16, 7, {0xb85234c6f46cda60, 0x94e2f68d797a809e}}, /* everything, long steps */
+{12, 2, 16, {0x19b42caba488f9ea, 0xc97e7f3d632f93ab}}, /* everything, long steps */

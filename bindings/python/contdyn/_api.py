@@ -57,7 +57,7 @@ class Method(IntEnum):
     IMPLICIT = 0
     #: Kass 1997, eq. 13; without damping it grows at every dt
     FORWARD_EULER = 1
-    #: the new velocity moves the position (of water: velocity Verlet, its symmetric form); bounded up to stable_dt
+    #: the new velocity moves the position, of water in its symmetric form (velocity Verlet); bounded up to stable_dt
     SYMPLECTIC_EULER = 2
     #: two implicit stages with gamma = 1 - 1/sqrt(2) (SDIRK2): second order, and L-stable: motion too fast for dt dies
     #: out
