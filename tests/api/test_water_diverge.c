@@ -221,7 +221,7 @@ static void absent_cells_of_a_diverged_water_are_dry_and_its_bytes_are_taken(voi
     ok(cd_water_create(COLUMNS, 2, 6, 6, CD_FLOAT32, NULL, &w));
     for (size_t k = 0; k < CELLS; ++k) mask[k] = 1;
     for (size_t k = 0; k < COUNT(absent); ++k) mask[absent[k]] = 0;
-    ok(cd_water_add_source_rectangle(w, 9, 0, 3, 1, 1e38));
+    ok(cd_water_add_source_rectangle(w, 9, 0, 3, 1, 1e40));
     ok(cd_water_enable_field(w, CD_MASK));
     ok(cd_water_write_f64(w, CD_MASK, 0, 0, COLUMNS, 2, mask, CELLS));
     assert_int_equal(cd_water_step(w, 65, 15), CD_ERROR_DIVERGED);

@@ -66,6 +66,9 @@ template <class Api> void Object<Api>::get_something() {
 }
 
 template <class Api> void Object<Api>::reset() {
+    double time = 0;
+    Api::get_time(this->first(), &time);
+    if (time > 1e6) this->past.moderate = false; // what changes by a rate at a side begins as far back
     const cd_status status = this->both("reset", kNoMemory, [&](Handle* handle, int) { return Api::reset(handle); });
     if (run.broken) return;
     if (status != CD_OK) problem("reset: %s", cd_error_message());

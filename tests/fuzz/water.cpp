@@ -132,7 +132,7 @@ void Water::check_account(const Step& s) {
     const double moved = before.volume + now.volume + (now.in - before.in) + (now.out - before.out);
     const double area = whole().x * whole().y, steps = double(s.count);
     // Depths are rounded, those below the smallest are cleared, and the account's own sums round.
-    const double room = (wide ? 1e-12 : 3e-6) * moved * steps + 0x1p-80 * area * steps +
+    const double room = (wide ? 1e-12 : 3e-6) * moved * steps + 0x1p-78 * area * steps +
                         1e-14 * (fabs(now.initial) + now.in + now.out);
     const double lost = fabs(now.error - before.error);
     if (lost > room && now.volume < 1e200)

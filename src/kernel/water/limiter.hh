@@ -88,7 +88,7 @@ template <int N> void WaterLine<N>::limit(L need) {
     L q = flux[0];
     for (size_t i = 0; i < n; ++i) {
         const L behind = flux[i + 1];
-        after.put(i, select(need, positive(depth[i] + (q - behind)), after[i]));
+        after.put(i, select(need, larger(none, depth[i] + (q - behind)), after[i]));
         q = behind;
     }
 }

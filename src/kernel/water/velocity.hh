@@ -61,7 +61,7 @@ template <int N> void WaterLine<N>::balance(const StepKind<N>& kind) {
         const L scale = select(lifts, within(part, 0, 1), one);
         for (size_t i = 0; i <= n; ++i) flux.put(i, scale * flux[i]);
         for (size_t i = 0; i < n; ++i)
-            after.put(i, select(lifts, positive(depth[i] + (flux[i] - flux[i + 1])), after[i]));
+            after.put(i, select(lifts, larger(none, depth[i] + (flux[i] - flux[i + 1])), after[i]));
     }
     L lack = none, gain = none, rest = none;
     for (size_t i = first_face(); i < n; ++i) {
