@@ -213,6 +213,7 @@ template <class T> struct Stepper {
                 const double added = dt * source > -d ? dt * source : -d;
                 (added > 0 ? in : out).add(added > 0 ? added : -added);
                 numbers<T>(w.depth)[at] = T(rounding({d + added}).v);
+                finite &= double(numbers<T>(w.depth)[at]) <= most_of(w);
             }
         }
         w.account.in += in.value() * cell_area(w);

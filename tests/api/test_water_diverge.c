@@ -210,6 +210,14 @@ static void enormous_depths_and_velocities_either_step_or_diverge(void** state) 
             }
 }
 
+static void a_source_that_overflows_a_single_cell_is_told(void** state) {
+    (void)state;
+    cd_water* w = pool(1, 1, CD_FLOAT32);
+    ok(cd_water_add_source_rectangle(w, 0, 0, 1, 1, 1e19));
+    assert_int_equal(cd_water_step(w, 1e28, 1), CD_ERROR_DIVERGED);
+    cd_water_destroy(w);
+}
+
 static void absent_cells_of_a_diverged_water_are_dry_and_its_bytes_are_taken(void** state) {
     (void)state;
     enum { COLUMNS = 14, CELLS = 2 * COLUMNS };
@@ -242,6 +250,7 @@ int main(void) {
         cmocka_unit_test(a_diverged_water_is_as_new_after_a_reset),
         cmocka_unit_test(a_diverged_water_goes_on_once_finite_numbers_are_written),
         cmocka_unit_test(a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loaded),
+        cmocka_unit_test(a_source_that_overflows_a_single_cell_is_told),
         cmocka_unit_test(absent_cells_of_a_diverged_water_are_dry_and_its_bytes_are_taken),
         cmocka_unit_test(enormous_depths_and_velocities_either_step_or_diverge),
     };

@@ -40,8 +40,8 @@ static void assert_same_in_all_that_can_be_read(const cd_water* a, const cd_wate
         cd_water_get_lambda, cd_water_get_gravity, cd_water_get_density, cd_water_get_drag,     cd_water_get_manning,
         cd_water_get_time,   cd_water_stable_dt,   cd_water_get_volume,  cd_water_get_wet_area,
     };
-    static cd_status (*const enums[])(const cd_water*, int32_t*) = {
-        cd_water_get_method, cd_water_get_momentum, cd_water_get_first, cd_water_get_bed_rule};
+    static cd_status (*const enums[])(const cd_water*, int32_t*) = {cd_water_get_method, cd_water_get_momentum,
+                                                                    cd_water_get_first, cd_water_get_bed_rule};
     const cd_water* const both[2] = {a, b};
     for (size_t i = 0; i < COUNT(numbers); ++i) {
         double x[2];

@@ -59,12 +59,9 @@ static void dams_break_as_stoker_and_ritter_say(void** state) {
         int way, wet;
         double step, most[4];
     } rows[] = {
-        {ADVECTED, 1, 0.5, {5.2e-3, 2.8e-3, 1.5e-3, 7.5e-4}},
-        {ADVECTED, 0, 0.5, {9.5e-3, 4.6e-3, 2.2e-3, 1.1e-3}},
-        {ADVECTED, 1, 2, {7.2e-3, 3.8e-3, 1.9e-3, 1.0e-3}},
-        {ADVECTED, 0, 2, {1.2e-2, 5.4e-3, 2.7e-3, 1.4e-3}},
-        {EXPLICIT_ADVECTED, 1, 0.3, {4.3e-3, 2.6e-3, 1.4e-3}},
-        {EXPLICIT_ADVECTED, 0, 0.3, {9.5e-3, 4.6e-3, 2.2e-3}},
+        {ADVECTED, 1, 0.5, {5.2e-3, 2.8e-3, 1.5e-3, 7.5e-4}},  {ADVECTED, 0, 0.5, {9.5e-3, 4.6e-3, 2.2e-3, 1.1e-3}},
+        {ADVECTED, 1, 2, {7.2e-3, 3.8e-3, 1.9e-3, 1.0e-3}},    {ADVECTED, 0, 2, {1.2e-2, 5.4e-3, 2.7e-3, 1.4e-3}},
+        {EXPLICIT_ADVECTED, 1, 0.3, {4.3e-3, 2.6e-3, 1.4e-3}}, {EXPLICIT_ADVECTED, 0, 0.3, {9.5e-3, 4.6e-3, 2.2e-3}},
     };
     for (size_t r = 0; r < COUNT(rows); ++r)
         for (int along_y = 0; along_y < (rows[r].way == ADVECTED ? 2 : 1); ++along_y) {

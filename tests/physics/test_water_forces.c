@@ -127,7 +127,8 @@ static void wind_heaps_up_water_by_a_over_g(void** state) {
                 for (size_t i = 0; i <= N; ++i) values[i] = 0.5;
                 line_write(w, along_y, CD_FORCE_X, values);
                 settle(w, &ways[k]);
-                const double step = 0.5 / gravity * 0.5, tolerance = dry ? 1e-5 : 1e-7; /* films run down to the water */
+                const double step = 0.5 / gravity * 0.5,
+                             tolerance = dry ? 1e-5 : 1e-7; /* films run down to the water */
                 if (!dry) assert_true(basin_kinetic(w) < 1e-12);
                 line_read(w, along_y, CD_DEPTH, 1e-7, values);
                 for (size_t i = 1; i < N; ++i) {

@@ -293,7 +293,8 @@ static double bump_error(const struct way* way, enum flow flow, size_t n, double
     for (size_t i = 0; i < n; ++i) values[i] = below - values[i];
     line_write(w, 0, CD_DEPTH, values);
     ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_INFLOW, q, 0));
-    ok(cd_water_set_side(w, CD_SIDE_X_LAST, CD_BORDER_OPEN, flow == TURNS_FAST ? -1 : level_for(way, q / below, below), 0));
+    ok(cd_water_set_side(w, CD_SIDE_X_LAST, CD_BORDER_OPEN, flow == TURNS_FAST ? -1 : level_for(way, q / below, below),
+                         0));
     basin_step(w, dt, (size_t)(seconds / dt));
     line_read(w, 0, CD_DEPTH, 0, values);
     /* what falls off a side slowly at first may stay so: a jump stands at the very end */

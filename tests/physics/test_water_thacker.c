@@ -153,15 +153,9 @@ static void water_goes_round_in_a_bowl(void** state) {
         size_t n;
         double step, most;
     } rows[] = {
-        {LINEAR, 50, 0.5, 6.2e-02},
-        {LINEAR, 100, 0.5, 4.9e-02},
-        {ADVECTED, 50, 0.5, 5.0e-03},
-        {ADVECTED, 100, 0.5, 1.4e-03},
-        {ADVECTED, 200, 0.5, 4.1e-04},
-        {ADVECTED, 100, 2, 2.4e-03},
-        {EXPLICIT, 50, 0.3, 8.8e-02},
-        {EXPLICIT_ADVECTED, 50, 0.3, 5.6e-03},
-        {EXPLICIT_ADVECTED, 100, 0.3, 1.77e-03},
+        {LINEAR, 50, 0.5, 6.2e-02},    {LINEAR, 100, 0.5, 4.9e-02},           {ADVECTED, 50, 0.5, 5.0e-03},
+        {ADVECTED, 100, 0.5, 1.4e-03}, {ADVECTED, 200, 0.5, 4.1e-04},         {ADVECTED, 100, 2, 2.4e-03},
+        {EXPLICIT, 50, 0.3, 8.8e-02},  {EXPLICIT_ADVECTED, 50, 0.3, 5.6e-03}, {EXPLICIT_ADVECTED, 100, 0.3, 1.77e-03},
     };
     for (size_t r = 0; r < COUNT(rows); ++r) {
         const double error = whirl(&ways[rows[r].way], rows[r].n, rows[r].step);

@@ -67,7 +67,8 @@ static int looks_at(const struct way* way, const struct current* at) {
 
 static void ripples_do_not_grow_at_any_froude_number(void** state) {
     (void)state;
-    static const double waves[] = {0.1, 0.3, 0.6, 0.9, 1, 1.5, 2.5, 5, 10, 16}, froude[] = {0.1, 0.2, 0.5, 0.9, 1, 1.5, 2};
+    static const double waves[] = {0.1, 0.3, 0.6, 0.9, 1, 1.5, 2.5, 5, 10, 16},
+                        froude[] = {0.1, 0.2, 0.5, 0.9, 1, 1.5, 2};
     for (size_t k = 0; k < WAYS; ++k)
         for (int wavy = 0; wavy < 2; ++wavy) {
             double worst = 0;
@@ -77,7 +78,8 @@ static void ripples_do_not_grow_at_any_froude_number(void** state) {
                     if (looks_at(&ways[k], &at)) grows_little(&ways[k], &at, 1000, &worst);
                 }
             if (worst > 0)
-                print_message("%-17s %s bed: %.2f times as high at most\n", ways[k].name, wavy ? "wavy" : "flat", worst);
+                print_message("%-17s %s bed: %.2f times as high at most\n", ways[k].name, wavy ? "wavy" : "flat",
+                              worst);
         }
 }
 

@@ -140,8 +140,7 @@ static double swing(const struct way* way, double height, double courant, int st
     for (size_t i = 0; i < CELLS_LONG; ++i) depth[i] = 1;
     basin_write(w, CD_DEPTH, depth);
     const double level = basin_energy(w);
-    for (size_t i = 0; i < CELLS_LONG; ++i)
-        depth[i] = 1 + height * cos((double)PI * ((double)i + 0.5) / CELLS_LONG);
+    for (size_t i = 0; i < CELLS_LONG; ++i) depth[i] = 1 + height * cos((double)PI * ((double)i + 0.5) / CELLS_LONG);
     basin_write(w, CD_DEPTH, depth);
     const double start = basin_energy(w) - level;
     for (int k = 0; k < steps; ++k) {

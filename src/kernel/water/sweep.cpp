@@ -102,7 +102,8 @@ template <class T> struct Sweep {
         constexpr size_t kChains = 4;
         constexpr double kNoise = 0x1p-44; // of the deepest cell
         Rounding<T, N> chain[kChains], rest;
-        for (size_t i = 0; i < sweep.cells; ++i) depth.put(i, chain[i % kChains](storable<T>(larger(L{}, depth[i]), probe)));
+        for (size_t i = 0; i < sweep.cells; ++i)
+            depth.put(i, chain[i % kChains](storable<T>(larger(L{}, depth[i]), probe)));
         for (const auto& one : chain) rest.owed = rest.owed + one.owed;
         for (size_t i = sweep.cells; i-- > 0;) {
             const L more = size_of(rest.owed) - kNoise * deepest;
