@@ -102,7 +102,7 @@ static void whirls_stay_bounded(void** state) {
         print_message("%-17s whirls: %.2f of their energy left after %g s, %.2f at the end; above the start %+.1e\n",
                       ways[advected[k]].name, soon, 50 * dt, basin_kinetic(w) / moving, most);
         assert_true(most <= 1e-6);
-        assert_true(soon > 0.4);
+        assert_true(soon > 0.9 && basin_kinetic(w) > 0.15 * moving); /* without slopes across 0.86, 0.04 */
         cd_water_destroy(w);
     }
 }
