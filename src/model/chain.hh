@@ -1,4 +1,4 @@
-// The chain: what it consists of, and what is done with it. The equations are those of model.md, sections 1 to 3.
+// The chain: what it consists of, and what is done with it. The equations are those of contdyn/chain.h.
 #pragma once
 
 #include "contdyn/chain.h"

@@ -1,4 +1,4 @@
-// The membrane: what it consists of, and what is done with it. The equations are those of model.md, sections 2 to 4.
+// The membrane: what it consists of, and what is done with it. The equations are those of contdyn/membrane.h.
 #pragma once
 
 #include "contdyn/membrane.h"

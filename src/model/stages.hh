@@ -3,7 +3,7 @@
 //
 //      (M + h C + h^2 K) w = M v + h [f + M g - K x],     v = w + overshoot (w - v_old),     x += move w
 //
-//   lambda   h = lambda dt: w = v + lambda dv, overshoot 1 / lambda - 1, move dt         (model.md, section 2)
+//   lambda   h = lambda dt: w = v + lambda dv, overshoot 1 / lambda - 1, move dt
 //   stiff    h = gamma dt, gamma = 1 - 1/sqrt(2): a backward Euler step of h carried on to 1 + sqrt(2) times its
 //            length, then another. SDIRK2 written so: with the state Y_1 after the first stage, the second starts from
 //            Y + (1 - gamma) / gamma (Y_1 - Y), and (1 - gamma) / gamma = 1 + sqrt(2).

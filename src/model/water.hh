@@ -1,4 +1,4 @@
-// The water: what it consists of, and what is done with it. The equations are those of model.md, section 5.
+// The water: what it consists of, and what is done with it. The equations are those of contdyn/water.h.
 #pragma once
 
 #include "contdyn/water.h"

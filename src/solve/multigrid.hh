@@ -5,7 +5,7 @@
 // springs between blocks, and springs to held nodes, are divided by 1.8 (2 would be right in the smooth limit). Each
 // level is smoothed by solving every second line for given neighbours, then the others: lines along u, then v, going
 // down, and in the opposite order coming up, which makes the cycle symmetric. The only solver is the line's.
-// (model.md, section 4: coupled.)
+// (see contdyn/membrane.h: coupled.)
 #pragma once
 
 #include "solve/sheet_lines.hh"

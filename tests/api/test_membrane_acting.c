@@ -87,7 +87,7 @@ struct one_node {
     double mass, stiffness, damping, drag, gravity; /* of a node tied to the origin */
 };
 
-/* A step of one node: model.md, section 2, with numbers for matrices. */
+/* A step of one node: the equations of membrane.h, with numbers for matrices. */
 static void step_one_node(const struct one_node* p, cd_method method, double lambda, double dt, double* x, double* v) {
     const double C = p->drag * p->mass + p->damping, K = p->stiffness, f = p->mass * p->gravity;
     if (method != CD_METHOD_IMPLICIT) lambda = 0;

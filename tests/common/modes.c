@@ -126,7 +126,7 @@ static struct matrix2 shifted(long double s, long double omega, long double c) {
     return (struct matrix2){{{1, s}, {-s * omega * omega, 1 - s * c}}};
 }
 
-/* (I - s L)^-1: its determinant 1 + s c + s^2 omega^2 is the implicit system of model.md, one mode of it. */
+/* (I - s L)^-1: its determinant 1 + s c + s^2 omega^2 is the implicit system, one mode of it. */
 static struct matrix2 inverse_shifted(long double s, long double omega, long double c) {
     const long double w2 = omega * omega, d = 1 + s * c + s * s * w2;
     return (struct matrix2){{{(1 + s * c) / d, s / d}, {-s * w2 / d, 1 / d}}};

@@ -1,4 +1,4 @@
-/* A second way to make the implicit steps of model.md, in long double: the chain as rows of spring forces.
+/* A second way to make the implicit steps, in long double: the chain as rows of spring forces.
  *
  * Each spring, bend term and attachment is a row r with a stiffness kappa_r and at most three coefficients B_r. The
  * unknowns are the rows' forces tau, not the nodes' velocities:

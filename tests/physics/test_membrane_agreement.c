@@ -1,5 +1,5 @@
 /* One step after another against sums over all springs and a direct solve: whatever is switched on, a coupled step is
- * the step of model.md to its tolerance, an explicit one to rounding, and the energies told are those of the terms. */
+ * the step to its tolerance, an explicit one to rounding, and the energies told are those of the terms. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

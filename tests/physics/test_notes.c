@@ -51,7 +51,7 @@ static void an_impulse_spreads_as_in_figure_2(void** state) {
 }
 
 /* The figure's two curves: after the forward filter alone the impulse trails to the right only, by the factor q; the
- * backward filter makes it even. The filters are the elimination's two recurrences (model.md, section 3). */
+ * backward filter makes it even. The filters are the elimination's two recurrences (Kass 1997, eq. 31). */
 static void the_forward_filter_trails_and_the_backward_filter_makes_it_even(void** state) {
     (void)state;
     static double w[LONG], p[LONG], y[LONG], x[LONG], v[LONG];

@@ -23,7 +23,7 @@ std::vector<double> whole_filter() {
     return chain.read(CD_VELOCITY);
 }
 
-// y_{i+1} = b_{i+1} + w_i y_i alone (model.md: series-spring elimination), scaled to unit sum.
+// y_{i+1} = b_{i+1} + w_i y_i alone (series-spring elimination), scaled to unit sum.
 std::vector<double> forward_filter() {
     std::vector<double> y(kSprings + 1);
     double grounding = 1, last = 0, sum = 0;

@@ -1,4 +1,4 @@
-// The library's implicit methods on a chain in long double, by model.md's series-spring elimination. Each step solves
+// The library's implicit methods on a chain in long double, by series-spring elimination. Each step solves
 // for
 //     q = x + lambda dt v + lambda^2 dt dv,   (M + lambda^2 dt^2 K) q = M (x + lambda dt v),
 // whose right side holds no stiffness and so loses nothing however stiff the springs are.
