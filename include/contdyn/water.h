@@ -30,7 +30,7 @@
  *
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
  * mode, of which shores are steep, take a little more than 1/2. Advected water gains no energy in steps in which waves
- * cross half a cell or more, and up to a hundredth in all at shores in shorter ones. Linear water gains energy where it
+ * cross half a cell or more, and up to 0.012 in all at shores in shorter ones. Linear water gains energy where it
  * deepens under a velocity, h_t u^2 / 2 which its equations do not take away again: at random shores some hundredths in
  * all. In steps in which waves cross more than a cell, and depths are not smooth, no face gains more energy than its
  * water loses by falling.
