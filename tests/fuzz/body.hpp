@@ -16,6 +16,7 @@ protected:
     virtual double stiffest() const = 0;       // the largest stiffness of a spring, of bend or of a tie
     virtual double heaviest() const = 0;       // the largest mass of a node, or more
     virtual double gravity() const = 0;        // the largest of its components
+    virtual bool is_ring() const = 0;          // along one axis at least
     virtual bool keeps_its_energy() const = 0; // an implicit step adds none to what energy() tells
 
     double state_size() const override { return this->largest_of({CD_POSITION, CD_VELOCITY}); }

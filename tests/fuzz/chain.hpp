@@ -20,6 +20,7 @@ protected:
     double stiffest() const override;
     double heaviest() const override;
     double gravity() const override;
+    bool is_ring() const override { return springs_now() > springs; }
     bool is_driven() const override;
     bool keeps_its_energy() const override { return true; }
 

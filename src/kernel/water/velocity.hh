@@ -54,7 +54,7 @@ template <int N> void WaterLine<N>::balance(const StepKind<N>& kind) {
         by_change = by_change + q * more_lift(i);
     }
     const L needs = by_start + sweep.theta * by_change - moving;
-    const L lifts = sweep.closed() ? smaller(smaller(bounds, needs), by_change) : none;
+    const L lifts = sweep.closed() ? select(bounds, smaller(needs, by_change), none) : none;
     if (any_positive(lifts)) {
         const L a = sweep.theta * by_change;
         const L part = (root(positive(by_start * by_start + 4 * (a * moving))) - by_start) / (2 * a);
