@@ -75,6 +75,7 @@ template <> struct Lanes<1, LaneKind::kSingle, double> {
     template <class F> friend Lanes each_lane(Lanes a, F f) { return {f(a.v)}; }
     bool any_nan() const { return v != v; }
     bool any_positive() const { return v > 0; }
+    bool all_positive() const { return v > 0; }
 };
 
 template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
@@ -140,19 +141,23 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
             if (v[j] != v[j]) return true;
         return false;
     }
-    bool any_positive() const {
+    bool any_positive() const { return positive_lanes() != 0; }
+    bool all_positive() const { return positive_lanes() == (1u << N) - 1; }
+
+private:
+    unsigned positive_lanes() const { // bit j: of lane j
 #if defined(__AVX512F__)
-        if constexpr (N == 8) return _mm512_cmp_pd_mask(__m512d(v), __m512d{}, _CMP_GT_OQ) != 0;
+        if constexpr (N == 8) return _mm512_cmp_pd_mask(__m512d(v), __m512d{}, _CMP_GT_OQ);
 #endif
 #if defined(__AVX__)
-        if constexpr (N == 4) return _mm256_movemask_pd(_mm256_cmp_pd(__m256d(v), __m256d{}, _CMP_GT_OQ)) != 0;
+        if constexpr (N == 4) return unsigned(_mm256_movemask_pd(_mm256_cmp_pd(__m256d(v), __m256d{}, _CMP_GT_OQ)));
 #endif
 #if defined(__SSE2__)
-        if constexpr (N == 2) return _mm_movemask_pd(_mm_cmpgt_pd(__m128d(v), __m128d{})) != 0;
+        if constexpr (N == 2) return unsigned(_mm_movemask_pd(_mm_cmpgt_pd(__m128d(v), __m128d{})));
 #endif
-        bool any = false;
-        for (int j = 0; j < N; ++j) any |= v[j] > 0;
-        return any;
+        unsigned lanes = 0;
+        for (int j = 0; j < N; ++j) lanes |= unsigned(v[j] > 0) << j;
+        return lanes;
     }
 };
 
@@ -183,12 +188,13 @@ template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
     template <class F> friend Lanes each_lane(Lanes x, F f) { return {each_lane(x.a, f), each_lane(x.b, f)}; }
     bool any_nan() const { return a.any_nan() || b.any_nan(); }
     bool any_positive() const { return a.any_positive() || b.any_positive(); }
+    bool all_positive() const { return a.all_positive() && b.all_positive(); }
 };
 
 template <int N> inline Lanes<N> operator*(double s, Lanes<N> a) { return Lanes<N>::splat(s) * a; }
 template <int N> inline Lanes<N> operator-(Lanes<N> a) { return Lanes<N>{} - a; }
 
-template <int N> inline Lanes<N> positive(Lanes<N> a) { return select(a, a, Lanes<N>{}); }
+template <int N> inline Lanes<N> positive(Lanes<N> a) { return larger(a, Lanes<N>{}); }
 template <int N> inline Lanes<N> within(Lanes<N> a, double least, double most) {
     return smaller(larger(a, Lanes<N>::splat(least)), Lanes<N>::splat(most));
 }
@@ -206,9 +212,7 @@ template <int N> inline auto largest_of(Lanes<N> a) {
 }
 // Whether any lane is > 0, and whether all are.
 template <int N> inline bool any_positive(Lanes<N> a) { return a.any_positive(); }
-template <int N> inline bool all_positive(Lanes<N> a) {
-    return !any_positive(select(a, Lanes<N>{}, Lanes<N>::splat(1)));
-}
+template <int N> inline bool all_positive(Lanes<N> a) { return a.all_positive(); }
 
 // The least of all lanes, and the largest.
 template <int N> inline double least_in(Lanes<N> a) {

@@ -103,7 +103,6 @@ template <int N> struct FaceDepth {
 
     // run: of the speed, and what a fall of the surface adds to it [s]: lambda dt / cell, and g times its square. head:
     // speed^2 / 2 g.
-    FaceDepth(Lanes<N> depth_, Lanes<N> closed_) : depth(depth_), closed(closed_) {}
     FaceDepth(const CellLanes<N>& l, const CellLanes<N>& r, Lanes<N> speed, const Lanes<N>* dries, Lanes<N> run,
               Lanes<N> run_by_fall, Lanes<N> head) {
         using L = Lanes<N>;

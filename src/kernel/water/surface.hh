@@ -47,22 +47,25 @@ template <int N> __attribute__((always_inline)) inline FaceLanes<N> WaterLine<N>
 
     // 2. depth
     const L run = theta * kind.courant, speed = theta * w + (1 - theta) * u;
-    FaceDepth<N> face{mean, none};
+    const L cells = smaller(larger(kind.courant * u, L::splat(-1)), L::splat(1)); // no more than a cell's change
+    L depth = mean, k = theta * cells, half = 0.5 * k, advected = theta * stream;
     if (!deep) {
         const L along = select(size_of(speed), speed, w), head = (0.5 / (sweep.gravity + 0x1p-1000)) * (along * along);
-        face = FaceDepth<N>(l, r, along, kind.any_long ? &kind.is_long : nullptr, run, run * gc, head);
+        const FaceDepth<N> face(l, r, along, kind.any_long ? &kind.is_long : nullptr, run, run * gc, head);
+        const L uneven = size_of(face.depth - mean);
+        depth = face.depth;
+        k = select(face.closed, none, k);
+        half = select(uneven, none, 0.5 * k);
+        advected = select(uneven, none, advected);
+        rough = larger(rough, open(i) * select(smaller(l.depth, r.depth), uneven, mean)); // mean: at a shore
     }
-    const L uneven = deep ? none : size_of(face.depth - mean);
 
     // 3. what the flux answers to
-    const L s = sweep.implicit ? run * (answer * face.depth) : none;
-    const L cells = smaller(larger(kind.courant * u, L::splat(-1)), L::splat(1)); // no more than a cell's change
-    const L k = select(face.closed, none, theta * cells), half = select(uneven, none, 0.5 * k);
+    const L s = sweep.implicit ? run * (answer * depth) : none;
     const L of_right = !sweep.implicit ? select(k, half, k - half) : select(k, smaller(half, s), k - larger(half, -s));
-    const L advected = select(uneven, none, theta * stream);
-    const FaceLanes<N> out{kind.courant * (face.depth * speed + advected), (k - of_right) + s, s - of_right,
-                           kept - (1 - theta) * rise, answer};
-    if (!deep) rough = larger(rough, open(i) * select(smaller(l.depth, r.depth), uneven, mean)); // mean: at a shore
+    L through = depth * speed;
+    if (sweep.advected) through = through + advected;
+    const FaceLanes<N> out{kind.courant * through, (k - of_right) + s, s - of_right, kept - (1 - theta) * rise, answer};
     if (!opening) return out;
     const L is_open = opening[i];
     return {is_open * out.flux, is_open * out.left, is_open * out.right, is_open * out.base, is_open * out.push};
