@@ -101,8 +101,8 @@ CD_API cd_status cd_membrane_get_tolerance(const cd_membrane* membrane, double* 
                                            size_t* out_most_iterations);
 
 /* What the last call of cd_membrane_step did with CD_SOLVER_COUPLED: the most iterations that a solve took, and the
- * largest residual it ended with, as a fraction of the one it started from. 0 and 0 if there was no such solve. Each
- * output may be null. */
+ * largest residual it ended with, as a fraction of the one it started from: INFINITY where its square is. 0 and 0 if
+ * there was no such solve. Each output may be null. */
 CD_API cd_status cd_membrane_get_convergence(const cd_membrane* membrane, size_t* out_iterations,
                                              double* out_residual);
 

@@ -159,10 +159,13 @@ template <class T> struct SpringStep {
         }
         coefficients = {carry, pull, c.has_welds ? closing : nullptr, gains.gains(c)};
     }
+    // Welds keep their nodes together but for what is too small to be kept.
     bool operator()(size_t first, size_t count) const {
-        return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
+        const bool finite = stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
             return chain.kernels->of(T()).spring_sweep(lines, coefficients, stage, start, row, keep, first, count);
         });
+        if (chain.has_welds) merge_velocities(chain, first, count);
+        return finite;
     }
 };
 

@@ -322,8 +322,30 @@ static void welded_nodes_of_a_rod_share_one_velocity_whatever_holds_them(void** 
         }
 }
 
+/* A lambda of nearly 0 makes of what is too small to be kept, and differs, what is not. */
+static void welded_nodes_share_one_velocity_at_any_lambda(void** state) {
+    (void)state;
+    enum { NODES = 138 };
+    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
+        for (double lambda = 0; lambda < 1; lambda = lambda > 0 ? 1e15 * lambda : 1e-61) {
+            cd_chain* chain = scene_chain(1, NODES - 1, 1, precision);
+            double v[NODES] = {0};
+            for (size_t i = 0; i < 9; ++i) v[40 + i] = v[51 + i] = pow(0.1, 140 - 5.0 * (double)i);
+            scene_write(chain, CD_VELOCITY, v);
+            ok(cd_chain_set_lambda(chain, lambda));
+            ok(cd_chain_weld(chain, 48));
+            for (int s = 0; s < 40; ++s) {
+                if (cd_chain_step(chain, 164.6, 1) != CD_OK) break;
+                scene_read(chain, CD_VELOCITY, v);
+                assert_true(v[48] == v[49]);
+            }
+            cd_chain_destroy(chain);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(welded_nodes_share_one_velocity_at_any_lambda),
         cmocka_unit_test(welded_nodes_share_one_velocity_to_the_bit),
         cmocka_unit_test(welded_nodes_of_a_rod_share_one_velocity_whatever_holds_them),
         cmocka_unit_test(welded_nodes_share_the_mean_velocity_at_once),

@@ -14,10 +14,10 @@
 {2, 17, 1, {0x423c672a3e4aa3fd, 0xcd2745d8e9cf84fd}}, /* flood */
 {2, 16, 7, {0xfd95f8bf9ff5fbb2, 0xaec5685319e634d8}}, /* flood */
 {2, 2, 16, {0x602dc4845c9ea7eb, 0x8c4e889121d29e03}}, /* flood */
-{3, 13, 9, {0xdf4f14f0c97f47be, 0x016e813c04fd3a63}}, /* weir */
+{3, 13, 9, {0xd712016d6f814bd2, 0xbb991ef1a80cfa54}}, /* weir */
 {3, 1, 17, {0x000c2cafbc72f4d2, 0xb0d43a9f19ade0d7}}, /* weir */
 {3, 17, 1, {0xb83bad7df0454898, 0xb839e63673689925}}, /* weir */
-{3, 16, 7, {0xbb3649814b4d8747, 0xa9781d6a38e0fdac}}, /* weir */
+{3, 16, 7, {0x7e8be9fe50b0199d, 0xa9781d6a38e0fdac}}, /* weir */
 {3, 2, 16, {0xa341d0bf76c37cae, 0x2a27c98b381b4337}}, /* weir */
 {4, 13, 9, {0x34ff9a256ba8112e, 0x380f62d35a5d541c}}, /* explicit */
 {4, 1, 17, {0x198e4dec868efae1, 0x9bd595cdeda19578}}, /* explicit */
@@ -54,13 +54,13 @@
 {10, 17, 1, {0x76a00fc9e757c8c6, 0x8bb0f004791a59d4}}, /* fed */
 {10, 16, 7, {0x0f8a10c41740fc7c, 0x56579e455719bbea}}, /* fed */
 {10, 2, 16, {0x5709f1bd2d163a80, 0x167ac3319304afdc}}, /* fed */
-{11, 13, 9, {0xde862066fbc25343, 0xd9c74fe44b18d570}}, /* everything */
+{11, 13, 9, {0xbb4772a3a21ff2dd, 0x0e690a5d1124303c}}, /* everything */
 {11, 1, 17, {0x2641bf11755796e0, 0xbe6b6b4e1aa8bffa}}, /* everything */
-{11, 17, 1, {0x41823a9cded6325c, 0xe7e85b1820233746}}, /* everything */
-{11, 16, 7, {0xcd907fd44b1da803, 0x5071e74edba2881b}}, /* everything */
-{11, 2, 16, {0xbd966dc3a44abc92, 0x447e154142028930}}, /* everything */
-{12, 13, 9, {0xf8a9b97958390b86, 0x4cb4d29a754c1509}}, /* everything, long steps */
+{11, 17, 1, {0x59085e7916ef2bdf, 0xbbd719238d24359f}}, /* everything */
+{11, 16, 7, {0x42d1a1deccf1c1f6, 0xd908d6f9c3d674ed}}, /* everything */
+{11, 2, 16, {0x40d08d80be9238d2, 0x6c616bf331ea7d85}}, /* everything */
+{12, 13, 9, {0x2924e4bd3b059f66, 0x8782500e21fb239d}}, /* everything, long steps */
 {12, 1, 17, {0x42583f1396f8f3bd, 0x6be1e8a70257c44c}}, /* everything, long steps */
-{12, 17, 1, {0x0954220639fd0c96, 0x753ddf4e6b1c6c6c}}, /* everything, long steps */
-{12, 16, 7, {0xb85234c6f46cda60, 0x94e2f68d797a809e}}, /* everything, long steps */
-{12, 2, 16, {0x19b42caba488f9ea, 0xc97e7f3d632f93ab}}, /* everything, long steps */
+{12, 17, 1, {0x61283ec925f97584, 0x2666a567abc8c5bd}}, /* everything, long steps */
+{12, 16, 7, {0x74ff7de2983abdb5, 0xe80ac72cf44a7cbc}}, /* everything, long steps */
+{12, 2, 16, {0x522dabbc4de2a4cc, 0xbbac1840825a350a}}, /* everything, long steps */

@@ -104,6 +104,7 @@ template <class Api> typename Body<Api>::Tie Body<Api>::pick_tie() const {
 template <class Api> void Body<Api>::has_tied(const Tie& tie, cd_status status) {
     bool moderate = tie.stiffness < 1e5 && tie.damping < 1e3;
     for (double x : tie.target) moderate &= fabs(x) < 1e3;
+    if (tie.null) moderate &= this->largest_of({CD_POSITION}) < 1e3; // the target is where the node is
     if (status == CD_OK && !moderate) this->past.moderate = false;
 }
 

@@ -91,6 +91,17 @@ void Water::check_faces(bool along_y) const {
     }
 }
 
+bool Water::is_driven() const {
+    for (double source : all_of(CD_SOURCE))
+        if (source != 0) return true;
+    for (int side = CD_SIDE_X_FIRST; side <= CD_SIDE_Y_LAST; ++side) {
+        cd_border border = {};
+        cd_water_get_side(first(), side, &border, nullptr, nullptr);
+        if (border != CD_BORDER_WALL && border != CD_BORDER_PERIODIC) return true;
+    }
+    return false;
+}
+
 Water::Account Water::account() const {
     Account a = {};
     cd_water_get_account(first(), &a.initial, &a.in, &a.out, &a.error);
@@ -131,8 +142,8 @@ void Water::check_account(const Step& s) {
     const bool wide = precision == CD_FLOAT64;
     const double moved = before.volume + now.volume + (now.in - before.in) + (now.out - before.out);
     const double area = whole().x * whole().y, steps = double(s.count);
-    // Depths are rounded, those below the smallest are cleared, and the account's own sums round.
-    const double room = (wide ? 1e-12 : 3e-6) * moved * steps + 0x1p-78 * area * steps +
+    // Depths are rounded, those below the smallest are cleared in each of up to 64 parts, and the account's own sums round.
+    const double room = (wide ? 1e-12 : 3e-6) * moved * steps + 0x1p-74 * area * steps +
                         1e-14 * (fabs(now.initial) + now.in + now.out);
     const double lost = fabs(now.error - before.error);
     if (lost > room && now.volume < 1e200)

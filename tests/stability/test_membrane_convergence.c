@@ -298,8 +298,28 @@ static void a_solve_that_gets_no_further_ends(void** state) {
     assert_true(ended > 0);
 }
 
+/* Squares of what is left may be infinite: that is told, and no NaN. */
+static void a_residual_is_a_number_however_large_the_sheet(void** state) {
+    (void)state;
+    for (double far = 1e130; far < 1e220; far *= 3)
+        for (double dt = 1e-3; dt < 100; dt *= 10) {
+            cd_membrane* m;
+            double residual;
+            ok(cd_membrane_create(8, 8, 1, CD_FLOAT64, NULL, &m));
+            ok(cd_membrane_set_solver(m, CD_SOLVER_COUPLED));
+            ok(cd_membrane_set_stiffness(m, 1e4, 1));
+            ok(cd_membrane_attach(m, 1, 1, 5000, 0, &far, 1));
+            const cd_status status = cd_membrane_step(m, dt, 1);
+            ok(cd_membrane_get_convergence(m, NULL, &residual));
+            assert_true(status == (residual <= 1e-6 ? CD_OK : CD_ERROR_TOLERANCE) || status == CD_ERROR_DIVERGED);
+            assert_true(residual >= 0);
+            cd_membrane_destroy(m);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_residual_is_a_number_however_large_the_sheet),
         cmocka_unit_test(a_sheet_that_has_died_out_asks_for_nothing),
         cmocka_unit_test(fifteen_iterations_reach_1e_6_in_float64),
         cmocka_unit_test(fifteen_iterations_reach_1e_6_in_float32),

@@ -117,8 +117,65 @@ static void the_smallest_waters_are_survived(void** state) {
             }
 }
 
+/* More than empties a cell does not draw water in at a side: in steps of hours the depth stays that of the levels. */
+static void long_steps_between_a_level_and_a_rising_sea_stay_near_them(void** state) {
+    (void)state;
+    static const double steps[] = {10, 300, 4500, 33607, 1e6}, lambdas[] = {0.5, 0.55, 1};
+    for (size_t k = 0; k < WAYS; ++k)
+        for (size_t l = 0; l < COUNT(lambdas); ++l)
+            for (size_t s = 0; s < COUNT(steps); ++s)
+                for (int turned = 0; turned < 2; ++turned) {
+                    if (basin_is_explicit(&ways[k])) continue;
+                    const double rate = 0.0104, seconds = 0.288 + 4 * steps[s], highest = 1.394 + rate * seconds;
+                    cd_water* w = turned ? basin(36, 1, 0.264, 1, CD_FLOAT64) : basin(1, 36, 1, 0.264, CD_FLOAT64);
+                    basin_set_way(w, &ways[k]);
+                    ok(cd_water_set_lambda(w, lambdas[l]));
+                    ok(cd_water_set_side(w, turned ? CD_SIDE_X_FIRST : CD_SIDE_Y_LAST, CD_BORDER_LEVEL, 1.127, 0));
+                    ok(cd_water_set_side(w, turned ? CD_SIDE_X_LAST : CD_SIDE_Y_FIRST, CD_BORDER_OPEN, 1.394, rate));
+                    basin_step(w, 0.288, 1);
+                    for (int n = 0; n < 4; ++n) {
+                        basin_step(w, steps[s], 1);
+                        if (basin_largest(w, CD_DEPTH) > 100 * highest)
+                            print_message("%s, lambda %g, dt %g: %.1e deep\n", ways[k].name, lambdas[l], steps[s],
+                                          basin_largest(w, CD_DEPTH));
+                        assert_true(basin_largest(w, CD_DEPTH) <= 100 * highest);
+                    }
+                    cd_water_destroy(w);
+                }
+}
+
+/* Whatever runs along them. */
+static void closed_faces_stay_still_beside_an_ocean_without_end(void** state) {
+    (void)state;
+    static const double steps[] = {1e-3, 0.7, 1e10, 1e25};
+    size_t moved = 0;
+    for (size_t k = 0; k < 2 * COUNT(steps) * WAYS; ++k) {
+        const int turned = k % 2;
+        const struct way* way = &ways[k / 2 % WAYS];
+        cd_water* w = basin(turned ? 36 : 4, turned ? 4 : 36, 1e-22, 1e-22, CD_FLOAT64);
+        basin_set_way(w, way);
+        ok(cd_water_enable_field(w, CD_MASK));
+        ok(cd_water_enable_field(w, turned ? CD_WALL_Y : CD_WALL_X));
+        for (size_t i = 0; i < 8; ++i) basin_set(w, CD_DEPTH, turned ? i : 2, turned ? 2 : i, 1e74 * (double)(1 + i));
+        basin_set(w, turned ? CD_WALL_Y : CD_WALL_X, turned ? 6 : 2, turned ? 2 : 6, 1);
+        basin_set(w, CD_MASK, turned ? 12 : 3, turned ? 3 : 12, 0);
+        for (int n = 0; n < 3 && cd_water_step(w, steps[k / 2 / WAYS], 1) == CD_OK; ++n) {
+            moved += basin_largest(w, turned ? CD_VELOCITY_Y : CD_VELOCITY_X) > 0;
+            assert_true(basin_get(w, turned ? CD_VELOCITY_Y : CD_VELOCITY_X, turned ? 6 : 2, turned ? 2 : 6) == 0);
+            for (size_t i = 0; i < 2; ++i) {
+                assert_true(basin_get(w, CD_VELOCITY_X, (turned ? 12 : 3) + i, turned ? 3 : 12) == 0);
+                assert_true(basin_get(w, CD_VELOCITY_Y, turned ? 12 : 3, (turned ? 3 : 12) + i) == 0);
+            }
+        }
+        cd_water_destroy(w);
+    }
+    assert_true(moved > COUNT(steps) * WAYS);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(long_steps_between_a_level_and_a_rising_sea_stay_near_them),
+        cmocka_unit_test(closed_faces_stay_still_beside_an_ocean_without_end),
         cmocka_unit_test(wild_scenes_are_survived_in_every_way),
         cmocka_unit_test(the_smallest_waters_are_survived),
     };

@@ -17,7 +17,7 @@ namespace cd {
 namespace CD_ISA {
 
 constexpr double kNoVolume = 0x1p-900; // [m]: has no inverse
-constexpr double kUnmoved = 1e300;     // [m]: what lies beyond an end or a closed face is not moved
+constexpr double kUnmoved = __builtin_inf(); // [m]: what lies beyond an end or a closed face is not moved
 
 // A face that carries, before the step.
 template <int N> struct CarrierLanes {

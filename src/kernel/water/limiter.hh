@@ -15,6 +15,11 @@ namespace CD_ISA {
 template <int N> void WaterLine<N>::limit(L need) {
     limits = need;
     const L one = L::splat(1), none{};
+    if (!ring) { // no more comes in at a side than to a cell that has run dry
+        const L first = side[0].flux + side[0].right * depth[0], last = side[1].flux - side[1].left * depth[n - 1];
+        flux.put(0, select(smaller(need, side[0].right), smaller(flux[0], first), flux[0]));
+        flux.put(n, select(smaller(need, side[1].left), larger(flux[n], last), flux[n]));
+    }
     const Panel<N> run = pull, low = spare[0], part = spare[1]; // run: cells a step
     constexpr double kFastest = 0x1p-40;
     for (size_t i = 0; i <= n; ++i) {

@@ -80,7 +80,8 @@ template <int N> struct WaterLine {
     Panel<N> flux{}, after{}, speed{};  // results: of cells `after`, of faces flux and velocity
     Panel<N> pull{}, push{}, spare[2] = {};
 
-    L side_depth[2] = {};     // of what crosses the ends
+    FaceLanes<N> side[2] = {}; // the faces at the ends
+    L side_depth[2] = {};      // of what crosses them
     L held_back{}, limited{}; // see WaterTally
     // Of the energy bound (velocity.hh): > 0 in lines that it counts for; the share of what faces gain that others take;
     // the share of the square of velocities that is kept.

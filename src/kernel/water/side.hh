@@ -29,13 +29,19 @@ struct SideWaves {
         if (advected && u > c_here && d > d_out) return falls(d, u);
         if (!advected) {
             const double depth = d > d_out / 3 ? d : d_out / 3, c = speed(depth); // comes in by a third at the least
-            const bool dips = depth > d || !(c > 0);
-            return {c * (depth - d_out), dips ? 0 : c * (1.5 - d_out / (2 * depth)), depth, dips ? 0 : 0.5};
+            if (depth > d || !(c > 0)) return fills(d, d_out, c * (d_out - depth), depth);
+            return {c * (depth - d_out), c * (1.5 - d_out / (2 * depth)), depth, 0.5};
         }
         const double depth = d > d_out * (4.0 / 9) ? d : d_out * (4.0 / 9), c = speed(depth), c_out = speed(d_out);
         const double wave = 2 * (c - c_out);
         if (wave > c) return falls(d, u);
-        return {depth * wave, depth > d ? 0 : 3 * c - 2 * c_out, depth, depth > d ? 0 : 0.5};
+        if (depth > d) return fills(d, d_out, -depth * wave, depth);
+        return {depth * wave, 3 * c - 2 * c_out, depth, 0.5};
+    }
+
+    // As much comes in as can; it ends where the cell is as deep as the water outside.
+    static SideFlow fills(double d, double d_out, double most, double depth) {
+        return {-most, d_out > d ? most / (d_out - d) : 0, depth};
     }
 
     // The same beside a side that holds the depth d_out there.

@@ -120,7 +120,7 @@ template <int N> void WaterLine<N>::solve_surface(StepKind<N> kind) {
         spare[0].put(i, follow);
         spare[1].put(i, whole);
     };
-    if (!ring) eliminate(0, end_face(0, kind));
+    if (!ring) eliminate(0, side[0] = end_face(0, kind));
     for (size_t i = first_face(); i < n; ++i) {
         const FaceLanes<N> face = here.inner_face(i, kind, sweep.advected ? streams.next(i) : none);
         if (i > 0) eliminate(i, face);
@@ -128,7 +128,7 @@ template <int N> void WaterLine<N>::solve_surface(StepKind<N> kind) {
     }
     rough = here.rough;
     if (ring) close_ring(first);
-    else eliminate(n, end_face(n, kind));
+    else eliminate(n, side[1] = end_face(n, kind));
 }
 
 // Face 0 stands back; the others answer its flux and their own.
