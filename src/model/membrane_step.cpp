@@ -286,7 +286,8 @@ template <class T> struct Stepper {
         const Convergence reached =
             solve_coupled(w.system, w.preconditioner, goal, w.gradient, w.residual, w.answer[0]);
         if (reached.iterations > worst.iterations) worst.iterations = reached.iterations;
-        const double residual = reached.residual == reached.residual ? reached.residual : HUGE_VAL; // its square is none
+        const bool has_square = reached.residual == reached.residual;
+        const double residual = has_square ? reached.residual : HUGE_VAL;
         if (residual > worst.residual) worst.residual = residual;
         worst.reached &= reached.reached;
         move_by_nearest(by, share, w.answer, 1, w.gradient.start);

@@ -142,7 +142,7 @@ void Water::check_account(const Step& s) {
     const bool wide = precision == CD_FLOAT64;
     const double moved = before.volume + now.volume + (now.in - before.in) + (now.out - before.out);
     const double area = whole().x * whole().y, steps = double(s.count);
-    // Depths are rounded, those below the smallest are cleared in each of up to 64 parts, and the account's own sums round.
+    // Depths are rounded, those below the smallest are cleared in each of up to 64 parts, and the account's sums round.
     const double room = (wide ? 1e-12 : 3e-6) * moved * steps + 0x1p-74 * area * steps +
                         1e-14 * (fabs(now.initial) + now.in + now.out);
     const double lost = fabs(now.error - before.error);

@@ -48,12 +48,7 @@ template <class T> struct Across {
         using L = Lanes<N>;
         const size_t n = across.cells;
         const Place p = place_of(across, first, N);
-        double* free = work;
-        const auto panel = [&] {
-            double* const own = free;
-            free += (n + kWaterRoom) * N;
-            return Panel<N>{own};
-        };
+        Panels<N> panel{work, n};
         AcrossCarriers<N> faces{n, across.ring, panel(), panel(), panel(), {}, panel()};
         const Panel<N> pull = panel(), around = panel(), answers = panel(), water = panel();
         fetch(p, n, across.velocity, faces.velocity);

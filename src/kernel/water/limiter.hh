@@ -4,7 +4,7 @@
 //      d (1 + what leaves) = d before + what comes,
 //
 // a system in which water runs only one way through a face: one pass each way solves it. Of what the true fluxes are
-// more or less each cell then gives as much as it has left, shared out alike (Zalesak's limiter, 1979, for a depth of 0).
+// more or less each cell then gives as much as it has left, shared out alike (Zalesak's limiter, 1979, for depth 0).
 #pragma once
 
 #include "kernel/water/line.hh"

@@ -83,7 +83,7 @@ template <int N> struct WaterLine {
     FaceLanes<N> side[2] = {}; // the faces at the ends
     L side_depth[2] = {};      // of what crosses them
     L held_back{}, limited{}; // see WaterTally
-    // Of the energy bound (velocity.hh): > 0 in lines that it counts for; the share of what faces gain that others take;
+    // Of the energy bound (velocity.hh): > 0 in lines it counts for; the share of what faces gain that others take;
     // the share of the square of velocities that is kept.
     L rough{}, bounds{}, taken{}, keeps{};
     L limits{}; // > 0 in lines that the limiter counts for, of whose fluxes `pull` holds the parts that it has left

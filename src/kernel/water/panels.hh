@@ -16,6 +16,18 @@ template <int N> struct Panel {
     void put(size_t i, Lanes<N> a) const { a.store(first + i * N); }
 };
 
+// Panels of lines of as many cells, one after the other in memory.
+template <int N> struct Panels {
+    double* free;
+    size_t cells;
+
+    Panel<N> operator()() {
+        double* const own = free;
+        free += (cells + kWaterRoom) * N;
+        return {own};
+    }
+};
+
 // Where the numbers of N lines from `line` on lie: `along` apart on a line, lines `across`. Lanes beyond the last of
 // the `lanes` lines that there are repeat that one.
 struct Place {

@@ -1,6 +1,6 @@
 // What crosses a side of the scene: the discharge as a function of the depth of the cell there, by the invariants
-// u + 2 c and u - 2 c, c = sqrt(g d), that simple waves carry (Stoker 1957, chapter 10). Outside an open side water rests
-// at a level; a level side holds its level under what flows out.
+// u + 2 c and u - 2 c, c = sqrt(g d), that simple waves carry (Stoker 1957, chapter 10). Outside an open side water
+// rests at a level; a level side holds its level under what flows out.
 //
 // Of linear momentum the invariants have no closed form; u = c (1 - d_out / d) is that of u - 2 c up to the third order
 // of a wave's height.

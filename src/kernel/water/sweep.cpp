@@ -65,12 +65,7 @@ template <class T> struct Sweep {
         using L = Lanes<N>;
         const size_t n = sweep.cells;
         const Place p = place_of(lines, first, N);
-        double* free = work;
-        const auto panel = [&] {
-            double* const own = free;
-            free += (n + kWaterRoom) * N;
-            return Panel<N>{own};
-        };
+        Panels<N> panel{work, n};
         WaterLine<N> line{sweep, n, sweep.ring()};
         for (Panel<N>* one : {&line.bed, &line.depth, &line.velocity, &line.flux, &line.after, &line.speed, &line.pull,
                               &line.push, &line.spare[0], &line.spare[1]})
