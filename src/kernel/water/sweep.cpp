@@ -97,10 +97,12 @@ template <class T> struct Sweep {
         constexpr size_t kChains = 4;
         constexpr double kNoise = 0x1p-44; // of the deepest cell
         Rounding<T, N> chain[kChains], rest;
-        for (size_t i = 0; i < sweep.cells; ++i)
-            depth.put(i, chain[i % kChains](storable<T>(larger(L{}, depth[i]), probe)));
+        const size_t n = sweep.cells;
+        for (size_t i = 0; i < n; i += kChains)
+            for (size_t k = 0; k < kChains && i + k < n; ++k)
+                depth.put(i + k, chain[k](storable<T>(depth[i + k], probe)));
         for (const auto& one : chain) rest.owed = rest.owed + one.owed;
-        for (size_t i = sweep.cells; i-- > 0;) {
+        for (size_t i = n; i-- > 0;) {
             const L more = size_of(rest.owed) - kNoise * deepest;
             if (!any_positive(more)) break;
             rest.owed = select(more, rest.owed, L{});
