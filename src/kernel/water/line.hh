@@ -71,7 +71,7 @@ template <int N> struct WaterLine {
     using L = Lanes<N>;
     using Cell = CellLanes<N>;
 
-    const WaterSweep& sweep;
+    WaterSweep sweep;
     size_t n;
     bool ring;
 

@@ -101,8 +101,8 @@ template <int N> void WaterLine<N>::solve_surface(StepKind<N> kind) {
     const L one = L::splat(1), none{};
     StreamAcceleration<N> streams(here, kind);
     const auto set_out = [&](size_t i, const FaceLanes<N>& f) {
-        speed.put(i, f.base);
-        if (keeps_push()) push.put(i, f.push);
+        here.speed.put(i, f.base);
+        if (here.keeps_push()) here.push.put(i, f.push);
     };
     FaceLanes<N> first{none, none, none, none, none}; // of a ring
     // Of the row before: its answer, 1 - pull, and in a ring how it follows face 0 and what is left of 1.
@@ -111,18 +111,18 @@ template <int N> void WaterLine<N>::solve_surface(StepKind<N> kind) {
         const L own = one + f.left * rest, inverse = one / (own + f.right);
         y = (f.flux + f.left * y) * inverse;
         rest = own * inverse;
-        flux.put(i, y);
-        pull.put(i, f.right * inverse);
+        here.flux.put(i, y);
+        here.pull.put(i, f.right * inverse);
         set_out(i, f);
-        if (!ring) return;
+        if (!here.ring) return;
         follow = (f.left * follow) * inverse;
         whole = (one + f.left * whole) * inverse;
-        spare[0].put(i, follow);
-        spare[1].put(i, whole);
+        here.spare[0].put(i, follow);
+        here.spare[1].put(i, whole);
     };
     if (!ring) eliminate(0, side[0] = end_face(0, kind));
-    for (size_t i = first_face(); i < n; ++i) {
-        const FaceLanes<N> face = here.inner_face(i, kind, sweep.advected ? streams.next(i) : none);
+    for (size_t i = here.first_face(); i < here.n; ++i) {
+        const FaceLanes<N> face = here.inner_face(i, kind, here.sweep.advected ? streams.next(i) : none);
         if (i > 0) eliminate(i, face);
         else set_out(0, first = face);
     }
