@@ -77,7 +77,7 @@ RULES = {
     "a side's depth is that of half a cell before": (
         "surface.hh", "- L::load(half_cell))", "- 0.0 * L::load(half_cell))", ["physics_water_sides"]),
     "what leaves runs no faster than it came": (
-        "velocity.hh", "larger(-most, smaller(most, u))", "u", ["physics_water_sides"]),
+        "velocity.hh", "larger(-most, smaller(most, u))", "u", ["physics_water_symmetry"]),
     "what rounding takes is handed on": (
         "sweep.cpp", "rest.owed = rest.owed + one.owed;", "(void)one;", ["physics_water_lake"]),
 }

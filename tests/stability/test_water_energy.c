@@ -237,8 +237,43 @@ static void a_lively_basin_calms_down_in_a_hundred_thousand_steps(void** state) 
         }
 }
 
+/* Steps in which waves cross ten thousand cells, over hills of all sizes: nothing is left that could lift water. */
+static void water_among_hills_rests_after_steps_of_an_hour(void** state) {
+    (void)state;
+    enum { NX = 24, NY = 16 };
+    for (size_t k = 0; k < WAYS; ++k)
+        for (uint64_t seed = 1; seed <= 40; ++seed) {
+            if (basin_is_explicit(&ways[k])) continue;
+            uint64_t chance = seed * 77777;
+            const double along = 0.7 + 0.5 * random_number(&chance), across = 0.7 + 0.5 * random_number(&chance);
+            const double phase = 3 * random_number(&chance);
+            double kinetic, potential, start;
+            cd_water* w = basin(NX, NY, 1, 1, CD_FLOAT64);
+            basin_set_way(w, &ways[k]);
+            for (size_t c = 0; c < NX * NY; ++c) {
+                const double x = (double)(c % NX), y = (double)(c / NX);
+                const double bed =
+                    1.5 * sin(along * x + phase) * cos(across * y) + 0.15 * (1 + random_number(&chance));
+                basin_set(w, CD_BED, c % NX, c / NX, bed);
+                basin_set(w, CD_DEPTH, c % NX, c / NX, fmax(0, 0.5 * sin(0.3 * x + phase) - bed));
+            }
+            ok(cd_water_get_energy(w, &kinetic, &start));
+            double most = 0;
+            for (int s = 0; s < 60; ++s) {
+                basin_step(w, 2600, 1);
+                ok(cd_water_get_energy(w, &kinetic, &potential));
+                most = fmax(most, kinetic / fabs(start));
+            }
+            if (most > 0.1)
+                print_message("%s, number %d: kinetic energy %.2g of the potential one\n", ways[k].name, (int)seed, most);
+            assert_true(most <= 0.1);
+            cd_water_destroy(w);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(water_among_hills_rests_after_steps_of_an_hour),
         cmocka_unit_test(no_energy_is_made_but_by_linear_momentum_that_deepens),
         cmocka_unit_test(a_seiche_from_rest_gains_no_energy),
         cmocka_unit_test(a_film_does_not_throw_the_lake_that_it_falls_into),
