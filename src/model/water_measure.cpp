@@ -32,7 +32,7 @@ double open_depth(const Water& w, cd_side side, size_t i, size_t j) {
 
 // Small waves along an axis obey h'' = -A h, and the sweep of an explicit step is bounded up to dt = 2 / sqrt(largest
 // eigenvalue of A). Row sums bound that: a face gives its cell's row twice g H / dx^2, once on the diagonal and once
-// beside it; on an open side both on the diagonal, as the level outside is half a cell away. Axes are swept in turn, and
+// beside it; on an open side both on the diagonal, as the level outside is half a cell off. Axes are swept in turn, and
 // what each of them keeps bounded alone they do together.
 double stable_dt(const Water& w) {
     double most = 0;

@@ -265,7 +265,7 @@ static void water_among_hills_rests_after_steps_of_an_hour(void** state) {
                 most = fmax(most, kinetic / fabs(start));
             }
             if (most > 0.1)
-                print_message("%s, number %d: kinetic energy %.2g of the potential one\n", ways[k].name, (int)seed, most);
+                print_message("%s, number %d: kinetic energy %.2g of the potential\n", ways[k].name, (int)seed, most);
             assert_true(most <= 0.1);
             cd_water_destroy(w);
         }

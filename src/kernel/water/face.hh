@@ -85,7 +85,7 @@ inline double critical_depth(double q, double gravity) {
 // whether it is wet; the next steps take it.
 constexpr double kGives = 1 - 0x1p-40;
 
-// The depth of a face that water crosses with the speed `speed`; the giver is the cell that it comes from, the taker the
+// The depth of a face that water crosses with the speed `speed`; the giver is the cell it comes from, the taker the
 // other. It is the mean of the two depths V but
 //
 //   giver shallower than taker    at most twice the giver's depth and what the bed drops (and no more than lets the

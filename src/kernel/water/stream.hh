@@ -1,4 +1,4 @@
-// What a stream does to velocities as it runs through the cells of a line, by the velocities of the step's beginning: it
+// What a stream does to velocities as it runs through the cells of a line, by velocities of the step's beginning: it
 // takes the velocity of the face that it comes from to the one that it reaches, and in steps that resolve waves, where
 // depths are even, half of the limited slope of velocities too (second order; minmod, van Leer 1979).
 //

@@ -11,7 +11,7 @@ namespace CD_ISA {
 
 namespace {
 
-// What a line's step was: what came in and went out at its ends, in how many parts it was made, what went through faces.
+// What a line's step was: what came in and went out at its ends, in how many parts it was made, what faces let through.
 template <int N> struct WaterStep {
     Lanes<N> in, out, parts;
     Panel<N> moved;
@@ -90,7 +90,7 @@ template <class T> struct Sweep {
         return !probe.any_nan();
     }
 
-    // In chains of cells, since one waits long for the next; what they owe in the end goes to the last cells that take it.
+    // In chains of cells, since one waits long for the next; what they owe at last goes to the last cells that take it.
     // Of water as deep in all cells of a line, but for a factor of 2, none is left but for what double rounds.
     template <int N> void round_depths(Panel<N> depth, Lanes<N> deepest, Lanes<N>& probe) const {
         using L = Lanes<N>;

@@ -44,7 +44,7 @@ template <int N> void WaterLine<N>::balance(const StepKind<N>& kind) {
     for (size_t i = 0; i < n; ++i) rough = larger(rough, size_of(after[i] - depth[i]) - kRoughChange * depth[i]);
     bounds = smaller(rough, kind.is_long);
     if (!any_positive(bounds)) return;
-    // The energy of motion, and what fluxes lose: by the surface before, and by its change. Where closed lines move more
+    // The energy of motion, and what fluxes lose: by the surface before, by its change. Where closed lines move more
     // than they have the energy to lift, all their fluxes are smaller in the same proportion.
     L moving = none, by_start = none, by_change = none;
     for (size_t i = first_face(); i < n; ++i) {
