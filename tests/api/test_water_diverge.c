@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "pool.h"
+#include "reference.h"
 
 enum { NX = 9, NY = 6, MOST = (NX + 1) * (NY + 1) };
 
@@ -242,8 +243,32 @@ static void absent_cells_of_a_diverged_water_are_dry_and_its_bytes_are_taken(voi
     cd_water_destroy(w);
 }
 
+/* Whatever has become of the others. */
+static void no_depth_of_a_water_that_diverged_is_negative(void** state) {
+    (void)state;
+    size_t diverged = 0;
+    for (int kind = 0; kind < 2; ++kind)
+        for (uint64_t seed = 1; seed <= 300; ++seed) {
+            uint64_t chance = seed;
+            double depth[MOST];
+            cd_water* w = pool(NX, NY, CD_FLOAT64);
+            if (kind) ok(cd_water_set_momentum(w, CD_MOMENTUM_ADVECTED));
+            for (size_t j = 0; j < NY; ++j)
+                for (size_t i = 0; i < NX; ++i) {
+                    const double size = 300 * random_number(&chance); /* 1e-300 to 1e300 */
+                    pool_set(w, CD_DEPTH, i, j, pow(10, size));
+                }
+            diverged += cd_water_step(w, 0.3, 1) == CD_ERROR_DIVERGED;
+            pool_read(w, CD_DEPTH, depth);
+            for (size_t k = 0; k < NX * NY; ++k) assert_true(!(depth[k] < 0));
+            cd_water_destroy(w);
+        }
+    assert_true(diverged > 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_depth_of_a_water_that_diverged_is_negative),
         cmocka_unit_test(divergence_is_reported_with_the_first_bad_step),
         cmocka_unit_test(a_diverged_water_makes_no_step_and_changes_nothing),
         cmocka_unit_test(a_diverged_water_can_be_looked_at),

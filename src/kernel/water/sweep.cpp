@@ -100,7 +100,7 @@ template <class T> struct Sweep {
         const size_t n = sweep.cells;
         for (size_t i = 0; i < n; i += kChains)
             for (size_t k = 0; k < kChains && i + k < n; ++k)
-                depth.put(i + k, chain[k](storable<T>(depth[i + k], probe)));
+                depth.put(i + k, chain[k](storable<T>(larger(L{}, depth[i + k]), probe))); // NaN hides what is < 0
         for (const auto& one : chain) rest.owed = rest.owed + one.owed;
         for (size_t i = n; i-- > 0;) {
             const L more = size_of(rest.owed) - kNoise * deepest;
