@@ -12,13 +12,17 @@ namespace cd {
 struct RingClosure {
     int constraints = 0; // 0: an open line; 1; 3 with bend
     const double* response[3] = {};
-    double inverse[3][3] = {}; // rows and columns of what is absent or cut are 0
-    double closing_rate = 0;   // of the closing spring: the stage's, or 0 for a weld
+    double compliance[3][3] = {}; // C: what the constraints yield to their forces
+    double inverse[3][3] = {};    // of C; rows and columns of what is absent or cut are 0
+    double closing_rate = 0;      // of the closing spring: the stage's, or 0 for a weld
 };
+
+constexpr int kClosureRefinements = 2; // of the closing forces in a step
 
 namespace CD_ISA {
 
-// The constraints' forces, given the positions of nodes n - 2, n - 1, 0 and 1 and the open line's w there.
+// The constraints' forces f of C f = miss, given the positions of nodes n - 2, n - 1, 0 and 1 and the open line's w
+// there. A piece of the line that is free to turn makes C as ill-conditioned as the step is long, so f is refined.
 template <int N> inline void ring_forces(const RingClosure& ring, const Stage& stage, const Lanes<N>* x,
                                          const Lanes<N>* w, Lanes<N>* out) {
     using L = Lanes<N>;
@@ -26,9 +30,15 @@ template <int N> inline void ring_forces(const RingClosure& ring, const Stage& s
     L miss[3] = {ring.closing_rate * (x[1] - x[2]) + (w[1] - w[2])};
     for (int k = 1; k < ring.constraints; ++k)
         miss[k] = stage.closing_rate * turn(x[k - 1], x[k], x[k + 1]) + turn(w[k - 1], w[k], w[k + 1]);
-    for (int r = 0; r < ring.constraints; ++r) {
-        out[r] = L{};
-        for (int s = 0; s < ring.constraints; ++s) out[r] = out[r] + ring.inverse[r][s] * miss[s];
+    for (int r = 0; r < ring.constraints; ++r) out[r] = L{};
+    for (int pass = 0; pass <= kClosureRefinements; ++pass) {
+        L rest[3];
+        for (int r = 0; r < ring.constraints; ++r) {
+            rest[r] = miss[r];
+            for (int s = 0; s < ring.constraints; ++s) rest[r] = rest[r] - ring.compliance[r][s] * out[s];
+        }
+        for (int r = 0; r < ring.constraints; ++r)
+            for (int s = 0; s < ring.constraints; ++s) out[r] = out[r] + ring.inverse[r][s] * rest[s];
     }
 }
 

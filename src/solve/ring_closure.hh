@@ -15,6 +15,8 @@
 
 namespace cd {
 
+constexpr double kLeastPivot = 1e-12; // of a constraint that adds some compliance, over its own
+
 // Solves the open line under tension(i) in spring i, i in [0, nodes - 1). w: the answer. slope: scratch. Both `nodes`
 // long, w in its place. differences(i, d): told w[i + 1] - w[i].
 template <class System, class Place, class Tension, class Differences>
@@ -58,7 +60,9 @@ void factor_ring(size_t nodes, const System& system, const RodRows& rows, int co
         if (r == 1) return i + 2 == nodes ? -2 : -1;
         return i == 0 ? 2 : 1;
     };
-    double c[3][3] = {};
+    auto& c = out.compliance;
+    for (auto& row : c)
+        for (double& entry : row) entry = 0;
     for (int s = 0; s < constraints; ++s) {
         pull_line(
             nodes, system, rows, place, [&](size_t i) { return tension(s, i); }, response[s], scratch,
@@ -75,8 +79,10 @@ void factor_ring(size_t nodes, const System& system, const RodRows& rows, int co
     // to add, and in a rigid line they coincide to rounding) is already kept by the others, and left out.
     for (int r = 0; r < constraints; ++r) {
         if (!(stiffness[r] > 0)) continue;
-        double column[3] = {}, pivot = c[r][r] + 1 / stiffness[r];
-        const double least = 1e-14 * pivot;
+        c[r][r] += 1 / stiffness[r];
+        double column[3] = {}, pivot = c[r][r];
+        const double least = kLeastPivot * pivot;
+        for (int a = 0; a < r; ++a) c[r][a] = c[a][r];
         for (int a = 0; a < r; ++a)
             for (int b = 0; b < r; ++b) column[a] += out.inverse[a][b] * c[b][r];
         for (int a = 0; a < r; ++a) pivot -= c[a][r] * column[a];

@@ -11,14 +11,14 @@
 {2, 1, {0x122347d93959e6f2, 0xde302fcbdd45ebf3}}, /* hair */
 {2, 2, {0x25cbb89e2d2dbc14, 0x8492b3d5c39bbd49}}, /* hair */
 {2, 3, {0x9d2fd343770d00b6, 0x7638b6fffc5fea12}}, /* hair */
-{3, 0, {0xe13edb8a3a9e09a8, 0x2a870bba8e6dfe25}}, /* ring */
+{3, 0, {0xe13edb8a3a9e09a8, 0x7b5a30af27b4b558}}, /* ring */
 {3, 1, {0x2d90cdee0768eb0f, 0x80c0ab3d927edd9e}}, /* ring */
 {3, 2, {0xc59e7be4f9a78716, 0xf719a6b86ba0681e}}, /* ring */
 {3, 3, {0xfbd0b70c09deca82, 0x1c2e859a8c014baa}}, /* ring */
-{4, 0, {0x780bd771b31591f7, 0xe09d38657dc6db8c}}, /* bent ring */
+{4, 0, {0x780bd771b31591f7, 0x2244b177cef3a483}}, /* bent ring */
 {4, 1, {0x122d95581aa5463b, 0x2536f0c5b335a10d}}, /* bent ring */
 {4, 2, {0xbbbc4d40791f2eb7, 0x417fcf8b82a2afb2}}, /* bent ring */
-{4, 3, {0x7cbb411abc49cf97, 0x8ae632163a773421}}, /* bent ring */
+{4, 3, {0x7cbb411abc49cf97, 0x914011faa6d21b05}}, /* bent ring */
 {5, 0, {0x8f0d1019d085e030, 0xa3cfa4fd1606be68}}, /* welded */
 {5, 1, {0x4ed2ed182bdde063, 0x101d10ee5cbb104e}}, /* welded */
 {5, 2, {0x44e2c8f4309b22c6, 0x415fd4bfc91c39d2}}, /* welded */
@@ -35,7 +35,7 @@
 {8, 1, {0xe0ba5941520b0224, 0xc1b9d96db4a1704c}}, /* everything */
 {8, 2, {0x148d8df4f7de64f1, 0xbf0932e5b3212223}}, /* everything */
 {8, 3, {0xb142c17ee2440e1b, 0x4f837355ac9c4814}}, /* everything */
-{9, 0, {0x83cd7b941992f620, 0xfc318f94603e8b41}}, /* everything, ring */
+{9, 0, {0x83cd7b941992f620, 0x9205d4c1229c480a}}, /* everything, ring */
 {9, 1, {0xd0fdfae345a8618d, 0x4aecdff4d26ad7ba}}, /* everything, ring */
 {9, 2, {0xa445c4cd5ff2bd37, 0xb8b76985b29e59f6}}, /* everything, ring */
-{9, 3, {0x25a57b8a9d833e69, 0x2e84130207bc7cc7}}, /* everything, ring */
+{9, 3, {0x25a57b8a9d833e69, 0xf800f6d9eaa8593e}}, /* everything, ring */

@@ -1,12 +1,13 @@
 /* Rings, and chains held at both ends, of random masses, springs and bends: against extended precision as far as the
- * reference has digits for them (reference.h); at any stiffness the uniform ones are in test_lattices.c. */
+ * reference has digits for them (reference.h); at any stiffness the uniform ones are in test_lattices.c. Rings that fall
+ * to pieces: their energy. */
 #include <math.h>
 #include <stdio.h>
 
 #include "agreement.h"
 #include "check.h"
 
-enum { NODES = 60 };
+enum { NODES = 60, MOST_NODES = 12 };
 enum { HELD = 1, BENT = 2, DAMPED = 4, WELDED = 8, TIED = 16, KINDS = 32 };
 
 static struct reference* make(double ratio, int kind, uint64_t seed) {
@@ -58,10 +59,52 @@ static void float64_rings_and_held_chains_agree_with_extended_precision(void** s
     assert_int_equal(missed(CD_FLOAT64), 0);
 }
 
+/* The energy of a ring of `nodes` after one step over that before it. Each spring is cut or not at random, so that pieces
+ * of the ring turn about each other, held by bend alone. */
+static double gained_energy(size_t nodes, double lambda, double dt, uint64_t seed) {
+    double x[MOST_NODES], v[MOST_NODES], stiffness[MOST_NODES], momentum = 0, before[2], after[2];
+    cd_chain* ring = NULL;
+    for (size_t i = 0; i < nodes; ++i) {
+        x[i] = random_number(&seed);
+        momentum += v[i] = random_number(&seed);
+        stiffness[i] = random_number(&seed) > -0.2 ? 0 : (double)nodes;
+    }
+    for (size_t i = 0; i < nodes; ++i) v[i] -= momentum / (double)nodes;
+    ok(cd_chain_create(1, nodes - 1, 1, CD_FLOAT64, NULL, &ring));
+    ok(cd_chain_set_ring(ring, 1));
+    ok(cd_chain_set_bend(ring, 0.1));
+    ok(cd_chain_set_lambda(ring, lambda));
+    ok(cd_chain_enable_field(ring, CD_STIFFNESS));
+    ok(cd_chain_write_f64(ring, CD_STIFFNESS, 0, 1, 0, nodes, stiffness, nodes));
+    ok(cd_chain_write_f64(ring, CD_POSITION, 0, 1, 0, nodes, x, nodes));
+    ok(cd_chain_write_f64(ring, CD_VELOCITY, 0, 1, 0, nodes, v, nodes));
+    ok(cd_chain_get_energy(ring, &before[0], &before[1], NULL));
+    ok(cd_chain_step(ring, dt, 1));
+    ok(cd_chain_get_energy(ring, &after[0], &after[1], NULL));
+    cd_chain_destroy(ring);
+    return (after[0] + after[1]) / (before[0] + before[1]);
+}
+
+static void pieces_of_a_ring_gain_no_energy_in_steps_of_any_length(void** state) {
+    (void)state;
+    double worst[2] = {0, 0};
+    for (int damped = 0; damped < 2; ++damped)
+        for (double dt = 1; dt < 1e9; dt *= 1.7)
+            for (uint64_t seed = 1; seed <= 300; ++seed) {
+                const double gained = gained_energy(3 + seed % 10, damped ? 1 : 0.5, dt, seed);
+                assert_true(isfinite(gained));
+                worst[damped] = fmax(worst[damped], gained);
+            }
+    print_message("energy of rings after a step, at most: %.5f (lambda 1/2), %.5f (1)\n", worst[0], worst[1]);
+    assert_true(worst[0] < 1.02);
+    assert_true(worst[1] < 1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(float32_rings_and_held_chains_agree_with_extended_precision),
         cmocka_unit_test(float64_rings_and_held_chains_agree_with_extended_precision),
+        cmocka_unit_test(pieces_of_a_ring_gain_no_energy_in_steps_of_any_length),
     };
     return cmocka_run_group_tests_name("closed", tests, NULL, NULL);
 }
