@@ -44,22 +44,26 @@ LENGTHS = {
     ("cd_water_sample", "out_velocity"): ("n", 2),
 }
 
-# Of each object's fields: those without a component per value, those always there, those cd_*_view shows.
+# Of each object's fields: those with a component per value, those always there, those cd_*_view shows, and those that
+# only ropes have, chains with a rest length.
 FIELD_FACTS = {
     "chain": {
         "components": "POSITION VELOCITY FORCE TARGET",
-        "always": "POSITION VELOCITY PIN",
+        "always": "POSITION VELOCITY PIN TENSION",
         "viewable": "POSITION VELOCITY FORCE TARGET",
+        "ropes": "REST_LENGTH TENSION",
     },
     "membrane": {
         "components": "POSITION VELOCITY FORCE TARGET",
         "always": "POSITION VELOCITY",
         "viewable": "POSITION VELOCITY FORCE TARGET",
+        "ropes": "",
     },
     "water": {
         "components": "",
         "always": "DEPTH BED SURFACE VELOCITY_X VELOCITY_Y",
         "viewable": "DEPTH BED VELOCITY_X VELOCITY_Y SOURCE PRESSURE FORCE_X FORCE_Y",
+        "ropes": "",
     },
 }
 
@@ -77,7 +81,7 @@ def text_of(comment):
     return "\n".join(re.sub(r"^\s*\*? ?", "", line) if i else line.strip() for i, line in enumerate(lines)).strip()
 
 
-SECTION = re.compile(r"/\* ---- ([a-z ]+?) -+( ?\*/|$)")
+SECTION = re.compile(r"/\* ---- ([a-z :]+?) -+( ?\*/|$)")
 
 # ---- declarations ---------------------------------------------------------------------------------------------------
 
@@ -275,6 +279,8 @@ class Description:
             at = match.end()
             if match["comment"]:
                 title = SECTION.match(match["comment"].split("\n")[0])
+                if match["comment"].startswith("/* ---") and not title:
+                    raise NotUnderstood(f"{header}: the section '{match['comment'].splitlines()[0]}'")
                 if title or alone and section and re.match(r"\n[ \t]*\n", text[at:]):
                     if title:
                         section = title.group(1)
@@ -314,7 +320,7 @@ class Description:
                 thing["fields"].append({
                     "name": cells[0], "per": cells[1].replace(" ", "").split(","), "unit": cells[2], "values": cells[3],
                     "components": short in facts["components"], "always": short in facts["always"],
-                    "viewable": short in facts["viewable"]})
+                    "viewable": short in facts["viewable"], "ropes": short in facts["ropes"]})
             elif line[:starts[3]].strip() == "":
                 thing["fields"][-1]["values"] += " " + line.strip()
             else:

@@ -8,7 +8,8 @@
  * Energy    E = 1/2 sum k_i |x_{i+1} - x_i|^2 + 1/2 sum b_i |x_{i+1} - 2 x_i + x_{i-1}|^2      (Kass 1997, eq. 2 and 5)
  * Motion    M x'' + C x' + K x = M g + f,  K = the Hessian of E,  C = drag M + stiffness_damping K
  *
- * Rest length is zero: a free chain draws together, and one stretched evenly is held by its ends. A new chain lies
+ * Rest length is zero, unless cd_chain_set_rest_length makes the chain a rope: a free chain draws together, and one
+ * stretched evenly is held by its ends. A new chain lies
  * with every node at the origin, at rest, all nodes free, mass 1, stiffness 1, no bend, no gravity, no damping,
  * CD_METHOD_IMPLICIT with lambda 1/2.
  *
@@ -83,8 +84,8 @@ CD_API cd_status cd_chain_get_mass(const cd_chain* chain, double* out_mass);
 CD_API cd_status cd_chain_set_mass_rule(cd_chain* chain, cd_mass_rule rule);
 CD_API cd_status cd_chain_get_mass_rule(const cd_chain* chain, cd_mass_rule* out_rule);
 
-/* Stretch stiffness k [N/m], >= 0. Per spring: k times the number of springs. Kass 1997, eq. 7. Waves run along the
- * chain in sqrt(mass / k) seconds. */
+/* Stretch stiffness k [N/m], >= 0, of ropes up to INFINITY. Per spring: k times the number of springs. Kass 1997,
+ * eq. 7. Waves run along the chain in sqrt(mass / k) seconds. */
 CD_API cd_status cd_chain_set_stiffness(cd_chain* chain, double stiffness);
 CD_API cd_status cd_chain_get_stiffness(const cd_chain* chain, double* out_stiffness);
 
@@ -119,6 +120,41 @@ CD_API cd_status cd_chain_get_end(const cd_chain* chain, cd_end end, cd_node* ou
 CD_API cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring);
 CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
 
+/* ---- ropes: springs that have a length --------------------------------------------------------------------------- */
+/* A rope is a chain with a rest length: the components of a node, 1 to 3, are directions of space, and a spring pulls
+ * along itself by k_i (|x_{i+1} - x_i| - length_i) once it is longer than its length; shorter it is slack. k_i may be
+ * anything up to INFINITY, which keeps its length. A step solves this nonlinear system to the tolerance by
+ * Newton's method, each iteration in time proportional to the nodes: 1 to 3 of them as a rule. It keeps momentum to
+ * rounding. lambda = 1/2 is second order and keeps the energy of a swing, but for the jerk when slack ends; lambda = 1
+ * damps most; along a spring that yields, the motion is damped as by lambda = 1. None adds energy, at any dt, stiffness
+ * and masses, beyond tolerance times tension times length. What can't be solved with lambda < 1 is solved with 1.
+ * Ropes need CD_METHOD_IMPLICIT with lambda in [1/2, 1], and have no bend, ring, matched end or stiffness damping:
+ * cd_chain_step says CD_ERROR_UNSUPPORTED. */
+
+/* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
+ * where they are. A rope has the field CD_TENSION, at first 0; length 0 switches it off, and CD_REST_LENGTH too.
+ * An infinite stiffness that becomes too short for where its nodes are shortens by a tenth a step, each with CD_ERROR_TOLERANCE,
+ * where it can't do so at once. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
+ * spring, in a build without ropes, and for 0 where an infinite stiffness would weld all springs or two held nodes. */
+CD_API cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
+CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
+
+/* Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
+ * Newton's method alone, which may fail from a crumpled start. Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_chain_set_push(cd_chain* chain, int32_t push);
+CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
+
+/* When a step of a rope is content: every spring is as long as its tension makes it, but for `tolerance` times its
+ * length, and springs gave no more energy than that is worth; in [1e-14, 1/2], default 1e-6. most_iterations, >= 1,
+ * default 200, are those that a step may take by the slow and sure method, an interior point, after 16 by Newton's.
+ * Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_chain_set_tolerance(cd_chain* chain, double tolerance, size_t most_iterations);
+CD_API cd_status cd_chain_get_tolerance(const cd_chain* chain, double* out_tolerance, size_t* out_most_iterations);
+
+/* What the last call of cd_chain_step did with ropes: the most iterations that a step of a strand took, and the largest
+ * error it ended with, as the tolerance counts it. 0 and 0 without ropes. Each output may be null. */
+CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_iterations, double* out_error);
+
 /* ---- fields -------------------------------------------------------------------------------------------------------
  *  field         per              unit    values
  *  CD_POSITION   strand, node     m       finite
@@ -126,18 +162,22 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
  *  CD_FORCE      strand, node     N       finite; acts until it is overwritten
  *  CD_TARGET     strand, node     m       finite; where cd_chain_attach pulls to
  *  CD_MASS       node             kg      > 0
- *  CD_STIFFNESS  spring           N/m     >= 0; 0: cut; INFINITY: welded, see cd_chain_weld
+ *  CD_STIFFNESS  spring           N/m     >= 0; 0: cut; INFINITY: welded, see cd_chain_weld; in ropes of fixed length
  *  CD_BEND       node             N/m     >= 0; that of the two ends of an open chain is kept and not used
  *  CD_PIN        node             -       a cd_node
+ *  CD_REST_LENGTH spring          m       1e-60 to 1e60; of ropes only
+ *  CD_TENSION    strand, spring   N       finite; of ropes only: what the last step found and the next one starts from
  * Nodes joined by welded springs make a group, which may hold one pinned or driven node: more is CD_ERROR_UNSUPPORTED.
- * Position, velocity and pin are always there. The others cost memory and time only once they are switched on. */
+ * Position, velocity and pin are always there, the tension in ropes. The others cost memory and time only once they are
+ * switched on. */
 
 /* Switches a field on, filled with the present uniform values (force 0, target the present position). On already:
- * nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY. */
+ * nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below CD_ERROR_UNSUPPORTED for CD_REST_LENGTH and
+ * CD_TENSION of a chain that is no rope. */
 CD_API cd_status cd_chain_enable_field(cd_chain* chain, cd_field field);
 
 /* Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened.
- * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position, velocity and pin. */
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position, velocity, pin and tension. */
 CD_API cd_status cd_chain_disable_field(cd_chain* chain, cd_field field);
 
 /* Writes or reads values[strand][node][component], dense, of strands [first_strand, first_strand + strands) and nodes
@@ -182,7 +222,7 @@ CD_API cd_status cd_chain_get_attachment(const cd_chain* chain, size_t node, dou
 /* Cuts a spring (stiffness 0), or welds it (infinite stiffness): from then on its two nodes share one velocity, the
  * mean of theirs by mass, so that momentum is kept, and their offset stays as it is. Welding to a pinned or driven node
  * gives that node's velocity. A cut or welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch
- * CD_STIFFNESS on. Bend is not cut with the spring: write CD_BEND.
+ * CD_STIFFNESS on. Bend is not cut with the spring: write CD_BEND. In a rope welding fixes the spring's length only.
  * Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two pinned or driven nodes. */
 CD_API cd_status cd_chain_cut(cd_chain* chain, size_t spring);
 CD_API cd_status cd_chain_weld(cd_chain* chain, size_t spring);
@@ -193,13 +233,14 @@ CD_API cd_status cd_chain_weld(cd_chain* chain, size_t spring);
  * count * strands * nodes * components.
  * Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives
  * the first bad one, the chain can be read, and steps again after cd_chain_reset, a load, or once finite positions and
- * velocities have been written. */
+ * velocities have been written; of ropes CD_ERROR_UNSUPPORTED for what they can't have, and CD_ERROR_TOLERANCE if a
+ * step ended short of its tolerance: all steps are made, and good to the error that cd_chain_get_convergence tells. */
 CD_API cd_status cd_chain_step(cd_chain* chain, double dt, size_t count);
 
 /* The longest dt at which CD_METHOD_SYMPLECTIC_EULER stays bounded, whatever method is set: the largest dt with
  * 4 M - 2 dt C - dt^2 K positive definite. Exact for stretch with drag and stiffness damping; with bend a lower bound,
  * exact in the limit of many nodes; with matched ends and attachment damping a lower bound, and close. INFINITY if
- * nothing can swing. */
+ * nothing can swing. Errors: CD_ERROR_UNSUPPORTED of ropes. */
 CD_API cd_status cd_chain_stable_dt(const cd_chain* chain, double* out_dt);
 
 /* Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */
@@ -248,7 +289,7 @@ CD_API cd_status cd_chain_load(cd_chain* chain, const void* bytes, size_t size);
  * Allocates only if they differ in the fields switched on. Errors: CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
 CD_API cd_status cd_chain_copy_state(cd_chain* chain, const cd_chain* source);
 
-/* Positions, velocities, time and steps back to 0. Parameters, fields and pins stay; targets too. */
+/* Positions, velocities, tensions, time and steps back to 0. Parameters, fields and pins stay; targets too. */
 CD_API cd_status cd_chain_reset(cd_chain* chain);
 
 #ifdef __cplusplus

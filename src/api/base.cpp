@@ -85,6 +85,9 @@ const char* cd_build_info(void) {
 #if CD_WITH_CHAIN
                        " chain"
 #endif
+#if CD_WITH_ROPE
+                       " rope"
+#endif
 #if CD_WITH_MEMBRANE
                        " membrane"
 #endif

@@ -37,7 +37,9 @@ CD_GETTER(chain, get_ring, int32_t, out_ring, x.ring)
 
 cd_status cd_chain_set_stiffness(cd_chain* chain, double stiffness) {
     CD_OPEN(chain, c);
-    CD_CHECK(shared::set_parameter(__func__, c, "stiffness", stiffness, c.stiffness));
+    const bool rigid = has_lengths(c) && isinf(stiffness) && stiffness > 0;
+    if (rigid) c.stiffness = stiffness, c.prepared_dt = 0;
+    else CD_CHECK(shared::set_parameter(__func__, c, "stiffness", stiffness, c.stiffness));
     fill_uniform(c, CD_STIFFNESS);
     return CD_OK;
 }
@@ -77,12 +79,65 @@ cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring) {
     return CD_OK;
 }
 
+// ---- springs that have a length -------------------------------------------------------------------------------------
+
+CD_GETTER(chain, get_rest_length, double, out_length, x.rope.length)
+CD_GETTER(chain, get_push, int32_t, out_push, x.rope.push)
+CD_FUNCTION(chain, , set_tolerance, (double tolerance, size_t most_iterations),
+            shared::set_tolerance(__func__, x.rope, tolerance, most_iterations))
+CD_FUNCTION(chain, const, get_tolerance, (double* out_tolerance, size_t* out_most_iterations),
+            shared::get_tolerance(__func__, x.rope, out_tolerance, out_most_iterations))
+CD_FUNCTION(chain, const, get_convergence, (size_t * out_iterations, double* out_error),
+            shared::get_convergence(x, out_iterations, out_error))
+
+// Whether the chain can do without lengths: what would then be welded.
+static cd_status can_lose_lengths(const char* function, const Chain& c) {
+    if (isinf(c.stiffness)) return fail(CD_ERROR_UNSUPPORTED, function, "length is 0, but the stiffness is infinite");
+    if (groups_are_sound(
+            c.nodes, c.ring != 0, [&](size_t i) { return is_rigid(c, i); }, [&](size_t i) { return held(c, i); }))
+        return CD_OK;
+    return fail(CD_ERROR_UNSUPPORTED, function,
+                "length is 0: a group of welded nodes would hold two pinned or driven ones");
+}
+
+cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
+    CD_OPEN(chain, c);
+    if (length != 0) CD_CHECK(in_range(__func__, "length", length, kLeastMass, kMost));
+    if (length > 0 && !can_have_lengths(c))
+        return fail(CD_ERROR_UNSUPPORTED, __func__, "length is %g, but %s", length,
+                    !CD_WITH_ROPE    ? "ropes are left out of this build"
+                    : c.springs == 0 ? "the chain has no spring"
+                                     : "the chain has 4 components");
+    if (length == 0 && has_lengths(c)) CD_CHECK(can_lose_lengths(__func__, c));
+    Features wanted = features(c);
+    wanted.length = length > 0;
+    if (length == 0) wanted.spring_length = false;
+    CD_CHECK(shared::change_features(__func__, c, wanted));
+    c.rope.length = length;
+    c.prepared_dt = 0;
+    fill_uniform(c, CD_REST_LENGTH);
+    merge_velocities(c, 0, c.lines);
+    return CD_OK;
+}
+
+cd_status cd_chain_set_push(cd_chain* chain, int32_t push) {
+    CD_OPEN(chain, c);
+    if (push != 0 && push != 1) return fail(CD_ERROR_VALUE, __func__, "push is %d, must be 0 or 1", int(push));
+    c.rope.push = push;
+    return CD_OK;
+}
+
 // ---- time -----------------------------------------------------------------------------------------------------------
 
 cd_status cd_chain_step(cd_chain* chain, double dt, size_t count) {
     CD_OPEN(chain, c);
     CD_CHECK(shared::can_step(__func__, c, dt, count));
     if (count == 0) return CD_OK;
+    if (const char* const lack = has_lengths(c) ? what_ropes_lack(c) : nullptr)
+        return fail(CD_ERROR_UNSUPPORTED, __func__, "springs that have a length take no %s", lack);
     const uint64_t bad = step_chain(c, dt, count);
-    return bad ? shared::diverged_at(__func__, bad) : CD_OK;
+    if (bad) return shared::diverged_at(__func__, bad);
+    if (c.residual <= c.rope.tolerance) return CD_OK;
+    return fail(CD_ERROR_TOLERANCE, __func__, "springs are wrong by %g of their length after %zu iterations",
+                c.residual, c.iterations);
 }

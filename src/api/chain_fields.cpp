@@ -6,11 +6,16 @@ using namespace cd;
 namespace {
 
 const Array<double>& shared_of(const Chain& c, cd_field field) {
-    return field == CD_MASS ? c.node_mass : field == CD_STIFFNESS ? c.spring_stiffness : c.node_bend;
+    return field == CD_MASS          ? c.node_mass
+           : field == CD_STIFFNESS   ? c.spring_stiffness
+           : field == CD_REST_LENGTH ? c.spring_length
+           : field == CD_TENSION     ? c.tension
+                                     : c.node_bend;
 }
 
 cd_status is_on(const char* function, const Chain& c, cd_field field) {
     CD_CHECK(is_field(function, c, field));
+    CD_CHECK(has_length(function, c, field));
     const bool empty = field == CD_STIFFNESS && springs_in_all(c) == 0; // of a single node: neither on nor off
     const bool on = is_state(field) ? bool(state_of(c, field)) : bool(shared_of(c, field));
     return must_be_on(function, "chain", field, on || empty || field == CD_PIN);
@@ -29,9 +34,10 @@ struct Part {
 
     cd_status check(const char* function, const Chain& c, size_t count) const {
         CD_CHECK(is_on(function, c, field));
-        CD_CHECK(is_part(function, "strands from", first_strand, strands, is_state(field) ? c.strands : 1));
-        const size_t all = field == CD_STIFFNESS ? springs_in_all(c) : c.nodes;
-        CD_CHECK(is_part(function, field == CD_STIFFNESS ? "springs from" : "nodes from", first, n, all));
+        const bool own = is_state(field) || field == CD_TENSION;
+        CD_CHECK(is_part(function, "strands from", first_strand, strands, own ? c.strands : 1));
+        const size_t all = is_per_spring(field) ? springs_in_all(c) : c.nodes;
+        CD_CHECK(is_part(function, is_per_spring(field) ? "springs from" : "nodes from", first, n, all));
         return is_count(function, "count", count, strands * n * components(c));
     }
 
@@ -45,7 +51,7 @@ struct Part {
     bool valid(const Chain& c, const Place& p, double value) const { return valid_number(c, field, p.item, value); }
 
     template <class S> cd_status check_all(const char* function, const Chain& c, const S* values) const {
-        if (field != CD_STIFFNESS && field != CD_PIN) return CD_OK;
+        if ((field != CD_STIFFNESS && field != CD_PIN) || has_lengths(c)) return CD_OK;
         const auto new_value = [&](cd_field asked, size_t i, double old) {
             const bool holds = field == asked && strands > 0 && i >= first && i - first < n;
             return holds ? double(values[i - first]) : old;
@@ -62,11 +68,13 @@ struct Part {
 
     double get(const Chain& c, const Place& p) const {
         if (field == CD_PIN) return c.pin[p.item];
+        if (field == CD_TENSION) return c.tension[p.item * c.strands + p.strand];
         if (!is_state(field)) return shared_of(c, field)[p.item];
         return get_number(c, state_of(c, field), place(c, p.strand, p.item, p.component));
     }
     void set(Chain& c, const Place& p, double value) const {
         if (field == CD_PIN) c.pin[p.item] = uint8_t(value);
+        else if (field == CD_TENSION) c.tension[p.item * c.strands + p.strand] = value;
         else if (is_state(field)) set_number(c, state_of(c, field), place(c, p.strand, p.item, p.component), value);
         else shared_of(c, field)[p.item] = value;
     }
@@ -184,8 +192,9 @@ cd_status cd_chain_cut(cd_chain* chain, size_t spring) {
 cd_status cd_chain_weld(cd_chain* chain, size_t spring) {
     CD_OPEN(chain, c);
     CD_CHECK(is_index(__func__, "spring", spring, springs_in_all(c)));
-    if (!groups_are_sound(
-            c.nodes, c.ring != 0, [&](size_t i) { return i == spring || welded(c, i); }, [&](size_t i) { return held(c, i); }))
+    if (!has_lengths(c) && !groups_are_sound(
+                               c.nodes, c.ring != 0, [&](size_t i) { return i == spring || welded(c, i); },
+                               [&](size_t i) { return held(c, i); }))
         return fail(CD_ERROR_UNSUPPORTED, __func__, "spring %zu would join two pinned or driven nodes", spring);
     CD_CHECK(shared::switch_field(__func__, c, CD_STIFFNESS, true));
     c.spring_stiffness[spring] = double(INFINITY);

@@ -13,14 +13,36 @@ template <> struct Behind<cd_chain> {
 };
 
 inline cd_status is_field(const char* function, const Chain&, cd_field field) {
-    return is_enum(function, "field", field, CD_TARGET);
+    if (field == CD_REST_LENGTH || field == CD_TENSION || (field >= 0 && field <= CD_TARGET)) return CD_OK;
+    return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 7, 22 or 23", int(field));
 }
 inline bool is_always_on(const Chain&, cd_field field) {
-    return field == CD_POSITION || field == CD_VELOCITY || field == CD_PIN;
+    return field == CD_POSITION || field == CD_VELOCITY || field == CD_PIN || field == CD_TENSION;
 }
 inline void switch_own(Features& wanted, cd_field field, bool on) {
     if (field == CD_STIFFNESS) wanted.spring_stiffness = on;
     if (field == CD_BEND) wanted.node_bend = on;
+    if (field == CD_REST_LENGTH) wanted.spring_length = on;
 }
+inline bool is_per_spring(cd_field field) {
+    return field == CD_STIFFNESS || field == CD_REST_LENGTH || field == CD_TENSION;
+}
+inline cd_status has_length(const char* function, const Chain& c, cd_field field) {
+    if (has_lengths(c) || (field != CD_REST_LENGTH && field != CD_TENSION)) return CD_OK;
+    return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s: the rest length is 0", int(field), field_name(field));
+}
+
+namespace shared {
+inline cd_status enable_field(const char* function, Chain& c, cd_field field) {
+    CD_CHECK(is_field(function, c, field));
+    CD_CHECK(has_length(function, c, field));
+    return enable_field<Chain>(function, c, field);
+}
+inline cd_status tell_stable_dt(const char* function, const Chain& c, double* out) {
+    if (has_lengths(c))
+        return fail(CD_ERROR_UNSUPPORTED, function, "no explicit method steps springs that have a length");
+    return tell(function, "out_dt", out, stable_dt(c));
+}
+} // namespace shared
 
 } // namespace cd

@@ -8,17 +8,19 @@ namespace cd {
 
 inline const char* field_name(cd_field field) {
     static const char* const names[] = {
-        "CD_POSITION", "CD_VELOCITY", "CD_FORCE",       "CD_MASS",        "CD_STIFFNESS", "CD_BEND",
-        "CD_PIN",      "CD_TARGET",   "CD_STIFFNESS_U", "CD_STIFFNESS_V", "CD_MASK",      "CD_DEPTH",
-        "CD_BED",      "CD_SURFACE",  "CD_VELOCITY_X",  "CD_VELOCITY_Y",  "CD_SOURCE",    "CD_PRESSURE",
-        "CD_FORCE_X",  "CD_FORCE_Y",  "CD_WALL_X",      "CD_WALL_Y"};
+        "CD_POSITION", "CD_VELOCITY", "CD_FORCE",       "CD_MASS",        "CD_STIFFNESS",   "CD_BEND",
+        "CD_PIN",      "CD_TARGET",   "CD_STIFFNESS_U", "CD_STIFFNESS_V", "CD_MASK",        "CD_DEPTH",
+        "CD_BED",      "CD_SURFACE",  "CD_VELOCITY_X",  "CD_VELOCITY_Y",  "CD_SOURCE",      "CD_PRESSURE",
+        "CD_FORCE_X",  "CD_FORCE_Y",  "CD_WALL_X",      "CD_WALL_Y",      "CD_REST_LENGTH", "CD_TENSION"};
     return names[field];
 }
 
 // What numbers a field takes, in words.
 inline const char* field_takes(cd_field field) {
     switch (field) {
-    case CD_MASS: return "numbers from 1e-60 to 1e60";
+    case CD_MASS:
+    case CD_REST_LENGTH: return "numbers from 1e-60 to 1e60";
+    case CD_TENSION: return "finite numbers";
     case CD_STIFFNESS: return "0 to 1e60, or infinity";
     case CD_BEND:
     case CD_STIFFNESS_U:

@@ -212,6 +212,10 @@ inline cd_status diverged_at(const char* function, uint64_t step) {
     return fail(CD_ERROR_DIVERGED, function, "a number left the finite range at step %llu", (unsigned long long)step);
 }
 
+template <class X> cd_status tell_stable_dt(const char* function, const X& x, double* out) {
+    return tell(function, "out_dt", out, stable_dt(x));
+}
+
 template <class X> cd_status reset(X& x) {
     clear_state(x);
     x.diverged = false;
@@ -292,7 +296,7 @@ template <class X, class Handle> cd_status copy_state(const char* function, X& x
     CD_GETTER(object, get_kernels, cd_kernels, out_kernels, x.kernels->set)                                         \
     CD_FUNCTION(object, , enable_field, (cd_field field), shared::enable_field(__func__, x, field))                 \
     CD_FUNCTION(object, , disable_field, (cd_field field), shared::disable_field(__func__, x, field))               \
-    CD_GETTER(object, stable_dt, double, out_dt, stable_dt(x))                                                      \
+    CD_FUNCTION(object, const, stable_dt, (double* out_dt), shared::tell_stable_dt(__func__, x, out_dt))            \
     CD_GETTER(object, get_time, double, out_time, x.clock.time())                                                   \
     CD_GETTER(object, get_steps, uint64_t, out_steps, x.clock.steps)                                                \
     CD_GETTER(object, get_factorizations, uint64_t, out_count, x.factorizations)                                    \

@@ -46,6 +46,11 @@ const Kernels kernels = {
 #else
     {},
 #endif
+#if CD_WITH_ROPE
+    rope_step,
+#else
+    nullptr,
+#endif
 #if CD_WITH_MEMBRANE
     {pull_separable, pull_general, apply, moments, energies, solve_lines, filter_lines, smooth_lines, shift_down,
      shift_up, transpose, combine, multiply, wrap, dot, aggregate, spread,

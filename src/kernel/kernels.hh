@@ -5,6 +5,7 @@
 #include "kernel/advance.hh"
 #include "kernel/explicit_sweep.hh"
 #include "kernel/rod_sweep.hh"
+#include "kernel/rope_step.hh"
 #include "kernel/segment_rod.hh"
 #include "kernel/segment_sweep.hh"
 #include "kernel/sheet.hh"
@@ -90,6 +91,7 @@ struct Kernels {
     cd_kernels set;
     LineKernels<float> float32; // null where the precision is left out
     LineKernels<double> float64;
+    decltype(&CD_ISA::rope_step) rope_step;
     SheetKernels sheet;
     WaterKernels<float> water32;
     WaterKernels<double> water64;

@@ -60,7 +60,9 @@ Features features(const Chain& c) {
     return {{c.method, bool(c.node_mass), bool(c.force), bool(c.target), c.bend > 0},
             bool(c.spring_stiffness),
             bool(c.node_bend),
-            c.ring != 0};
+            c.ring != 0,
+            has_lengths(c),
+            bool(c.spring_length)};
 }
 
 namespace {
@@ -73,6 +75,7 @@ struct Needs {
 // How many rows of one number per node the sweeps read (chain_step.cpp hands them out), and how many they leave between
 // their two ways.
 Needs needs_of(const Chain& c, const Features& f) {
+    if (f.length) return {rope_coefficients(c), rope_scratch(c), 0};
     const bool bends = f.bend || f.node_bend, rod = bends || f.ring;
     const size_t gains = 2 + size_t(f.force) + size_t(f.target), stages = f.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
     if (is_explicit(f.method)) return {(gains + 2 + size_t(bends)) * row_length(c), 0, 0};
@@ -92,9 +95,13 @@ bool set_features(Chain& c, const Features& wanted) {
     Change<uint8_t> pin{c.pin, c.nodes};
     Change<double> stiffness{c.spring_stiffness, wanted.spring_stiffness ? springs : 0};
     Change<double> bend{c.node_bend, wanted.node_bend ? c.nodes : 0};
+    Change<double> length{c.spring_length, wanted.spring_length ? springs : 0};
+    Change<double> tension{c.tension, wanted.length ? springs * c.strands : 0};
     Change<double> ring_response{c.ring_response, needs.ring_response};
 
-    const auto all = [&](auto f) { return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(ring_response); };
+    const auto all = [&](auto f) {
+        return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(length) && f(tension) && f(ring_response);
+    };
     if (wanted.method == c.method && wanted.ring == (c.ring != 0) && keep_all(all)) return true;
     if (!take_all(c.memory, all)) return false;
     put_all(c.memory, all);
@@ -103,6 +110,8 @@ bool set_features(Chain& c, const Features& wanted) {
     if (body.mass.is_new()) fill_uniform(c, CD_MASS);
     if (stiffness.is_new()) fill_uniform(c, CD_STIFFNESS);
     if (bend.is_new()) fill_uniform(c, CD_BEND);
+    if (length.is_new()) fill_uniform(c, CD_REST_LENGTH);
+    if (tension.is_new()) memset(c.tension.data, 0, c.tension.bytes());
     body.fill(c);
     c.prepared_dt = 0;
     return true;
@@ -113,6 +122,8 @@ void fill_uniform(Chain& c, cd_field field) {
         for (size_t i = 0; i < c.nodes; ++i) c.node_mass[i] = uniform_mass(c, i);
     if (field == CD_STIFFNESS && c.spring_stiffness)
         for (size_t i = 0; i < c.spring_stiffness.count; ++i) c.spring_stiffness[i] = uniform_stiffness(c);
+    if (field == CD_REST_LENGTH && c.spring_length)
+        for (size_t i = 0; i < c.spring_length.count; ++i) c.spring_length[i] = uniform_length(c);
     if (field == CD_BEND && c.node_bend)
         for (size_t i = 0; i < c.nodes; ++i) c.node_bend[i] = uniform_bend(c);
 }
@@ -138,6 +149,7 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
     shape.lambda = 0.5;
     shape.mass = 1;
     shape.stiffness = 1;
+    shape.rope = {};
 
     out = make(shape, kChainTag, shape.nodes * shape.pitch * number_size(shape));
     if (!out)

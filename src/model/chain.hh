@@ -6,9 +6,22 @@
 
 namespace cd {
 
+// Of chains whose springs have a length: see chain_rope.cpp.
+struct RopeSettings {
+    double length = 0; // [m], of a strand; 0: springs have none
+    int32_t push = 0;
+    double tolerance = 1e-6;
+    uint64_t most_iterations = 200;
+
+    bool operator==(const RopeSettings& o) const {
+        return length == o.length && push == o.push && tolerance == o.tolerance && most_iterations == o.most_iterations;
+    }
+};
+
 struct ChainSettings {
     int32_t ring;
     double stiffness, bend;
+    RopeSettings rope;
 };
 
 // Shared by the strands: all but the four fields of strand, node and component.
@@ -18,7 +31,8 @@ struct Chain : Body, ChainSettings {
     size_t lines, pitch; // lines: strands * components, side by side; pitch: numbers from one node to the next
 
     // fields of its own, per spring and per node; pin is always there
-    Array<double> spring_stiffness, node_bend;
+    Array<double> spring_stiffness, node_bend, spring_length;
+    Array<double> tension; // with lengths, per spring and strand: state
 
     // what steps need, none of it state: see chain_step.cpp
     Array<double> ring_response;
@@ -26,10 +40,15 @@ struct Chain : Body, ChainSettings {
     bool has_welds, uniform; // uniform: see ExplicitCoefficients
     double of_change;        // see Stage
 
+    // what the last call of cd_chain_step did
+    size_t iterations;
+    double residual;
+
     // f(array, array of another chain...) for each field, in the order in which they are kept; and for every array.
     template <class F, class... C> static void each_field(F f, C&... c) {
-        f(c.pin...), f(c.node_mass...), f(c.spring_stiffness...), f(c.node_bend...), f(c.attach_stiffness...);
-        f(c.attach_damping...), f(c.position...), f(c.velocity...), f(c.force...), f(c.target...);
+        f(c.pin...), f(c.node_mass...), f(c.spring_stiffness...), f(c.node_bend...), f(c.spring_length...);
+        f(c.attach_stiffness...), f(c.attach_damping...), f(c.position...), f(c.velocity...), f(c.force...);
+        f(c.target...), f(c.tension...);
     }
     template <class F> static void each_array(F f, Chain& c) {
         each_field(f, c);
@@ -58,6 +77,9 @@ template <class Thing> constexpr size_t numbers_of(size_t count) { return count 
 // From one row of coefficients to the next: whole cache lines, but in small scenes.
 inline size_t row_length(const Chain& c) { return c.nodes < 8 * kSegments ? c.nodes : (c.nodes + 7) / 8 * 8; }
 
+inline bool can_have_lengths(const Chain& c) { return CD_WITH_ROPE && c.springs > 0 && c.components <= 3; }
+inline bool has_lengths(const Chain& c) { return c.rope.length > 0; }
+
 // The uniform values that the totals come to.
 double uniform_mass(const Chain& c, size_t node);
 double uniform_stiffness(const Chain& c);
@@ -67,9 +89,15 @@ inline double mass_of(const Chain& c, size_t node) { return c.node_mass ? c.node
 inline double stiffness_of(const Chain& c, size_t spring) {
     return c.spring_stiffness ? c.spring_stiffness[spring] : uniform_stiffness(c);
 }
+inline double uniform_length(const Chain& c) { return c.rope.length / double(springs_in_all(c)); }
+inline double length_of(const Chain& c, size_t spring) {
+    return c.spring_length ? c.spring_length[spring] : uniform_length(c);
+}
 double bend_of(const Chain& c, size_t node); // 0 at the ends of an open chain
 bool has_bend(const Chain& c);
-inline bool welded(const Chain& c, size_t spring) { return stiffness_of(c, spring) > 1.7976931348623157e308; }
+// An infinite stiffness welds the nodes of a spring that has no length; one that has it keeps it.
+inline bool is_rigid(const Chain& c, size_t spring) { return stiffness_of(c, spring) > 1.7976931348623157e308; }
+inline bool welded(const Chain& c, size_t spring) { return is_rigid(c, spring) && !has_lengths(c); }
 
 // What drags a node back beside the springs' damping [N s/m]: drag, a matched end, an attachment.
 double drag_of(const Chain& c, size_t node);
@@ -80,7 +108,7 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
                        const cd_allocator& allocator, Chain*& out);
 
 struct Features : BodyFeatures {
-    bool spring_stiffness, node_bend, ring;
+    bool spring_stiffness, node_bend, ring, length, spring_length;
 };
 Features features(const Chain& c);
 
@@ -131,6 +159,18 @@ void hold_nodes(Chain& c);
 // Returns the number of the first step at which a number left the finite range, or 0.
 uint64_t step_chain(Chain& c, double dt, size_t count);
 double stable_dt(const Chain& c); // chain_limit.cpp
+
+// ---- springs that have a length (chain_rope.cpp) --------------------------------------------------------------------
+
+// Why such a chain can't make its next step, or null.
+const char* what_ropes_lack(const Chain& c);
+// Of strands that are stepped at once: the doubles of scratch; and of the coefficients.
+size_t rope_scratch(const Chain& c);
+size_t rope_coefficients(const Chain& c);
+// As step_chain; leaves `iterations` and `residual`.
+uint64_t step_ropes(Chain& c, double dt, size_t count);
+// Positions, velocities, tensions and time back to 0.
+void clear_state(Chain& c);
 
 // ---- measuring (chain_measure.cpp) ----------------------------------------------------------------------------------
 

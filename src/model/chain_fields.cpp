@@ -8,6 +8,8 @@ namespace cd {
 bool valid_number(const Chain& c, cd_field field, size_t node, double value) {
     switch (field) {
     case CD_MASS: return valid_mass(value);
+    case CD_REST_LENGTH: return valid_mass(value);
+    case CD_TENSION: return isfinite(value) != 0;
     case CD_STIFFNESS: return valid_parameter(value) || (isinf(value) && value > 0);
     case CD_BEND: return valid_parameter(value);
     case CD_PIN: {

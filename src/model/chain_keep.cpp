@@ -9,6 +9,7 @@ namespace {
 struct ChainKeep {
     using Object = Chain;
     using Settings = KeptSettings<ChainSettings>;
+    static constexpr uint32_t kOfRopes = 1u << 31; // among the bits of fields: the settings of ropes follow
     static constexpr Kind kind = {1, "chain", {"strands", "springs"}};
 
     static Shape shape_of(const Chain& c) { return {{c.strands, c.springs}, c.components, c.precision}; }
@@ -17,6 +18,8 @@ struct ChainKeep {
         Settings s{keep_body(c), c};
         if (c.spring_stiffness) s.fields |= 1u << CD_STIFFNESS;
         if (c.node_bend) s.fields |= 1u << CD_BEND;
+        if (c.spring_length) s.fields |= 1u << CD_REST_LENGTH;
+        if (!(c.rope == RopeSettings())) s.fields |= kOfRopes;
         return s;
     }
 
@@ -26,17 +29,40 @@ struct ChainKeep {
     }
 
     static Features features_of(const Settings& s) {
-        return {features_of_body(s, s.own.bend > 0), s.on(CD_STIFFNESS), s.on(CD_BEND), s.own.ring != 0};
+        return {features_of_body(s, s.own.bend > 0),
+                s.on(CD_STIFFNESS),
+                s.on(CD_BEND),
+                s.own.ring != 0,
+                s.own.rope.length > 0,
+                s.on(CD_REST_LENGTH)};
     }
 
-    template <class W> static void walk_settings(W& w, Settings& s) { walk_body<ChainKeep>(w, s); }
+    template <class W> static void walk_settings(W& w, Settings& s) {
+        walk_body<ChainKeep>(w, s);
+        RopeSettings& rope = s.own.rope;
+        if (s.fields & kOfRopes)
+            walk(w, rope.length), walk(w, rope.push), walk(w, rope.tolerance), walk(w, rope.most_iterations);
+    }
     template <class W> static void walk_choices(W& w, ChainSettings& s) { walk(w, s.ring); }
     template <class W> static void walk_numbers(W& w, ChainSettings& s) { walk(w, s.stiffness), walk(w, s.bend); }
 
     static bool valid(const Chain& c, const Settings& s) {
         const uint32_t optional = 1u << CD_MASS | 1u << CD_STIFFNESS | 1u << CD_BEND | 1u << CD_FORCE | 1u << CD_TARGET;
-        return valid_body(s) && (s.fields & ~optional) == 0 && (s.own.ring == 0 || (s.own.ring == 1 && c.nodes >= 3)) &&
-               valid_parameter(s.own.stiffness) && valid_parameter(s.own.bend);
+        const uint32_t of_ropes = s.fields & (kOfRopes | 1u << CD_REST_LENGTH);
+        return valid_body(s) && (s.fields & ~(optional | of_ropes)) == 0 &&
+               (s.own.ring == 0 || (s.own.ring == 1 && c.nodes >= 3)) && valid_parameter(s.own.bend) &&
+               valid_rope(c, s.own.rope, of_ropes) &&
+               (valid_parameter(s.own.stiffness) || valid_infinite(s.own.stiffness, s.own.rope.length));
+    }
+
+    static bool valid_infinite(double stiffness, double length) {
+        return isinf(stiffness) && stiffness > 0 && length > 0;
+    }
+    static bool valid_rope(const Chain& c, const RopeSettings& rope, uint32_t fields) {
+        if (rope == RopeSettings()) return fields == 0;
+        const bool has_length = can_have_lengths(c) && valid_mass(rope.length);
+        return (has_length || (rope.length == 0 && fields == kOfRopes)) && (rope.push == 0 || rope.push == 1) &&
+               rope.tolerance >= kLeastTolerance && rope.tolerance <= kMostTolerance && rope.most_iterations >= 1;
     }
 
     static bool check_fields(Reader reader, const Chain& c, const Settings& s) {
@@ -52,8 +78,14 @@ struct ChainKeep {
             check.numbers<double>(c.springs + size_t(s.own.ring),
                                   [](double k, size_t i) { return valid_shared(k, i) || (isinf(k) && k > 0); });
         if (s.on(CD_BEND)) check.numbers<double>(c.nodes, valid_shared);
+        if (s.on(CD_REST_LENGTH)) check.numbers<double>(c.springs + size_t(s.own.ring), valid_shared_mass);
         const SavedNumbers velocity = check_ties_and_state(check, c, layout_of(c), s);
-        return check.all_good() && nodes_are_held(c, s.own.ring != 0, pin, stiffness, velocity);
+        if (s.own.rope.length > 0)
+            check.numbers<double>((c.springs + size_t(s.own.ring)) * c.strands,
+                                  [](double t, size_t) { return isfinite(t) != 0; });
+        const bool welds = s.own.rope.length == 0;
+        return check.all_good() &&
+               nodes_are_held(c, s.own.ring != 0, pin, welds ? stiffness : SavedNumbers{}, velocity);
     }
 
     // Whether pinned nodes rest, and welded groups move as one and hold one held node at the most.

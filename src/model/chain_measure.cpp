@@ -1,4 +1,6 @@
 // Energy and momentum of a chain.
+#include <math.h>
+
 #include "base/sum.hh"
 #include "model/chain.hh"
 
@@ -20,8 +22,26 @@ template <class T> struct Measure {
         return sum;
     }
 
+    // sum over strands of the square of what spring i is longer than its length, or, if it pushes, shorter
+    double stretches(size_t i) const {
+        double sum = 0;
+        for (size_t strand = 0; strand < c.strands; ++strand) {
+            double square = 0;
+            for (size_t k = 0; k < c.components; ++k) {
+                const size_t line = strand * c.components + k;
+                const double d = at(x, after(i), line) - at(x, i, line);
+                square += d * d;
+            }
+            const double stretch = sqrt(square) - length_of(c, i);
+            if (stretch > 0 || c.rope.push) sum += stretch * stretch;
+        }
+        return sum;
+    }
+
     void energy(Sum& kinetic, Sum& elastic, Sum& gravity) const {
-        for (size_t i = 0; i < springs_in_all(c); ++i)
+        for (size_t i = 0; i < springs_in_all(c) && has_lengths(c); ++i)
+            if (!is_rigid(c, i)) elastic.add(0.5 * stiffness_of(c, i) * stretches(i));
+        for (size_t i = 0; i < springs_in_all(c) && !has_lengths(c); ++i)
             if (!welded(c, i))
                 elastic.add(0.5 * stiffness_of(c, i) *
                             squares([&](size_t l) { return at(x, after(i), l) - at(x, i, l); }));

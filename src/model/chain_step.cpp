@@ -388,12 +388,17 @@ template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
 
 uint64_t step_chain(Chain& c, double dt, size_t count) {
     uint64_t bad = UINT64_MAX;
+    c.iterations = 0, c.residual = 0;
+    if (has_lengths(c)) {
+        bad = step_ropes(c, dt, count);
+    } else {
 #if CD_WITH_FLOAT64
-    if (c.precision == CD_FLOAT64) bad = step_lines<double>(c, dt, count);
+        if (c.precision == CD_FLOAT64) bad = step_lines<double>(c, dt, count);
 #endif
 #if CD_WITH_FLOAT32
-    if (c.precision == CD_FLOAT32) bad = step_lines<float>(c, dt, count);
+        if (c.precision == CD_FLOAT32) bad = step_lines<float>(c, dt, count);
 #endif
+    }
     const uint64_t first = c.clock.steps;
     c.clock.advance(dt, count);
     c.diverged = bad != UINT64_MAX;

@@ -172,6 +172,9 @@ def fields(library):
                 return getattr(library.dll, f"cd_{kind}_{verb}")(handle, value, *rest)
 
             where, field = f"cd_{kind}, {name}", described.get(name)
+            if field and field["ropes"]:
+                check(call("enable_field") == UNSUPPORTED, f"{where}: switched on without a rest length")
+                check(library.dll.cd_chain_set_rest_length(handle, 1.0) == OK, f"{where}: a rest length is refused")
             known = call("enable_field") == OK
             check(known == (field is not None), f"{where}: switched on: {known}")
             if field and known:

@@ -172,8 +172,35 @@ static void closed_faces_stay_still_beside_an_ocean_without_end(void** state) {
     assert_true(moved > COUNT(steps) * WAYS);
 }
 
+/* A side that draws out what a source and a pressure spread, without gravity: in steps of many parts, the cell beside it
+ * is left with depths of no digits. */
+static void what_is_left_beside_a_side_that_draws_is_a_number(void** state) {
+    (void)state;
+    for (uint64_t seed = 0; seed < 300; ++seed) {
+        uint64_t chance = seed;
+        const double more = seed ? 0.5 * random_number(&chance) : 0; /* seed 0: what was seen to fail */
+        double pressure[6] = {179.56915442747891, -472.52373152393432, 836.13362056969163,
+                              98.568619659846718, 224.41825775392249,  510.35437136530663};
+        for (int k = 0; k < 6 && seed; ++k) pressure[k] = 900 * random_number(&chance);
+        cd_water* w = NULL;
+        ok(cd_water_create(11, 8, 2.0877021320931388, 0.2302062261593146, CD_FLOAT32, NULL, &w));
+        ok(cd_water_set_drag(w, 0.99156252443108761));
+        ok(cd_water_enable_field(w, CD_PRESSURE));
+        ok(cd_water_write_f64(w, CD_PRESSURE, 6, 1, 2, 3, pressure, 6));
+        ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_INFLOW, 0.8960760101384313,
+                             -0.043448855425670986 * (1 + more)));
+        ok(cd_water_add_source(w, 2.7160085730357686, 1.2594983242323741, 18.466229585160569, 2.7942613508817713));
+        ok(cd_water_set_momentum(w, CD_MOMENTUM_ADVECTED));
+        ok(cd_water_set_gravity(w, 0));
+        ok(cd_water_step(w, 1210.9207861859136, 3));
+        ok(cd_water_step(w, 0.0023823583418616577 * (1 + more), 5));
+        cd_water_destroy(w);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_left_beside_a_side_that_draws_is_a_number),
         cmocka_unit_test(long_steps_between_a_level_and_a_rising_sea_stay_near_them),
         cmocka_unit_test(closed_faces_stay_still_beside_an_ocean_without_end),
         cmocka_unit_test(wild_scenes_are_survived_in_every_way),

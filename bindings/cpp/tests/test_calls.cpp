@@ -132,6 +132,45 @@ void chains() {
     rope.destroy();
 }
 
+// Two strands that hang from their first nodes, in springs that have a length.
+void ropes() {
+    chain rope = GET(chain::create(2, 4, 3, precision::float32));
+    std::vector<double> straight;
+    for (int i = 0; i < 10; ++i) straight.insert(straight.end(), {0, 0, -(i % 5) / 4.0});
+    OK(rope.write_f64(field::position, straight));
+    OK(rope.set_rest_length(1));
+    CHECK(GET(rope.get_rest_length()) == 1);
+    OK(rope.set_stiffness(HUGE_VAL));
+    CHECK(std::isinf(GET(rope.get_stiffness())));
+    OK(rope.set_push(true));
+    CHECK(GET(rope.get_push()));
+    OK(rope.set_push(false));
+    OK(rope.set_tolerance(1e-5));
+    OK(rope.set_tolerance(1e-6, 50));
+    const stopping limits = GET(rope.get_tolerance());
+    CHECK(limits.tolerance == 1e-6 && limits.most_iterations == 50);
+    OK(rope.set_gravity({0, 0, -10}));
+    OK(rope.set_end(end::first, node::pinned));
+    OK(rope.step(1 / 60.0, 60));
+    const chain::convergence reached = GET(rope.get_convergence());
+    CHECK(reached.iterations > 0 && reached.error <= 1e-6);
+
+    CHECK(GET(rope.get_size(field::tension)) == 8);
+    const std::vector<double> tensions = GET(rope.read_f64(field::tension));
+    for (std::size_t i = 0; i < tensions.size(); ++i)
+        CHECK(std::fabs(tensions[i] - 2.0 * double(4 - i % 4)) < 1e-4); // what hangs below
+    OK(rope.write_f64(field::tension, 1, 1, 2, 2, {1, 2}));
+    std::array<double, 2> pair{};
+    OK(rope.read_f64(field::tension, 1, 1, 2, 2, pair));
+    CHECK(pair[0] == 1 && pair[1] == 2);
+    OK(rope.enable_field(field::rest_length));
+    CHECK((GET(rope.read_f64(field::rest_length)) == std::vector<double>{0.25, 0.25, 0.25, 0.25}));
+    OK(rope.set_stiffness(1));
+    OK(rope.set_rest_length(0));
+    OK(rope.step(1 / 60.0));
+    CHECK(GET(rope.get_convergence()).iterations == 0 && GET(rope.get_convergence()).error == 0);
+}
+
 void membranes() {
     membrane sheet = GET(membrane::create(5, 4, 2, precision::float32)), other = GET(membrane::create(5, 4, 2));
     const membrane::shape shape = GET(sheet.get_shape());
@@ -326,6 +365,7 @@ int main() {
     CHECK(runnable_kernels().front() == kernels::plain && std::string(kernels_name(kernels::avx512)) == "AVX-512");
     CHECK(std::string(status_name(status::error_value)) == "CD_ERROR_VALUE");
     chains();
+    ropes();
     membranes();
     waters();
     threads(hair(), hair());

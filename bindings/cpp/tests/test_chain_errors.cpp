@@ -107,6 +107,40 @@ void combinations(chain& rope) {
     KEPT(pair, status::error_unsupported, "", pair.set_ring(true));
 }
 
+void lengths() {
+    chain rope = GET(chain::create(2, 5, 2, precision::float64));
+    for (double bad : {-1.0, nan_value, HUGE_VAL}) KEPT(rope, status::error_value, "length", rope.set_rest_length(bad));
+    for (double bad : {0.0, 1.0, nan_value}) KEPT(rope, status::error_value, "tolerance", rope.set_tolerance(bad));
+    KEPT(rope, status::error_value, "most_iterations", rope.set_tolerance(1e-6, 0));
+    for (field f : {field::rest_length, field::tension}) {
+        KEPT(rope, status::error_unsupported, "field", rope.enable_field(f));
+        KEPT(rope, status::error_unsupported, "field", rope.read_f64(f));
+        KEPT(rope, status::error_unsupported, "field", rope.write_f64(f, 0, 1, 0, 1, {1}));
+    }
+    chain four = GET(chain::create(1, 5, 4)), single = GET(chain::create(1, 0, 2));
+    KEPT(four, status::error_unsupported, "components", four.set_rest_length(1));
+    KEPT(single, status::error_unsupported, "springs", single.set_rest_length(1));
+
+    OK(rope.set_rest_length(1));
+    OK(rope.set_stiffness(HUGE_VAL));
+    KEPT(rope, status::error_unsupported, "length", rope.set_rest_length(0));
+    KEPT(rope, status::error_unsupported, "length", rope.stable_dt());
+    KEPT(rope, status::error_unsupported, "field", rope.view(field::tension));
+    KEPT(rope, status::error_unsupported, "field", rope.disable_field(field::tension));
+    KEPT(rope, status::error_disabled, "field", rope.read_f64(field::rest_length));
+    KEPT(rope, status::error_value, "values", rope.write_f64(field::tension, 0, 1, 0, 1, {nan_value}));
+    OK(rope.set_lambda(0.25));
+    KEPT(rope, status::error_unsupported, "lambda", rope.step(0.01));
+    OK(rope.set_lambda(0.5));
+    for (std::size_t i = 0; i < 6; ++i)
+        OK(rope.write_f64(field::position, 0, 2, i, 1, {double(i) / 5, 0, double(i) / 5, 0}));
+    OK(rope.set_end(end::first, node::pinned));
+    OK(rope.set_gravity({0, -9.81}));
+    OK(rope.set_tolerance(1e-14, 1));
+    REFUSED(status::error_tolerance, "length", rope.step(0.5, 3));
+    CHECK(GET(rope.get_steps()) == 3 && GET(rope.get_convergence()).error > 1e-14);
+}
+
 void keeping(chain& rope) {
     std::vector<std::byte> saved = GET(rope.save());
     chain other = GET(chain::create(1, 5, 2)), sheetless;
@@ -131,6 +165,7 @@ void memory() {
     empty = true;
     KEPT(rope, status::error_memory, "", rope.enable_field(field::force));
     KEPT(rope, status::error_memory, "", rope.set_bend(1));
+    KEPT(rope, status::error_memory, "", rope.set_rest_length(1));
     KEPT(rope, status::error_memory, "", rope.attach(0, 1, 1));
     KEPT(rope, status::error_memory, "", rope.cut(0));
     KEPT(rope, status::error_memory, "", rope.weld(0));
@@ -159,6 +194,7 @@ int main() {
     ranges(rope);
     fields(rope);
     combinations(rope);
+    lengths();
     keeping(rope);
     memory();
     parallel_and_diverged();

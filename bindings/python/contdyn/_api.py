@@ -133,6 +133,8 @@ class Field(IntEnum):
     FORCE_Y = 19
     WALL_X = 20
     WALL_Y = 21
+    REST_LENGTH = 22
+    TENSION = 23
 
 
 class End(IntEnum):
@@ -199,49 +201,52 @@ class BedRule(IntEnum):
 
 
 class FieldInfo(NamedTuple):
-    """One value per what, and for each component; always there; shown by view."""
+    """One value per what, and for each component; always there; shown by view; only in ropes."""
 
     per: Tuple[str, ...]
     components: bool
     always: bool
     viewable: bool
+    ropes: bool
 
 
 FIELDS: Dict[str, Dict[int, FieldInfo]] = {
     "chain": {
-        Field.POSITION: FieldInfo(("strand", "node"), True, True, True),
-        Field.VELOCITY: FieldInfo(("strand", "node"), True, True, True),
-        Field.FORCE: FieldInfo(("strand", "node"), True, False, True),
-        Field.TARGET: FieldInfo(("strand", "node"), True, False, True),
-        Field.MASS: FieldInfo(("node",), False, False, False),
-        Field.STIFFNESS: FieldInfo(("spring",), False, False, False),
-        Field.BEND: FieldInfo(("node",), False, False, False),
-        Field.PIN: FieldInfo(("node",), False, True, False),
+        Field.POSITION: FieldInfo(("strand", "node"), True, True, True, False),
+        Field.VELOCITY: FieldInfo(("strand", "node"), True, True, True, False),
+        Field.FORCE: FieldInfo(("strand", "node"), True, False, True, False),
+        Field.TARGET: FieldInfo(("strand", "node"), True, False, True, False),
+        Field.MASS: FieldInfo(("node",), False, False, False, False),
+        Field.STIFFNESS: FieldInfo(("spring",), False, False, False, False),
+        Field.BEND: FieldInfo(("node",), False, False, False, False),
+        Field.PIN: FieldInfo(("node",), False, True, False, False),
+        Field.REST_LENGTH: FieldInfo(("spring",), False, False, False, True),
+        Field.TENSION: FieldInfo(("strand", "spring"), False, True, False, True),
     },
     "membrane": {
-        Field.POSITION: FieldInfo(("node",), True, True, True),
-        Field.VELOCITY: FieldInfo(("node",), True, True, True),
-        Field.FORCE: FieldInfo(("node",), True, False, True),
-        Field.TARGET: FieldInfo(("node",), True, False, True),
-        Field.MASS: FieldInfo(("node",), False, False, False),
-        Field.STIFFNESS_U: FieldInfo(("spring",), False, False, False),
-        Field.STIFFNESS_V: FieldInfo(("spring",), False, False, False),
-        Field.PIN: FieldInfo(("node",), False, False, False),
-        Field.MASK: FieldInfo(("node",), False, False, False),
+        Field.POSITION: FieldInfo(("node",), True, True, True, False),
+        Field.VELOCITY: FieldInfo(("node",), True, True, True, False),
+        Field.FORCE: FieldInfo(("node",), True, False, True, False),
+        Field.TARGET: FieldInfo(("node",), True, False, True, False),
+        Field.MASS: FieldInfo(("node",), False, False, False, False),
+        Field.STIFFNESS_U: FieldInfo(("spring",), False, False, False, False),
+        Field.STIFFNESS_V: FieldInfo(("spring",), False, False, False, False),
+        Field.PIN: FieldInfo(("node",), False, False, False, False),
+        Field.MASK: FieldInfo(("node",), False, False, False, False),
     },
     "water": {
-        Field.DEPTH: FieldInfo(("cell",), False, True, True),
-        Field.BED: FieldInfo(("cell",), False, True, True),
-        Field.SURFACE: FieldInfo(("cell",), False, True, False),
-        Field.VELOCITY_X: FieldInfo(("x-face",), False, True, True),
-        Field.VELOCITY_Y: FieldInfo(("y-face",), False, True, True),
-        Field.SOURCE: FieldInfo(("cell",), False, False, True),
-        Field.PRESSURE: FieldInfo(("cell",), False, False, True),
-        Field.FORCE_X: FieldInfo(("x-face",), False, False, True),
-        Field.FORCE_Y: FieldInfo(("y-face",), False, False, True),
-        Field.MASK: FieldInfo(("cell",), False, False, False),
-        Field.WALL_X: FieldInfo(("x-face",), False, False, False),
-        Field.WALL_Y: FieldInfo(("y-face",), False, False, False),
+        Field.DEPTH: FieldInfo(("cell",), False, True, True, False),
+        Field.BED: FieldInfo(("cell",), False, True, True, False),
+        Field.SURFACE: FieldInfo(("cell",), False, True, False, False),
+        Field.VELOCITY_X: FieldInfo(("x-face",), False, True, True, False),
+        Field.VELOCITY_Y: FieldInfo(("y-face",), False, True, True, False),
+        Field.SOURCE: FieldInfo(("cell",), False, False, True, False),
+        Field.PRESSURE: FieldInfo(("cell",), False, False, True, False),
+        Field.FORCE_X: FieldInfo(("x-face",), False, False, True, False),
+        Field.FORCE_Y: FieldInfo(("y-face",), False, False, True, False),
+        Field.MASK: FieldInfo(("cell",), False, False, False, False),
+        Field.WALL_X: FieldInfo(("x-face",), False, False, False, False),
+        Field.WALL_Y: FieldInfo(("y-face",), False, False, False, False),
     },
 }
 
@@ -332,6 +337,13 @@ FUNCTIONS: Dict[str, str] = {
     "cd_chain_get_end": "status: chain handle, end int, out_kind int*",
     "cd_chain_set_ring": "status: chain handle, ring int",
     "cd_chain_get_ring": "status: chain handle, out_ring int*",
+    "cd_chain_set_rest_length": "status: chain handle, length double",
+    "cd_chain_get_rest_length": "status: chain handle, out_length double*",
+    "cd_chain_set_push": "status: chain handle, push int",
+    "cd_chain_get_push": "status: chain handle, out_push int*",
+    "cd_chain_set_tolerance": "status: chain handle, tolerance double, most_iterations size",
+    "cd_chain_get_tolerance": "status: chain handle, out_tolerance double*, out_most_iterations size*",
+    "cd_chain_get_convergence": "status: chain handle, out_iterations size*, out_error double*",
     "cd_chain_enable_field": "status: chain handle, field int",
     "cd_chain_disable_field": "status: chain handle, field int",
     "cd_chain_write_f32": ("status: chain handle, field int, first_strand size, strands size, first size, n size, "

@@ -26,6 +26,16 @@ class Attachment(NamedTuple):
     damping: float
 
 
+class Tolerance(NamedTuple):
+    """When a solver is content: Solver.COUPLED of a membrane, a rope's steps."""
+
+    #: of a residual, as a fraction of the one it starts from, or of a rope's springs, as a fraction of their length; in
+    #: [1e-14, 1/2], default 1e-6
+    tolerance: float
+    #: >= 1; default 100 of a membrane, 200 of a chain
+    most_iterations: int
+
+
 class Body(Object):
     """Nodes with 1 to 4 components that never mix, joined by springs."""
 

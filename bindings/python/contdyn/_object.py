@@ -188,8 +188,8 @@ class Object:
     def step(self, dt: float, count: int = 1) -> None:
         """Makes `count` steps of dt [s] each, in [1e-30, 1e30]. Never allocates in the library.
 
-        DivergedError: a number left the finite range. ToleranceError, of a membrane: a coupled solve ended short of its
-        tolerance. All steps have been made in both cases.
+        DivergedError: a number left the finite range. ToleranceError: a coupled solve of a membrane, or a step of a
+        rope, ended short of its tolerance. All steps have been made in both cases.
         """
         if not 0 <= count <= _MOST_STEPS:
             self._c.step.refuse(2, count)
@@ -203,7 +203,7 @@ class Object:
 
     def stable_dt(self) -> float:
         """The longest dt [s] at which Method.SYMPLECTIC_EULER stays bounded, whatever method is set; inf if nothing can
-        swing. How sharp it is depends on the kind of object: see the C header."""
+        swing. How sharp it is depends on the kind of object: see the C header. UnsupportedError of ropes."""
         return float(self._get("stable_dt")[0])
 
     time = Reading(float, "Simulated time [s] since it was made, reset or loaded.")

@@ -4,10 +4,10 @@ from typing import Any, List, NamedTuple, Optional, Tuple
 from . import _arrays
 from ._api import End, Field, Node, Precision
 from ._arrays import Array, Values, row
-from ._body import Attachment, Body
+from ._body import Attachment, Body, Tolerance
 from ._callbacks import Allocator
 from ._object import rest
-from ._properties import Reading, Setting
+from ._properties import Reading, Setting, SettingOfSeveral
 
 
 class ChainShape(NamedTuple):
@@ -24,15 +24,26 @@ class ChainShape(NamedTuple):
         return self.springs + 1
 
 
+class ChainConvergence(NamedTuple):
+    """What the last call of step did with springs that have a length; zeros if there were none."""
+
+    #: the most that a step of a strand took
+    iterations: int
+    #: the largest that a step ended with, as the tolerance counts it
+    error: float
+
+
 class Chain(Body, kind="chain"):
     """`strands` strands of `springs` springs and springs + 1 nodes, which share mass, stiffness, pins and ends.
 
     Arrays of positions, velocities, forces and targets have the shape (strands, nodes, components); those of masses,
-    bends and pins (nodes,); of stiffnesses (springs,), in a ring one more.
+    bends and pins (nodes,); of stiffnesses and rest lengths (springs,), of tensions (strands, springs), in a ring one
+    more.
 
-    Rest length is zero: a free chain draws together, and one stretched evenly is held by its ends. A new chain lies
-    with every node at the origin, at rest and free, mass 1, stiffness 1, without bend, gravity and damping, with
-    Method.IMPLICIT and lambda 1/2. The C header chain.h tells the energies, equations and limits.
+    Rest length is zero, unless rest_length makes the chain a rope: a free chain draws together, and one stretched
+    evenly is held by its ends. A new chain lies with every node at the origin, at rest and free, mass 1, stiffness 1,
+    without bend, gravity and damping, with Method.IMPLICIT and lambda 1/2. The C header chain.h tells the energies,
+    equations and limits.
     """
 
     __slots__ = ()
@@ -48,8 +59,9 @@ class Chain(Body, kind="chain"):
 
     # ---- parameters -------------------------------------------------------------------------------------------------
 
-    stiffness = Setting(float, "Stretch stiffness k [N/m], >= 0; k times the number of springs for each of them; "
-                               "default 1. Waves run along the chain in sqrt(mass / k) seconds.")
+    stiffness = Setting(float, "Stretch stiffness k [N/m], >= 0, of ropes up to math.inf; k times the number of "
+                               "springs for each of them; default 1. Waves run along the chain in sqrt(mass / k) "
+                               "seconds.")
     ring = Setting(bool, "Whether the last node is joined to the first; needs 3 nodes. Totals are dealt out anew.")
 
     def set_end(self, end: End, kind: Node) -> None:
@@ -59,6 +71,19 @@ class Chain(Body, kind="chain"):
     def get_end(self, end: End) -> Node:
         """What holds an end."""
         return Node(self._get("get_end", end)[0])
+
+    # ---- ropes: springs that have a length --------------------------------------------------------------------------
+
+    rest_length = Setting(float, "Rest length of a strand [m], dealt out evenly to its springs; default 0: they have "
+                                 "none. A chain with a rest length is a rope: its 1 to 3 components are directions of "
+                                 "space, its springs pull along themselves once they are longer than their length, and "
+                                 "it steps by Method.IMPLICIT with lambda in [1/2, 1], without bend, ring, matched end "
+                                 "and stiffness damping. It has the fields Field.TENSION and, to be switched on, "
+                                 "Field.REST_LENGTH.")
+    push = Setting(bool, "Whether springs that are shorter than their length push; default False: they are slack.")
+    tolerance = SettingOfSeveral(Tolerance, "When a rope's step is content: (tolerance, most_iterations); the "
+                                            "tolerance is a fraction of the springs' lengths.")
+    convergence = Reading(ChainConvergence, "What the last call of step did with a rope: (iterations, error).")
 
     # ---- fields -----------------------------------------------------------------------------------------------------
 
@@ -70,7 +95,8 @@ class Chain(Body, kind="chain"):
         return (strands if "strand" in per else 1), places
 
     def _shape_of(self, field: Field, strands: int, n: int) -> Tuple[int, ...]:
-        return (strands, n, self._components) if self._fields[field].components else (n,)
+        info = self._fields[field]
+        return ((strands,) if "strand" in info.per else ()) + (n,) + ((self._components,) if info.components else ())
 
     def _whole(self, field: Field) -> Tuple[int, ...]:
         return self._shape_of(field, *self._extents(field))
@@ -82,9 +108,9 @@ class Chain(Body, kind="chain"):
              n: Optional[int] = None, *, precision: Optional[Precision] = None, out: Any = None) -> Any:
         """A copy of a field: strands [first_strand, first_strand + strands), nodes (or springs) [first, first + n).
 
-        None stands for all the rest. The array has the shape (strands, n, components), of fields that the strands share
-        (n,), and the object's precision or the one asked for. `out`: a dense array of float32 or float64 to fill, which
-        is given back.
+        None stands for all the rest. The array has the shape (strands, n, components), of tensions (strands, n), of
+        fields that the strands share (n,), and the object's precision or the one asked for. `out`: a dense array of
+        float32 or float64 to fill, which is given back.
         """
         with self._lock:
             place, shape = self._range(field, first_strand, strands, first, n)
@@ -137,7 +163,8 @@ class Chain(Body, kind="chain"):
         self._call("cut", spring)
 
     def weld(self, spring: int) -> None:
-        """Makes a spring rigid: its two nodes share one velocity from now on. Switches Field.STIFFNESS on."""
+        """Makes a spring rigid: its two nodes share one velocity from now on, of a rope its length is kept. Switches
+        Field.STIFFNESS on."""
         self._call("weld", spring)
 
     # ---- measuring --------------------------------------------------------------------------------------------------

@@ -4,7 +4,7 @@ from typing import Any, List, NamedTuple, Optional, Tuple
 from . import _arrays
 from ._api import Edge, Field, Node, Precision, Solver
 from ._arrays import Array, Values, row
-from ._body import Attachment, Body
+from ._body import Attachment, Body, Tolerance
 from ._callbacks import Allocator
 from ._properties import Reading, Setting, SettingOfSeveral
 from ._sheet import Sheet, Vertices
@@ -36,15 +36,6 @@ class Ring(NamedTuple):
 
     along_u: bool
     along_v: bool
-
-
-class Tolerance(NamedTuple):
-    """When Solver.COUPLED is content."""
-
-    #: of the residual, as a fraction of the one it starts from, in [1e-14, 1/2]; default 1e-6
-    tolerance: float
-    #: >= 1; default 100
-    most_iterations: int
 
 
 class Convergence(NamedTuple):

@@ -77,6 +77,8 @@ def viewable(kind):
 
 
 def switch_all_on(made):
+    if isinstance(made, Chain):
+        made.rest_length = 1  # some fields are of ropes only
     for field, info in type(made)._fields.items():
         if not info.always:
             made.enable_field(field)

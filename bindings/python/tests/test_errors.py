@@ -34,6 +34,14 @@ def diverge(chain):
     chain.step(1e10, 100)
 
 
+def make_rope(chain):
+    chain.rest_length = 1
+
+
+def make_rigid(chain):
+    chain.rest_length, chain.stiffness = 1, INF
+
+
 def setting(name, value):
     return lambda chain: setattr(chain, name, value)
 
@@ -58,6 +66,7 @@ CASES = [
     *(("set_lambda", "VALUE", setting("lambda_", x), "lambda is") for x in (NAN, -0.1, 1.1, INF)),
     *(("set_mass", "VALUE", setting("mass", x), "mass is") for x in (*BAD_NUMBERS, 0)),
     *(("set_stiffness", "VALUE", setting("stiffness", x), "stiffness is") for x in BAD_NUMBERS),
+    ("set_stiffness", "VALUE", (make_rope, setting("stiffness", -INF)), "stiffness is"),
     *(("set_bend", "VALUE", setting("bend", x), "bend is") for x in BAD_NUMBERS),
     ("set_bend", "MEMORY", hungry(setting("bend", 1.0)), "memory"),
     *(("set_drag", "VALUE", setting("drag", x), "drag is") for x in BAD_NUMBERS),
@@ -73,11 +82,21 @@ CASES = [
     ("set_ring", "UNSUPPORTED", lambda c: setattr(Chain(1, 1, 1), "ring", True), "2 nodes"),
     ("set_ring", "UNSUPPORTED", (lambda c: c.set_end(End.FIRST, Node.MATCHED), setting("ring", True)), "matched"),
     ("set_ring", "MEMORY", hungry(setting("ring", True)), "memory"),
+    *(("set_rest_length", "VALUE", setting("rest_length", x), "length is") for x in (*BAD_NUMBERS, 1e-61)),
+    ("set_rest_length", "UNSUPPORTED", lambda c: setattr(Chain(1, 2, 4), "rest_length", 1), "4 components"),
+    ("set_rest_length", "UNSUPPORTED", lambda c: setattr(Chain(1, 0, 3), "rest_length", 1), "0 springs"),
+    ("set_rest_length", "UNSUPPORTED", (make_rigid, setting("rest_length", 0)), "infinite"),
+    ("set_rest_length", "MEMORY", hungry(make_rope), "memory"),
+    ("set_push", "VALUE", setting("push", 2), "push is 2"),
+    *(("set_tolerance", "VALUE", setting("tolerance", (x, 10)), "tolerance is") for x in (NAN, 0, 1e-15, 0.6, INF)),
+    ("set_tolerance", "VALUE", setting("tolerance", (1e-6, 0)), "most_iterations is 0"),
     ("enable_field", "ENUM", lambda c: c.enable_field(99), "field is 99"),
+    ("enable_field", "UNSUPPORTED", lambda c: c.enable_field(Field.REST_LENGTH), "CD_REST_LENGTH"),
     ("enable_field", "ENUM", lambda c: c.enable_field(Field.DEPTH), "field"),
     ("enable_field", "MEMORY", hungry(lambda c: c.enable_field(Field.FORCE)), "memory"),
     ("disable_field", "ENUM", lambda c: c.disable_field(99), "field is 99"),
     ("disable_field", "UNSUPPORTED", lambda c: c.disable_field(Field.PIN), "CD_PIN"),
+    ("disable_field", "UNSUPPORTED", (make_rope, lambda c: c.disable_field(Field.TENSION)), "CD_TENSION"),
     ("write_f64", "ENUM", lambda c: c.write(Field.DEPTH, 1), "field"),
     ("write_f64", "DISABLED", lambda c: c.write(Field.FORCE, 1), "CD_FORCE"),
     ("write_f64", "RANGE", lambda c: c.write(Field.POSITION, 1, first=5, n=2), r"\[5, 7\) of 6"),
@@ -87,7 +106,10 @@ CASES = [
     ("write_f64", "VALUE", lambda c: c.write(Field.POSITION, [0, 1, NAN], 0, 1, 0, 1), r"values\[2\] is"),
     ("write_f64", "VALUE", lambda c: c.write(Field.PIN, 5), r"values\[0\] is 5"),
     ("write_f64", "UNSUPPORTED", (lambda c: c.weld(2), pin_two), "pinned or driven"),
+    ("write_f64", "VALUE", (make_rope, lambda c: c.write(Field.TENSION, NAN)), r"values\[0\] is"),
+    ("write_f64", "RANGE", (make_rope, lambda c: c.write(Field.TENSION, 1, first=5, n=1)), "of 5"),
     ("read_f64", "ENUM", lambda c: c.read(-5), "field is -5"),
+    ("read_f64", "UNSUPPORTED", lambda c: c.read(Field.TENSION), "CD_TENSION"),
     ("read_f64", "DISABLED", lambda c: c.read(Field.BEND), "CD_BEND"),
     ("read_f64", "RANGE", lambda c: c.read(Field.PIN, first=7), "of 6"),
     ("read_f64", "RANGE", lambda c: c.read(Field.POSITION, strands=-1), "-1"),
@@ -112,8 +134,13 @@ CASES = [
     ("weld", "MEMORY", hungry(lambda c: c.weld(0)), "memory"),
     ("weld", "UNSUPPORTED", (pin_two, lambda c: c.weld(2)), "pinned or driven"),
     *(("step", "VALUE", lambda c, x=x: c.step(x), "dt is") for x in (0, -1, NAN, INF, 1e31, 1e-31)),
+    *(("step", "UNSUPPORTED", (lambda c, change=change: (make_rope(c), change(c)), lambda c: c.step(0.01)), "length")
+      for change in (setting("method", Method.SYMPLECTIC_EULER), setting("lambda_", 0.4), setting("bend", 1.0),
+                     setting("ring", True), setting("stiffness_damping", 0.1),
+                     lambda c: c.set_end(End.LAST, Node.MATCHED))),
     ("step", "RANGE", lambda c: c.step(0.01, -1), "count is -1"),
     ("step", "RANGE", lambda c: c.step(0.01, 2**64), "count is 18446744073709551616"),
+    ("stable_dt", "UNSUPPORTED", (make_rope, lambda c: c.stable_dt()), "length"),
     ("sample", "RANGE", lambda c: c.sample(2, [0]), "strand is 2"),
     ("sample", "VALUE", lambda c: c.sample(0, [5.5]), "5.5"),
     ("sample", "VALUE", lambda c: c.sample(0, [0, NAN]), "nan"),
@@ -129,6 +156,7 @@ NOT_TO_BE_HAD = {
     ("create", "UNSUPPORTED"): "for a precision that the build leaves out; this one has both",
     ("set_kernels", "UNSUPPORTED"): "for kernels that the processor does not run; there may be none",
     ("save", "RANGE"): "save makes a buffer of the right size",
+    ("set_push", "TOLERANCE"): "what a step may end with",
     ("get_gravity", "RANGE"): "the count is always that of the components",
     ("get_momentum", "RANGE"): "likewise",
 }
@@ -165,7 +193,8 @@ class Errors(unittest.TestCase):
 
     def test_every_error_that_the_header_lists_is_here(self):
         tried = {(function, error) for function, error, _, _ in CASES} | {("step", "DIVERGED"), ("load", "MEMORY"),
-                                                                         ("copy_state", "MEMORY")}
+                                                                         ("copy_state", "MEMORY"),
+                                                                         ("step", "TOLERANCE")}
         for shorts, error in listed():
             if error in ("NULL",):  # no null pointer is passed from Python
                 continue
@@ -204,6 +233,14 @@ class Errors(unittest.TestCase):
             sheet.step(1)
         self.assertEqual(sheet.steps, 1)
         self.assertGreater(sheet.convergence.residual, 1e-14)
+        rope = contdyn.Chain(1, 20, 2)
+        rope.position = [[0.05 * i, 0] for i in range(21)]
+        rope.rest_length, rope.stiffness, rope.gravity, rope.tolerance = 1, math.inf, (0, -9.81), (1e-14, 1)
+        rope.set_end(contdyn.End.FIRST, contdyn.Node.PINNED)
+        with self.assertRaises(contdyn.ToleranceError):
+            rope.step(0.5, 3)
+        self.assertEqual(rope.steps, 3)
+        self.assertGreater(rope.convergence.error, 1e-14)
 
     def test_wrong_types(self):
         chain = moving(Chain)

@@ -22,7 +22,7 @@ class Everyone(unittest.TestCase):
         body = {"mass": 2.5, "mass_rule": MassRule.HALF_ENDS, "bend": 0.25, "stiffness_damping": 0.125,
                 "gravity": (1.0, 2.0, 3.0)}
         own = {
-            Chain: {**body, "stiffness": 3.0, "ring": True},
+            Chain: {**body, "stiffness": 3.0, "ring": True, "rest_length": 2.0, "push": True, "tolerance": (1e-4, 7)},
             Membrane: {**body, "stiffness": (3.0, 4.0), "ring": (True, False), "solver": Solver.COUPLED,
                        "tolerance": (1e-4, 7), "pressure": 0.5},
             Water: {"momentum": Momentum.ADVECTED, "first": 1, "gravity": 1.5, "density": 900.0, "manning": 0.03,
@@ -113,6 +113,42 @@ class Chains(unittest.TestCase):
         self.chain.write(Field.VELOCITY, [0, 3], 0, 1, 4, 1)
         self.chain.step(1)
         close(self, self.chain.position[0, 4].tolist(), (4, 3))
+
+    def test_a_rope_keeps_its_length_and_tells_its_tensions(self):
+        rope = Chain(2, 4, 3)
+        rope.position = [[[0, 0, -i / 4] for i in range(5)]] * 2
+        rope.rest_length, rope.stiffness, rope.gravity = 1, math.inf, (0, 0, -10)
+        rope.set_end(End.FIRST, Node.PINNED)
+        self.assertEqual(rope.read(Field.TENSION).shape, (2, 4))
+        rope.step(1 / 60, 60)
+        self.assertLessEqual(rope.convergence.error, rope.tolerance.tolerance)
+        self.assertGreater(rope.convergence.iterations, 0)
+        for tensions in rope.read(Field.TENSION).tolist():
+            close(self, tensions, (8, 6, 4, 2), 5)  # what hangs below
+        close(self, rope.position[1, 4].tolist(), (0, 0, -1), 5)
+        rope.enable_field(Field.REST_LENGTH)
+        rope.write(Field.REST_LENGTH, [0.5, 0.25, 0.25, 0.25])
+        rope.step(1 / 60, 60)
+        self.assertAlmostEqual(math.dist(rope.position[0, 0].tolist(), rope.position[0, 1].tolist()), 0.5, 5)
+        rope.write(Field.TENSION, [1, 2], first_strand=1, first=2, n=2)
+        self.assertEqual(rope.read(Field.TENSION, 1, 1, 2, 2).tolist(), [[1, 2]])
+        copy = Chain(2, 4, 3)
+        copy.load(rope.save())
+        self.assertEqual(copy.hash(), rope.hash())
+        copy.write(Field.TENSION, 0)
+        self.assertNotEqual(copy.hash(), rope.hash())
+        rope.stiffness, rope.rest_length = 1, 0
+        rope.step(1 / 60)
+        self.assertEqual(rope.convergence, (0, 0))
+
+    def test_links_that_push_do_not_go_slack(self):
+        for push, length in ((False, 0.8), (True, 1)):
+            rope = Chain(1, 4, 2)
+            rope.position = [[0.2 * i, 0] for i in range(5)]
+            rope.rest_length, rope.stiffness, rope.push = 1, math.inf, push
+            rope.step(1 / 60, 10)
+            ends = [rope.position[0, node].tolist() for node in (0, 4)]
+            self.assertAlmostEqual(math.dist(*ends), length, 5)
 
     def test_sample(self):
         self.assertEqual(self.chain.sample(0, [0.5, 3.25]).tolist(), [[0.5, 0], [3.25, 0]])

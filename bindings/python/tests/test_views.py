@@ -72,9 +72,12 @@ class Shown(unittest.TestCase):
             self.assertEqual(getattr(made, field.name.lower()).tolist(), numbers)
 
     def test_fields_without_a_view_say_so(self):
-        for kind, field in ((Chain, Field.PIN), (Water, Field.SURFACE)):
+        for kind, field in ((Chain, Field.PIN), (Chain, Field.TENSION), (Water, Field.SURFACE)):
+            made = make(kind)
+            if field == Field.TENSION:
+                made.rest_length = 1
             with self.assertRaises(contdyn.UnsupportedError):
-                make(kind).view(field)
+                made.view(field)
         with self.assertRaises(contdyn.DisabledError):
             make(Chain).view(Field.FORCE)
         self.assertEqual([field for field in viewable(Water) if not hasattr(Water, field.name.lower())], [])
@@ -155,7 +158,10 @@ class Lasting(unittest.TestCase):
         changes = {
             Chain: [lambda m: m.attach(1, 2, 3), lambda m: m.detach(1), lambda m: m.cut(1), lambda m: m.weld(2),
                     lambda m: setattr(m, "bend", 0.1), lambda m: setattr(m, "ring", True),
-                    lambda m: setattr(m, "ring", False), lambda m: setattr(m, "bend", 0)],
+                    lambda m: setattr(m, "ring", False), lambda m: setattr(m, "bend", 0),
+                    lambda m: m.disable_field(Field.BEND), lambda m: setattr(m, "rest_length", 9),
+                    lambda m: m.enable_field(Field.REST_LENGTH),
+                    lambda m: setattr(m, "rest_length", 0)],
             Membrane: [lambda m: m.attach(1, 1, 2, 3), lambda m: m.detach(1, 1), lambda m: setattr(m, "bend", 0.1),
                        lambda m: setattr(m, "ring", (True, False)), lambda m: setattr(m, "solver", Solver.COUPLED),
                        lambda m: setattr(m, "pressure", 0.1), lambda m: m.set_edge(2, Node.MATCHED),
@@ -164,7 +170,8 @@ class Lasting(unittest.TestCase):
                     lambda m: setattr(m, "momentum", Momentum.LINEAR)],
         }
         for kind, more in changes.items():
-            switching = [lambda m, f=f: m.enable_field(f) for f, info in kind._fields.items() if not info.always]
+            switching = [lambda m, f=f: m.enable_field(f) for f, info in kind._fields.items()
+                         if not info.always and not info.ropes]
             methods = [Method.IMPLICIT, Method.SYMPLECTIC_EULER, Method.FORWARD_EULER, Method.IMPLICIT]
             setting = [lambda m, x=x: setattr(m, "method", x) for x in methods]
             setting += [lambda m, x=x: setattr(m, "mass_rule", x) for x in MassRule] if kind is not Water else []

@@ -14,6 +14,8 @@ def use() -> float:
         energy: Energy = rope.energy
         rope.step(0.01)
         rope.parallel = ThreadPoolExecutor()
+        rope.rest_length, rope.push, rope.tolerance = 1, True, (1e-8, 50)
+        error: float = rope.convergence.error + rope.tolerance.tolerance
     with Membrane(4, 4, 1) as drum:
         drum.stiffness = 20, 20
         drum.set_edge(Edge.U_FIRST, Node.PINNED)
@@ -23,7 +25,7 @@ def use() -> float:
     added: float = pool.add_volume(1, 1, 1, 1)
     heights: Array = pool.sample([[1, 1]]).surface
     copy = pool.read(Field.DEPTH)
-    return energy.kinetic + along_u + added + float(shown[0, 0, 0]) + float(heights[0]) + float(copy[0, 0])
+    return energy.kinetic + error + along_u + added + float(shown[0, 0, 0]) + float(heights[0]) + float(copy[0, 0])
 
 
 def misuse() -> None:

@@ -112,7 +112,9 @@ enum class field : std::int32_t {
     force_x = CD_FORCE_X,
     force_y = CD_FORCE_Y,
     wall_x = CD_WALL_X,
-    wall_y = CD_WALL_Y
+    wall_y = CD_WALL_Y,
+    rest_length = CD_REST_LENGTH,
+    tension = CD_TENSION
 };
 
 // The two ends of a chain.
@@ -438,6 +440,10 @@ public:
     struct energy {
         double kinetic, elastic, gravity;
     };
+    struct convergence {
+        std::size_t iterations;
+        double error;
+    };
     // Good until the field is switched off or the chain released. Strides are in bytes.
     struct field_view {
         const void* data;
@@ -495,7 +501,7 @@ public:
     outcome<> set_mass_rule(mass_rule rule) { return call(cd_chain_set_mass_rule, rule); }
     outcome<mass_rule> get_mass_rule() const { return value<mass_rule>(cd_chain_get_mass_rule); }
 
-    // Stretch stiffness [N/m] >= 0.
+    // Stretch stiffness [N/m] >= 0; of ropes up to INFINITY.
     outcome<> set_stiffness(double stiffness) { return call(cd_chain_set_stiffness, stiffness); }
     outcome<double> get_stiffness() const { return value<double>(cd_chain_get_stiffness); }
 
@@ -520,6 +526,27 @@ public:
     outcome<node> get_end(end e) const { return value<node>(cd_chain_get_end, e); }
     outcome<> set_ring(bool ring) { return call(cd_chain_set_ring, ring); }
     outcome<bool> get_ring() const { return value<bool>(cd_chain_get_ring); }
+
+    // ---- ropes: springs that have a length ----
+
+    // Rest length of a strand [m], 0: none; whether springs shorter than theirs push or are slack.
+    outcome<> set_rest_length(double length) { return call(cd_chain_set_rest_length, length); }
+    outcome<double> get_rest_length() const { return value<double>(cd_chain_get_rest_length); }
+    outcome<> set_push(bool push) { return call(cd_chain_set_push, push); }
+    outcome<bool> get_push() const { return value<bool>(cd_chain_get_push); }
+
+    // When a step is content with the springs' lengths; what the last call of step came to.
+    outcome<> set_tolerance(double tolerance, std::size_t most_iterations = 200) {
+        return call(cd_chain_set_tolerance, tolerance, most_iterations);
+    }
+    outcome<stopping> get_tolerance() const {
+        stopping out{};
+        return detail::got(cd_chain_get_tolerance(handle_, &out.tolerance, &out.most_iterations), out);
+    }
+    outcome<convergence> get_convergence() const {
+        convergence out{};
+        return detail::got(cd_chain_get_convergence(handle_, &out.iterations, &out.error), out);
+    }
 
     // ---- fields ----
 
@@ -584,7 +611,7 @@ public:
         return detail::got(cd_chain_get_attachment(handle_, node, &out.stiffness, &out.damping), out);
     }
 
-    // Cuts a spring, or makes it rigid.
+    // Cuts a spring, or makes it rigid; of a rope fixes its length.
     outcome<> cut(std::size_t spring) { return call(cd_chain_cut, spring); }
     outcome<> weld(std::size_t spring) { return call(cd_chain_weld, spring); }
 
@@ -630,7 +657,7 @@ public:
     outcome<> load(bytes saved) { return call(cd_chain_load, saved.data(), saved.size()); }
     outcome<> copy_state(const chain& source) { return call(cd_chain_copy_state, source.handle_); }
 
-    // Positions, velocities, time and steps back to 0.
+    // Positions, velocities, tensions, time and steps back to 0.
     outcome<> reset() { return call(cd_chain_reset); }
 
 private:
@@ -640,8 +667,10 @@ private:
         cd_status s = cd_chain_get_shape(handle_, &strands, &springs, &components, nullptr);
         if (s == CD_OK) s = cd_chain_get_ring(handle_, &ring);
         const bool each = f == field::position || f == field::velocity || f == field::force || f == field::target;
-        const std::size_t items = springs + (f != field::stiffness || ring != 0);
-        if (!each) strands = components = 1;
+        const bool of_springs = f == field::stiffness || f == field::rest_length || f == field::tension;
+        const std::size_t items = springs + (!of_springs || ring != 0);
+        if (!each) components = 1;
+        if (!each && f != field::tension) strands = 1;
         return {s, {0, strands, 0, items}, strands * items * components};
     }
 };

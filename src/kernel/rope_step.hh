@@ -1,0 +1,78 @@
+// Steps of strands whose springs have a length. Unlike the lines of the other sweeps, the components of a strand move
+// together: a spring acts along the direction that it has.
+//
+// With x0, v0 the state, w the velocity that moves the nodes, h = lambda dt and D0, D1 a spring's vector before and
+// after, D1 = D0 + dt (w_{i+1} - w_i):
+//      G_i (w_i - b_i) = phi_i - phi_{i-1},      phi_i = h T_i z_i / |z_i|,     z = D0 + theta dt (w_{i+1} - w_i)
+//      |D1| = L + T / k   where the spring is taut; T = 0 and |D1| <= L + T / k where it is slack
+//      x1 = x0 + dt w,    v1 = v0 + (w - v0) / lambda
+// G = M + h C + h^2 A and b, what the node would do alone, hold drag C and attachments A. theta is lambda where the
+// spring pulls and 1/2 where it pushes; then the step changes the energy of a rope with 1 / k = 0 by
+//      -(lambda - 1/2) (|v1 - v0|_M^2 + sum over what pulls of T / |z| |D1 - D0|^2).
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace cd {
+
+// Numbers of the state, in its precision: most of a step does not depend on that.
+struct StateNumbers {
+    void* data; // null: there are none
+    bool is_float64;
+
+    double operator[](size_t at) const {
+        return is_float64 ? static_cast<const double*>(data)[at] : double(static_cast<const float*>(data)[at]);
+    }
+    void put(size_t at, double number) const {
+        if (is_float64) static_cast<double*>(data)[at] = number;
+        else static_cast<float*>(data)[at] = float(number);
+    }
+};
+
+// The state of all strands. The number of a node's component lies at node * pitch + strand * components + component, a
+// tension at spring * strands + strand.
+struct Ropes {
+    size_t nodes, strands, components, pitch;
+    StateNumbers position, velocity, force, target;
+    double* tension;
+};
+
+// Of the nodes and springs, the same for all strands.
+struct RopeCoefficients {
+    const double *mass, *drag, *tie;   // [kg], [N s/m], [N/m]
+    const double *length, *compliance; // [m]; [m/N], 0: of fixed length, INFINITY: cut
+    const uint8_t* pin;                // cd_node
+};
+
+struct RopeStage {
+    double dt, lambda;
+    double gravity[3];
+    bool push;        // springs push as well
+    double tolerance; // of the length that a spring should have, over its rest length
+    size_t most_iterations;
+};
+
+struct RopeResult {
+    size_t iterations = 0; // of the strand that took most
+    double error = 0;      // of the worst length, over the rest length
+    bool finite = true;
+
+    void add(const RopeResult& other) {
+        if (other.iterations > iterations) iterations = other.iterations;
+        if (other.error > error) error = other.error;
+        finite &= other.finite;
+    }
+};
+
+// The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand;
+// a call with one strand needs no more than that strand's.
+constexpr size_t kRopeStrands = 8, kRopeScratch = 48;
+
+namespace CD_ISA {
+
+RopeResult rope_step(const Ropes& ropes, const RopeCoefficients& c, const RopeStage& stage, double* scratch,
+                     size_t first, size_t count);
+
+} // namespace CD_ISA
+} // namespace cd

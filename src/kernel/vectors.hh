@@ -1,0 +1,44 @@
+// Vectors and matrices of space, N side by side.
+#pragma once
+
+#include "kernel/lanes.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+template <int N> struct Vector {
+    using L = Lanes<N>;
+    L x, y, z;
+
+    friend Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Vector operator*(L s, Vector a) { return {s * a.x, s * a.y, s * a.z}; }
+    friend L dot(Vector a, Vector b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+    friend Vector select(L by, Vector a, Vector b) {
+        return {select(by, a.x, b.x), select(by, a.y, b.y), select(by, a.z, b.z)};
+    }
+};
+
+// Three rows.
+template <int N> struct Matrix {
+    using L = Lanes<N>;
+    using V = Vector<N>;
+    V x, y, z;
+
+    friend V operator*(const Matrix& a, V b) { return {dot(a.x, b), dot(a.y, b), dot(a.z, b)}; }
+    static Matrix diagonal(L d) { return {{d, L{}, L{}}, {L{}, d, L{}}, {L{}, L{}, d}}; }
+};
+template <int N> Vector<N> transposed_times(const Matrix<N>& a, Vector<N> b) {
+    return b.x * a.x + (b.y * a.y + b.z * a.z);
+}
+template <int N> Vector<N> cross(Vector<N> a, Vector<N> b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <int N> Matrix<N> inverse(const Matrix<N>& a) {
+    const Vector<N> x = cross(a.y, a.z), y = cross(a.z, a.x), z = cross(a.x, a.y); // columns of the adjugate
+    const Lanes<N> scale = Lanes<N>::splat(1) / dot(a.x, x);
+    return {scale * Vector<N>{x.x, y.x, z.x}, scale * Vector<N>{x.y, y.y, z.y}, scale * Vector<N>{x.z, y.z, z.z}};
+}
+
+} // namespace CD_ISA
+} // namespace cd

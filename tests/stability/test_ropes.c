@@ -1,0 +1,283 @@
+/* Ropes in scenes that are hard for a solver, at steps from 1/600 s to 1 s: finite, as long as they should be to the
+ * tolerance, and no energy from nothing. CD_LONG=1 in the environment makes ten times as many random scenes. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "reference.h"
+
+enum { MOST_NODES = 101 };
+
+struct scene {
+    size_t nodes;
+    double mass[MOST_NODES], x[MOST_NODES][3], v[MOST_NODES][3];
+    double stiffness[MOST_NODES]; /* of springs */
+    double length;                /* of a spring */
+    int pin[MOST_NODES];
+    double gravity;
+};
+
+/* A rope of 10 m and 1 kg, level, its first node pinned. */
+static void level(struct scene* s, size_t nodes) {
+    memset(s, 0, sizeof *s);
+    s->nodes = nodes;
+    s->length = 10.0 / (double)(nodes - 1);
+    s->gravity = -9.81;
+    s->pin[0] = CD_NODE_PINNED;
+    for (size_t i = 0; i < nodes; ++i) {
+        s->mass[i] = 1.0 / (double)nodes;
+        s->x[i][0] = s->length * (double)i;
+        s->stiffness[i] = INFINITY;
+    }
+}
+static void random_walk(struct scene* s, double speed, uint64_t* seed) {
+    for (size_t i = 1; i < s->nodes; ++i) {
+        double way[3], size = 0;
+        for (int k = 0; k < 3; ++k) way[k] = random_number(seed), size += way[k] * way[k];
+        for (int k = 0; k < 3; ++k) {
+            s->x[i][k] = s->x[i - 1][k] + s->length * way[k] / sqrt(size);
+            s->v[i][k] = speed * random_number(seed);
+        }
+    }
+}
+
+enum hard {
+    HEAVY_END,
+    LIGHT_END,
+    HEAVY_SECONDS,
+    THROWN,
+    ONE_POINT,
+    CRUMPLED,
+    WHIP,
+    STRAIGHT_BETWEEN_PINS,
+    RANDOM_MASSES,
+    SOFT,
+    MIXED,
+    TOO_LONG,
+    BETWEEN_HEAVY,
+    HARD
+};
+static const char* const names[HARD] = {"end 1e6 times heavier",
+                                        "end 1e6 times lighter",
+                                        "every second node 1e6 times heavier",
+                                        "thrown at random",
+                                        "all nodes in one point",
+                                        "crumpled",
+                                        "end driven at 50 m/s",
+                                        "straight between two pins",
+                                        "free, masses from 1e-3 to 1e3",
+                                        "soft",
+                                        "springs from 1 to infinity",
+                                        "twice as long as it may be",
+                                        "light between two heavy ends"};
+
+static void build(struct scene* s, enum hard hard) {
+    uint64_t seed = 10 + (uint64_t)hard;
+    level(s, hard == STRAIGHT_BETWEEN_PINS ? 65 : 101);
+    const size_t last = s->nodes - 1;
+    if (hard == HEAVY_END || hard == BETWEEN_HEAVY) s->mass[last] *= 1e6;
+    if (hard == BETWEEN_HEAVY) s->mass[0] *= 1e6, s->pin[0] = CD_NODE_FREE, s->v[0][1] = 3, s->v[last][1] = -3;
+    if (hard == LIGHT_END) s->mass[last] *= 1e-6;
+    for (size_t i = 0; i <= last; i += 2)
+        if (hard == HEAVY_SECONDS) s->mass[i] *= 1e6;
+    if (hard == THROWN || hard == RANDOM_MASSES) random_walk(s, 10, &seed);
+    for (size_t i = 0; i <= last; ++i) {
+        if (hard == ONE_POINT) s->x[i][0] = 0;
+        if (hard == CRUMPLED) s->x[i][0] /= 2, s->x[i][1] = 1e-3 * (double)(i % 2);
+        if (hard == TOO_LONG) s->x[i][0] *= 2;
+        if (hard == RANDOM_MASSES) s->mass[i] *= pow(10, 3 * random_number(&seed));
+        if (hard == SOFT) s->stiffness[i] = 100 * 20;
+        if (hard == MIXED) s->stiffness[i] = i % 7 == 3 ? INFINITY : pow(10, 5 + 5 * random_number(&seed));
+    }
+    if (hard == WHIP) s->pin[last] = CD_NODE_DRIVEN, s->v[last][1] = 50;
+    if (hard == STRAIGHT_BETWEEN_PINS) s->pin[last] = CD_NODE_PINNED;
+    if (hard == WHIP || hard == RANDOM_MASSES || hard == BETWEEN_HEAVY) s->pin[0] = CD_NODE_FREE, s->gravity = 0;
+}
+
+static cd_chain* make(const struct scene* s, double lambda, cd_precision precision) {
+    const size_t n = s->nodes;
+    const double gravity[3] = {0, s->gravity, 0};
+    double pin[MOST_NODES];
+    cd_chain* chain = NULL;
+    ok(cd_chain_create(1, n - 1, 3, precision, NULL, &chain));
+    ok(cd_chain_set_rest_length(chain, s->length * (double)(n - 1)));
+    ok(cd_chain_set_lambda(chain, lambda));
+    ok(cd_chain_set_gravity(chain, gravity, 3));
+    ok(cd_chain_enable_field(chain, CD_MASS));
+    ok(cd_chain_enable_field(chain, CD_STIFFNESS));
+    for (size_t i = 0; i < n; ++i) pin[i] = s->pin[i];
+    ok(cd_chain_write_f64(chain, CD_MASS, 0, 1, 0, n, s->mass, n));
+    ok(cd_chain_write_f64(chain, CD_STIFFNESS, 0, 1, 0, n - 1, s->stiffness, n - 1));
+    ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, n, s->x[0], 3 * n));
+    ok(cd_chain_write_f64(chain, CD_VELOCITY, 0, 1, 0, n, s->v[0], 3 * n));
+    ok(cd_chain_write_f64(chain, CD_PIN, 0, 1, 0, n, pin, n));
+    return chain;
+}
+
+struct result {
+    double energy, stretch, worth, kinetic; /* worth: the sum of tensions times lengths */
+};
+static struct result look(const cd_chain* chain, const struct scene* s) {
+    struct result r = {0, 0, 0, 0};
+    double x[MOST_NODES][3], tension[MOST_NODES], elastic, gravity;
+    ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, s->nodes, x[0], 3 * s->nodes));
+    ok(cd_chain_read_f64(chain, CD_TENSION, 0, 1, 0, s->nodes - 1, tension, s->nodes - 1));
+    ok(cd_chain_get_energy(chain, &r.kinetic, &elastic, &gravity));
+    r.energy = r.kinetic + elastic + gravity;
+    for (size_t i = 0; i + 1 < s->nodes; ++i) {
+        double d = 0;
+        for (int k = 0; k < 3; ++k) d += (x[i + 1][k] - x[i][k]) * (x[i + 1][k] - x[i][k]);
+        r.stretch = fmax(r.stretch, (sqrt(d) - s->length - tension[i] / s->stiffness[i]) / s->length);
+        r.worth += tension[i] * s->length;
+        assert_true(tension[i] >= 0);
+    }
+    return r;
+}
+
+/* What a run of steps came to. */
+struct run {
+    int missed;                  /* steps that ended short of the tolerance */
+    double stretch, gain, scale; /* the longest stretch after a step that did not; energy that came from nothing */
+    double iterations;
+};
+static struct run run(cd_chain* chain, const struct scene* s, double dt, int steps, double tolerance, int driven) {
+    struct run run = {0, 0, 0, 0, 0};
+    struct result before = look(chain, s);
+    for (size_t i = 0; i < s->nodes; ++i) run.scale += s->mass[i] * 98.1;
+    run.scale = fmax(run.scale, before.kinetic);
+    for (int step = 0; step < steps; ++step) {
+        size_t iterations;
+        const cd_status status = cd_chain_step(chain, dt, 1);
+        assert_true(status == CD_OK || status == CD_ERROR_TOLERANCE);
+        ok(cd_chain_get_convergence(chain, &iterations, NULL));
+        run.iterations += (double)iterations / steps;
+        const struct result after = look(chain, s);
+        assert_true(isfinite(after.energy));
+        if (status != CD_OK) ++run.missed;
+        else run.stretch = fmax(run.stretch, after.stretch);
+        if (status == CD_OK && !driven)
+            run.gain = fmax(run.gain, after.energy - before.energy - 2 * tolerance * (before.worth + after.worth));
+        before = after;
+    }
+    return run;
+}
+
+static void hard_scenes_stay_bounded(void** state) {
+    (void)state;
+    static const double steps[] = {1.0 / 600, 1.0 / 60, 0.1, 1};
+    static const double lambdas[] = {0.5, 0.6, 1};
+    for (int hard = 0; hard < HARD; ++hard) {
+        static struct scene s;
+        build(&s, (enum hard)hard);
+        int missed = 0;
+        double stretch = 0, gain = 0, most = 0;
+        for (size_t l = 0; l < COUNT(lambdas); ++l)
+            for (size_t k = 0; k < COUNT(steps); ++k)
+                for (int precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+                    const double tolerance = precision == CD_FLOAT64 ? 1e-6 : 1e-4;
+                    cd_chain* chain = make(&s, lambdas[l], precision);
+                    ok(cd_chain_set_tolerance(chain, tolerance, 200));
+                    const int count = steps[k] < 0.01 ? 600 : 200;
+                    const struct run r = run(chain, &s, steps[k], count, tolerance, hard == WHIP);
+                    missed += r.missed;
+                    if (precision == CD_FLOAT64)
+                        stretch = fmax(stretch, r.stretch), gain = fmax(gain, r.gain / r.scale);
+                    most = fmax(most, r.iterations);
+                    cd_chain_destroy(chain);
+                }
+        print_message("%-36s missed %d, stretch %.1e, gain %.1e of the scale, up to %.1f iterations a step\n",
+                      names[hard], missed, stretch, gain, most);
+        assert_true(stretch <= 1.001e-6);
+        assert_true(most < 30);
+        if (hard == TOO_LONG) continue; /* it shortens by jerks, and says so */
+        assert_int_equal(missed, 0);
+        assert_true(gain < 1e-9);
+    }
+}
+
+static void a_thousand_random_ropes_stay_bounded(void** state) {
+    (void)state;
+    const int count = getenv("CD_LONG") ? 10000 : 1000;
+    int missed = 0;
+    double stretch = 0, gain = 0;
+    for (int number = 0; number < count; ++number) {
+        static struct scene s;
+        uint64_t seed = 1000 + (uint64_t)number;
+        const double lambda = number % 3 == 0 ? 1 : 0.75 + 0.25 * random_number(&seed);
+        const double dt = pow(10, -1.4 + 1.4 * random_number(&seed)), decades = 3 * fabs(random_number(&seed));
+        level(&s, 2 + (size_t)(49 * fabs(random_number(&seed))));
+        if (number % 2) random_walk(&s, 5, &seed);
+        for (size_t i = 0; i < s.nodes; ++i) {
+            s.mass[i] *= pow(10, decades * random_number(&seed));
+            if (number % 5 == 0) s.stiffness[i] = pow(10, 4 + 4 * random_number(&seed));
+            if (number % 7 == 0 && random_number(&seed) > 0.9) s.stiffness[i] = 0;
+            if (number % 11 == 0 && random_number(&seed) > 0.9) {
+                s.pin[i] = CD_NODE_PINNED;
+                memset(s.v[i], 0, sizeof s.v[i]);
+            }
+        }
+        memset(s.v[0], 0, sizeof s.v[0]);
+        cd_chain* chain = make(&s, lambda, CD_FLOAT64);
+        const struct run r = run(chain, &s, dt, 40, 1e-6, 0);
+        cd_chain_destroy(chain);
+        missed += r.missed;
+        stretch = fmax(stretch, r.stretch);
+        gain = fmax(gain, r.gain / r.scale);
+        if (r.missed || r.gain > 1e-9 * r.scale || r.stretch > 1.001e-6)
+            print_message("rope %d: %zu nodes, lambda %.3f, dt %.3g: missed %d, stretch %.1e, gain %.1e\n", number,
+                          s.nodes, lambda, dt, r.missed, r.stretch, r.gain / r.scale);
+    }
+    print_message("%d random ropes: missed %d steps, stretch %.1e, gain %.1e of the scale\n", count, missed, stretch,
+                  gain);
+    assert_int_equal(missed, 0);
+    assert_true(stretch <= 1.001e-6);
+    assert_true(gain < 1e-9);
+}
+
+/* Too few iterations for a scene that needs many: each step says so, and what it leaves has no more energy than nodes
+ * that no spring holds. */
+static void steps_that_end_early_are_told_and_bounded(void** state) {
+    (void)state;
+    for (int hard = 0; hard < HARD; ++hard) {
+        static struct scene s;
+        build(&s, (enum hard)hard);
+        for (int push = 0; push < 2; ++push) {
+            cd_chain* chain = make(&s, 0.5, CD_FLOAT64);
+            ok(cd_chain_set_push(chain, push));
+            ok(cd_chain_set_tolerance(chain, 1e-14, 1));
+            double bound = 0, kinetic;
+            int told = 0;
+            ok(cd_chain_get_energy(chain, &kinetic, NULL, NULL));
+            bound = sqrt(2 * kinetic);
+            double mass = 0;
+            for (size_t i = 0; i < s.nodes; ++i) mass += s.mass[i];
+            for (int step = 0; step < 50; ++step) {
+                size_t iterations;
+                double error;
+                const cd_status status = cd_chain_step(chain, 0.1, 1);
+                assert_true(status == CD_OK || status == CD_ERROR_TOLERANCE);
+                ok(cd_chain_get_convergence(chain, &iterations, &error));
+                assert_int_equal(status == CD_OK, error <= 1e-14);
+                told += status != CD_OK;
+                bound += 0.1 * fabs(s.gravity) * sqrt(mass);
+                ok(cd_chain_get_energy(chain, &kinetic, NULL, NULL));
+                assert_true(isfinite(kinetic));
+                if (hard != WHIP && hard != TOO_LONG && hard != SOFT && hard != MIXED)
+                    assert_true(sqrt(2 * kinetic) <= bound * 1.001);
+            }
+            assert_true(told > 0);
+            cd_chain_destroy(chain);
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(hard_scenes_stay_bounded),
+        cmocka_unit_test(steps_that_end_early_are_told_and_bounded),
+        cmocka_unit_test(a_thousand_random_ropes_stay_bounded),
+    };
+    return cmocka_run_group_tests_name("ropes", tests, NULL, NULL);
+}
