@@ -133,8 +133,8 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
 
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
  * where they are. A rope has the field CD_TENSION, at first 0; length 0 switches it off, and CD_REST_LENGTH too.
- * An infinite stiffness that becomes too short for where its nodes are shortens by a tenth a step, each with CD_ERROR_TOLERANCE,
- * where it can't do so at once. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
+ * Springs of fixed length that are too long for it, and can't shorten at once, do so by a tenth a step, each with
+ * CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
  * spring, in a build without ropes, and for 0 where an infinite stiffness would weld all springs or two held nodes. */
 CD_API cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
@@ -145,9 +145,9 @@ CD_API cd_status cd_chain_set_push(cd_chain* chain, int32_t push);
 CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
 
 /* When a step of a rope is content: every spring is as long as its tension makes it, but for `tolerance` times its
- * length, and springs gave no more energy than that is worth; in [1e-14, 1/2], default 1e-6. most_iterations, >= 1,
- * default 200, are those that a step may take by the slow and sure method, an interior point, after 16 by Newton's.
- * Errors: CD_ERROR_VALUE. */
+ * length, and springs gave no more energy than that is worth; in [1e-14, 1/2], default 1e-6. most_iterations, 1 to
+ * 10000, default 200, are those that a step may take by the slow and sure method, an interior point, after 16 by
+ * Newton's. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_chain_set_tolerance(cd_chain* chain, double tolerance, size_t most_iterations);
 CD_API cd_status cd_chain_get_tolerance(const cd_chain* chain, double* out_tolerance, size_t* out_most_iterations);
 
@@ -248,7 +248,7 @@ CD_API cd_status cd_chain_get_time(const cd_chain* chain, double* out_time);
 CD_API cd_status cd_chain_get_steps(const cd_chain* chain, uint64_t* out_steps);
 
 /* How many factorizations the chain has made: one at the first implicit step and one at the first after each change of
- * dt, lambda, method or a parameter. Not part of the saved state. */
+ * dt, lambda, method or a parameter. Ropes make none. Not part of the saved state. */
 CD_API cd_status cd_chain_get_factorizations(const cd_chain* chain, uint64_t* out_count);
 
 /* ---- measuring --------------------------------------------------------------------------------------------------- */

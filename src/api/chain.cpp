@@ -83,12 +83,18 @@ cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring) {
 
 CD_GETTER(chain, get_rest_length, double, out_length, x.rope.length)
 CD_GETTER(chain, get_push, int32_t, out_push, x.rope.push)
-CD_FUNCTION(chain, , set_tolerance, (double tolerance, size_t most_iterations),
-            shared::set_tolerance(__func__, x.rope, tolerance, most_iterations))
 CD_FUNCTION(chain, const, get_tolerance, (double* out_tolerance, size_t* out_most_iterations),
             shared::get_tolerance(__func__, x.rope, out_tolerance, out_most_iterations))
 CD_FUNCTION(chain, const, get_convergence, (size_t * out_iterations, double* out_error),
             shared::get_convergence(x, out_iterations, out_error))
+
+cd_status cd_chain_set_tolerance(cd_chain* chain, double tolerance, size_t most_iterations) {
+    CD_OPEN(chain, c);
+    if (most_iterations > kMostIterations)
+        return fail(CD_ERROR_VALUE, __func__, "most_iterations is %zu, must be at most %zu", most_iterations,
+                    size_t(kMostIterations));
+    return shared::set_tolerance(__func__, c.rope, tolerance, most_iterations);
+}
 
 // Whether the chain can do without lengths: what would then be welded.
 static cd_status can_lose_lengths(const char* function, const Chain& c) {
@@ -113,7 +119,7 @@ cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
     wanted.length = length > 0;
     if (length == 0) wanted.spring_length = false;
     CD_CHECK(shared::change_features(__func__, c, wanted));
-    c.rope.length = length;
+    c.rope.length = length > 0 ? length : 0; // not -0
     c.prepared_dt = 0;
     fill_uniform(c, CD_REST_LENGTH);
     merge_velocities(c, 0, c.lines);

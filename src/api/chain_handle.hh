@@ -39,6 +39,7 @@ inline cd_status enable_field(const char* function, Chain& c, cd_field field) {
     return enable_field<Chain>(function, c, field);
 }
 inline cd_status tell_stable_dt(const char* function, const Chain& c, double* out) {
+    CD_CHECK(not_null(function, "out_dt", out));
     if (has_lengths(c))
         return fail(CD_ERROR_UNSUPPORTED, function, "no explicit method steps springs that have a length");
     return tell(function, "out_dt", out, stable_dt(c));

@@ -24,7 +24,8 @@ constexpr double kMostTransverse = 0.9;
 // How much softer than they are springs count where velocities settle, over what their nodes yield. Where a rope is all
 // but straight between heavy nodes, light ones would have to leap to keep lengths exactly.
 constexpr double kSettleSoftly = 1e-6;
-constexpr size_t kMostNewton = 8; // iterations before a safer step is tried
+constexpr double kMostError = 1e300; // of lengths, over rest lengths: beyond it, no iteration helps
+constexpr size_t kMostNewton = 8;    // iterations before a safer step is tried
 // Of the interior point.
 constexpr double kLeastForce = 1e-30; // [N]
 constexpr double kShrink = 0.9;       // what a spring longer than it may be shortens to in a step, over its length
@@ -46,14 +47,15 @@ template <int N> struct Bundle {
     };
     // Of spring i from node i to node i + 1.
     struct Spring {
-        V before;                   // D0
-        V along, acting;            // unit vectors along D1 and z
-        V wish;                     // e, what dw would be if the spring had its length
-        L wished;                   // along . e
-        L taut, transverse, axial;  // 1 or 0; s and the axial compliance, of impulses
-        L tension, next, pushed;    // pushed: the tension that would be below 0
-        V impulse;                  // phi of the last elimination
-        L length, long_before, gap; // L, |D0|, and of the interior point what is left to L
+        V before;                  // D0
+        V along, acting;           // unit vectors along D1 and z
+        V wish;                    // e, what dw would be if the spring had its length
+        L wished;                  // along . e
+        L taut, transverse, axial; // 1 or 0; s and the axial compliance, of impulses
+        L tension, next, pushed;   // pushed: the tension that would be below 0
+        V impulse;                 // phi of the last elimination
+        L length, per_length;
+        L long_before, gap; // |D0|, and of the interior point what is left to L
     };
 
     const Ropes& ropes;
@@ -61,12 +63,10 @@ template <int N> struct Bundle {
     const RopeStage& stage;
     Node* const nodes;
     Spring* const springs;
-    size_t first, count; // strands
-    L lambda, open;      // open: 1 where a strand is still to be solved
-    L error, probe;      // the guess's largest error of length, over the rest length; NaN if a number is
-    L pushed;            // the sum of the pushes of springs that only pull, times lengths
-    L gained, worth;     // the energy that its springs give from nothing, and the sum of their tensions times lengths
-    L iterations{}, reached{}, apart{}; // apart: of springs between held nodes
+    size_t first, count;        // strands
+    L lambda, per_lambda, open; // open: 1 where a strand is still to be solved
+    L iterations{}, reached{}, failed{};
+    L apart{}; // the error of springs between held nodes
 
     static L one() { return L::splat(1); }
     // Springs that no node moves by: those that are cut, or between two held nodes.
@@ -106,6 +106,7 @@ template <int N> struct Bundle {
     // What nodes would do alone; and for what is open the guess that they go on as they are.
     void begin() {
         const L h = stage.dt * lambda;
+        per_lambda = one() / lambda;
         for (size_t i = 0; i < ropes.nodes; ++i) {
             const V v = load(ropes.velocity, i);
             Node& n = nodes[i];
@@ -131,7 +132,7 @@ template <int N> struct Bundle {
             springs[i].impulse = select(open, V{}, springs[i].impulse);
             springs[i].pushed = L{};
             springs[i].tension = is_idle(i) ? L{} : select(open, load_tension(i), springs[i].tension);
-            springs[i].length = L::splat(c.length[i]);
+            springs[i].length = L::splat(c.length[i]), springs[i].per_length = L::splat(c.per_length[i]);
             left = right;
         }
     }
@@ -139,60 +140,74 @@ template <int N> struct Bundle {
     // ---- one iteration ----------------------------------------------------------------------------------------------
 
     // Unit vectors; of a spring without a direction, that of `other`.
-    static V direction(V a, L length, L least, V other) { return select(length - least, (one() / length) * a, other); }
+    // The unit vector along `a`, given one over its length; `other` where it is too short to have one.
+    static V direction(V a, L longer, L inverse, V other) { return select(longer, inverse * a, other); }
+
+    // What a look at all springs sees of the guess.
+    struct Seen {
+        L error{}, probe{};  // its largest error of length, over the rest length; NaN if a number is
+        L pushed{};          // the sum of the pushes of springs that only pull, times lengths
+        L gained{}, worth{}; // the energy that springs give from nothing, and the sum of tensions times lengths
+        L slack{};           // the sum of tensions times what their springs are too short for them
+    };
 
     // Linearizes spring i about the guess (w, T). barrier > 0: T gap = barrier instead of "slack or taut".
-    void linearize(size_t i, L barrier, bool interior) {
+    void linearize(size_t i, L barrier, bool interior, Seen& seen) {
         Spring& s = springs[i];
         const double compliance = c.compliance[i];
-        const L length = s.length;
+        const L length = s.length, per_length = s.per_length;
         const V dw = nodes[i + 1].w - nodes[i].w;
         const L t = s.tension, dt = L::splat(stage.dt);
         const L theta = by_sign(t, L::splat(0.5), lambda);
         const V after = s.before + dt * dw, z = s.before + (theta * dt) * dw;
         const L long_after = root(dot(after, after)), long_z = root(dot(z, z));
-        const L least = kNoDirection * length;
-        const V any{one(), L{}, L{}};
-        const V z_way = direction(z, long_z, least, any);
-        s.along = direction(after, long_after, least, z_way);
-        s.acting = direction(z, long_z, least, s.along);
-        const L turn = dot(s.along, s.acting);
-        s.acting = select(turn - L::splat(kLeastTurn), s.acting, s.along);
-        const L cosine = select(turn - L::splat(kLeastTurn), turn, one());
+        const L per_z = one() / long_z, least = kNoDirection * length;
+        const V z_way = direction(z, long_z - least, per_z, V{one(), L{}, L{}});
+        s.along = direction(after, long_after - least, one() / long_after, z_way);
+        const V acting = direction(z, long_z - least, per_z, s.along);
+        const L turn = dot(s.along, acting), turns = turn - L::splat(kLeastTurn);
+        s.acting = select(turns, acting, s.along);
+        const L cosine = select(turns, turn, one());
+        L over = long_after - length;
 
         if (is_idle(i)) {
-            const L stretch = long_after - length;
-            if (compliance > 0) s.tension = (1 / compliance) * (stage.push ? stretch : positive(stretch));
-            else apart = larger(apart, stretch / length);
+            if (compliance > 0) s.tension = (1 / compliance) * (stage.push ? over : positive(over));
+            else apart = larger(apart, per_length * over);
             s.taut = s.transverse = s.axial = L{};
             s.wish = dw, s.wished = L{};
             return;
         }
-        L over = long_after - length;
         const L missing = over - compliance * t;
-        L yields = L::splat(compliance);
-        probe = probe + 0.0 * missing;
         // The work that its impulse did on the nodes, beyond what a spring of this tension can give.
-        const L stretch = by_sign(t, dot(s.acting, dt * dw), long_after - s.long_before);
-        gained = gained + (t * stretch - dot(s.impulse, dw) / lambda);
-        worth = worth + (size_of(t) + s.pushed) * length;
-        pushed = pushed + s.pushed * length;
+        const L stretch = long_after - s.long_before;
+        seen.probe = seen.probe + 0.0 * missing;
+        seen.gained = seen.gained + (t * stretch - dot(s.impulse, dw) * per_lambda);
+        seen.worth = seen.worth + (size_of(t) + s.pushed) * length;
+        seen.pushed = seen.pushed + s.pushed * length;
+        L yields = L::splat(compliance);
         if (interior) {
             over = over + (s.gap + barrier / t);
             yields = yields + s.gap / t;
             s.taut = one();
-            error = larger(error, (one() / length) * missing);
+            seen.error = larger(seen.error, per_length * missing);
+            seen.slack = seen.slack + t * positive(L{} - missing);
         } else {
-            const L give = dt * dt * (nodes[i].mobility + nodes[i + 1].mobility) + L::splat(compliance);
+            const L give = (stage.dt * stage.dt) * (nodes[i].mobility + nodes[i + 1].mobility) + L::splat(compliance);
             s.taut = stage.push ? one() : select(give * t + over, one(), L{});
-            error = larger(error, s.taut * ((one() / length) * size_of(missing)));
+            seen.error = larger(seen.error, s.taut * (per_length * size_of(missing)));
         }
-        const L a = yields / (lambda * dt * dt);
-        const L stiff = s.taut * (lambda * theta * dt * dt * (positive(t) / larger(long_z, kLeastLever * length)));
-        s.transverse = select(a * stiff - L::splat(kMostTransverse), L::splat(kMostTransverse) / a, stiff);
-        s.axial = a / (one() - a * s.transverse);
-        s.wish = dw - (over / (dt * cosine)) * s.acting;
-        s.wished = dot(s.along, dw) - over / dt;
+        const L impulse = (stage.dt * stage.dt) * lambda; // of a unit of stiffness, per velocity
+        const L lever = smaller(per_z, (1 / kLeastLever) * per_length);
+        s.transverse = s.taut * ((theta * impulse) * (positive(t) * lever));
+        s.axial = L{};
+        if (interior || compliance > 0) {
+            const L a = yields / impulse, stiff = s.transverse;
+            s.transverse = select(a * stiff - L::splat(kMostTransverse), L::splat(kMostTransverse) / a, stiff);
+            s.axial = a / (one() - a * s.transverse);
+        }
+        const double rate = 1 / stage.dt;
+        s.wish = dw - ((rate * over) / cosine) * s.acting;
+        s.wished = dot(s.along, dw) - rate * over;
     }
 
     // Solves the linear system: phi_i = s (dw - e) + u tau, c . (dw - e) = axial tau, into `next`.
@@ -257,19 +272,25 @@ template <int N> struct Bundle {
 
     // ---- the nonlinear system ---------------------------------------------------------------------------------------
 
-    // Linearizes all springs, and closes the strands whose lengths are right.
-    void linearize_all(L barrier, bool interior, L not_yet) {
-        error = probe = pushed = gained = worth = L{};
-        for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, barrier, interior);
-        error = select(worth, larger(error, larger(gained, pushed) / worth), error);
-        reached = select(open, error + probe, reached);
-        open = open * select(L::splat(stage.tolerance) - (reached + not_yet), L{}, one());
+    // Linearizes all springs; closes the strands that are solved, and those that have come to what is no number. first:
+    // nothing has been solved yet. weight: what their tensions times lengths are at least, as errors count.
+    void linearize_all(L barrier, bool interior, L weight, bool first) {
+        Seen seen;
+        for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, barrier, interior, seen);
+        const L worth = larger(seen.worth, weight), wrong = larger(larger(seen.gained, seen.pushed), seen.slack);
+        const L error = select(worth, larger(seen.error, wrong / worth), seen.error) + seen.probe;
+        reached = select(open, error, reached);
+        if (first) return;
+        const L solved = select(L::splat(stage.tolerance) - error, one(), L{});
+        const L lost = one() - select(L::splat(kMostError) - error, one(), L{});
+        failed = failed + open * lost;
+        open = open * ((one() - solved) * (one() - lost));
     }
 
     // Newton's method with springs that are slack or taut.
     void newton(size_t most) {
         for (size_t k = 0;; ++k) {
-            linearize_all(L{}, false, k > 0 ? L{} : one());
+            linearize_all(L{}, false, L{}, k == 0);
             if (k == most || !any_positive(open)) return;
             eliminate();
             iterations = iterations + open;
@@ -279,53 +300,85 @@ template <int N> struct Bundle {
         }
     }
 
+    // The guess that each piece of the rope moves as one: with its momentum, which the iterations keep, or, where it
+    // hangs on a held node, not at all.
+    void start_together() {
+        for (size_t first = 0, i = 0; i < ropes.nodes; ++i) {
+            if (i + 1 < ropes.nodes && !is_idle(i)) continue;
+            bool hangs = false;
+            L mass{};
+            V momentum{};
+            for (size_t k = first; k <= i; ++k) {
+                hangs |= held(k);
+                mass = mass + nodes[k].ground;
+                momentum = momentum + nodes[k].ground * nodes[k].b;
+            }
+            for (size_t k = first; k <= i; ++k)
+                if (!held(k)) nodes[k].w = select(open, hangs ? V{} : (one() / mass) * momentum, nodes[k].w);
+            first = i + 1;
+        }
+    }
+
     // Of ropes that only pull, a step of lambda = 1 minimizes a convex function: a primal-dual interior point, in which
     // T gap = barrier for every spring, finds it from anywhere.
     void interior(size_t most) {
         begin();
         L force{}, mass{}, driven{};
         for (size_t i = 0; i < ropes.nodes; ++i) {
-            Node& n = nodes[i];
+            const Node& n = nodes[i];
             const L speed = root(dot(n.b, n.b));
-            if (held(i)) {
-                driven = driven + speed;
-                continue;
-            }
-            n.w = select(open, V{}, n.w);
-            mass = mass + n.ground;
-            force = force + n.ground * speed;
+            if (held(i)) driven = driven + speed;
+            else mass = mass + n.ground, force = force + n.ground * speed;
         }
         const double each = 1 / double(ropes.nodes);
         force = (each / stage.dt) * (force + (each * mass) * driven);
         force = larger(force, L::splat(kLeastForce));
+        start_together();
         const L tried = open;
-        L longer{};
+        L longer{}, weight{}; // weight: of the nodes, times lengths
         for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
             Spring& s = springs[i];
             if (is_idle(i)) continue;
             const L length = larger(s.length, kShrink * s.long_before - c.compliance[i] * positive(s.tension));
             longer = larger(longer, (length - s.length) / s.length);
-            s.length = length;
+            s.length = length, s.per_length = one() / length;
+            weight = weight + force * length;
             s.gap = larger(s.length - s.long_before, kFirstGap * s.length);
             s.tension = select(open, force, s.tension);
         }
         const double share = 1 / double(ropes.nodes - 1);
         for (size_t k = 0;; ++k) {
-            L slack{}, pulls{}; // sums of tensions times gaps, and of tensions, or the nodes' weight, times lengths
-            for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
-                if (is_idle(i)) continue;
-                const Spring& s = springs[i];
-                slack = slack + s.tension * s.gap;
-                pulls = pulls + larger(s.tension, force) * s.length;
-            }
-            const L barrier = (kBarrierFall * share) * slack;
-            linearize_all(barrier, true, slack / pulls);
+            L sum{}; // of tensions times gaps
+            for (size_t i = 0; i + 1 < ropes.nodes; ++i)
+                if (!is_idle(i)) sum = sum + springs[i].tension * springs[i].gap;
+            const L barrier = (kBarrierFall * share) * sum;
+            linearize_all(barrier, true, weight, k == 0);
             if (k == most || !any_positive(open)) break;
             eliminate();
             iterations = iterations + open;
             step_inside(barrier);
         }
-        reached = select(tried, larger(reached, longer), reached);
+        finish_inside(tried);
+        reached = select(tried, larger(longer, reached), reached); // NaN stays
+    }
+
+    // Springs that are much too short for the little tension that the barrier gives them, as tensions go, are slack.
+    void finish_inside(L tried) {
+        L sum{}, lengths{};
+        for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+            if (is_idle(i)) continue;
+            sum = sum + springs[i].tension * springs[i].length;
+            lengths = lengths + springs[i].length;
+        }
+        for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+            if (is_idle(i)) continue;
+            Spring& s = springs[i];
+            const V after = s.before + L::splat(stage.dt) * (nodes[i + 1].w - nodes[i].w);
+            const L over = root(dot(after, after)) - s.length, yields = L::splat(c.compliance[i]);
+            const L slack = (yields * s.tension - over) * sum - (s.tension * s.length) * lengths;
+            const L own = c.compliance[i] > 0 ? positive(over) / yields : L{};
+            s.tension = select(tried * select(slack, one(), L{}), own, s.tension);
+        }
     }
 
     // The part of a step that leaves all tensions and gaps positive.
@@ -357,15 +410,24 @@ template <int N> struct Bundle {
         open = one();
         begin();
         newton(kMostNewton);
-        if (!any_positive(open)) return;
+        if (!try_again()) return;
         if (stage.lambda < 1) {
             lambda = select(open, one(), lambda);
             begin();
             newton(kMostNewton);
+            if (!try_again()) return;
         }
-        if (!any_positive(open)) return;
-        if (!stage.push) interior(stage.most_iterations);
-        if (any_positive(open)) calm();
+        if (!stage.push) {
+            interior(stage.most_iterations);
+            if (!try_again()) return;
+        }
+        calm();
+    }
+    // Opens the strands that failed; whether there is any to go on with.
+    bool try_again() {
+        open = open + failed;
+        failed = L{};
+        return any_positive(open);
     }
 
     // Of what could not be solved: its nodes move with no more energy than they would have alone.
@@ -456,7 +518,7 @@ template <int N> RopeResult step_bundle(const Ropes& ropes, const RopeCoefficien
     static_assert(sizeof(typename Here::Node) + sizeof(typename Here::Spring) == kRopeScratch * N * sizeof(double));
     auto* const nodes = reinterpret_cast<typename Here::Node*>(scratch);
     auto* const springs = reinterpret_cast<typename Here::Spring*>(nodes + ropes.nodes);
-    Here bundle{ropes, c, stage, nodes, springs, first, count, {}, {}, {}, {}, {}, {}, {}};
+    Here bundle{ropes, c, stage, nodes, springs, first, count, {}, {}, {}};
     return bundle.step();
 }
 

@@ -40,9 +40,9 @@ struct Ropes {
 
 // Of the nodes and springs, the same for all strands.
 struct RopeCoefficients {
-    const double *mass, *drag, *tie;   // [kg], [N s/m], [N/m]
-    const double *length, *compliance; // [m]; [m/N], 0: of fixed length, INFINITY: cut
-    const uint8_t* pin;                // cd_node
+    const double *mass, *drag, *tie;                // [kg], [N s/m], [N/m]
+    const double *length, *per_length, *compliance; // [m], [1/m]; [m/N], 0: of fixed length, INFINITY: cut
+    const uint8_t* pin;                             // cd_node
 };
 
 struct RopeStage {
@@ -67,7 +67,7 @@ struct RopeResult {
 
 // The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand;
 // a call with one strand needs no more than that strand's.
-constexpr size_t kRopeStrands = 8, kRopeScratch = 48;
+constexpr size_t kRopeStrands = 8, kRopeScratch = 49;
 
 namespace CD_ISA {
 

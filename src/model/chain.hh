@@ -6,6 +6,8 @@
 
 namespace cd {
 
+constexpr uint64_t kMostIterations = 10000; // of a rope's step
+
 // Of chains whose springs have a length: see chain_rope.cpp.
 struct RopeSettings {
     double length = 0; // [m], of a strand; 0: springs have none

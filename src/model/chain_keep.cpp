@@ -62,7 +62,8 @@ struct ChainKeep {
         if (rope == RopeSettings()) return fields == 0;
         const bool has_length = can_have_lengths(c) && valid_mass(rope.length);
         return (has_length || (rope.length == 0 && fields == kOfRopes)) && (rope.push == 0 || rope.push == 1) &&
-               rope.tolerance >= kLeastTolerance && rope.tolerance <= kMostTolerance && rope.most_iterations >= 1;
+               rope.tolerance >= kLeastTolerance && rope.tolerance <= kMostTolerance && rope.most_iterations >= 1 &&
+               rope.most_iterations <= kMostIterations;
     }
 
     static bool check_fields(Reader reader, const Chain& c, const Settings& s) {

@@ -18,7 +18,8 @@ size_t scratch_of_task(const Chain& c) { return c.nodes * kRopeScratch * (c.stra
 RopeCoefficients coefficients_of(Chain& c, bool changed) {
     double* const row = c.coefficients.data;
     double *const mass = row, *const drag = row + c.nodes, *const tie = row + 2 * c.nodes,
-                  *const length = row + 3 * c.nodes, *const compliance = row + 4 * c.nodes;
+                  *const length = row + 3 * c.nodes, *const per_length = row + 4 * c.nodes,
+                  *const compliance = row + 5 * c.nodes;
     for (size_t i = 0; i < c.nodes && changed; ++i) {
         mass[i] = mass_of(c, i);
         drag[i] = drag_of(c, i);
@@ -26,9 +27,10 @@ RopeCoefficients coefficients_of(Chain& c, bool changed) {
     }
     for (size_t i = 0; i < c.springs && changed; ++i) {
         length[i] = length_of(c, i);
+        per_length[i] = 1 / length[i];
         compliance[i] = 1 / stiffness_of(c, i);
     }
-    return {mass, drag, tie, length, compliance, c.pin.data};
+    return {mass, drag, tie, length, per_length, compliance, c.pin.data};
 }
 
 } // namespace
@@ -43,7 +45,7 @@ const char* what_ropes_lack(const Chain& c) {
     return nullptr;
 }
 
-size_t rope_coefficients(const Chain& c) { return 5 * c.nodes; }
+size_t rope_coefficients(const Chain& c) { return 6 * c.nodes; }
 size_t rope_scratch(const Chain& c) { return tasks_of(c) * scratch_of_task(c); }
 
 void clear_state(Chain& c) {

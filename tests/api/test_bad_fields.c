@@ -9,6 +9,7 @@ enum { STRANDS = 3, SPRINGS = 9, NODES = SPRINGS + 1, COMPONENTS = 2, ALL = STRA
 
 static cd_chain* chain; /* everything on */
 static cd_chain* plain; /* nothing on */
+static cd_chain* rope;  /* with CD_REST_LENGTH on */
 
 static const cd_field optional[] = {CD_FORCE, CD_MASS, CD_STIFFNESS, CD_BEND, CD_TARGET};
 static const cd_field shared[] = {CD_MASS, CD_STIFFNESS, CD_BEND, CD_PIN};
@@ -22,6 +23,8 @@ static int set_up(void** state) {
     chain = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT64);
     scene_everything(chain);
     plain = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT32);
+    rope = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT64);
+    scene_lengths(rope);
     for (size_t i = 0; i < ALL; ++i) values[i] = singles[i] = 0;
     return 0;
 }
@@ -30,6 +33,7 @@ static int tear_down(void** state) {
     (void)state;
     cd_chain_destroy(chain);
     cd_chain_destroy(plain);
+    cd_chain_destroy(rope);
     return 0;
 }
 
@@ -51,14 +55,36 @@ static int tear_down(void** state) {
 
 static void no_number_is_taken_for_a_field(void** state) {
     (void)state;
-    static const cd_field none[] = {-1, 8, 77, INT32_MAX, INT32_MIN};
+    static const cd_field none[] = {-1, 8,  9,  10, 11, 12, 13, 14,        15,       16,
+                                    17, 18, 19, 20, 21, 24, 77, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < COUNT(none); ++i) {
-        const char* text = text_of("field|%d", none[i]);
-        refuses(chain, cd_chain_enable_field(chain, none[i]), CD_ERROR_ENUM, text);
-        refuses(chain, cd_chain_disable_field(chain, none[i]), CD_ERROR_ENUM, text);
-        refuses_transfers(chain, none[i], 0, 1, 0, 1, 1, CD_ERROR_ENUM, text);
-        refuses_view(chain, none[i], CD_ERROR_ENUM, text);
+        const char* text = text_of("field|%d|must be 0 to 7, 22 or 23", none[i]);
+        for (int with_lengths = 0; with_lengths <= 1; ++with_lengths) {
+            cd_chain* c = with_lengths ? rope : chain;
+            refuses(c, cd_chain_enable_field(c, none[i]), CD_ERROR_ENUM, text);
+            refuses(c, cd_chain_disable_field(c, none[i]), CD_ERROR_ENUM, text);
+            refuses_transfers(c, none[i], 0, 1, 0, 1, 1, CD_ERROR_ENUM, text);
+            refuses_view(c, none[i], CD_ERROR_ENUM, text);
+        }
     }
+}
+
+static void only_ropes_have_the_fields_of_ropes(void** state) {
+    (void)state;
+    for (cd_field f = CD_REST_LENGTH; f <= CD_TENSION; ++f) {
+        const char* text = text_of("field|%d|rest length", f);
+        refuses(chain, cd_chain_enable_field(chain, f), CD_ERROR_UNSUPPORTED, text);
+        refuses_transfers(chain, f, 0, 1, 0, 1, 1, CD_ERROR_UNSUPPORTED, text);
+        refuses_view(chain, f, CD_ERROR_UNSUPPORTED, text_of("field|%d", f));
+        refuses_view(rope, f, CD_ERROR_UNSUPPORTED, text_of("field|%d|view", f));
+        ok(cd_chain_enable_field(rope, f));
+    }
+    ok(cd_chain_disable_field(chain, CD_REST_LENGTH)); /* is off */
+    refuses(chain, cd_chain_disable_field(chain, CD_TENSION), CD_ERROR_UNSUPPORTED, "field|23");
+    refuses(rope, cd_chain_disable_field(rope, CD_TENSION), CD_ERROR_UNSUPPORTED, "field|23|CD_TENSION");
+    ok(cd_chain_disable_field(rope, CD_REST_LENGTH));
+    refuses_transfers(rope, CD_REST_LENGTH, 0, 1, 0, 1, 1, CD_ERROR_DISABLED, "field|22|CD_REST_LENGTH");
+    ok(cd_chain_enable_field(rope, CD_REST_LENGTH));
 }
 
 static void a_field_that_is_off_is_said_to_be_disabled(void** state) {
@@ -123,6 +149,22 @@ static void fields_that_the_strands_share_have_strand_0_only(void** state) {
     }
 }
 
+/* Lengths are shared by the strands, a tension is one strand's own. */
+static void no_spring_beyond_the_end_of_a_rope_is_taken(void** state) {
+    (void)state;
+    static const size_t strands[] = {1, STRANDS};
+    for (cd_field f = CD_REST_LENGTH; f <= CD_TENSION; ++f) {
+        const size_t all = strands[f - CD_REST_LENGTH], most = SIZE_MAX;
+        refuses_transfers(rope, f, all, 1, 0, 1, 1, CD_ERROR_RANGE, part_text("first_strand", all));
+        refuses_transfers(rope, f, 0, all + 1, 0, 1, all + 1, CD_ERROR_RANGE, part_text("strands", all + 1));
+        refuses_transfers(rope, f, most, 1, 0, 1, 1, CD_ERROR_RANGE, part_text("first_strand", most));
+        refuses_transfers(rope, f, 0, 1, SPRINGS, 1, 1, CD_ERROR_RANGE, part_text("first", SPRINGS));
+        refuses_transfers(rope, f, 0, 1, 0, NODES, NODES, CD_ERROR_RANGE, part_text("n", NODES));
+        refuses_transfers(rope, f, 0, 1, most, 2, 2, CD_ERROR_RANGE, part_text("first", most));
+        refuses_transfers(rope, f, 0, 1, 0, 1, COMPONENTS, CD_ERROR_RANGE, name_and_size("count", COMPONENTS));
+    }
+}
+
 static void no_buffer_of_another_length_is_taken(void** state) {
     (void)state;
     static const size_t wrong[] = {0, 1, 11, 13, 77, SIZE_MAX};
@@ -146,13 +188,35 @@ static const struct {
     {CD_PIN, NAN, "nan"},
     {CD_PIN, 0.5, "0.5"},          {CD_PIN, -1, "-1"},              {CD_PIN, 4, "4"},
     {CD_PIN, 1e30, "1e+30"},       {CD_PIN, INFINITY, "inf"},       {CD_PIN, CD_NODE_MATCHED, "3"},
+    {CD_REST_LENGTH, NAN, "nan"},  {CD_REST_LENGTH, 0, "0"},        {CD_REST_LENGTH, INFINITY, "inf"},
+    {CD_REST_LENGTH, -0.5, "-0.5"}, {CD_TENSION, NAN, "nan"},       {CD_TENSION, INFINITY, "inf"},
+    {CD_TENSION, -INFINITY, "-inf"},
 };
+
+static void lengths_beyond_their_range_are_refused(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(too_small); ++i)
+        refuses(rope, cd_chain_write_f64(rope, CD_REST_LENGTH, 0, 1, 3, 1, &too_small[i].value, 1), CD_ERROR_VALUE,
+                text_of("values|0|%s|CD_REST_LENGTH takes numbers from 1e-60 to 1e60", too_small[i].shown));
+    for (size_t i = 0; i < COUNT(too_large); ++i) {
+        const double large = too_large[i].value;
+        refuses(rope, cd_chain_write_f64(rope, CD_REST_LENGTH, 0, 1, 3, 1, &large, 1), CD_ERROR_VALUE,
+                text_of("values|0|%s", too_large[i].shown));
+    }
+    static const double extremes[] = {1e60, 1e-60};
+    for (size_t i = 0; i < COUNT(extremes); ++i) {
+        scene_set(rope, CD_REST_LENGTH, 3, extremes[i]);
+        assert_true(scene_get(rope, CD_REST_LENGTH, 3) == extremes[i]);
+    }
+    scene_set(rope, CD_REST_LENGTH, 3, 0.1);
+}
 
 /* The bad value as the second of three: good ones around it, so that a half-done write would show. */
 static void a_bad_value_is_found_before_anything_is_written(void** state) {
     (void)state;
     for (size_t i = 0; i < COUNT(bad_values); ++i) {
         const cd_field field = bad_values[i].field;
+        cd_chain* const c = field == CD_REST_LENGTH || field == CD_TENSION ? rope : chain;
         const size_t each = field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET
                                 ? COMPONENTS
                                 : 1;
@@ -160,13 +224,13 @@ static void a_bad_value_is_found_before_anything_is_written(void** state) {
         float floats[3 * COMPONENTS];
         for (size_t j = 0; j < 3 * each; ++j) {
             double good = field == CD_MASS || field == CD_STIFFNESS ? 0.75 : field == CD_BEND ? 0.25 : 0;
-            if (field == CD_POSITION || field == CD_VELOCITY) good = 0.125;
+            if (field == CD_POSITION || field == CD_VELOCITY || field == CD_REST_LENGTH) good = 0.125;
             doubles[j] = j == each ? bad_values[i].value : good;
             floats[j] = (float)doubles[j];
         }
         const char* text = text_of("values|%zu|%s", each, bad_values[i].shown);
-        refuses(chain, cd_chain_write_f64(chain, field, 0, 1, 6, 3, doubles, 3 * each), CD_ERROR_VALUE, text);
-        refuses(chain, cd_chain_write_f32(chain, field, 0, 1, 6, 3, floats, 3 * each), CD_ERROR_VALUE, text);
+        refuses(c, cd_chain_write_f64(c, field, 0, 1, 6, 3, doubles, 3 * each), CD_ERROR_VALUE, text);
+        refuses(c, cd_chain_write_f32(c, field, 0, 1, 6, 3, floats, 3 * each), CD_ERROR_VALUE, text);
     }
 }
 
@@ -234,12 +298,15 @@ static void every_field_argument_in_the_header_was_tried(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_number_is_taken_for_a_field),
+        cmocka_unit_test(only_ropes_have_the_fields_of_ropes),
         cmocka_unit_test(a_field_that_is_off_is_said_to_be_disabled),
         cmocka_unit_test(what_has_no_view_or_no_switch_is_unsupported),
         cmocka_unit_test(no_range_beyond_the_end_is_taken),
         cmocka_unit_test(fields_that_the_strands_share_have_strand_0_only),
+        cmocka_unit_test(no_spring_beyond_the_end_of_a_rope_is_taken),
         cmocka_unit_test(no_buffer_of_another_length_is_taken),
         cmocka_unit_test(a_bad_value_is_found_before_anything_is_written),
+        cmocka_unit_test(lengths_beyond_their_range_are_refused),
         cmocka_unit_test(what_overflows_in_the_chains_precision_is_refused),
         cmocka_unit_test(a_pinned_node_takes_no_velocity),
         cmocka_unit_test(held_nodes_are_not_joined_by_a_weld),

@@ -45,6 +45,15 @@ static void no_parameter_takes_a_number_outside_its_range(void** state) {
     refuses_each(chain, cd_chain_set_stiffness_damping(chain, bad), "seconds", not_finite);
     refuses_each(chain, cd_chain_set_stiffness_damping(chain, bad), "seconds", negative);
     refuses_each(chain, cd_chain_set_stiffness_damping(chain, bad), "seconds", too_large);
+    static const struct bad_number no_tolerance[] = {{0.9e-14, "9e-15"}, {0.75, "0.75"}, {0, "0"}, {-1e-6, "-1e-06"}};
+    refuses_each(chain, cd_chain_set_rest_length(chain, bad), "length", not_finite);
+    refuses_each(chain, cd_chain_set_rest_length(chain, bad), "length", negative);
+    refuses_each(chain, cd_chain_set_rest_length(chain, bad), "length", too_large);
+    refuses_each(chain, cd_chain_set_rest_length(chain, bad), "length", too_small);
+    refuses_each(chain, cd_chain_set_tolerance(chain, bad, 10), "tolerance", not_finite);
+    refuses_each(chain, cd_chain_set_tolerance(chain, bad, 10), "tolerance", no_tolerance);
+    refuses(chain, cd_chain_set_tolerance(chain, 1e-6, 0), CD_ERROR_VALUE, "most_iterations|0");
+    refuses(chain, cd_chain_set_tolerance(chain, 1e-6, 10001), CD_ERROR_VALUE, "most_iterations|10001");
     refuses_each(chain, cd_chain_step(chain, bad, 1), "dt", not_finite);
     refuses_each(chain, cd_chain_step(chain, bad, 1), "dt", not_positive);
     refuses_each(chain, cd_chain_step(chain, bad, 1), "dt", not_a_step);
@@ -73,6 +82,27 @@ static void the_extremes_of_the_header_are_taken(void** state) {
     ok(cd_chain_attach(c, 0, 1e60, 1e60, NULL, 1));
     ok(cd_chain_step(c, 1e-30, 1));
     ok(cd_chain_step(c, 1e30, 1));
+    ok(cd_chain_set_tolerance(c, 1e-14, 1));
+    ok(cd_chain_set_tolerance(c, 0.5, 10000));
+    ok(cd_chain_set_rest_length(c, 1e60));
+    ok(cd_chain_set_rest_length(c, 1e-60));
+    ok(cd_chain_set_stiffness(c, INFINITY));
+    ok(cd_chain_set_stiffness(c, 1));
+    ok(cd_chain_set_rest_length(c, 0));
+    cd_chain_destroy(c);
+}
+
+/* The total stiffness of a rope may be infinite, and nothing else is out of range that was not before. */
+static void a_rope_takes_no_other_stiffness_outside_the_range(void** state) {
+    (void)state;
+    static const struct bad_number no_number[] = {{NAN, "nan"}, {-INFINITY, "-inf"}};
+    cd_chain* c = scene_chain(2, 5, 3, CD_FLOAT64);
+    refuses(c, cd_chain_set_stiffness(c, INFINITY), CD_ERROR_VALUE, "stiffness|inf");
+    ok(cd_chain_set_rest_length(c, 1));
+    ok(cd_chain_set_stiffness(c, INFINITY));
+    refuses_each(c, cd_chain_set_stiffness(c, bad), "stiffness", no_number);
+    refuses_each(c, cd_chain_set_stiffness(c, bad), "stiffness", negative);
+    refuses_each(c, cd_chain_set_stiffness(c, bad), "stiffness", too_large);
     cd_chain_destroy(c);
 }
 
@@ -111,12 +141,14 @@ static void no_number_is_taken_for_an_enumerator(void** state) {
         refuses(chain, cd_chain_set_end(chain, bad, CD_NODE_FREE), CD_ERROR_ENUM, text_of("end|%d", bad));
         refuses(chain, cd_chain_get_end(chain, bad, &out.i32), CD_ERROR_ENUM, text_of("end|%d", bad));
         refuses(chain, cd_chain_set_ring(chain, bad), CD_ERROR_VALUE, text_of("ring|%d", bad));
+        refuses(chain, cd_chain_set_push(chain, bad), CD_ERROR_VALUE, text_of("push|%d", bad));
     }
     refuses(chain, cd_chain_create(1, 1, 1, 2, NULL, &out.chain), CD_ERROR_ENUM, "precision|2");
     refuses(chain, cd_chain_set_mass_rule(chain, 2), CD_ERROR_ENUM, "rule|2");
     refuses(chain, cd_chain_set_end(chain, 2, CD_NODE_FREE), CD_ERROR_ENUM, "end|2");
     refuses(chain, cd_chain_get_end(chain, 2, &out.i32), CD_ERROR_ENUM, "end|2");
     refuses(chain, cd_chain_set_ring(chain, 2), CD_ERROR_VALUE, "ring|2");
+    refuses(chain, cd_chain_set_push(chain, 2), CD_ERROR_VALUE, "push|2");
 }
 
 static void no_shape_is_made_that_cannot_be(void** state) {
@@ -227,6 +259,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_parameter_takes_a_number_outside_its_range),
         cmocka_unit_test(the_extremes_of_the_header_are_taken),
+        cmocka_unit_test(a_rope_takes_no_other_stiffness_outside_the_range),
         cmocka_unit_test(no_array_takes_what_is_not_finite),
         cmocka_unit_test(no_number_is_taken_for_an_enumerator),
         cmocka_unit_test(no_shape_is_made_that_cannot_be),

@@ -69,6 +69,13 @@ static void only_a_living_chain_is_taken_for_one(void** state) {
     refuses_handles(cd_chain_get_end, CD_END_FIRST, &out.i32);
     refuses_handles(cd_chain_set_ring, 0);
     refuses_handles(cd_chain_get_ring, &out.i32);
+    refuses_handles(cd_chain_set_rest_length, 1.5);
+    refuses_handles(cd_chain_get_rest_length, out.number);
+    refuses_handles(cd_chain_set_push, 1);
+    refuses_handles(cd_chain_get_push, &out.i32);
+    refuses_handles(cd_chain_set_tolerance, 1e-3, 10);
+    refuses_handles(cd_chain_get_tolerance, out.number, out.size);
+    refuses_handles(cd_chain_get_convergence, out.size, out.number);
     refuses_handles(cd_chain_enable_field, CD_FORCE);
     refuses_handles(cd_chain_disable_field, CD_FORCE);
     refuses_handles(cd_chain_write_f32, CD_POSITION, 0, 1, 0, 1, singles, COMPONENTS);
@@ -128,6 +135,10 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(chain, cd_chain_get_gravity(chain, NULL, COMPONENTS), CD_ERROR_NULL, "out_gravity");
     refuses(chain, cd_chain_get_end(chain, CD_END_FIRST, NULL), CD_ERROR_NULL, "out_kind");
     refuses(chain, cd_chain_get_ring(chain, NULL), CD_ERROR_NULL, "out_ring");
+    refuses(chain, cd_chain_get_rest_length(chain, NULL), CD_ERROR_NULL, "out_length");
+    refuses(chain, cd_chain_get_push(chain, NULL), CD_ERROR_NULL, "out_push");
+    refuses(chain, cd_chain_get_tolerance(chain, NULL, out.size), CD_ERROR_NULL, "out_tolerance");
+    refuses(chain, cd_chain_get_tolerance(chain, out.number, NULL), CD_ERROR_NULL, "out_most_iterations");
     refuses(chain, cd_chain_write_f32(chain, CD_POSITION, 0, 1, 0, 1, NULL, COMPONENTS), CD_ERROR_NULL, "values");
     refuses(chain, cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, 1, NULL, COMPONENTS), CD_ERROR_NULL, "values");
     refuses(chain, cd_chain_read_f32(chain, CD_POSITION, 0, 1, 0, 1, NULL, COMPONENTS), CD_ERROR_NULL, "out_values");
@@ -164,7 +175,8 @@ static const char* const nullable[] = {
     "cd_chain_create allocator",         "cd_chain_destroy chain",          "cd_chain_get_shape out_strands",
     "cd_chain_get_shape out_springs",    "cd_chain_get_shape out_components", "cd_chain_get_shape out_precision",
     "cd_chain_set_parallel parallel",    "cd_chain_attach target",          "cd_chain_get_energy out_kinetic",
-    "cd_chain_get_energy out_elastic",   "cd_chain_get_energy out_gravity",
+    "cd_chain_get_energy out_elastic",   "cd_chain_get_energy out_gravity",   "cd_chain_get_convergence out_iterations",
+    "cd_chain_get_convergence out_error",
 };
 
 static void what_may_be_null_is_taken_as_null(void** state) {
@@ -174,6 +186,7 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     ok(cd_chain_get_shape(other, NULL, NULL, NULL, NULL));
     ok(cd_chain_set_parallel(other, NULL));
     ok(cd_chain_get_energy(other, NULL, NULL, NULL));
+    ok(cd_chain_get_convergence(other, NULL, NULL));
     ok(cd_chain_attach(other, 0, 1, 1, target, COMPONENTS));
     ok(cd_chain_attach(other, 1, 1, 1, NULL, COMPONENTS));
     ok(cd_chain_attach(other, 1, 1, 1, NULL, 0)); /* then count means nothing */

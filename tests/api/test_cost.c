@@ -1,4 +1,6 @@
 /* What a change costs: one factorization at the next step, and no memory. */
+#include <math.h>
+
 #include "check.h"
 #include "heap.h"
 #include "scene.h"
@@ -30,6 +32,12 @@ static void detach(cd_chain* chain) { ok(cd_chain_detach(chain, 3)); }
 static void cut(cd_chain* chain) { ok(cd_chain_cut(chain, 1)); }
 static void weld(cd_chain* chain) { ok(cd_chain_weld(chain, 5)); }
 
+static void length(cd_chain* chain) { ok(cd_chain_set_rest_length(chain, 2)); }
+static void spring_length(cd_chain* chain) { scene_set(chain, CD_REST_LENGTH, 2, 0.2); }
+static void rigid(cd_chain* chain) { ok(cd_chain_set_stiffness(chain, INFINITY)); }
+static void push(cd_chain* chain) { ok(cd_chain_set_push(chain, 1)); }
+static void tolerance(cd_chain* chain) { ok(cd_chain_set_tolerance(chain, 1e-6, 50)); }
+
 static const struct change {
     const char* name;
     void (*make)(cd_chain*);
@@ -42,6 +50,32 @@ static const struct change {
                {"node bend", node_bend},     {"attach", attach},
                {"detach", detach},           {"cut", cut},
                {"weld", weld}};
+
+/* Of ropes. */
+static const struct change rope_changes[] = {
+    {"lambda", lambda},       {"mass", mass},
+    {"mass rule", mass_rule}, {"stiffness", stiffness},
+    {"drag", drag},           {"end", end},
+    {"pin", pin},             {"node mass", node_mass},
+    {"spring stiffness", spring_stiffness},
+    {"attach", attach},       {"detach", detach},
+    {"cut", cut},             {"weld", weld},
+    {"rest length", length},  {"spring length", spring_length},
+    {"infinite stiffness", rigid},
+    {"push", push},           {"tolerance", tolerance}};
+
+static cd_chain* with_lengths(struct heap* heap) {
+    const cd_allocator allocator = heap_allocator(heap);
+    cd_chain* chain = scene_chain_from(&allocator, STRANDS, SPRINGS, COMPONENTS, CD_FLOAT64);
+    scene_lengths(chain);
+    return chain;
+}
+
+/* Steps of a rope are made, if not always within its tolerance. */
+static void step_rope(cd_chain* chain) {
+    const cd_status status = cd_chain_step(chain, 0.001, 1);
+    if (status != CD_ERROR_TOLERANCE) ok(status);
+}
 
 static cd_chain* everything(struct heap* heap) {
     const cd_allocator allocator = heap_allocator(heap);
@@ -105,6 +139,80 @@ static void each_change_costs_one_factorization_at_the_next_step_and_no_memory(v
     }
 }
 
+/* A rope eliminates anew in every iteration and has no factorization to keep. */
+static void no_change_of_a_rope_costs_memory_or_a_factorization(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(rope_changes); ++i) {
+        struct heap heap = {0};
+        cd_chain* chain = with_lengths(&heap);
+        step_rope(chain);
+        step_rope(chain);
+        const size_t allocations = heap.allocations, live = heap.live_bytes;
+        rope_changes[i].make(chain);
+        step_rope(chain);
+        step_rope(chain);
+        assert_int_equal(factorizations(chain), 0);
+        if (heap.allocations != allocations || heap.live_bytes != live)
+            fail_msg("%s: %zu allocations", rope_changes[i].name, heap.allocations - allocations);
+        cd_chain_destroy(chain);
+        heap_free(&heap);
+    }
+}
+
+/* Ropes take memory for a tension per strand and spring, and for what their steps need, and give it back. */
+static void lengths_take_memory_and_give_it_back(void** state) {
+    (void)state;
+    enum { MANY = 64, LONG = 999 };
+    struct heap heap = {0};
+    const cd_allocator allocator = heap_allocator(&heap);
+    cd_chain* chain = scene_chain_from(&allocator, MANY, LONG, 3, CD_FLOAT32);
+    const size_t plain = heap.live_bytes;
+    ok(cd_chain_set_rest_length(chain, 2));
+    const size_t rope = heap.live_bytes;
+    assert_true(rope > plain + MANY * LONG * sizeof(double));
+    size_t allocations = heap.allocations;
+    ok(cd_chain_set_rest_length(chain, 3)); /* another length costs nothing more */
+    ok(cd_chain_set_push(chain, 1));
+    ok(cd_chain_set_push(chain, 0));
+    ok(cd_chain_enable_field(chain, CD_TENSION)); /* is on */
+    assert_int_equal(heap.allocations, allocations);
+    assert_int_equal(heap.live_bytes, rope);
+    ok(cd_chain_enable_field(chain, CD_REST_LENGTH));
+    assert_true(heap.live_bytes >= rope + LONG * sizeof(double));
+    assert_true(heap.live_bytes < rope + LONG * sizeof(double) + 4096);
+    ok(cd_chain_disable_field(chain, CD_REST_LENGTH));
+    assert_int_equal(heap.live_bytes, rope);
+    ok(cd_chain_enable_field(chain, CD_REST_LENGTH));
+    ok(cd_chain_set_rest_length(chain, 0));
+    assert_int_equal(heap.live_bytes, plain);
+    allocations = heap.allocations;
+    ok(cd_chain_disable_field(chain, CD_REST_LENGTH));
+    assert_int_equal(heap.allocations, allocations);
+    cd_chain_destroy(chain);
+    heap_free(&heap);
+}
+
+/* A single strand's scratch is no larger than it needs, and many strands share that of a few. */
+static void a_rope_takes_no_more_scratch_than_its_tasks(void** state) {
+    (void)state;
+    static const size_t strands[] = {1, 8, 128, 4096};
+    size_t of_step[COUNT(strands)];
+    for (size_t i = 0; i < COUNT(strands); ++i) {
+        size_t plain, rope;
+        cd_chain* chain = scene_chain(strands[i], 99, 3, CD_FLOAT32);
+        ok(cd_chain_set_method(chain, CD_METHOD_SYMPLECTIC_EULER)); /* no scratch */
+        ok(cd_chain_get_memory(chain, &plain));
+        ok(cd_chain_set_rest_length(chain, 1));
+        ok(cd_chain_get_memory(chain, &rope));
+        of_step[i] = rope - plain - strands[i] * 99 * sizeof(double);
+        cd_chain_destroy(chain);
+    }
+    assert_true(of_step[0] < 100 * 64 * sizeof(double));
+    assert_true(of_step[1] < 8 * 100 * 64 * sizeof(double));
+    assert_true(of_step[2] < 128 * 100 * 64 * sizeof(double));
+    assert_int_equal(of_step[3], of_step[2]);
+}
+
 /* A method may need other memory, which it takes when it is chosen. */
 static void a_change_of_method_costs_one_factorization_and_no_memory_in_the_step(void** state) {
     (void)state;
@@ -162,12 +270,14 @@ static void explicit_methods_factor_nothing(void** state) {
 
 static void steps_reads_and_writes_never_allocate(void** state) {
     (void)state;
-    for (size_t scene = 0; scene < SCENES; ++scene) {
+    for (size_t scene = 0; scene < SCENES + ROPE_SCENES; ++scene) {
         for (cd_method m = CD_METHOD_IMPLICIT; m <= CD_METHOD_STIFF_SECOND; ++m) {
+            if (scene >= SCENES && m != CD_METHOD_IMPLICIT) continue;
             struct heap heap = {0};
             const cd_allocator allocator = heap_allocator(&heap);
             cd_chain* chain = scene_chain_from(&allocator, STRANDS, SPRINGS, COMPONENTS, CD_FLOAT32);
-            scenes[scene].build(chain);
+            if (scene < SCENES) scenes[scene].build(chain);
+            else rope_scenes[scene - SCENES].build(chain);
             ok(cd_chain_set_method(chain, m));
             const size_t allocations = heap.allocations, live = heap.live_bytes;
             heap_fail(&heap, 1, true);
@@ -176,7 +286,7 @@ static void steps_reads_and_writes_never_allocate(void** state) {
             static unsigned char bytes[1 << 16];
             for (int round = 0; round < 3; ++round) {
                 ok(cd_chain_step(chain, 0.0001 * (1 + round), 5));
-                for (cd_field field = CD_POSITION; field <= CD_TARGET; ++field) {
+                for (cd_field field = CD_POSITION; field <= CD_TENSION; ++field) {
                     const size_t strands = scene_field_strands(chain, field), count = scene_field_count(chain, field);
                     const size_t items = scene_field_items(chain, field);
                     if (cd_chain_read_f64(chain, field, 0, strands, 0, items, values, count) != CD_OK) continue;
@@ -230,6 +340,9 @@ int main(void) {
         cmocka_unit_test(an_unchanged_chain_factors_once),
         cmocka_unit_test(the_state_and_the_forces_are_no_change),
         cmocka_unit_test(each_change_costs_one_factorization_at_the_next_step_and_no_memory),
+        cmocka_unit_test(no_change_of_a_rope_costs_memory_or_a_factorization),
+        cmocka_unit_test(lengths_take_memory_and_give_it_back),
+        cmocka_unit_test(a_rope_takes_no_more_scratch_than_its_tasks),
         cmocka_unit_test(a_change_of_method_costs_one_factorization_and_no_memory_in_the_step),
         cmocka_unit_test(each_change_of_dt_costs_one_factorization),
         cmocka_unit_test(several_changes_before_a_step_cost_one_factorization),

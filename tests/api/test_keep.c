@@ -6,7 +6,7 @@
 #include "check.h"
 #include "scene.h"
 
-enum { STRANDS = 2, SPRINGS = 12, COMPONENTS = 3 };
+enum { STRANDS = 2, SPRINGS = 12, COMPONENTS = 3, ALL_SCENES = SCENES + ROPE_SCENES };
 
 struct blob {
     unsigned char* bytes;
@@ -25,10 +25,14 @@ static struct blob save(const cd_chain* chain) {
     return blob;
 }
 
+static int is_rope(size_t scene) { return scene >= SCENES; }
+
+/* One of all scenes; ropes have CD_METHOD_IMPLICIT. */
 static cd_chain* scene_of(size_t scene, cd_precision precision, cd_method method) {
     cd_chain* chain = scene_chain(STRANDS, SPRINGS, COMPONENTS, precision);
-    scenes[scene].build(chain);
-    ok(cd_chain_set_method(chain, method));
+    if (is_rope(scene)) rope_scenes[scene - SCENES].build(chain);
+    else scenes[scene].build(chain);
+    if (!is_rope(scene)) ok(cd_chain_set_method(chain, method));
     ok(cd_chain_step(chain, 0.001, 7));
     return chain;
 }
@@ -43,18 +47,26 @@ static void assert_same_in_all_that_can_be_read(const cd_chain* a, const cd_chai
     static const struct {
         cd_status (*get)(const cd_chain*, double*);
     } numbers[] = {{cd_chain_get_lambda}, {cd_chain_get_mass},  {cd_chain_get_stiffness},         {cd_chain_get_bend},
-                   {cd_chain_get_drag},   {cd_chain_get_time}, {cd_chain_get_stiffness_damping}, {cd_chain_stable_dt}};
+                   {cd_chain_get_drag},   {cd_chain_get_time}, {cd_chain_get_stiffness_damping}, {cd_chain_stable_dt},
+                   {cd_chain_get_rest_length}};
     for (size_t i = 0; i < COUNT(numbers); ++i) {
-        double x, y;
-        ok(numbers[i].get(a, &x));
-        ok(numbers[i].get(b, &y));
+        double x = 0, y = 0;
+        const cd_status status = numbers[i].get(a, &x);
+        assert_true(status == CD_OK || (status == CD_ERROR_UNSUPPORTED && numbers[i].get == cd_chain_stable_dt));
+        assert_int_equal(numbers[i].get(b, &y), status);
         assert_same_bits(&x, &y, 1);
     }
+    double tolerances[2];
+    size_t most[2];
+    ok(cd_chain_get_tolerance(a, &tolerances[0], &most[0]));
+    ok(cd_chain_get_tolerance(b, &tolerances[1], &most[1]));
+    assert_same_bits(&tolerances[0], &tolerances[1], 1);
+    assert_int_equal(most[0], most[1]);
     double gravity_a[COMPONENTS], gravity_b[COMPONENTS];
     ok(cd_chain_get_gravity(a, gravity_a, COMPONENTS));
     ok(cd_chain_get_gravity(b, gravity_b, COMPONENTS));
     assert_same_bits(gravity_a, gravity_b, COMPONENTS);
-    int32_t enums_a[3], enums_b[3];
+    int32_t enums_a[4], enums_b[4];
     uint64_t steps_a, steps_b;
     ok(cd_chain_get_method(a, &enums_a[0]));
     ok(cd_chain_get_method(b, &enums_b[0]));
@@ -62,11 +74,14 @@ static void assert_same_in_all_that_can_be_read(const cd_chain* a, const cd_chai
     ok(cd_chain_get_mass_rule(b, &enums_b[1]));
     ok(cd_chain_get_ring(a, &enums_a[2]));
     ok(cd_chain_get_ring(b, &enums_b[2]));
+    ok(cd_chain_get_push(a, &enums_a[3]));
+    ok(cd_chain_get_push(b, &enums_b[3]));
     ok(cd_chain_get_steps(a, &steps_a));
     ok(cd_chain_get_steps(b, &steps_b));
-    assert_same_bits(enums_a, enums_b, 3);
+    assert_same_bits(enums_a, enums_b, 4);
     assert_int_equal(steps_a, steps_b);
-    for (cd_field field = CD_POSITION; field <= CD_TARGET; ++field) {
+    for (cd_field field = CD_POSITION; field <= CD_TENSION; ++field) {
+        if (field > CD_TARGET && field < CD_REST_LENGTH) continue;
         double x[STRANDS * (SPRINGS + 1) * COMPONENTS], y[STRANDS * (SPRINGS + 1) * COMPONENTS];
         const size_t strands = scene_field_strands(a, field), items = scene_field_items(a, field);
         const size_t count = scene_field_count(a, field);
@@ -85,9 +100,10 @@ static void assert_same_in_all_that_can_be_read(const cd_chain* a, const cd_chai
 
 static void a_loaded_chain_goes_on_bit_for_bit(void** state) {
     (void)state;
-    for (size_t scene = 0; scene < SCENES; ++scene) {
+    for (size_t scene = 0; scene < ALL_SCENES; ++scene) {
         for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
             for (cd_method method = CD_METHOD_IMPLICIT; method <= CD_METHOD_STIFF_SECOND; ++method) {
+                if (is_rope(scene) && method != CD_METHOD_IMPLICIT) continue;
                 cd_chain* chain = scene_of(scene, precision, method);
                 struct blob blob = save(chain);
                 cd_chain* fresh = scene_chain(STRANDS, SPRINGS, COMPONENTS, precision);
@@ -106,8 +122,8 @@ static void a_loaded_chain_goes_on_bit_for_bit(void** state) {
 
 static void features_follow_the_bytes_and_the_source(void** state) {
     (void)state;
-    for (size_t from = 0; from < SCENES; ++from) {
-        for (size_t to = 0; to < SCENES; ++to) {
+    for (size_t from = 0; from < ALL_SCENES; ++from) {
+        for (size_t to = 0; to < ALL_SCENES; ++to) {
             cd_chain* source = scene_of(from, CD_FLOAT64, CD_METHOD_IMPLICIT);
             cd_chain* loaded = scene_of(to, CD_FLOAT64, CD_METHOD_STIFF_SECOND);
             cd_chain* copied = scene_of(to, CD_FLOAT64, CD_METHOD_SYMPLECTIC_EULER);
@@ -194,6 +210,73 @@ static void what_was_saved_can_be_loaded_at_the_ends_of_every_range(void** state
     }
 }
 
+/* Whether springs have a length, or had: what is set for those that have it is kept all the same. */
+static void what_is_set_for_ropes_is_kept_at_the_ends_of_every_range(void** state) {
+    (void)state;
+    static const struct {
+        double length, stiffness, tolerance, each, tension;
+        size_t most_iterations;
+        int32_t push;
+    } ropes[] = {{0, 3, 1e-14, 0, 0, 1, 1},
+                 {0, 1e60, 0.5, 0, 0, 10000, 0},
+                 {1e-60, 1e-60, 1e-6, 0, 1e60, 200, 0},
+                 {1e60, 0, 1e-14, 1e60, -1e60, 10000, 1},
+                 {1e60, INFINITY, 0.5, 1e-60, 1e-60, 1, 0}};
+    for (size_t i = 0; i < COUNT(ropes); ++i) {
+        cd_chain* chain = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT32);
+        cd_chain* fresh = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT32);
+        cd_chain* copied = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT32);
+        scene_lengths(copied);
+        ok(cd_chain_set_rest_length(chain, ropes[i].length));
+        ok(cd_chain_set_stiffness(chain, ropes[i].stiffness));
+        ok(cd_chain_set_tolerance(chain, ropes[i].tolerance, ropes[i].most_iterations));
+        ok(cd_chain_set_push(chain, ropes[i].push));
+        if (ropes[i].each > 0) {
+            ok(cd_chain_enable_field(chain, CD_REST_LENGTH));
+            scene_set(chain, CD_REST_LENGTH, SPRINGS - 1, ropes[i].each);
+        }
+        if (ropes[i].length > 0) scene_set(chain, CD_TENSION, SPRINGS - 1, ropes[i].tension);
+        struct blob blob = save(chain);
+        ok(cd_chain_load(fresh, blob.bytes, blob.size));
+        ok(cd_chain_copy_state(copied, chain));
+        assert_int_equal(hash_of(fresh), hash_of(chain));
+        assert_same_in_all_that_can_be_read(fresh, chain);
+        assert_int_equal(hash_of(copied), hash_of(chain));
+        assert_same_in_all_that_can_be_read(copied, chain);
+        free(blob.bytes);
+        cd_chain_destroy(chain);
+        cd_chain_destroy(fresh);
+        cd_chain_destroy(copied);
+    }
+}
+
+/* Chains that never were ropes are saved as they always were: what is set for ropes takes no bytes until it is. */
+static void what_is_as_in_a_new_chain_takes_no_bytes(void** state) {
+    (void)state;
+    cd_chain* chain = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT64);
+    size_t before, during, after;
+    const uint64_t hash = hash_of(chain);
+    ok(cd_chain_save_size(chain, &before));
+    ok(cd_chain_set_rest_length(chain, 2));
+    ok(cd_chain_save_size(chain, &during));
+    assert_true(during >= before + STRANDS * SPRINGS * sizeof(double));
+    ok(cd_chain_set_rest_length(chain, -0.0)); /* is 0 */
+    ok(cd_chain_save_size(chain, &after));
+    assert_int_equal(after, before);
+    assert_int_equal(hash_of(chain), hash);
+    ok(cd_chain_set_push(chain, 1));
+    const uint64_t pushes = hash_of(chain);
+    struct blob blob = save(chain);
+    ok(cd_chain_load(chain, blob.bytes, blob.size));
+    assert_int_equal(hash_of(chain), pushes);
+    cd_chain* other = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT64);
+    ok(cd_chain_set_push(other, 1));
+    assert_int_equal(hash_of(other), pushes);
+    free(blob.bytes);
+    cd_chain_destroy(chain);
+    cd_chain_destroy(other);
+}
+
 static void save_writes_what_it_says_and_no_more(void** state) {
     (void)state;
     cd_chain* chain = scene_of(8, CD_FLOAT64, CD_METHOD_IMPLICIT);
@@ -222,8 +305,10 @@ static void save_writes_what_it_says_and_no_more(void** state) {
 static void no_damaged_byte_goes_unseen(void** state) {
     (void)state;
     static const unsigned char flips[] = {0x01, 0x80, 0xFF, 0x10};
-    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
-        cd_chain* source = scene_of(8, precision, CD_METHOD_IMPLICIT);
+    static const size_t sources[] = {8, SCENES};
+    for (int k = 0; k < 4; ++k) {
+        const cd_precision precision = k % 2;
+        cd_chain* source = scene_of(sources[k / 2], precision, CD_METHOD_IMPLICIT);
         cd_chain* chain = scene_of(3, precision, CD_METHOD_IMPLICIT);
         const uint64_t before = hash_of(chain);
         struct blob blob = save(source);
@@ -320,10 +405,9 @@ static void another_shape_or_precision_is_a_mismatch(void** state) {
     cd_chain_destroy(source);
 }
 
-static void reset_goes_back_to_the_start_and_keeps_the_rest(void** state) {
-    (void)state;
-    cd_chain* chain = scene_of(8, CD_FLOAT64, CD_METHOD_IMPLICIT);
-    cd_chain* same = scene_of(8, CD_FLOAT64, CD_METHOD_IMPLICIT);
+static void goes_back_to_the_start_and_keeps_the_rest(size_t scene) {
+    cd_chain* chain = scene_of(scene, CD_FLOAT64, CD_METHOD_IMPLICIT);
+    cd_chain* same = scene_of(scene, CD_FLOAT64, CD_METHOD_IMPLICIT);
     double x[STRANDS * (SPRINGS + 1) * COMPONENTS], time;
     uint64_t steps;
     ok(cd_chain_reset(chain));
@@ -335,10 +419,15 @@ static void reset_goes_back_to_the_start_and_keeps_the_rest(void** state) {
         scene_read(chain, field, x);
         for (size_t i = 0; i < COUNT(x); ++i) assert_true(x[i] == 0);
     }
+    if (is_rope(scene)) {
+        scene_read(chain, CD_TENSION, x);
+        for (size_t i = 0; i < scene_field_count(chain, CD_TENSION); ++i) assert_true(x[i] == 0);
+    }
     /* what it keeps is all that a fresh chain set up alike has: put the same zeros there by hand */
     memset(x, 0, sizeof x);
     scene_write(same, CD_POSITION, x);
     scene_write(same, CD_VELOCITY, x);
+    if (is_rope(scene)) scene_write(same, CD_TENSION, x);
     double far[STRANDS * (SPRINGS + 1) * COMPONENTS], near[STRANDS * (SPRINGS + 1) * COMPONENTS];
     ok(cd_chain_step(chain, 0.001, 40));
     ok(cd_chain_step(same, 0.001, 40));
@@ -349,6 +438,12 @@ static void reset_goes_back_to_the_start_and_keeps_the_rest(void** state) {
     cd_chain_destroy(same);
 }
 
+static void reset_goes_back_to_the_start_and_keeps_the_rest(void** state) {
+    (void)state;
+    goes_back_to_the_start_and_keeps_the_rest(8);
+    goes_back_to_the_start_and_keeps_the_rest(SCENES);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_loaded_chain_goes_on_bit_for_bit),
@@ -356,6 +451,8 @@ int main(void) {
         cmocka_unit_test(a_rollback_in_the_same_chain_repeats_itself),
         cmocka_unit_test(the_parameters_of_the_source_act_at_once),
         cmocka_unit_test(what_was_saved_can_be_loaded_at_the_ends_of_every_range),
+        cmocka_unit_test(what_is_set_for_ropes_is_kept_at_the_ends_of_every_range),
+        cmocka_unit_test(what_is_as_in_a_new_chain_takes_no_bytes),
         cmocka_unit_test(save_writes_what_it_says_and_no_more),
         cmocka_unit_test(no_damaged_byte_goes_unseen),
         cmocka_unit_test(no_other_length_is_loaded),

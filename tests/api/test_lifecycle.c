@@ -66,6 +66,17 @@ static void a_new_chain_has_the_defaults_of_the_header(void** state) {
         ok(cd_chain_get_ring(chain, &ring));
         assert_int_equal(ring, 0);
         number = -1;
+        ok(cd_chain_get_rest_length(chain, &number));
+        assert_true(number == 0);
+        ring = -1;
+        ok(cd_chain_get_push(chain, &ring));
+        assert_int_equal(ring, 0);
+        size_t most = 0, iterations = 9;
+        ok(cd_chain_get_tolerance(chain, &number, &most));
+        assert_true(number == 1e-6 && most == 200);
+        ok(cd_chain_get_convergence(chain, &iterations, &number));
+        assert_true(number == 0 && iterations == 0);
+        number = -1;
         ok(cd_chain_get_time(chain, &number));
         assert_true(number == 0);
         ok(cd_chain_get_steps(chain, &count));
@@ -90,6 +101,8 @@ static void a_new_chain_lies_at_rest_at_the_origin_and_holds_nothing_optional(vo
     }
     for (size_t i = 0; i < COUNT(optional); ++i)
         refuses(chain, cd_chain_read_f64(chain, optional[i], 0, 1, 0, 1, out.number, 3), CD_ERROR_DISABLED, "field");
+    for (cd_field field = CD_REST_LENGTH; field <= CD_TENSION; ++field)
+        refuses(chain, cd_chain_read_f64(chain, field, 0, 1, 0, 1, out.number, 1), CD_ERROR_UNSUPPORTED, "field");
     double kinetic = 1, elastic = 1, gravity = 1, momentum[3] = {1, 1, 1}, damping = 1;
     ok(cd_chain_get_energy(chain, &kinetic, &elastic, &gravity));
     assert_true(kinetic == 0 && elastic == 0 && gravity == 0);
@@ -170,6 +183,12 @@ static void the_allocator_is_copied_and_gets_everything_back(void** state) {
     scene_everything(chain);
     ok(cd_chain_step(chain, 0.01, 3));
     assert_true(heap.live_blocks > 0);
+    cd_chain_destroy(chain);
+    allocator = heap_allocator(&heap);
+    chain = scene_chain_from(&allocator, 9, 12, 3, CD_FLOAT64);
+    memset(&allocator, 0xFF, sizeof allocator);
+    scene_lengths(chain);
+    ok(cd_chain_step(chain, 0.001, 3));
     cd_chain_destroy(chain);
     heap_free(&heap);
 }

@@ -45,12 +45,16 @@ static int is_per_strand(cd_field field) {
     return field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET;
 }
 
+static int is_per_spring(cd_field field) {
+    return field == CD_STIFFNESS || field == CD_REST_LENGTH || field == CD_TENSION;
+}
+
 size_t scene_field_strands(const cd_chain* chain, cd_field field) {
-    return is_per_strand(field) ? scene_strands(chain) : 1;
+    return is_per_strand(field) || field == CD_TENSION ? scene_strands(chain) : 1;
 }
 
 size_t scene_field_items(const cd_chain* chain, cd_field field) {
-    return field == CD_STIFFNESS ? scene_springs(chain) : scene_nodes(chain);
+    return is_per_spring(field) ? scene_springs(chain) : scene_nodes(chain);
 }
 
 size_t scene_field_count(const cd_chain* chain, cd_field field) {
@@ -264,6 +268,40 @@ void scene_everything_ring(cd_chain* chain) {
     ok(cd_chain_set_ring(chain, 1));
     all_fields(chain);
 }
+
+void scene_lengths(cd_chain* chain) {
+    const size_t nodes = scene_nodes(chain);
+    ok(cd_chain_set_mass(chain, 2));
+    ok(cd_chain_set_mass_rule(chain, CD_MASS_HALF_ENDS));
+    ok(cd_chain_set_rest_length(chain, 0.1 * (double)scene_springs(chain)));
+    ok(cd_chain_set_tolerance(chain, 1e-9, 100));
+    ok(cd_chain_set_drag(chain, 0.2));
+    ok(cd_chain_set_lambda(chain, 0.625));
+    set_gravity(chain, -9.81);
+    scene_lay_out(chain, 0.1);
+    scene_shake(chain, 0.01, 13);
+    vary(chain, CD_MASS, 0.2, 14);
+    vary(chain, CD_STIFFNESS, 4000, 15);
+    vary(chain, CD_REST_LENGTH, 0.1, 16);
+    push(chain, 0.5, 17);
+    scene_set(chain, CD_PIN, nodes / 2, CD_NODE_PINNED);
+    drive(chain, 1, 0.1);
+    ok(cd_chain_attach(chain, 3, 25, 0.25, NULL, scene_components(chain)));
+    ok(cd_chain_weld(chain, nodes - 3));
+    ok(cd_chain_cut(chain, 3));
+}
+
+void scene_links(cd_chain* chain) {
+    set_gravity(chain, -9.81);
+    scene_lay_out(chain, 0.1);
+    ok(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_PINNED));
+    scene_shake(chain, 0.001, 18);
+    ok(cd_chain_set_rest_length(chain, 0.1 * (double)scene_springs(chain)));
+    ok(cd_chain_set_stiffness(chain, INFINITY));
+    ok(cd_chain_set_push(chain, 1));
+}
+
+const struct scene rope_scenes[ROPE_SCENES] = {{"lengths", scene_lengths}, {"links", scene_links}};
 
 const struct scene scenes[SCENES] = {
     {"rope", scene_rope},           {"net", scene_net},

@@ -29,7 +29,8 @@ size_t scene_field_count(const cd_chain* chain, cd_field field);
 void scene_read(const cd_chain* chain, cd_field field, double* out_values);
 void scene_write(cd_chain* chain, cd_field field, const double* values);
 
-/* One value of a field that has one per node or spring: mass, stiffness, bend, pin. */
+/* One value of a field that has one per node or spring: mass, stiffness, bend, pin, rest length; a first strand's
+ * tension. */
 double scene_get(const cd_chain* chain, cd_field field, size_t item);
 void scene_set(cd_chain* chain, cd_field field, size_t item, double value);
 
@@ -62,5 +63,11 @@ struct scene {
 };
 enum { SCENES = 10 };
 extern const struct scene scenes[SCENES];
+
+/* Springs that have a length: up to 3 components, and CD_METHOD_IMPLICIT. */
+scene_build scene_lengths; /* every field and parameter that ropes may have */
+scene_build scene_links;   /* of fixed length, hangs by its first end */
+enum { ROPE_SCENES = 2 };
+extern const struct scene rope_scenes[ROPE_SCENES];
 
 #endif

@@ -89,12 +89,14 @@ struct ChainScene {
     size_t strands, nodes, components;
     cd_precision precision;
     double size;
+    bool rope; // now and then with springs that have no length
 
     explicit ChainScene(Random& random) {
         const Lines lines(random);
         strands = lines.count, nodes = lines.length, components = random.from_to(1, 4);
         precision = cd_precision(random.below(2));
         size = random_size(random, precision);
+        rope = nodes > 1 && components < 4 && random.chance(0.4);
     }
     Handle* make() const {
         Handle* chain = nullptr;
@@ -108,8 +110,10 @@ struct ChainScene {
     }
     size_t numbers() const { return strands * nodes * components; }
     Size size_of(const Handle* chain, cd_field field) const {
-        const bool shared = field == CD_MASS || field == CD_STIFFNESS || field == CD_BEND || field == CD_PIN;
-        return {shared ? 1 : strands, field == CD_STIFFNESS ? springs(chain) : nodes, shared ? 1 : components};
+        const bool of_springs = field == CD_STIFFNESS || field == CD_REST_LENGTH || field == CD_TENSION;
+        const bool of_strands = field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET;
+        return {of_strands || field == CD_TENSION ? strands : 1, of_springs ? springs(chain) : nodes,
+                of_strands ? components : 1};
     }
     cd_status write(Handle* chain, cd_field field, size_t strand, size_t count, size_t first, size_t n,
                     const std::vector<double>& values) const {
@@ -125,21 +129,33 @@ struct ChainScene {
         returned += cd_chain_set_stiffness(chain, random.decades(-1, 3));
         write_numbers(chain, CD_POSITION, random, returned);
         write_numbers(chain, CD_VELOCITY, random, returned);
-        if (random.chance(0.3)) returned += cd_chain_set_method(chain, cd_method(random.below(4)));
+        if (rope) become_rope(chain, random, returned);
+        else if (random.chance(0.3)) returned += cd_chain_set_method(chain, cd_method(random.below(4)));
         for (size_t k = random.below(busy); k > 0; --k) act(chain, random, returned);
     }
+    void become_rope(Handle* chain, Random& random, Returned& returned) const;
+    void act_on_rope(Handle* chain, Random& random, Returned& returned) const;
     void write_numbers(Handle* chain, cd_field field, Random& random, Returned& returned) const {
         write_part(*this, chain, field, random, returned, [&] { return size * random.uniform(-1, 1); });
     }
     void act(Handle* chain, Random& random, Returned& returned) const;
     double pick_dt(const Handle* chain, Random& random, Returned& returned) const {
+        double length = 0;
+        returned += cd_chain_get_rest_length(chain, &length);
+        if (length > 0) return random.decades(-4, 1);
         return chain_or_membrane_dt(chain, cd_chain_get_method, cd_chain_get_lambda, cd_chain_stable_dt, random,
                                     returned);
     }
     void measure(const Handle* chain, Returned& returned) const {
-        double k = 0, e = 0, g = 0;
+        double k = 0, e = 0, g = 0, length = 0;
         returned += cd_chain_get_energy(chain, &k, &e, &g);
         returned += k, returned += e, returned += g;
+        cd_chain_get_rest_length(chain, &length);
+        if (length == 0) return;
+        size_t iterations = 0;
+        double error = 0;
+        returned += cd_chain_get_convergence(chain, &iterations, &error);
+        returned += double(iterations), returned += error;
     }
 
     // Implicit steps of all lengths; steps that may grow only where they are short.
@@ -160,8 +176,59 @@ struct ChainScene {
     }
 };
 
+// Springs get lengths, and what ropes can't have is done away with.
+inline void ChainScene::become_rope(Handle* chain, Random& random, Returned& returned) const {
+    const double lambda = random.any_of({0.5, 0.5, 0.75, 1}), length = size * random.decades(-1, 1);
+    returned += cd_chain_set_method(chain, CD_METHOD_IMPLICIT);
+    returned += cd_chain_set_lambda(chain, lambda);
+    returned += cd_chain_disable_field(chain, CD_BEND);
+    returned += cd_chain_set_bend(chain, 0);
+    returned += cd_chain_set_stiffness_damping(chain, 0);
+    returned += cd_chain_set_ring(chain, 0);
+    for (cd_end end = CD_END_FIRST; end <= CD_END_LAST; ++end) {
+        cd_node kind = CD_NODE_FREE;
+        cd_chain_get_end(chain, end, &kind);
+        if (kind == CD_NODE_MATCHED) returned += cd_chain_set_end(chain, end, CD_NODE_FREE);
+    }
+    returned += cd_chain_set_rest_length(chain, length < 1e-60 ? 1e-60 : length);
+}
+
+// What only ropes have. A hard one that ends short of its tolerance steps to the same bits, too.
+inline void ChainScene::act_on_rope(Handle* chain, Random& random, Returned& returned) const {
+    switch (random.below(9)) {
+    case 0:
+    case 1:
+    case 8: return become_rope(chain, random, returned);
+    case 2: returned += cd_chain_set_push(chain, int32_t(random.chance(0.3))); break;
+    case 3: {
+        const double tolerance = random.decades(-13, -1);
+        returned += cd_chain_set_tolerance(chain, tolerance, random.from_to(1, random.chance(0.5) ? 4 : 200));
+        break;
+    }
+    case 4: {
+        returned += cd_chain_enable_field(chain, CD_REST_LENGTH);
+        const double each = size / double(nodes);
+        return write_part(*this, chain, CD_REST_LENGTH, random, returned, [&] {
+            const double length = each * random.decades(-1, 1);
+            return length < 1e-60 ? 1e-60 : length;
+        });
+    }
+    case 5: {
+        const bool rigid = random.chance(0.5);
+        returned += cd_chain_set_stiffness(chain, rigid ? double(INFINITY) : random.decades(0, 6));
+        break;
+    }
+    case 6:
+        if (random.chance(0.5)) returned += cd_chain_set_rest_length(chain, 0);
+        else returned += cd_chain_disable_field(chain, CD_REST_LENGTH);
+        break;
+    default: return write_part(*this, chain, CD_TENSION, random, returned, [&] { return random.decades(-3, 3); });
+    }
+}
+
 // One random change.
 inline void ChainScene::act(Handle* chain, Random& random, Returned& returned) const {
+    if (rope && random.chance(0.5)) return act_on_rope(chain, random, returned);
     static const cd_field optional[] = {CD_FORCE, CD_MASS, CD_STIFFNESS, CD_BEND, CD_TARGET};
     const cd_field field = optional[random.below(5)];
     const auto number = [&] { return size * random.uniform(-1, 1); };

@@ -1,6 +1,7 @@
 /* The result depends neither on who runs the tasks and in what order, nor on a strand's neighbours, nor on how steps
  * are dealt out over calls and threads. */
 #include <pthread.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "check.h"
@@ -54,6 +55,33 @@ static void the_job_system_leaves_no_trace(void** state) {
     }
 }
 
+/* Strands that fill bundles, tasks and groups of them, and such as do not. */
+static void the_job_system_leaves_no_trace_in_ropes(void** state) {
+    (void)state;
+    static const size_t strands[] = {1, 2, 7, 8, 9, 17, 129, 200};
+    for (size_t scene = 0; scene < ROPE_SCENES; ++scene) {
+        for (size_t s = 0; s < COUNT(strands); ++s) {
+            for (size_t components = 1; components <= 3; ++components) {
+                const cd_precision precision = (cd_precision)((s + components) % 2);
+                struct jobs jobs[2] = {{0}};
+                const cd_parallel ways[] = {jobs_reversed(&jobs[0]), jobs_threads(&jobs[1])};
+                uint64_t hashes[3];
+                for (size_t way = 0; way < 3; ++way) {
+                    cd_chain* chain =
+                        begin(rope_scenes[scene].build, strands[s], 12, components, precision, CD_METHOD_IMPLICIT);
+                    ok(cd_chain_set_parallel(chain, way == 0 ? NULL : &ways[way - 1]));
+                    ok(cd_chain_step(chain, 0.01, 7));
+                    hashes[way] = hash_of(chain);
+                    cd_chain_destroy(chain);
+                }
+                assert_int_equal(hashes[1], hashes[0]);
+                assert_int_equal(hashes[2], hashes[0]);
+                if (strands[s] > 128) assert_true(jobs[0].tasks > 1 && jobs[1].tasks > 1);
+            }
+        }
+    }
+}
+
 static void the_parallel_table_is_copied_and_can_be_taken_back(void** state) {
     (void)state;
     struct jobs jobs = {0};
@@ -82,19 +110,28 @@ static void copy_strand(cd_chain* alone, const cd_chain* many, size_t strand) {
     }
 }
 
+static scene_build* builder_of(size_t scene) {
+    return scene < SCENES ? scenes[scene].build : rope_scenes[scene - SCENES].build;
+}
+/* Ropes have one method, and no fourth component. */
+static bool can_be(size_t scene, size_t components, cd_method method) {
+    return scene < SCENES || (components <= 3 && method == CD_METHOD_IMPLICIT);
+}
+
 static void a_strand_does_not_feel_its_neighbours(void** state) {
     (void)state;
     enum { STRANDS = 37, SPRINGS = 11, NODES = SPRINGS + 1 };
     static const size_t some[] = {0, 1, 15, 16, 31, 36};
-    for (size_t scene = 0; scene < SCENES; ++scene) {
+    for (size_t scene = 0; scene < SCENES + ROPE_SCENES; ++scene) {
         for (size_t components = 1; components <= 4; ++components) {
             for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
                 for (size_t m = 0; m < COUNT(methods); ++m) {
+                    if (!can_be(scene, components, methods[m])) continue;
                     cd_chain* many =
-                        begin(scenes[scene].build, STRANDS, SPRINGS, components, precision, methods[m]);
+                        begin(builder_of(scene), STRANDS, SPRINGS, components, precision, methods[m]);
                     cd_chain* alone[COUNT(some)];
                     for (size_t i = 0; i < COUNT(some); ++i) {
-                        alone[i] = begin(scenes[scene].build, 1, SPRINGS, components, precision, methods[m]);
+                        alone[i] = begin(builder_of(scene), 1, SPRINGS, components, precision, methods[m]);
                         copy_strand(alone[i], many, some[i]);
                         ok(cd_chain_step(alone[i], dts[m], 40));
                     }
@@ -142,11 +179,12 @@ static void components_do_not_mix(void** state) {
 
 static void ten_steps_at_once_are_ten_steps(void** state) {
     (void)state;
-    for (size_t scene = 0; scene < SCENES; ++scene) {
+    for (size_t scene = 0; scene < SCENES + ROPE_SCENES; ++scene) {
         for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
             for (size_t m = 0; m < COUNT(methods); ++m) {
-                cd_chain* at_once = begin(scenes[scene].build, 3, 12, 3, precision, methods[m]);
-                cd_chain* singly = begin(scenes[scene].build, 3, 12, 3, precision, methods[m]);
+                if (!can_be(scene, 3, methods[m])) continue;
+                cd_chain* at_once = begin(builder_of(scene), 3, 12, 3, precision, methods[m]);
+                cd_chain* singly = begin(builder_of(scene), 3, 12, 3, precision, methods[m]);
                 ok(cd_chain_step(at_once, dts[m], 10));
                 for (int i = 0; i < 10; ++i) ok(cd_chain_step(singly, dts[m], 1));
                 assert_int_equal(hash_of(at_once), hash_of(singly));
@@ -194,6 +232,7 @@ static void distinct_chains_can_be_stepped_at_the_same_time(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_job_system_leaves_no_trace),
+        cmocka_unit_test(the_job_system_leaves_no_trace_in_ropes),
         cmocka_unit_test(the_parallel_table_is_copied_and_can_be_taken_back),
         cmocka_unit_test(a_strand_does_not_feel_its_neighbours),
         cmocka_unit_test(components_do_not_mix),

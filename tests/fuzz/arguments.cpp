@@ -59,6 +59,8 @@ static double pick_value(cd_field field, double size, bool at_rest) {
     case CD_BED: return at_rest ? 0 : uniform(-2, 2);
     case CD_SOURCE: return uniform(-0.1, 0.1);
     case CD_PRESSURE: return uniform(-1000, 1000);
+    case CD_REST_LENGTH: return decades(-3, 0);
+    case CD_TENSION: return at_rest ? 0 : chance(0.9) ? decades(-2, 3) : uniform(-size, size);
     case CD_VELOCITY:
     case CD_VELOCITY_X:
     case CD_VELOCITY_Y: return at_rest ? 0 : uniform(-size, size);

@@ -40,12 +40,13 @@ template <class Api> void Body<Api>::after_step(const Step& s) {
     const bool stays_near = energy_before < 1e10 && s.dt * double(s.count) < 1e10;
     if (s.status == CD_ERROR_DIVERGED && stays_near)
         return problem("%s: diverged, lambda %g, method %d, dt %g", Api::name, lambda, int(method), s.dt);
-    if (s.status == CD_ERROR_DIVERGED || s.status == CD_ERROR_VALUE || !implicit || !keeps_its_energy()) return;
+    if (s.status != CD_OK && s.status != CD_ERROR_TOLERANCE) return;
+    if (!implicit || !keeps_its_energy()) return;
     if (s.count != 1) return; // between steps it may have been larger, and so is rounding
-    const double after = energy(), room = fmax(room_before, room_for_energy(s.dt)) + 1e-30;
+    const double after = energy(), room = fmax(room_before, room_for_energy(s.dt)) + room_of_kind() + 1e-30;
     if (after > energy_before + room)
-        problem("%s: energy from %.17g to %.17g, where rounding explains %g; lambda %g, dt %g", Api::name, energy_before,
-                after, room, lambda, s.dt);
+        problem("%s: energy from %.17g to %.17g, where rounding explains %g; lambda %g, dt %g", Api::name,
+                energy_before, after, room, lambda, s.dt);
 }
 
 // ---- calls that both have ------------------------------------------------------------------------------------------

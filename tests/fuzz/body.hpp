@@ -18,6 +18,8 @@ protected:
     virtual double gravity() const = 0;        // the largest of its components
     virtual bool is_ring() const = 0;          // along one axis at least
     virtual bool keeps_its_energy() const = 0; // an implicit step adds none to what energy() tells
+    // By how much the step just made may have changed the energy beyond rounding.
+    virtual double room_of_kind() const { return 0; }
 
     double state_size() const override { return this->largest_of({CD_POSITION, CD_VELOCITY}); }
     void before_step(double dt) override;

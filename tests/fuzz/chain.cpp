@@ -9,6 +9,7 @@ Chain::Chain() {
     strands = chance(0.5) ? 1 : 1 + below(20);
     springs = chance(0.25) ? below(4) : chance(0.5) ? below(40) : below(200);
     components = 1 + below(4);
+    likes_lengths = chance(0.6);
     nodes = strands * (springs + 1);
     precision = cd_precision(below(2));
     trace(text("chain_create %zu strands, %zu springs, %zu components, precision %d", strands, springs, components,
@@ -36,6 +37,8 @@ bool Chain::extent(cd_field field, Extent& out) const {
     case CD_BEND:
     case CD_PIN: out = {1, springs + 1, 1}; return true;
     case CD_STIFFNESS: out = {1, springs_now(), 1}; return true;
+    case CD_REST_LENGTH: out = {1, springs_now(), 1}; return is_rope();
+    case CD_TENSION: out = {strands, springs_now(), 1}; return is_rope();
     default: return false;
     }
 }
@@ -52,7 +55,7 @@ void Chain::check_state() {
     cd_chain_get_time(first(), &time);
     if (!isfinite(time)) return problem("chain: time %g", time);
     if (run.broken || !is_finite()) return;
-    const Doubles pin = all_of(CD_PIN), v = all_of(CD_VELOCITY), k = all_of(CD_STIFFNESS);
+    const Doubles pin = all_of(CD_PIN), v = all_of(CD_VELOCITY), k = is_rope() ? Doubles() : all_of(CD_STIFFNESS);
     const size_t n = springs + 1;
     const auto velocity = [&](size_t strand, size_t node) { return &v[(strand * n + node) * components]; };
     const auto is_held = [&](size_t node) { return pin[node] == CD_NODE_PINNED || pin[node] == CD_NODE_DRIVEN; };
@@ -86,18 +89,23 @@ double Chain::energy() const {
 
 double Chain::stiffest() const {
     const double count = double(springs + 1);
-    double stretch = 0, bend = 0, tie = 0;
+    double stretch = 0, bend = 0;
     const Doubles stretches = all_of(CD_STIFFNESS), bends = all_of(CD_BEND);
     cd_chain_get_stiffness(first(), &stretch);
     cd_chain_get_bend(first(), &bend);
-    stretch *= count, bend *= 16 * count * count * count;
+    stretch = isinf(stretch) ? 0 : stretch * count, bend *= 16 * count * count * count;
     for (double k : stretches) stretch = isinf(k) ? stretch : fmax(stretch, k);
     for (double b : bends) bend = fmax(bend, 16 * b);
+    return stretch + bend + stiffest_tie();
+}
+
+double Chain::stiffest_tie() const {
+    double tie = 0;
     for (size_t i = 0; i <= springs; ++i) {
         double stiffness = 0, damping;
         if (cd_chain_get_attachment(first(), i, &stiffness, &damping) == CD_OK) tie = fmax(tie, stiffness);
     }
-    return stretch + bend + tie;
+    return tie;
 }
 
 double Chain::heaviest() const {
@@ -125,9 +133,9 @@ bool Chain::is_driven() const {
 // ---- calls ---------------------------------------------------------------------------------------------------------
 
 void Chain::act_by_kind() {
-    switch (below(23)) {
+    switch (below(is_rope() || likes_lengths ? 32 : 24)) {
     case 0: set_number("set_mass", cd_chain_set_mass, pick_number(-2, 3), {1e-3, 1e4}); break;
-    case 1: set_number("set_stiffness", cd_chain_set_stiffness, chance(0.1) ? 0 : pick_number(-2, 6), {0, 1e7}); break;
+    case 1: set_stiffness(); break;
     case 2: set_number("set_bend", cd_chain_set_bend, chance(0.3) ? 0 : pick_number(-6, 1), {0, 1e2}, 0); break;
     case 3:
         set_number("set_stiffness_damping", cd_chain_set_stiffness_damping, chance(0.3) ? 0 : pick_number(-4, 0),
@@ -151,8 +159,23 @@ void Chain::act_by_kind() {
     case 19: sample(); break;
     case 20: get_shape(); break;
     case 21: get_end(); break;
-    default: get_parameter();
+    case 22: get_parameter(); break;
+    case 23:
+    case 24:
+    case 25:
+    case 26: set_rest_length(); break;
+    case 27: set_enum("set_push", cd_chain_set_push, 1, kNoMemory); break;
+    case 28:
+    case 29: set_tolerance(); break;
+    case 30: get_tolerance(); break;
+    default: get_convergence();
     }
+}
+
+void Chain::set_stiffness() {
+    const bool rigid = chance(is_rope() ? 0.25 : 0.03); // of ropes as moderate a stiffness as any
+    const double stiffness = rigid ? double(INFINITY) : chance(0.1) ? 0 : pick_number(-2, 6);
+    set_number("set_stiffness", cd_chain_set_stiffness, stiffness, {0, rigid ? double(INFINITY) : 1e7});
 }
 
 void Chain::set_end() {
@@ -233,13 +256,15 @@ void Chain::get_shape() {
 }
 
 void Chain::get_parameter() {
-    switch (below(7)) {
+    switch (below(9)) {
     case 0: get("get_mass", cd_chain_get_mass); break;
     case 1: get("get_mass_rule", cd_chain_get_mass_rule); break;
     case 2: get("get_stiffness", cd_chain_get_stiffness); break;
     case 3: get("get_bend", cd_chain_get_bend); break;
     case 4: get("get_stiffness_damping", cd_chain_get_stiffness_damping); break;
     case 5: get("get_ring", cd_chain_get_ring); break;
+    case 6: get("get_rest_length", cd_chain_get_rest_length); break;
+    case 7: get("get_push", cd_chain_get_push); break;
     default: get_gravity(cd_chain_get_gravity);
     }
 }

@@ -14,18 +14,26 @@ protected:
     cd_status make(const cd_allocator* allocator, cd_chain** out) override;
     bool extent(cd_field field, Extent& out) const override;
     cd_status view(cd_chain* handle, cd_field field, View& out) const override;
+    void act() override;
     void act_by_kind() override;
     void check_state() override;
+    void before_step(double dt) override;
+    void after_step(const Step& step) override;
     double energy() const override;
+    double room_of_kind() const override;
     double stiffest() const override;
     double heaviest() const override;
     double gravity() const override;
     bool is_ring() const override { return springs_now() > springs; }
     bool is_driven() const override;
-    bool keeps_its_energy() const override { return true; }
+    bool keeps_its_energy() const override { return !ended_short; }
 
 private:
     size_t strands, springs;
+    bool ended_short = false; // the last step missed its tolerance
+    bool likes_lengths;       // this chain is a rope most of the time
+    Doubles stretched;        // before the step, how much too long each spring of fixed length was
+    double momentum_before[4], velocity_before;
 
     size_t springs_now() const; // a ring has one more
     void impulse();
@@ -38,6 +46,24 @@ private:
     void sample();
     void get_shape();
     void get_parameter();
+    void set_stiffness();
+    double stiffest_tie() const;
+
+    // Of ropes: chain_rope.cpp.
+    bool is_rope() const;
+    bool lacks_something() const; // that ropes need to step
+    bool is_free() const;         // nothing but gravity moves it from outside
+    Doubles lengths() const;
+    Doubles stiffnesses() const;
+    Doubles lengths_now() const; // of strand after strand
+    void get_ready();            // does away with what ropes can't have
+    void set_rest_length();
+    void set_tolerance();
+    void get_tolerance();
+    void get_convergence();
+    void check_rope(const Step& step);
+    void check_lengths(double tolerance, double dt);
+    void check_momentum(const Step& step);
 };
 
 } // namespace fuzz

@@ -18,7 +18,8 @@
 //   - depths are >= 0, what is pinned, absent or closed is still, volume keeps to its account, and numbers are finite
 //     unless CD_ERROR_DIVERGED told otherwise
 //   - in "sane" sequences, whose numbers are moderate, lambda >= 1/2 never diverges and adds no energy to what nothing
-//     drives
+//     drives; a step of a rope that is content leaves springs as long as their tensions make them, and adds no more
+//     energy than its tolerance is worth
 // Twins are made again by save and load or by copy_state, and go on in step with the first. Objects go back to earlier
 // states and take over those of others. Saved bytes are damaged, which must be refused; with the checksum put right
 // they must be refused or give a state that calls could have made.

@@ -1,0 +1,263 @@
+// Chains whose springs have a length: what is done with them, and what must hold after each of their steps.
+#include <math.h>
+
+#include "chain.hpp"
+#include "random.hpp"
+
+namespace fuzz {
+
+bool Chain::is_rope() const {
+    double length = 0;
+    cd_chain_get_rest_length(first(), &length);
+    return length > 0;
+}
+
+bool Chain::lacks_something() const {
+    cd_method method = CD_METHOD_IMPLICIT;
+    double lambda = 1, bend = 0, damping = 0;
+    cd_chain_get_method(first(), &method);
+    cd_chain_get_lambda(first(), &lambda);
+    cd_chain_get_bend(first(), &bend);
+    cd_chain_get_stiffness_damping(first(), &damping);
+    bool matched = false;
+    for (double pin : all_of(CD_PIN)) matched |= pin == CD_NODE_MATCHED;
+    return method != CD_METHOD_IMPLICIT || lambda < 0.5 || bend > 0 || !all_of(CD_BEND).empty() || damping > 0 ||
+           is_ring() || matched;
+}
+
+Doubles Chain::lengths() const {
+    double total = 0;
+    cd_chain_get_rest_length(first(), &total);
+    const Doubles own = all_of(CD_REST_LENGTH);
+    return own.empty() ? Doubles(springs_now(), total / double(springs_now())) : own;
+}
+
+Doubles Chain::stiffnesses() const {
+    double total = 0;
+    cd_chain_get_stiffness(first(), &total);
+    const Doubles own = all_of(CD_STIFFNESS);
+    return own.empty() ? Doubles(springs_now(), total * double(springs_now())) : own;
+}
+
+Doubles Chain::lengths_now() const {
+    const Doubles x = all_of(CD_POSITION);
+    Doubles now;
+    for (size_t strand = 0; strand < strands; ++strand)
+        for (size_t i = 0; i < springs; ++i) {
+            const double* const left = &x[(strand * (springs + 1) + i) * components];
+            double square = 0;
+            for (size_t c = 0; c < components; ++c) square += pow(left[components + c] - left[c], 2);
+            now.push_back(sqrt(square));
+        }
+    return now;
+}
+
+bool Chain::is_free() const {
+    double drag = 0;
+    cd_chain_get_drag(first(), &drag);
+    for (double pin : all_of(CD_PIN))
+        if (pin != CD_NODE_FREE) return false;
+    return drag == 0 && !is_driven() && all_of(CD_TARGET).empty();
+}
+
+// ---- what must hold ------------------------------------------------------------------------------------------------
+
+void Chain::before_step(double dt) {
+    Body<ChainApi>::before_step(dt);
+    cd_chain_get_momentum(first(), momentum_before, components);
+    velocity_before = largest_of({CD_VELOCITY});
+    stretched.clear();
+    if (!is_rope() || is_ring()) return;
+    const Doubles length = lengths(), k = stiffnesses(), now = lengths_now();
+    int32_t push = 0;
+    cd_chain_get_push(first(), &push);
+    for (size_t i = 0; i < now.size(); ++i) {
+        const double over = now[i] - length[i % springs];
+        stretched.push_back(isinf(k[i % springs]) ? push ? fabs(over) : fmax(over, 0) : 0);
+    }
+}
+
+// What the tolerance is worth: tension times length, and the energy of a spring that is wrong by so much. A spring of
+// fixed length that was too long, which holds no energy, comes back by the work of its tension.
+double Chain::room_of_kind() const {
+    if (!is_rope() || is_ring()) return 0;
+    double tolerance = 0, room = 0;
+    size_t most = 0;
+    cd_chain_get_tolerance(first(), &tolerance, &most);
+    const Doubles length = lengths(), k = stiffnesses(), tension = all_of(CD_TENSION);
+    for (size_t j = 0; j < tension.size(); ++j) {
+        const size_t i = j % springs;
+        const double wrong = tolerance * length[i];
+        room += 4 * fabs(tension[j]) * wrong + fabs(tension[j]) * stretched[j];
+        if (!isinf(k[i])) room += k[i] * wrong * wrong;
+    }
+    return room;
+}
+
+void Chain::after_step(const Step& s) {
+    ended_short = s.status == CD_ERROR_TOLERANCE;
+    if (is_rope()) check_rope(s);
+    else if (s.status == CD_ERROR_TOLERANCE) problem("chain: ends short of its tolerance, but has no lengths");
+    if (!run.broken) Body<ChainApi>::after_step(s);
+}
+
+void Chain::check_rope(const Step& s) {
+    if (s.count == 0 || s.status == CD_ERROR_VALUE || s.size_before == HUGE_VAL) return;
+    if ((s.status == CD_ERROR_UNSUPPORTED) != lacks_something())
+        return problem("rope: a step gives %s, and something is lacking: %d", cd_status_name(s.status),
+                       int(lacks_something()));
+    if (s.status != CD_OK && s.status != CD_ERROR_TOLERANCE) return;
+    size_t iterations[2] = {}, most = 0;
+    double error[2] = {}, tolerance = 0;
+    cd_chain_get_tolerance(first(), &tolerance, &most);
+    cd_chain_get_convergence(first(), &iterations[0], &error[0]);
+    cd_chain_get_convergence(twin(), &iterations[1], &error[1]);
+    must_agree("iterations", &iterations[0], &iterations[1]);
+    must_agree("error", &error[0], &error[1]);
+    if (run.broken) return;
+    if ((s.status == CD_OK) != (error[0] <= tolerance) || error[0] < 0)
+        return problem("rope: %s, with an error of %g and tolerance %g", cd_status_name(s.status), error[0], tolerance);
+    if (iterations[0] < 1 || iterations[0] > 20 + most) return problem("rope: %zu iterations", iterations[0]);
+    if (!run.sane || !past.moderate || past.crafted) return;
+    if (s.status != CD_OK) return;
+    check_lengths(tolerance, s.dt);
+    if (s.count == 1 && is_free() && !run.broken) check_momentum(s);
+}
+
+// Springs are as long as their tensions make them: those that are slack, at most. A tension that is small beside the
+// forces that would stop the nodes within the step may be there all the same.
+void Chain::check_lengths(double tolerance, double dt) {
+    const Doubles length = lengths(), k = stiffnesses(), tension = all_of(CD_TENSION), now = lengths_now();
+    const Doubles pin = all_of(CD_PIN);
+    const auto is_held = [](double kind) { return kind == CD_NODE_PINNED || kind == CD_NODE_DRIVEN; };
+    int32_t push = 0;
+    size_t iterations = 0, most = 0;
+    cd_chain_get_push(first(), &push);
+    cd_chain_get_convergence(first(), &iterations, nullptr);
+    cd_chain_get_tolerance(first(), &tolerance, &most);
+    const double x = largest_of({CD_POSITION}), rounding = (precision == CD_FLOAT64 ? 1e-14 : 1e-6) * x;
+    const double v = fmax(largest_of({CD_VELOCITY}), velocity_before);
+    const double force = heaviest() * (v / dt + gravity()) + stiffest_tie() * (x + largest_of({CD_TARGET})) +
+                         largest_of({CD_FORCE}) + 1e-30;
+    for (size_t j = 0; j < now.size(); ++j) {
+        const size_t i = j % springs;
+        if (!(tension[j] >= 0) && !push) return problem("rope: tension %g, but it does not push", tension[j]);
+        if (k[i] == 0 && tension[j] != 0) return problem("rope: a cut spring has the tension %g", tension[j]);
+        if (k[i] == 0 || (is_held(pin[i]) && is_held(pin[i + 1]))) continue; // nothing moves by it
+        const double give = tension[j] / k[i], over = now[j] - length[i] - give;
+        const double room = 1.001 * tolerance * length[i] + rounding + 1e-12 * (length[i] + fabs(give));
+        const bool taut = push || tension[j] * -over > 4 * double(springs) * tolerance * force * length[i];
+        if (over > room || (taut && over < -room))
+            return problem(
+                "rope: spring %zu of strand %zu is %.17g long, of length %g and with tension %g over %g: "
+                "wrong by %g, where %g would do; tolerance %g, %zu iterations and %zu at most, dt %g",
+                i, j / springs, now[j], length[i], tension[j], k[i], over, room, tolerance, iterations, most, dt);
+    }
+}
+
+// Nothing but gravity works on a free rope.
+void Chain::check_momentum(const Step& s) {
+    double after[4] = {}, gravity[4] = {}, mass = 0, total = 0;
+    cd_chain_get_momentum(first(), after, components);
+    cd_chain_get_gravity(first(), gravity, components);
+    cd_chain_get_mass(first(), &total);
+    const Doubles masses = all_of(CD_MASS);
+    if (masses.empty()) mass = total;
+    for (double m : masses) mass += m;
+    double pull = 0, tolerance = 0;
+    size_t iterations = 0, most = 0;
+    cd_chain_get_convergence(first(), &iterations, nullptr);
+    cd_chain_get_tolerance(first(), &tolerance, &most);
+    for (double t : all_of(CD_TENSION)) pull = fmax(pull, fabs(t));
+    const double v = largest_of({CD_VELOCITY}), n = double(nodes);
+    const bool wide = precision == CD_FLOAT64;
+    const double rounding = wide ? 1e-12 : 1e-6, smallest = wide ? 0x1p-500 : 0x1p-80;
+    for (size_t c = 0; c < components; ++c) {
+        const double wanted = momentum_before[c] + mass * double(strands) * gravity[c] * s.dt;
+        const double room =
+            n * (rounding * (heaviest() * v + fabs(mass * gravity[c] * s.dt) + pull * s.dt) + smallest * heaviest()) +
+            rounding * fabs(momentum_before[c]);
+        if (fabs(after[c] - wanted) > room)
+            return problem(
+                "rope: momentum from %.17g to %.17g, not %.17g, where rounding explains %g; tolerance %g, "
+                "%zu iterations and %zu at most, dt %g",
+                momentum_before[c], after[c], wanted, room, tolerance, iterations, most, s.dt);
+    }
+}
+
+// ---- calls ---------------------------------------------------------------------------------------------------------
+
+void Chain::act() {
+    if (is_rope() && lacks_something() && chance(0.4)) return get_ready();
+    if (likes_lengths && !is_rope() && chance(0.1)) return set_rest_length();
+    Body<ChainApi>::act();
+}
+
+void Chain::get_ready() {
+    const double lambda = chance(0.5) ? 0.5 : chance(0.5) ? 1 : 0.75;
+    both("set_method 0", 0, [&](cd_chain* chain, int) { return cd_chain_set_method(chain, CD_METHOD_IMPLICIT); });
+    both(text("set_lambda %g", lambda), kNoMemory,
+         [&](cd_chain* chain, int) { return cd_chain_set_lambda(chain, lambda); });
+    both("set_bend 0", 0, [&](cd_chain* chain, int) { return cd_chain_set_bend(chain, 0); });
+    both("disable_field 5", 0, [&](cd_chain* chain, int) { return cd_chain_disable_field(chain, CD_BEND); });
+    both("set_stiffness_damping 0", kNoMemory,
+         [&](cd_chain* chain, int) { return cd_chain_set_stiffness_damping(chain, 0); });
+    both("set_ring 0", 0, [&](cd_chain* chain, int) { return cd_chain_set_ring(chain, 0); });
+    for (cd_end end = CD_END_FIRST; end <= CD_END_LAST; ++end) {
+        cd_node kind = CD_NODE_FREE;
+        cd_chain_get_end(first(), end, &kind);
+        if (kind == CD_NODE_MATCHED)
+            both(text("set_end %d 0", int(end)), kNoMemory,
+                 [&](cd_chain* chain, int) { return cd_chain_set_end(chain, end, CD_NODE_FREE); });
+    }
+}
+
+void Chain::set_rest_length() {
+    static const double hostile[] = {1e-60, 1e60, 9e-61, 1.1e60, -0.0, 5e-324};
+    const double length = chance(0.15)               ? 0
+                          : !run.sane && chance(0.1) ? hostile[below(6)]
+                          : chance(0.05)             ? pick_number(-60, 60)
+                                                     : pick_number(-2, 2);
+    const bool was_rope = is_rope();
+    set_number("set_rest_length", cd_chain_set_rest_length, length, {length == 0 ? 0 : 1e-3, 1e3}, 0);
+    if (!run.broken && is_rope() && (components > 3 || springs == 0)) problem("rope: it can't be one");
+    Doubles tension;
+    const bool has_tension = on_part<ChainApi>(cd_chain_read_f64, first(), CD_TENSION, {0, strands, 0, 0, 0},
+                                               static_cast<double*>(nullptr)) == CD_OK;
+    if (!run.broken && has_tension != is_rope()) problem("rope: has a tension: %d", int(has_tension));
+    if (!was_rope && is_rope())
+        for (double t : all_of(CD_TENSION))
+            if (t != 0) return problem("rope: begins with a tension of %g", t);
+}
+
+void Chain::set_tolerance() {
+    const double tolerance = chance(run.bad) ? wild_number() : chance(0.1) ? 0.5 : decades(-13.9, -0.4);
+    const size_t most = chance(run.bad) ? below(2) : 1 + below(chance(0.3) ? 3 : 300);
+    both(text("set_tolerance %.17g %zu", tolerance, most), kNoMemory,
+         [&](cd_chain* chain, int) { return cd_chain_set_tolerance(chain, tolerance, most); });
+}
+
+void Chain::get_tolerance() {
+    double tolerance[2] = {};
+    size_t most[2] = {};
+    const bool null = pick_null();
+    both("get_tolerance", kReads, [&](cd_chain* chain, int which) {
+        return cd_chain_get_tolerance(chain, &tolerance[which], null ? nullptr : &most[which]);
+    });
+    must_agree("get_tolerance", &tolerance[0], &tolerance[1]);
+    must_agree("get_tolerance", &most[0], &most[1]);
+}
+
+// The twin may be a copy that has not stepped yet: they need not agree.
+void Chain::get_convergence() {
+    size_t iterations = 0;
+    double error = 0;
+    const bool only_one = chance(0.1);
+    both("get_convergence", kReads, [&](cd_chain* chain, int) {
+        return cd_chain_get_convergence(chain, only_one ? nullptr : &iterations, &error);
+    });
+    if (!(error >= 0) && !past.diverged && !past.crafted && past.moderate)
+        problem("get_convergence tells an error of %g", error);
+}
+
+} // namespace fuzz
