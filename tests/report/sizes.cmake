@@ -6,6 +6,7 @@ cmake_minimum_required(VERSION 3.20)
 set(variants
   "everything|"
   "without chain|CHAIN"
+  "without ropes|ROPE"
   "without membrane|MEMBRANE"
   "without water|WATER"
   "without float32|FLOAT32"
