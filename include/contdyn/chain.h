@@ -133,8 +133,8 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
 
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
  * where they are. A rope has the field CD_TENSION, at first 0; length 0 switches it off, and CD_REST_LENGTH too.
- * Springs of fixed length that are too long for it, and can't shorten at once, do so by a tenth a step, each with
- * CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
+ * Springs of fixed length that are too long for it, and can't shorten at once, do so by a tenth a step, which then
+ * ends short of its tolerance. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
  * spring, in a build without ropes, and for 0 where an infinite stiffness would weld all springs or two held nodes. */
 CD_API cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);

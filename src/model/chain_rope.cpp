@@ -63,7 +63,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                              {c.gravity[0], c.gravity[1], c.gravity[2]},
                              c.rope.push != 0,
                              c.rope.tolerance,
-                             c.rope.most_iterations};
+                             size_t(c.rope.most_iterations)};
     RopeResult results[kMostTasks];
     uint64_t bad[kMostTasks];
     const size_t groups = groups_of(c), tasks = tasks_of(c);

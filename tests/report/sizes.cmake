@@ -16,7 +16,8 @@ set(variants
   "chain alone|MEMBRANE+WATER"
   "membrane alone|CHAIN+WATER"
   "water alone|CHAIN+MEMBRANE"
-  "chain alone in float32 with plain kernels|MEMBRANE+WATER+FLOAT64+AVX2+AVX512")
+  "chain alone in float32 with plain kernels|MEMBRANE+WATER+FLOAT64+AVX2+AVX512"
+  "chain alone in float32 with plain kernels and no ropes|MEMBRANE+WATER+FLOAT64+AVX2+AVX512+ROPE")
 
 set(table "variant,bytes\n")
 foreach(variant IN LISTS variants)

@@ -1,0 +1,286 @@
+// A bundle of strands, and one Newton iteration for it: springs are linearized about a guess, and one elimination along
+// the strand solves the linear system. With C the mobility of all that hangs on the left of a node (velocity per
+// impulse) and y where that would go by itself, a spring passes both on: see eliminate(). What is done with iterations
+// is in rope_step.cpp.
+#pragma once
+
+#include <math.h>
+
+#include "contdyn/base.h"
+#include "kernel/lines.hh"
+#include "kernel/rope_step.hh"
+#include "kernel/vectors.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+// A spring shorter than this, over its rest length, has no direction of its own.
+constexpr double kNoDirection = 1e-12;
+// The least cosine between a spring's direction after the step and that in which it acts, for Newton's guess to hold.
+constexpr double kLeastTurn = 0.1;
+// The least length of a spring, over its rest length, by which its transverse stiffness is reckoned.
+constexpr double kLeastLever = 0.1;
+// The most of a spring's axial stiffness that its transverse stiffness may be.
+constexpr double kMostTransverse = 0.9;
+
+// N strands.
+template <int N> struct RopeBundle {
+    using L = Lanes<N>;
+    using V = Vector<N>;
+    using M = Matrix<N>;
+
+    struct Node {
+        L ground, mobility; // and 1 / ground, of what is held 0
+        V b, w, next, best; // next: what the last elimination gave; best: w of the least error
+        V y;
+        M c;
+    };
+    // Of spring i from node i to node i + 1.
+    struct Spring {
+        V before;                  // D0
+        V along, acting;           // unit vectors along D1 and z
+        V wish;                    // e, what dw would be if the spring had its length
+        L wished;                  // along . e
+        L taut, transverse, axial; // 1 or 0; s and the axial compliance, of impulses
+        L tension, next, best;
+        L pushed;  // the tension that would be below 0
+        V impulse; // phi of the last elimination
+        L length, per_length;
+        L long_before, gap; // |D0|, and of the interior point what is left to L
+    };
+
+    const Ropes& ropes;
+    const RopeCoefficients& c;
+    const RopeStage& stage;
+    Node* const nodes;
+    Spring* const springs;
+    size_t first, count;        // strands
+    L lambda, per_lambda, open; // open: 1 where a strand is still to be solved
+    L iterations{}, reached{}, failed{};
+    L best = L::splat(INFINITY), best_lambda{}; // the least error that was reached, and its lambda
+    L apart{};                                  // the error of springs between held nodes
+
+    static L one() { return L::splat(1); }
+    // Springs that no node moves by: those that are cut, or between two held nodes.
+    bool is_idle(size_t i) const { return isinf(c.compliance[i]) || (held(i) && held(i + 1)); }
+    bool held(size_t i) const { return c.pin[i] == CD_NODE_PINNED || c.pin[i] == CD_NODE_DRIVEN; }
+
+    // Strands beyond the last are the last one again.
+    size_t place(size_t i, int lane) const {
+        const size_t own = size_t(lane) < count ? size_t(lane) : count - 1;
+        return i * ropes.pitch + (first + own) * ropes.components;
+    }
+    V load(StateNumbers numbers, size_t i) const {
+        double lane[3][N] = {};
+        for (int j = 0; j < N; ++j)
+            for (size_t k = 0; k < ropes.components; ++k) lane[k][j] = numbers[place(i, j) + k];
+        return {L::load(lane[0]), L::load(lane[1]), L::load(lane[2])};
+    }
+    void store(V a, StateNumbers numbers, size_t i) const {
+        const double least = numbers.is_float64 ? Limits<double>::least : double(Limits<float>::least);
+        double lane[3][N];
+        settled(a.x, least).store(lane[0]), settled(a.y, least).store(lane[1]), settled(a.z, least).store(lane[2]);
+        for (int j = 0; j < N && size_t(j) < count; ++j)
+            for (size_t k = 0; k < ropes.components; ++k) numbers.put(place(i, j) + k, lane[k][j]);
+    }
+    size_t tension_place(size_t i, int lane) const {
+        return i * ropes.strands + first + (size_t(lane) < count ? size_t(lane) : count - 1);
+    }
+    L load_tension(size_t i) const {
+        double lane[N];
+        for (int j = 0; j < N; ++j) lane[j] = ropes.tension[tension_place(i, j)];
+        return L::load(lane);
+    }
+    V gravity() const { return {L::splat(stage.gravity[0]), L::splat(stage.gravity[1]), L::splat(stage.gravity[2])}; }
+
+    // ---- the start of a step ----------------------------------------------------------------------------------------
+
+    // What nodes would do alone.
+    void begin_alone() {
+        const L h = stage.dt * lambda;
+        per_lambda = one() / lambda;
+        for (size_t i = 0; i < ropes.nodes; ++i) {
+            const V v = load(ropes.velocity, i);
+            Node& n = nodes[i];
+            n.mobility = L{};
+            if (held(i)) {
+                n.b = v;
+                continue;
+            }
+            const L m = L::splat(c.mass[i]);
+            n.ground = m + h * (L::splat(c.drag[i]) + h * L::splat(c.tie[i]));
+            V push = m * gravity();
+            if (ropes.force.data) push = push + load(ropes.force, i);
+            if (ropes.target.data) push = push + L::splat(c.tie[i]) * (load(ropes.target, i) - load(ropes.position, i));
+            n.mobility = one() / n.ground;
+            n.b = n.mobility * (m * v + h * push);
+        }
+    }
+    // And for what is open the guess that they go on as they are.
+    void begin() {
+        begin_alone();
+        for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].w = select(open, load(ropes.velocity, i), nodes[i].w);
+        V left = load(ropes.position, 0);
+        for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+            const V right = load(ropes.position, i + 1);
+            springs[i].before = right - left;
+            springs[i].long_before = root(dot(springs[i].before, springs[i].before));
+            springs[i].impulse = select(open, V{}, springs[i].impulse);
+            springs[i].pushed = L{};
+            springs[i].tension = is_idle(i) ? L{} : select(open, load_tension(i), springs[i].tension);
+            springs[i].length = L::splat(c.length[i]), springs[i].per_length = L::splat(c.per_length[i]);
+            left = right;
+        }
+    }
+
+    // ---- one iteration ----------------------------------------------------------------------------------------------
+
+    // Unit vectors; of a spring without a direction, that of `other`.
+    // The unit vector along `a`, given one over its length; `other` where it is too short to have one.
+    static V direction(V a, L longer, L inverse, V other) { return select(longer, inverse * a, other); }
+
+    // What a look at all springs sees of the guess.
+    struct Seen {
+        L error{}, probe{};  // its largest error of length, over the rest length; NaN if a number is
+        L pushed{};          // the sum of the pushes of springs that only pull, times lengths
+        L gained{}, worth{}; // the energy that springs give from nothing, and the sum of tensions times lengths
+        L slack{};           // the sum of tensions times what their springs are too short for them
+    };
+
+    // Linearizes spring i about the guess (w, T). barrier > 0: T gap = barrier instead of "slack or taut".
+    void linearize(size_t i, L barrier, bool interior, Seen& seen) {
+        Spring& s = springs[i];
+        const double compliance = c.compliance[i];
+        const L length = s.length, per_length = s.per_length;
+        const V dw = nodes[i + 1].w - nodes[i].w;
+        const L t = s.tension, dt = L::splat(stage.dt);
+        const L theta = by_sign(t, L::splat(0.5), lambda);
+        const V after = s.before + dt * dw, z = s.before + (theta * dt) * dw;
+        const L long_after = root(dot(after, after)), long_z = root(dot(z, z));
+        const L per_z = one() / long_z, least = kNoDirection * length;
+        const V z_way = direction(z, long_z - least, per_z, V{one(), L{}, L{}});
+        s.along = direction(after, long_after - least, one() / long_after, z_way);
+        const V acting = direction(z, long_z - least, per_z, s.along);
+        const L turn = dot(s.along, acting), turns = turn - L::splat(kLeastTurn);
+        s.acting = select(turns, acting, s.along);
+        const L cosine = select(turns, turn, one());
+        L over = long_after - length;
+
+        if (is_idle(i)) {
+            if (compliance > 0) s.tension = (1 / compliance) * (stage.push ? over : positive(over));
+            else apart = larger(apart, per_length * over);
+            s.taut = s.transverse = s.axial = L{};
+            s.wish = dw, s.wished = L{};
+            return;
+        }
+        const L missing = over - compliance * t;
+        // The work that its impulse did on the nodes, beyond what a spring of this tension can give.
+        const L stretch = long_after - s.long_before;
+        seen.probe = seen.probe + 0.0 * missing;
+        seen.gained = seen.gained + (t * stretch - dot(s.impulse, dw) * per_lambda);
+        seen.worth = seen.worth + (size_of(t) + s.pushed) * length;
+        seen.pushed = seen.pushed + s.pushed * length;
+        L yields = L::splat(compliance);
+        if (interior) {
+            over = over + (s.gap + barrier / t);
+            yields = yields + s.gap / t;
+            s.taut = one();
+            seen.error = larger(seen.error, per_length * missing);
+            seen.slack = seen.slack + t * positive(L{} - missing);
+        } else {
+            const L give = (stage.dt * stage.dt) * (nodes[i].mobility + nodes[i + 1].mobility) + L::splat(compliance);
+            s.taut = stage.push ? one() : select(give * t + over, one(), L{});
+            seen.error = larger(seen.error, s.taut * (per_length * size_of(missing)));
+        }
+        const L impulse = (stage.dt * stage.dt) * lambda; // of a unit of stiffness, per velocity
+        const L lever = smaller(per_z, (1 / kLeastLever) * per_length);
+        s.transverse = s.taut * ((theta * impulse) * (positive(t) * lever));
+        s.axial = L{};
+        if (interior || compliance > 0) {
+            const L a = yields / impulse, stiff = s.transverse;
+            s.transverse = select(a * stiff - L::splat(kMostTransverse), L::splat(kMostTransverse) / a, stiff);
+            s.axial = a / (one() - a * s.transverse);
+        }
+        const double rate = 1 / stage.dt;
+        s.wish = dw - ((rate * over) / cosine) * s.acting;
+        s.wished = dot(s.along, dw) - rate * over;
+    }
+
+    // Solves the linear system: phi_i = s (dw - e) + u tau, c . (dw - e) = axial tau, into `next`.
+    void eliminate() {
+        M mobility = M::diagonal(nodes[0].mobility);
+        V y = nodes[0].b;
+        nodes[0].c = mobility, nodes[0].y = y;
+        for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+            const Spring& s = springs[i];
+            Node& node = nodes[i + 1];
+            if (held(i + 1)) {
+                mobility = M::diagonal(L{});
+                y = node.b;
+            } else {
+                const L m = node.ground, stiff = s.transverse, ms = m * stiff, diagonal = m + stiff;
+                M a{ms * mobility.x, ms * mobility.y, ms * mobility.z};
+                a.x.x = a.x.x + diagonal, a.y.y = a.y.y + diagonal, a.z.z = a.z.z + diagonal;
+                const M share = inverse(a);
+                const V right = share * s.acting, left = transposed_times(share, s.along);
+                const L yields = s.axial + dot(s.along, right + m * (mobility * right));
+                const L pull = s.taut / yields;
+                const V q = stiff * (share * ((y - node.b) + s.wish));
+                const L tau = (dot(s.along, (q + m * (mobility * q)) + (node.b - y)) - s.wished) * pull;
+                y = (node.b + q) - tau * right;
+                const V l = pull * left;
+                const V sx = stiff * share.x, sy = stiff * share.y, sz = stiff * share.z;
+                const auto row = [&](V own, V scaled, L r) {
+                    return (own + transposed_times(mobility, scaled)) - r * l;
+                };
+                mobility = {row(share.x, sx, right.x), row(share.y, sy, right.y), row(share.z, sz, right.z)};
+            }
+            node.c = mobility;
+            node.y = y;
+        }
+        V phi{};
+        for (size_t i = ropes.nodes; i-- > 0;) {
+            Node& node = nodes[i];
+            node.next = node.y + node.c * phi;
+            if (i == 0) break;
+            Spring& s = springs[i - 1];
+            phi = held(i) ? into_held(i) : phi - node.ground * (node.next - node.b);
+            s.impulse = phi;
+            const L next = s.taut * (dot(phi, s.acting) / (stage.dt * lambda));
+            s.next = stage.push ? next : positive(next);
+            s.pushed = s.next - next;
+        }
+    }
+
+    // The impulse of the spring on the left of held node i.
+    V into_held(size_t i) const {
+        const Spring& s = springs[i - 1];
+        const Node& left = nodes[i - 1];
+        M a{s.transverse * left.c.x, s.transverse * left.c.y, s.transverse * left.c.z};
+        a.x.x = a.x.x + one(), a.y.y = a.y.y + one(), a.z.z = a.z.z + one();
+        const M share = inverse(a);
+        const V way = (nodes[i].next - left.y) - s.wish, q = s.transverse * (share * way), u = share * s.acting;
+        const L yields = s.axial + dot(s.along, left.c * u);
+        const L pull = select(yields, s.taut / yields, L{}); // 0 between two held nodes
+        const L tau = (dot(s.along, (nodes[i].next - left.y) - left.c * q) - s.wished) * pull;
+        return q + tau * u;
+    }
+
+    // ---- the step, in rope_step.cpp ---------------------------------------------------------------------------------
+
+    L alone(size_t i) const { return held(i) ? L{} : L::splat(1 / c.mass[i]); }
+    void linearize_all(L barrier, bool interior, L weight, bool first);
+    void newton(size_t most);
+    void start_together();
+    void interior(size_t most);
+    void finish_inside(L tried);
+    void step_inside(L barrier);
+    void solve();
+    bool try_again();
+    void calm();
+    void settle();
+    RopeResult step();
+};
+
+} // namespace CD_ISA
+} // namespace cd
