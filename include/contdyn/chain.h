@@ -153,7 +153,7 @@ CD_API cd_status cd_chain_get_tolerance(const cd_chain* chain, double* out_toler
 
 /* What the last call of cd_chain_step did with ropes: the most iterations that a step of a strand took, and the largest
  * error it ended with, as the tolerance counts it. 0 and 0 without ropes. Each output may be null. */
-CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_iterations, double* out_error);
+CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_iterations, double* out_residual);
 
 /* ---- fields -------------------------------------------------------------------------------------------------------
  *  field         per              unit    values

@@ -85,8 +85,8 @@ CD_GETTER(chain, get_rest_length, double, out_length, x.rope.length)
 CD_GETTER(chain, get_push, int32_t, out_push, x.rope.push)
 CD_FUNCTION(chain, const, get_tolerance, (double* out_tolerance, size_t* out_most_iterations),
             shared::get_tolerance(__func__, x.rope, out_tolerance, out_most_iterations))
-CD_FUNCTION(chain, const, get_convergence, (size_t * out_iterations, double* out_error),
-            shared::get_convergence(x, out_iterations, out_error))
+CD_FUNCTION(chain, const, get_convergence, (size_t * out_iterations, double* out_residual),
+            shared::get_convergence(x, out_iterations, out_residual))
 
 cd_status cd_chain_set_tolerance(cd_chain* chain, double tolerance, size_t most_iterations) {
     CD_OPEN(chain, c);

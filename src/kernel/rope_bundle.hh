@@ -16,10 +16,6 @@ namespace CD_ISA {
 
 // A spring shorter than this, over its rest length, has no direction of its own.
 constexpr double kNoDirection = 1e-12;
-// The least cosine between a spring's direction after the step and that in which it acts, for Newton's guess to hold.
-constexpr double kLeastTurn = 0.1;
-// The least length of a spring, over its rest length, by which its transverse stiffness is reckoned.
-constexpr double kLeastLever = 0.1;
 // The most of a spring's axial stiffness that its transverse stiffness may be.
 constexpr double kMostTransverse = 0.9;
 
@@ -43,9 +39,8 @@ template <int N> struct RopeBundle {
         L wished;                  // along . e
         L taut, transverse, axial; // 1 or 0; s and the axial compliance, of impulses
         L tension, next, best;
-        L pushed;  // the tension that would be below 0
-        V impulse; // phi of the last elimination
-        L length, per_length;
+        L pushed;           // the tension that would be below 0
+        V impulse;          // phi of the last elimination
         L long_before, gap; // |D0|, and of the interior point what is left to L
     };
 
@@ -102,7 +97,7 @@ template <int N> struct RopeBundle {
         for (size_t i = 0; i < ropes.nodes; ++i) {
             const V v = load(ropes.velocity, i);
             Node& n = nodes[i];
-            n.mobility = L{};
+            n.ground = n.mobility = L{};
             if (held(i)) {
                 n.b = v;
                 continue;
@@ -128,14 +123,12 @@ template <int N> struct RopeBundle {
             springs[i].impulse = select(open, V{}, springs[i].impulse);
             springs[i].pushed = L{};
             springs[i].tension = is_idle(i) ? L{} : select(open, load_tension(i), springs[i].tension);
-            springs[i].length = L::splat(c.length[i]), springs[i].per_length = L::splat(c.per_length[i]);
             left = right;
         }
     }
 
     // ---- one iteration ----------------------------------------------------------------------------------------------
 
-    // Unit vectors; of a spring without a direction, that of `other`.
     // The unit vector along `a`, given one over its length; `other` where it is too short to have one.
     static V direction(V a, L longer, L inverse, V other) { return select(longer, inverse * a, other); }
 
@@ -151,7 +144,7 @@ template <int N> struct RopeBundle {
     void linearize(size_t i, L barrier, bool interior, Seen& seen) {
         Spring& s = springs[i];
         const double compliance = c.compliance[i];
-        const L length = s.length, per_length = s.per_length;
+        const L length = L::splat(c.length[i]), per_length = L::splat(c.per_length[i]);
         const V dw = nodes[i + 1].w - nodes[i].w;
         const L t = s.tension, dt = L::splat(stage.dt);
         const L theta = by_sign(t, L::splat(0.5), lambda);
@@ -160,10 +153,7 @@ template <int N> struct RopeBundle {
         const L per_z = one() / long_z, least = kNoDirection * length;
         const V z_way = direction(z, long_z - least, per_z, V{one(), L{}, L{}});
         s.along = direction(after, long_after - least, one() / long_after, z_way);
-        const V acting = direction(z, long_z - least, per_z, s.along);
-        const L turn = dot(s.along, acting), turns = turn - L::splat(kLeastTurn);
-        s.acting = select(turns, acting, s.along);
-        const L cosine = select(turns, turn, one());
+        s.acting = direction(z, long_z - least, per_z, s.along);
         L over = long_after - length;
 
         if (is_idle(i)) {
@@ -193,8 +183,7 @@ template <int N> struct RopeBundle {
             seen.error = larger(seen.error, s.taut * (per_length * size_of(missing)));
         }
         const L impulse = (stage.dt * stage.dt) * lambda; // of a unit of stiffness, per velocity
-        const L lever = smaller(per_z, (1 / kLeastLever) * per_length);
-        s.transverse = s.taut * ((theta * impulse) * (positive(t) * lever));
+        s.transverse = s.taut * ((theta * impulse) * (positive(t) / larger(long_z, least)));
         s.axial = L{};
         if (interior || compliance > 0) {
             const L a = yields / impulse, stiff = s.transverse;
@@ -202,7 +191,7 @@ template <int N> struct RopeBundle {
             s.axial = a / (one() - a * s.transverse);
         }
         const double rate = 1 / stage.dt;
-        s.wish = dw - ((rate * over) / cosine) * s.acting;
+        s.wish = dw - ((rate * over) / dot(s.along, s.acting)) * s.acting;
         s.wished = dot(s.along, dw) - rate * over;
     }
 
@@ -273,7 +262,6 @@ template <int N> struct RopeBundle {
     void newton(size_t most);
     void start_together();
     void interior(size_t most);
-    void finish_inside(L tried);
     void step_inside(L barrier);
     void solve();
     bool try_again();

@@ -4,14 +4,13 @@
 namespace cd {
 namespace CD_ISA {
 
-// How much softer than they are springs count where velocities settle, over what their nodes yield. Where a rope is all
-// but straight between heavy nodes, light ones would have to leap to keep lengths exactly.
-constexpr double kSettleSoftly = 1e-6;
+// How much softer than they are springs count where velocities settle, over what their nodes yield: along a straight
+// rope between two held nodes one of them settles by the others.
+constexpr double kSettleSoftly = 1e-12;
 constexpr double kMostError = 1e300; // of lengths, over rest lengths: beyond it, no iteration helps
 constexpr size_t kMostNewton = 8;    // iterations before a safer step is tried
 // Of the interior point.
 constexpr double kLeastForce = 1e-30; // [N]
-constexpr double kShrink = 0.9;       // what a spring longer than it may be shortens to in a step, over its length
 constexpr double kFirstGap = 0.1;     // the least gap to start with, over the rest length
 constexpr double kBarrierFall = 0.1;  // the barrier of an iteration over that of the one before
 constexpr double kInside = 0.95;      // how much of the way to a tension or gap of 0 a step goes
@@ -80,16 +79,13 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     force = (each / stage.dt) * (force + (each * mass) * driven);
     force = larger(force, L::splat(kLeastForce));
     start_together();
-    const L tried = open;
-    L longer{}, weight{}; // weight: of the nodes, times lengths
+    L weight{}; // of the nodes, times lengths
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
         Spring& s = springs[i];
         if (is_idle(i)) continue;
-        const L length = larger(s.length, kShrink * s.long_before - c.compliance[i] * positive(s.tension));
-        longer = larger(longer, (length - s.length) / s.length);
-        s.length = length, s.per_length = one() / length;
+        const L length = L::splat(c.length[i]);
         weight = weight + force * length;
-        s.gap = larger(s.length - s.long_before, kFirstGap * s.length);
+        s.gap = larger(length - s.long_before, kFirstGap * length);
         s.tension = select(open, force, s.tension);
     }
     const double share = 1 / double(ropes.nodes - 1);
@@ -99,31 +95,10 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
             if (!is_idle(i)) sum = sum + springs[i].tension * springs[i].gap;
         const L barrier = (kBarrierFall * share) * sum;
         linearize_all(barrier, true, weight, k == 0);
-        if (k == most || !any_positive(open)) break;
+        if (k == most || !any_positive(open)) return;
         eliminate();
         iterations = iterations + open;
         step_inside(barrier);
-    }
-    finish_inside(tried);
-    reached = select(tried, larger(longer, reached), reached); // NaN stays
-}
-
-// Springs that are much too short for the little tension that the barrier gives them, as tensions go, are slack.
-template <int N> void RopeBundle<N>::finish_inside(L tried) {
-    L sum{}, lengths{};
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
-        if (is_idle(i)) continue;
-        sum = sum + springs[i].tension * springs[i].length;
-        lengths = lengths + springs[i].length;
-    }
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
-        if (is_idle(i)) continue;
-        Spring& s = springs[i];
-        const V after = s.before + L::splat(stage.dt) * (nodes[i + 1].w - nodes[i].w);
-        const L over = root(dot(after, after)) - s.length, yields = L::splat(c.compliance[i]);
-        const L slack = (yields * s.tension - over) * sum - (s.tension * s.length) * lengths;
-        const L own = c.compliance[i] > 0 ? positive(over) / yields : L{};
-        s.tension = select(tried * select(slack, one(), L{}), own, s.tension);
     }
 }
 
@@ -216,8 +191,9 @@ template <int N> void RopeBundle<N>::calm() {
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, L{}, false, seen); // for settle()
 }
 
-// Takes from the velocities what would lengthen or shorten springs that are taut: less energy, and momentum as it
-// was. Without it what a step of lambda < 1 does along stiff springs alternates from step to step.
+// Velocities along springs that are taut become those with which they lengthened in the step beyond its tolerance, or
+// 0 where they were slack before it; momentum stays. Without it what a step of lambda < 1 does along stiff springs alternates from step
+// to step.
 template <int N> void RopeBundle<N>::settle() {
     const size_t n = ropes.nodes;
     const L rate = L::splat(1 / stage.dt / stage.dt), none{};
@@ -229,7 +205,12 @@ template <int N> void RopeBundle<N>::settle() {
         const L own = (1 + kSettleSoftly) * (left + right) + c.compliance[i] * rate;
         const L pulls = stage.push ? size_of(s.tension) : s.tension;
         s.taut = is_idle(i) ? none : unsettled * select(pulls, select(own, one(), none), none);
-        s.wished = select(s.taut, dot(s.along, nodes[i + 1].next - nodes[i].next), none);
+        const L was = load_tension(i);
+        const L long_after = dot(s.along, s.before + L::splat(stage.dt) * (nodes[i + 1].w - nodes[i].w));
+        const L moved = select(stage.push ? size_of(was) : was, long_after - s.long_before, none);
+        const L error = L::splat(2 * stage.tolerance * c.length[i]); // what two lengths that are right may differ by
+        const L wanted = (1 / stage.dt) * (moved - smaller(larger(moved, none - error), error));
+        s.wished = select(s.taut, dot(s.along, nodes[i + 1].next - nodes[i].next) - wanted, none);
         const L both = i == 0 ? none : s.taut * springs[i - 1].taut;
         s.axial = i == 0 ? none : select(both, none - left * dot(springs[i - 1].along, s.along), none);
         const L share = s.axial / before_pivot;

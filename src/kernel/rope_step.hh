@@ -67,7 +67,7 @@ struct RopeResult {
 
 // The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand;
 // a call with one strand needs no more than that strand's.
-constexpr size_t kRopeStrands = 8, kRopeScratch = 53;
+constexpr size_t kRopeStrands = 8, kRopeScratch = 51;
 
 namespace CD_ISA {
 

@@ -80,7 +80,7 @@ template <class Thing> constexpr size_t numbers_of(size_t count) { return count 
 inline size_t row_length(const Chain& c) { return c.nodes < 8 * kSegments ? c.nodes : (c.nodes + 7) / 8 * 8; }
 
 inline bool can_have_lengths(const Chain& c) { return CD_WITH_ROPE && c.springs > 0 && c.components <= 3; }
-inline bool has_lengths(const Chain& c) { return c.rope.length > 0; }
+inline bool has_lengths(const Chain& c) { return CD_WITH_ROPE && c.rope.length > 0; }
 
 // The uniform values that the totals come to.
 double uniform_mass(const Chain& c, size_t node);

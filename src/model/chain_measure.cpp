@@ -24,6 +24,7 @@ template <class T> struct Measure {
 
     // sum over strands of the square of what spring i is longer than its length, or, if it pushes, shorter
     double stretches(size_t i) const {
+        if (!has_lengths(c)) return squares([&](size_t l) { return at(x, after(i), l) - at(x, i, l); });
         double sum = 0;
         for (size_t strand = 0; strand < c.strands; ++strand) {
             double square = 0;
@@ -39,12 +40,8 @@ template <class T> struct Measure {
     }
 
     void energy(Sum& kinetic, Sum& elastic, Sum& gravity) const {
-        for (size_t i = 0; i < springs_in_all(c) && has_lengths(c); ++i)
+        for (size_t i = 0; i < springs_in_all(c); ++i)
             if (!is_rigid(c, i)) elastic.add(0.5 * stiffness_of(c, i) * stretches(i));
-        for (size_t i = 0; i < springs_in_all(c) && !has_lengths(c); ++i)
-            if (!welded(c, i))
-                elastic.add(0.5 * stiffness_of(c, i) *
-                            squares([&](size_t l) { return at(x, after(i), l) - at(x, i, l); }));
         for (size_t i = 0; i < c.nodes; ++i) {
             if (bend_of(c, i) > 0) {
                 const size_t left = i > 0 ? i - 1 : c.nodes - 1, right = after(i);

@@ -54,7 +54,8 @@ void clear_state(Chain& c) {
 }
 
 uint64_t step_ropes(Chain& c, double dt, size_t count) {
-    const RopeCoefficients coefficients = coefficients_of(c, must_prepare(c, dt));
+    const bool changed = c.prepared_dt == 0 && must_prepare(c, dt); // coefficients are the same at any dt
+    const RopeCoefficients coefficients = coefficients_of(c, changed);
     const auto state = [&](const Array<char>& array) { return StateNumbers{array.data, c.precision == CD_FLOAT64}; };
     const Ropes ropes = {c.nodes,           c.strands,      c.components,    c.pitch,       state(c.position),
                          state(c.velocity), state(c.force), state(c.target), c.tension.data};
@@ -73,8 +74,8 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
         for (size_t g = t * groups / tasks; g < (t + 1) * groups / tasks; ++g) {
             const size_t first = g * kRopeStrands, left = c.strands - first;
             for (size_t s = 0; s < count; ++s) {
-                const RopeResult result = c.kernels->rope_step(ropes, coefficients, stage, scratch, first,
-                                                               left < kRopeStrands ? left : kRopeStrands);
+                const RopeResult result = c.kernels->rope_step(ropes, coefficients, stage, scratch,
+                                                               first, left < kRopeStrands ? left : kRopeStrands);
                 results[t].add(result);
                 if (!result.finite && s < bad[t]) bad[t] = s;
             }

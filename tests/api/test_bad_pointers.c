@@ -176,7 +176,7 @@ static const char* const nullable[] = {
     "cd_chain_get_shape out_springs",    "cd_chain_get_shape out_components", "cd_chain_get_shape out_precision",
     "cd_chain_set_parallel parallel",    "cd_chain_attach target",          "cd_chain_get_energy out_kinetic",
     "cd_chain_get_energy out_elastic",   "cd_chain_get_energy out_gravity",   "cd_chain_get_convergence out_iterations",
-    "cd_chain_get_convergence out_error",
+    "cd_chain_get_convergence out_residual",
 };
 
 static void what_may_be_null_is_taken_as_null(void** state) {

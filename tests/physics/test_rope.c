@@ -326,6 +326,46 @@ static void a_free_rope_keeps_its_momentum(void** state) {
     }
 }
 
+/* ---- winches ----------------------------------------------------------------------------------------------------- */
+
+/* A hanging rope that is reeled in, or paid out, at an even speed carries its weight, as one at rest does. */
+static void a_winch_at_an_even_speed_carries_the_weight(void** state) {
+    (void)state;
+    static const double down[3] = {0, -1, 0}, speeds[] = {0, -0.1, 0.1, -1, 0};
+    static const double lambdas[] = {0.5, 0.55, 1}, stiffnesses[] = {INFINITY, 1e4};
+    enum { SPRINGS = 10 };
+    const double dt = 1 / 60.0, mass = 2;
+    for (size_t l = 0; l < COUNT(lambdas); ++l)
+        for (size_t k = 0; k < COUNT(stiffnesses); ++k) {
+            double length = 5, worst = 0;
+            cd_chain* chain = rope(SPRINGS, length, mass, down, CD_FLOAT64);
+            ok(cd_chain_set_lambda(chain, lambdas[l]));
+            ok(cd_chain_set_stiffness(chain, stiffnesses[k]));
+            ok(cd_chain_set_drag(chain, isinf(stiffnesses[k]) ? 0 : 5)); /* a soft one bounces when speeds change */
+            ok(cd_chain_set_tolerance(chain, 1e-10, 200));
+            for (size_t phase = 0; phase < COUNT(speeds); ++phase)
+                for (int frame = 0; frame < 180; ++frame) {
+                    double tension[SPRINGS], v[SPRINGS + 1][3];
+                    length += dt * speeds[phase];
+                    ok(cd_chain_set_rest_length(chain, length));
+                    ok(cd_chain_step(chain, dt, 1));
+                    if (frame < 120) continue;
+                    ok(cd_chain_read_f64(chain, CD_TENSION, 0, 1, 0, SPRINGS, tension, SPRINGS));
+                    ok(cd_chain_read_f64(chain, CD_VELOCITY, 0, 1, 0, SPRINGS + 1, v[0], 3 * (SPRINGS + 1)));
+                    for (int i = 0; i < SPRINGS; ++i) {
+                        double weight = 0; /* and what the drag takes */
+                        for (int below = i + 1; below <= SPRINGS; ++below)
+                            weight += mass / (SPRINGS + 1) * (9.81 + (isinf(stiffnesses[k]) ? 0 : 5) * v[below][1]);
+                        worst = fmax(worst, fabs(tension[i] / weight - 1));
+                    }
+                }
+            print_message("lambda %.2f, stiffness %g: tension of a winch off by %.1e\n", lambdas[l], stiffnesses[k],
+                          worst);
+            assert_true(worst < 1e-3);
+            cd_chain_destroy(chain);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rope_between_two_hooks_hangs_as_the_discrete_catenary),
@@ -334,6 +374,7 @@ int main(void) {
         cmocka_unit_test(a_hanging_rope_swings_in_its_lowest_mode),
         cmocka_unit_test(a_taut_string_swings_as_its_lattice),
         cmocka_unit_test(a_free_rope_keeps_its_momentum),
+        cmocka_unit_test(a_winch_at_an_even_speed_carries_the_weight),
     };
     return cmocka_run_group_tests_name("rope", tests, NULL, NULL);
 }

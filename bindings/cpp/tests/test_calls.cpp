@@ -152,8 +152,8 @@ void ropes() {
     OK(rope.set_gravity({0, 0, -10}));
     OK(rope.set_end(end::first, node::pinned));
     OK(rope.step(1 / 60.0, 60));
-    const chain::convergence reached = GET(rope.get_convergence());
-    CHECK(reached.iterations > 0 && reached.error <= 1e-6);
+    const convergence reached = GET(rope.get_convergence());
+    CHECK(reached.iterations > 0 && reached.residual <= 1e-6);
 
     CHECK(GET(rope.get_size(field::tension)) == 8);
     const std::vector<double> tensions = GET(rope.read_f64(field::tension));
@@ -168,7 +168,7 @@ void ropes() {
     OK(rope.set_stiffness(1));
     OK(rope.set_rest_length(0));
     OK(rope.step(1 / 60.0));
-    CHECK(GET(rope.get_convergence()).iterations == 0 && GET(rope.get_convergence()).error == 0);
+    CHECK(GET(rope.get_convergence()).iterations == 0 && GET(rope.get_convergence()).residual == 0);
 }
 
 void membranes() {

@@ -20,19 +20,19 @@ from . import _library
 from ._api import (BedRule, Border, Edge, End, Field, Kernels, MassRule, Method, Momentum, Node, Precision, Side,
                    Solver, Status)
 from ._arrays import Array, View
-from ._body import Attachment, Energy, Tolerance
+from ._body import Attachment, Convergence, Energy, Tolerance
 from ._callbacks import Allocator, Parallel, Task
 from ._sheet import Vertices
-from .chain import Chain, ChainConvergence, ChainShape
+from .chain import Chain, ChainShape
 from .errors import (DisabledError, DivergedError, Error, FormatError, HandleError, InvalidEnumError, InvalidValueError,
                      MismatchError, NullError, OutOfMemoryError, RangeError, SizeError, ToleranceError,
                      UnsupportedError)
-from .membrane import Convergence, Membrane, MembraneShape, Ring, Stiffness
+from .membrane import Membrane, MembraneShape, Ring, Stiffness
 from .water import (Account, Limited, Sample, SideState, Water, WaterEnergy, WaterShape, WaterVertices)
 
 __all__ = [
-    "Account", "Allocator", "Array", "Attachment", "BedRule", "Border", "Chain", "ChainConvergence", "ChainShape",
-    "Convergence", "DisabledError", "DivergedError", "Edge", "End", "Energy", "Error", "Field", "FormatError",
+    "Account", "Allocator", "Array", "Attachment", "BedRule", "Border", "Chain", "ChainShape", "Convergence",
+    "DisabledError", "DivergedError", "Edge", "End", "Energy", "Error", "Field", "FormatError",
     "HandleError", "InvalidEnumError", "InvalidValueError", "Kernels", "Limited", "MassRule", "Membrane",
     "MembraneShape", "Method", "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Parallel",
     "Precision", "RangeError", "Ring", "Sample", "Side", "SideState", "SizeError", "Solver", "Status", "Stiffness",

@@ -36,6 +36,15 @@ class Tolerance(NamedTuple):
     most_iterations: int
 
 
+class Convergence(NamedTuple):
+    """What the last call of step came to, as Tolerance counts it; zeros if there was nothing to solve."""
+
+    #: the most that a solve, or a step of a rope, took
+    iterations: int
+    #: the largest that one ended with
+    residual: float
+
+
 class Body(Object):
     """Nodes with 1 to 4 components that never mix, joined by springs."""
 

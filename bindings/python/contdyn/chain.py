@@ -4,7 +4,7 @@ from typing import Any, List, NamedTuple, Optional, Tuple
 from . import _arrays
 from ._api import End, Field, Node, Precision
 from ._arrays import Array, Values, row
-from ._body import Attachment, Body, Tolerance
+from ._body import Attachment, Body, Convergence, Tolerance
 from ._callbacks import Allocator
 from ._object import rest
 from ._properties import Reading, Setting, SettingOfSeveral
@@ -22,15 +22,6 @@ class ChainShape(NamedTuple):
     def nodes(self) -> int:
         """Nodes of a strand: springs + 1."""
         return self.springs + 1
-
-
-class ChainConvergence(NamedTuple):
-    """What the last call of step did with springs that have a length; zeros if there were none."""
-
-    #: the most that a step of a strand took
-    iterations: int
-    #: the largest that a step ended with, as the tolerance counts it
-    error: float
 
 
 class Chain(Body, kind="chain"):
@@ -83,7 +74,7 @@ class Chain(Body, kind="chain"):
     push = Setting(bool, "Whether springs that are shorter than their length push; default False: they are slack.")
     tolerance = SettingOfSeveral(Tolerance, "When a rope's step is content: (tolerance, most_iterations); the "
                                             "tolerance is a fraction of the springs' lengths.")
-    convergence = Reading(ChainConvergence, "What the last call of step did with a rope: (iterations, error).")
+    convergence = Reading(Convergence, "What the last call of step did with a rope: (iterations, residual).")
 
     # ---- fields -----------------------------------------------------------------------------------------------------
 

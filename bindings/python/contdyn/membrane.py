@@ -4,7 +4,7 @@ from typing import Any, List, NamedTuple, Optional, Tuple
 from . import _arrays
 from ._api import Edge, Field, Node, Precision, Solver
 from ._arrays import Array, Values, row
-from ._body import Attachment, Body, Tolerance
+from ._body import Attachment, Body, Convergence, Tolerance
 from ._callbacks import Allocator
 from ._properties import Reading, Setting, SettingOfSeveral
 from ._sheet import Sheet, Vertices
@@ -36,15 +36,6 @@ class Ring(NamedTuple):
 
     along_u: bool
     along_v: bool
-
-
-class Convergence(NamedTuple):
-    """What the last call of step did with Solver.COUPLED; zeros if there was no such solve."""
-
-    #: the most that a solve took
-    iterations: int
-    #: the largest that a solve ended with, as a fraction of the one it started from
-    residual: float
 
 
 class Membrane(Body, Sheet, kind="membrane"):

@@ -240,7 +240,7 @@ class Errors(unittest.TestCase):
         with self.assertRaises(contdyn.ToleranceError):
             rope.step(0.5, 3)
         self.assertEqual(rope.steps, 3)
-        self.assertGreater(rope.convergence.error, 1e-14)
+        self.assertGreater(rope.convergence.residual, 1e-14)
 
     def test_wrong_types(self):
         chain = moving(Chain)

@@ -15,7 +15,7 @@ def use() -> float:
         rope.step(0.01)
         rope.parallel = ThreadPoolExecutor()
         rope.rest_length, rope.push, rope.tolerance = 1, True, (1e-8, 50)
-        error: float = rope.convergence.error + rope.tolerance.tolerance
+        error: float = rope.convergence.residual + rope.tolerance.tolerance
     with Membrane(4, 4, 1) as drum:
         drum.stiffness = 20, 20
         drum.set_edge(Edge.U_FIRST, Node.PINNED)

@@ -440,10 +440,6 @@ public:
     struct energy {
         double kinetic, elastic, gravity;
     };
-    struct convergence {
-        std::size_t iterations;
-        double error;
-    };
     // Good until the field is switched off or the chain released. Strides are in bytes.
     struct field_view {
         const void* data;
@@ -545,7 +541,7 @@ public:
     }
     outcome<convergence> get_convergence() const {
         convergence out{};
-        return detail::got(cd_chain_get_convergence(handle_, &out.iterations, &out.error), out);
+        return detail::got(cd_chain_get_convergence(handle_, &out.iterations, &out.residual), out);
     }
 
     // ---- fields ----
