@@ -9,9 +9,8 @@
  * Motion    M x'' + C x' + K x = M g + f,  K = the Hessian of E,  C = drag M + stiffness_damping K
  *
  * Rest length is zero, unless cd_chain_set_rest_length makes the chain a rope: a free chain draws together, and one
- * stretched evenly is held by its ends. A new chain lies
- * with every node at the origin, at rest, all nodes free, mass 1, stiffness 1, no bend, no gravity, no damping,
- * CD_METHOD_IMPLICIT with lambda 1/2.
+ * stretched evenly is held by its ends. A new chain lies with every node at the origin, at rest, all nodes free, mass
+ * 1, stiffness 1, no bend, no gravity, no damping, CD_METHOD_IMPLICIT with lambda 1/2.
  *
  * All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are stored
  * in. (Steps of symplectic Euler on uniform chains without damping and forces compute in float32 and are as exact.)
@@ -123,19 +122,23 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
 /* ---- ropes: springs that have a length --------------------------------------------------------------------------- */
 /* A rope is a chain with a rest length: the components of a node, 1 to 3, are directions of space, and a spring pulls
  * along itself by k_i (|x_{i+1} - x_i| - length_i) once it is longer than its length; shorter it is slack. k_i may be
- * anything up to INFINITY, which keeps its length. A step solves this nonlinear system to the tolerance by
- * Newton's method, each iteration in time proportional to the nodes: 1 to 3 of them as a rule. It keeps momentum to
- * rounding. lambda = 1/2 is second order and keeps the energy of a swing, but for the jerk when slack ends; lambda = 1
- * damps most; along a spring that yields, the motion is damped as by lambda = 1. None adds energy, at any dt, stiffness
- * and masses, beyond tolerance times tension times length. What can't be solved with lambda < 1 is solved with 1.
+ * anything up to INFINITY, which keeps its length. Strands share lengths and stiffness. A step solves this nonlinear
+ * system to the tolerance by Newton's method, each iteration in time proportional to the nodes: 1 to 3 of them as a
+ * rule. lambda = 1/2 is second order and keeps the energy of a swing, but for the jerk when slack ends; lambda = 1
+ * damps most; along a spring that yields, the motion is damped as by lambda = 1. What can't be solved with lambda < 1
+ * is solved with 1. At any dt, stiffness and masses a step that reaches its tolerance keeps momentum to rounding and
+ * adds no energy but what such errors of length stand for: at most the sum, over springs, before and after it, of
+ * 2 T e + k e^2, where e = tolerance * length, k e^2 counts for springs that yield, and T is the tension or, where the
+ * interior point was needed, the mean force on the nodes if that is larger. A spring that is longer than its tension
+ * makes it, because positions were written so, comes back within the step at any speed.
  * Ropes need CD_METHOD_IMPLICIT with lambda in [1/2, 1], and have no bend, ring, matched end or stiffness damping:
  * cd_chain_step says CD_ERROR_UNSUPPORTED. */
 
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
  * where they are. A rope has the field CD_TENSION, at first 0; length 0 switches it off, and CD_REST_LENGTH too.
- * Springs of fixed length that are too long for it, and can't shorten at once, do so by a tenth a step, which then
- * ends short of its tolerance. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
- * spring, in a build without ropes, and for 0 where an infinite stiffness would weld all springs or two held nodes. */
+ * Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
+ * CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build without ropes, and for 0 where an infinite stiffness
+ * would weld all springs or two held nodes. */
 CD_API cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
 
@@ -145,9 +148,10 @@ CD_API cd_status cd_chain_set_push(cd_chain* chain, int32_t push);
 CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
 
 /* When a step of a rope is content: every spring is as long as its tension makes it, but for `tolerance` times its
- * length, and springs gave no more energy than that is worth; in [1e-14, 1/2], default 1e-6. most_iterations, 1 to
- * 10000, default 200, are those that a step may take by the slow and sure method, an interior point, after 16 by
- * Newton's. Errors: CD_ERROR_VALUE. */
+ * length, and springs gave no more energy than that is worth; a slack one may keep a tension of about the tolerance
+ * times the largest force on the nodes. In [1e-14, 1/2], default 1e-6. most_iterations, 1 to 10000, default 200, are
+ * those that a step may take by the slow and sure method, an interior point, after 16 by Newton's.
+ * Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_chain_set_tolerance(cd_chain* chain, double tolerance, size_t most_iterations);
 CD_API cd_status cd_chain_get_tolerance(const cd_chain* chain, double* out_tolerance, size_t* out_most_iterations);
 

@@ -134,10 +134,10 @@ template <int N> struct RopeBundle {
 
     // What a look at all springs sees of the guess.
     struct Seen {
-        L error{}, probe{};  // its largest error of length, over the rest length; NaN if a number is
-        L pushed{};          // the sum of the pushes of springs that only pull, times lengths
-        L gained{}, worth{}; // the energy that springs give from nothing, and the sum of tensions times lengths
-        L slack{};           // the sum of tensions times what their springs are too short for them
+        L error{}, probe{};   // its largest error of length, over the rest length; NaN if a number is
+        L pushed{};           // the sum of the pushes of springs that only pull, times lengths
+        L gained{}, worth{};  // the energy that springs give from nothing, and the sum of tensions times lengths
+        L slack{}, lengths{}; // the most of a tension times how much its spring is too short for it; sum of lengths
     };
 
     // Linearizes spring i about the guess (w, T). barrier > 0: T gap = barrier instead of "slack or taut".
@@ -176,11 +176,13 @@ template <int N> struct RopeBundle {
             yields = yields + s.gap / t;
             s.taut = one();
             seen.error = larger(seen.error, per_length * missing);
-            seen.slack = seen.slack + t * positive(L{} - missing);
+            seen.slack = larger(seen.slack, per_length * (t * positive(L{} - missing)));
+            seen.lengths = seen.lengths + length;
         } else {
             const L give = (stage.dt * stage.dt) * (nodes[i].mobility + nodes[i + 1].mobility) + L::splat(compliance);
             s.taut = stage.push ? one() : select(give * t + over, one(), L{});
-            seen.error = larger(seen.error, s.taut * (per_length * size_of(missing)));
+            const L wrong = stage.push ? size_of(missing) : select(s.taut, size_of(missing), give * t);
+            seen.error = larger(seen.error, per_length * wrong);
         }
         const L impulse = (stage.dt * stage.dt) * lambda; // of a unit of stiffness, per velocity
         s.transverse = s.taut * ((theta * impulse) * (positive(t) / larger(long_z, least)));
@@ -257,11 +259,16 @@ template <int N> struct RopeBundle {
 
     // ---- the step, in rope_step.cpp ---------------------------------------------------------------------------------
 
+    L long_after(size_t i) const {
+        const V after = springs[i].before + L::splat(stage.dt) * (nodes[i + 1].w - nodes[i].w);
+        return root(dot(after, after));
+    }
     L alone(size_t i) const { return held(i) ? L{} : L::splat(1 / c.mass[i]); }
     void linearize_all(L barrier, bool interior, L weight, bool first);
     void newton(size_t most);
     void start_together();
     void interior(size_t most);
+    void slacken(L tried);
     void step_inside(L barrier);
     void solve();
     bool try_again();

@@ -22,7 +22,8 @@ constexpr double kInside = 0.95;      // how much of the way to a tension or gap
 template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L weight, bool first) {
     Seen seen;
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, barrier, interior, seen);
-    const L worth = larger(seen.worth, weight), wrong = larger(larger(seen.gained, seen.pushed), seen.slack);
+    const L worth = larger(seen.worth, weight);
+    const L wrong = larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths);
     const L error = select(worth, larger(seen.error, wrong / worth), seen.error) + seen.probe;
     reached = select(open, error, reached);
     if (first) return;
@@ -79,6 +80,7 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     force = (each / stage.dt) * (force + (each * mass) * driven);
     force = larger(force, L::splat(kLeastForce));
     start_together();
+    const L tried = open;
     L weight{}; // of the nodes, times lengths
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
         Spring& s = springs[i];
@@ -95,10 +97,30 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
             if (!is_idle(i)) sum = sum + springs[i].tension * springs[i].gap;
         const L barrier = (kBarrierFall * share) * sum;
         linearize_all(barrier, true, weight, k == 0);
-        if (k == most || !any_positive(open)) return;
+        if (k == most || !any_positive(open)) break;
         eliminate();
         iterations = iterations + open;
         step_inside(barrier);
+    }
+    slacken(tried);
+}
+
+// The interior point leaves every spring some tension. Those that are shorter, over their length, than that is over the
+// mean tension are slack, and get what they are long enough for: else velocities would settle along them.
+template <int N> void RopeBundle<N>::slacken(L tried) {
+    L sum{}, lengths{};
+    for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+        if (is_idle(i)) continue;
+        sum = sum + c.length[i] * springs[i].tension;
+        lengths = lengths + L::splat(c.length[i]);
+    }
+    for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+        if (is_idle(i)) continue;
+        Spring& s = springs[i];
+        const L yields = L::splat(c.compliance[i]), over = long_after(i) - L::splat(c.length[i]);
+        const L slack = (yields * s.tension - over) * sum - (c.length[i] * s.tension) * lengths;
+        const L own = c.compliance[i] > 0 ? positive(over) / yields : L{};
+        s.tension = select(tried * select(slack, one(), L{}), own, s.tension);
     }
 }
 
@@ -206,8 +228,7 @@ template <int N> void RopeBundle<N>::settle() {
         const L pulls = stage.push ? size_of(s.tension) : s.tension;
         s.taut = is_idle(i) ? none : unsettled * select(pulls, select(own, one(), none), none);
         const L was = load_tension(i);
-        const L long_after = dot(s.along, s.before + L::splat(stage.dt) * (nodes[i + 1].w - nodes[i].w));
-        const L moved = select(stage.push ? size_of(was) : was, long_after - s.long_before, none);
+        const L moved = select(stage.push ? size_of(was) : was, long_after(i) - s.long_before, none);
         const L error = L::splat(2 * stage.tolerance * c.length[i]); // what two lengths that are right may differ by
         const L wanted = (1 / stage.dt) * (moved - smaller(larger(moved, none - error), error));
         s.wished = select(s.taut, dot(s.along, nodes[i + 1].next - nodes[i].next) - wanted, none);

@@ -33,7 +33,7 @@ private:
     bool ended_short = false; // the last step missed its tolerance
     bool likes_lengths;       // this chain is a rope most of the time
     Doubles stretched;        // before the step, how much too long each spring of fixed length was
-    double momentum_before[4], velocity_before;
+    double momentum_before[4], velocity_before, position_before, step_before;
 
     size_t springs_now() const; // a ring has one more
     void impulse();
@@ -63,6 +63,7 @@ private:
     void get_convergence();
     void check_rope(const Step& step);
     void check_lengths(double tolerance, double dt);
+    double force_on_nodes(double dt) const;
     void check_momentum(const Step& step);
 };
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# left_out.sh PART: builds contdyn without PART (CHAIN, MEMBRANE, WATER, FLOAT32 or FLOAT64) and fails unless its code
+# left_out.sh PART: builds contdyn without PART (CHAIN, ROPE, MEMBRANE, WATER, FLOAT32 or FLOAT64) and fails unless its code
 # is gone, the library is smaller, and asking for what was left out is refused.
 . "$(dirname "$0")/common.sh"
 
@@ -24,6 +24,22 @@ case $part in
 CHAIN | MEMBRANE | WATER)
     dropped "cd_${part,,}_[a-z_]*"
     functions "$out/src/libcontdyn.a" cd_version | grep -q . || fail "cd_version is gone too"
+    exit 0
+    ;;
+ROPE)
+    dropped 'RopeBundle<[0-9]*>'
+    cat >"$WORK/rope.c" <<'END'
+#include <contdyn/contdyn.h>
+int main(void) {
+    cd_chain* chain = 0;
+    if (cd_chain_create(1, 4, 2, CD_FLOAT64, 0, &chain)) return 1;
+    if (cd_chain_set_rest_length(chain, 1) != CD_ERROR_UNSUPPORTED) return 2;
+    if (cd_chain_set_rest_length(chain, 0)) return 3;
+    return cd_chain_step(chain, 0.1, 2);
+}
+END
+    "$CC" "$WORK/rope.c" -I"$SOURCE/include" "$out/src/libcontdyn.a" -lm -o "$out/rope"
+    "$out/rope" || fail "a chain without ropes is not as it should be"
     exit 0
     ;;
 FLOAT32)
