@@ -343,7 +343,7 @@ FUNCTIONS: Dict[str, str] = {
     "cd_chain_get_push": "status: chain handle, out_push int*",
     "cd_chain_set_tolerance": "status: chain handle, tolerance double, most_iterations size",
     "cd_chain_get_tolerance": "status: chain handle, out_tolerance double*, out_most_iterations size*",
-    "cd_chain_get_convergence": "status: chain handle, out_iterations size*, out_error double*",
+    "cd_chain_get_convergence": "status: chain handle, out_iterations size*, out_residual double*",
     "cd_chain_enable_field": "status: chain handle, field int",
     "cd_chain_disable_field": "status: chain handle, field int",
     "cd_chain_write_f32": ("status: chain handle, field int, first_strand size, strands size, first size, n size, "
