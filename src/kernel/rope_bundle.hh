@@ -268,7 +268,6 @@ template <int N> struct RopeBundle {
     void newton(size_t most);
     void start_together();
     void interior(size_t most);
-    void slacken(L tried);
     void step_inside(L barrier);
     void solve();
     bool try_again();

@@ -80,7 +80,6 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     force = (each / stage.dt) * (force + (each * mass) * driven);
     force = larger(force, L::splat(kLeastForce));
     start_together();
-    const L tried = open;
     L weight{}; // of the nodes, times lengths
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
         Spring& s = springs[i];
@@ -97,30 +96,10 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
             if (!is_idle(i)) sum = sum + springs[i].tension * springs[i].gap;
         const L barrier = (kBarrierFall * share) * sum;
         linearize_all(barrier, true, weight, k == 0);
-        if (k == most || !any_positive(open)) break;
+        if (k == most || !any_positive(open)) return;
         eliminate();
         iterations = iterations + open;
         step_inside(barrier);
-    }
-    slacken(tried);
-}
-
-// The interior point leaves every spring some tension. Those that are shorter, over their length, than that is over the
-// mean tension are slack, and get what they are long enough for: else velocities would settle along them.
-template <int N> void RopeBundle<N>::slacken(L tried) {
-    L sum{}, lengths{};
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
-        if (is_idle(i)) continue;
-        sum = sum + c.length[i] * springs[i].tension;
-        lengths = lengths + L::splat(c.length[i]);
-    }
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
-        if (is_idle(i)) continue;
-        Spring& s = springs[i];
-        const L yields = L::splat(c.compliance[i]), over = long_after(i) - L::splat(c.length[i]);
-        const L slack = (yields * s.tension - over) * sum - (c.length[i] * s.tension) * lengths;
-        const L own = c.compliance[i] > 0 ? positive(over) / yields : L{};
-        s.tension = select(tried * select(slack, one(), L{}), own, s.tension);
     }
 }
 

@@ -149,7 +149,7 @@ void Chain::check_lengths(double tolerance, double dt) {
     cd_chain_get_convergence(first(), &iterations, nullptr);
     cd_chain_get_tolerance(first(), &tolerance, &most);
     const double x = largest_of({CD_POSITION}), rounding = (precision == CD_FLOAT64 ? 1e-14 : 1e-6) * x;
-    const double force = force_on_nodes(dt);
+    const double force = force_on_nodes(dt) + largest_of({CD_TENSION});
     for (size_t j = 0; j < now.size(); ++j) {
         const size_t i = j % springs;
         if (!(tension[j] >= 0) && !push) return problem("rope: tension %g, but it does not push", tension[j]);
