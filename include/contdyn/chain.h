@@ -156,7 +156,8 @@ CD_API cd_status cd_chain_set_tolerance(cd_chain* chain, double tolerance, size_
 CD_API cd_status cd_chain_get_tolerance(const cd_chain* chain, double* out_tolerance, size_t* out_most_iterations);
 
 /* What the last call of cd_chain_step did with ropes: the most iterations that a step of a strand took, and the largest
- * error it ended with, as the tolerance counts it. 0 and 0 without ropes. Each output may be null. */
+ * error it ended with, as the tolerance counts it: INFINITY where that is no number. 0 and 0 without ropes. Each output
+ * may be null. */
 CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_iterations, double* out_residual);
 
 /* ---- fields -------------------------------------------------------------------------------------------------------

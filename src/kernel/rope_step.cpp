@@ -165,7 +165,7 @@ template <int N> void RopeBundle<N>::calm() {
     for (size_t i = 0; i + 1 < ropes.nodes; ++i)
         springs[i].tension = select(known, springs[i].best, springs[i].tension);
     lambda = select(known, best_lambda, lambda);
-    reached = select(known, best, reached);
+    reached = select(open, best, reached); // INFINITY where no error was a number
     begin_alone();
     const auto ends = [&](size_t i, V w) { // the velocity after the step
         const V v = load(ropes.velocity, i);

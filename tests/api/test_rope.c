@@ -332,6 +332,21 @@ static void steps_that_miss_the_tolerance_are_made_all_the_same(void** state) {
     }
 }
 
+/* Lengths whose squares are no numbers: nothing can be solved, and the step says so. */
+static void lengths_beyond_all_numbers_are_told(void** state) {
+    (void)state;
+    cd_chain* chain = NULL;
+    double error = 0;
+    const double x[] = {0, 1e200, -1e200, 2e200};
+    ok(cd_chain_create(1, 3, 1, CD_FLOAT64, NULL, &chain));
+    ok(cd_chain_set_rest_length(chain, 1));
+    ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, 4, x, 4));
+    assert_int_equal(cd_chain_step(chain, 1e-3, 1), CD_ERROR_TOLERANCE);
+    ok(cd_chain_get_convergence(chain, NULL, &error));
+    assert_true(isinf(error));
+    cd_chain_destroy(chain);
+}
+
 static void convergence_is_told_of_the_last_call(void** state) {
     (void)state;
     cd_chain* chain = hard(CD_FLOAT64);
@@ -409,6 +424,7 @@ int main(void) {
         cmocka_unit_test(rigid_springs_of_ropes_are_no_welds),
         cmocka_unit_test(lengths_come_and_go_as_the_chain_moves),
         cmocka_unit_test(steps_that_miss_the_tolerance_are_made_all_the_same),
+        cmocka_unit_test(lengths_beyond_all_numbers_are_told),
         cmocka_unit_test(convergence_is_told_of_the_last_call),
         cmocka_unit_test(energy_counts_what_springs_are_longer),
         cmocka_unit_test(a_wrong_tension_moves_nothing_that_is_slack),

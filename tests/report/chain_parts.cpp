@@ -16,7 +16,9 @@ std::vector<double> gaussian_bump(std::size_t springs) {
 void report_chain(Report& report) {
     report_chain_precision(report);
     report_chain_stiff(report);
-    report_chain_hanging(report);
+#ifdef REPORT_ROPES
+    report_chain_swing(report);
+#endif
     report_chain_growth(report);
     report_chain_figure2(report);
     report_chain_atlas(report);

@@ -11,7 +11,7 @@ namespace report {
 
 void report_chain_precision(Report& report);
 void report_chain_stiff(Report& report);
-void report_chain_hanging(Report& report);
+void report_chain_swing(Report& report);
 void report_chain_growth(Report& report);
 void report_chain_figure2(Report& report);
 void report_chain_extremes(Report& report);
