@@ -16,8 +16,6 @@ namespace CD_ISA {
 
 // A spring shorter than this, over its rest length, has no direction of its own.
 constexpr double kNoDirection = 1e-12;
-// The most of a spring's axial stiffness that its transverse stiffness may be.
-constexpr double kMostTransverse = 0.9;
 
 // N strands.
 template <int N> struct RopeBundle {
@@ -188,8 +186,7 @@ template <int N> struct RopeBundle {
         s.transverse = s.taut * ((theta * impulse) * (positive(t) / larger(long_z, least)));
         s.axial = L{};
         if (interior || compliance > 0) {
-            const L a = yields / impulse, stiff = s.transverse;
-            s.transverse = select(a * stiff - L::splat(kMostTransverse), L::splat(kMostTransverse) / a, stiff);
+            const L a = yields / impulse; // as much as 1 / (transverse + 1 / axial): axial may be negative, or infinite
             s.axial = a / (one() - a * s.transverse);
         }
         const double rate = 1 / stage.dt;
