@@ -182,6 +182,7 @@ template <int N> void RopeBundle<N>::calm() {
     const L part = smaller(positive(root(by_themselves / sum)), one()); // 0 if something is no number
     for (size_t i = 0; i < ropes.nodes; ++i) {
         Node& n = nodes[i];
+        if (held(i)) n.w = select(open, n.b, n.w); // whatever went wrong
         if (held(i)) continue;
         const V v = load(ropes.velocity, i), less = v + lambda * (part * ends(i, n.w) - v);
         n.w = select(open, select(part, select(one() - part, less, n.w), n.b), n.w);
