@@ -28,7 +28,7 @@ RopeCoefficients coefficients_of(Chain& c, bool changed) {
     for (size_t i = 0; i < c.springs && changed; ++i) {
         length[i] = length_of(c, i);
         per_length[i] = 1 / length[i];
-        compliance[i] = 1 / stiffness_of(c, i);
+        compliance[i] = 1 / fabs(stiffness_of(c, i)); // which may be -0
     }
     return {mass, drag, tie, length, per_length, compliance, c.pin.data};
 }
@@ -74,8 +74,8 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
         for (size_t g = t * groups / tasks; g < (t + 1) * groups / tasks; ++g) {
             const size_t first = g * kRopeStrands, left = c.strands - first;
             for (size_t s = 0; s < count; ++s) {
-                const RopeResult result = c.kernels->rope_step(ropes, coefficients, stage, scratch,
-                                                               first, left < kRopeStrands ? left : kRopeStrands);
+                const RopeResult result = c.kernels->rope_step(ropes, coefficients, stage, scratch, first,
+                                                               left < kRopeStrands ? left : kRopeStrands);
                 results[t].add(result);
                 if (!result.finite && s < bad[t]) bad[t] = s;
             }

@@ -332,6 +332,30 @@ static void steps_that_miss_the_tolerance_are_made_all_the_same(void** state) {
     }
 }
 
+static void springs_of_no_stiffness_are_cut(void** state) {
+    (void)state;
+    static const double none[] = {0.0, -0.0}, x[] = {0, 1, 2, 9, 10};
+    for (size_t k = 0; k < COUNT(none); ++k)
+        for (int push = 0; push < 2; ++push) {
+            cd_chain* chain = NULL;
+            double error = 1, tension[4], after[5];
+            ok(cd_chain_create(1, 4, 1, CD_FLOAT64, NULL, &chain));
+            ok(cd_chain_set_rest_length(chain, 4));
+            ok(cd_chain_set_push(chain, push));
+            ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, 5, x, 5));
+            ok(cd_chain_enable_field(chain, CD_STIFFNESS));
+            ok(cd_chain_write_f64(chain, CD_STIFFNESS, 0, 1, 2, 1, &none[k], 1));
+            ok(cd_chain_step(chain, 0.1, 3));
+            ok(cd_chain_get_convergence(chain, NULL, &error));
+            assert_true(error == 0);
+            ok(cd_chain_read_f64(chain, CD_TENSION, 0, 1, 0, 4, tension, 4));
+            ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, 5, after, 5));
+            for (int i = 0; i < 4; ++i) assert_true(tension[i] == 0);
+            for (int i = 0; i < 5; ++i) assert_true(after[i] == x[i]);
+            cd_chain_destroy(chain);
+        }
+}
+
 /* Lengths whose squares are no numbers: nothing can be solved, and the step says so; held nodes stay. */
 static void lengths_beyond_all_numbers_are_told(void** state) {
     (void)state;
@@ -431,6 +455,7 @@ int main(void) {
         cmocka_unit_test(rigid_springs_of_ropes_are_no_welds),
         cmocka_unit_test(lengths_come_and_go_as_the_chain_moves),
         cmocka_unit_test(steps_that_miss_the_tolerance_are_made_all_the_same),
+        cmocka_unit_test(springs_of_no_stiffness_are_cut),
         cmocka_unit_test(lengths_beyond_all_numbers_are_told),
         cmocka_unit_test(convergence_is_told_of_the_last_call),
         cmocka_unit_test(energy_counts_what_springs_are_longer),
