@@ -87,8 +87,8 @@ double Chain::force_on_nodes(double dt) const {
            1e-30;
 }
 
-// What the tolerance is worth: tension times length, and the energy of a spring that is wrong by so much; after more
-// than 16 iterations, which are Newton's, the interior point counts the force on the nodes for a smaller tension. A
+// What the tolerance is worth: tension times length, and the energy of a spring that is wrong by so much; after 8
+// or 16 iterations, which are Newton's, the interior point counts the force on the nodes for a smaller tension. A
 // spring of fixed length that was too long, which holds no energy, comes back by the work of its tension.
 double Chain::room_of_kind() const {
     if (!is_rope() || is_ring()) return 0;
@@ -97,7 +97,7 @@ double Chain::room_of_kind() const {
     cd_chain_get_tolerance(first(), &tolerance, &most);
     cd_chain_get_convergence(first(), &iterations, nullptr);
     const Doubles length = lengths(), k = stiffnesses(), tension = all_of(CD_TENSION);
-    const double force = iterations > 16 ? force_on_nodes(step_before) : 0;
+    const double force = iterations > 8 ? force_on_nodes(step_before) : 0;
     for (size_t j = 0; j < tension.size(); ++j) {
         const size_t i = j % springs;
         const double wrong = tolerance * length[i];

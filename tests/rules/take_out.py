@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Takes the rules of water's step out, one after the other, and shows which tests fail without each.
+"""Takes the rules of water's and of the ropes' steps out, one after the other, and shows which tests fail without each.
 
     take_out.py FOLDER [RULE...]     builds in FOLDER, some minutes a rule; without a rule's name all of them
 
-Exit status 0: every rule has a test that fails without it, and that passes with it. The table in src/README.md is what
+Exit status 0: every rule has a test that fails without it, and that passes with it. The tables in src/README.md are what
 this prints.
 """
 
@@ -13,73 +13,114 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-WATER = "src/kernel/water/"
+KERNELS = "src/kernel/"
 
 # Name: file, what is there, what takes its place, tests to run (the first one that fails ends a rule).
 RULES = {
     "a dry bed pushes nothing": (
-        "face.hh", "return select(rise, select(r.depth, rise, none), select(l.depth, rise, none));", "return rise;",
+        "water/face.hh", "return select(rise, select(r.depth, rise, none), select(l.depth, rise, none));", "return rise;",
         ["physics_water_lake"]),
     "a face shallower than the mean beside a shallow giver": (
-        "face.hh", "const L shallower = smaller(mean, most),", "const L shallower = mean,",
+        "water/face.hh", "const L shallower = smaller(mean, most),", "const L shallower = mean,",
         ["physics_water_dams", "physics_water_thacker", "stability_water_energy"]),
     "a face deeper than the mean where water falls": (
-        "face.hh", "deeper = larger(mean, smaller(fall, over));", "deeper = mean;",
+        "water/face.hh", "deeper = larger(mean, smaller(fall, over));", "deeper = mean;",
         ["physics_water_dams", "physics_water_sides", "physics_water_thacker", "stability_water_energy"]),
     "water climbs as far as its speed lifts it": (
-        "face.hh", "over + kClimbedHeads * head", "L::splat(1e300)", ["physics_water_symmetry"]),
+        "water/face.hh", "over + kClimbedHeads * head", "L::splat(1e300)", ["physics_water_symmetry"]),
     "what runs dry keeps more than rounding": (
-        "face.hh", "constexpr double kGives = 1 - 0x1p-40;", "constexpr double kGives = 1 - 0x1p-53;",
+        "water/face.hh", "constexpr double kGives = 1 - 0x1p-40;", "constexpr double kGives = 1 - 0x1p-53;",
         ["physics_water_symmetry"]),
     "a stream carries changes of depth along": (
-        "surface.hh", "k = theta * cells,", "k = 0.0 * cells,",
+        "water/surface.hh", "k = theta * cells,", "k = 0.0 * cells,",
         ["stability_water_currents"]),
     "the stream's acceleration counts in fluxes": (
-        "surface.hh", "advected = theta * stream;", "advected = 0.0 * stream;",
+        "water/surface.hh", "advected = theta * stream;", "advected = 0.0 * stream;",
         ["physics_water_sides"]),
     "no cell gives more than it has and gets": (
-        "line.hh", "if (any_positive(-least)) limit(-least);", "", ["stability_water_volume"]),
+        "water/line.hh", "if (any_positive(-least)) limit(-least);", "", ["stability_water_volume"]),
     "no more comes in at a side than to an empty cell": (
-        "limiter.hh", "    if (!ring) { //", "    if (false) { //", ["stability_water_extremes"]),
+        "water/limiter.hh", "    if (!ring) { //", "    if (false) { //", ["stability_water_extremes"]),
     "what fills a cell at a side ends at the level outside": (
-        "side.hh", "d_out > d ? most / (d_out - d) : 0", "0", ["physics_water_sides", "stability_water_extremes"]),
+        "water/side.hh", "d_out > d ? most / (d_out - d) : 0", "0", ["physics_water_sides", "stability_water_extremes"]),
     "velocities follow what the limiter lets through": (
-        "velocity.hh", "if (any_limited)", "if (false)", ["stability_water_energy"]),
+        "water/velocity.hh", "if (any_limited)", "if (false)", ["stability_water_energy"]),
     "the energy bound of long steps": (
-        "line.hh", "if (kind.any_long) balance(kind);", "", ["stability_water_energy"]),
+        "water/line.hh", "if (kind.any_long) balance(kind);", "", ["stability_water_energy"]),
     "a long step is rough from a change of 5% on": (
-        "velocity.hh", "constexpr double kRoughChange = 0.05;", "constexpr double kRoughChange = 1;",
+        "water/velocity.hh", "constexpr double kRoughChange = 0.05;", "constexpr double kRoughChange = 1;",
         ["stability_water_energy"]),
     "and at shores": (
-        "surface.hh", "select(smaller(l.depth, r.depth), uneven, mean)", "uneven", ["stability_water_energy"]),
+        "water/surface.hh", "select(smaller(l.depth, r.depth), uneven, mean)", "uneven", ["stability_water_energy"]),
     "what pushes from outside does work": (
-        "velocity.hh", "return acceleration ? rise - acceleration[i] / L::splat(sweep.courant) : rise;", "return rise;",
+        "water/velocity.hh", "return acceleration ? rise - acceleration[i] / L::splat(sweep.courant) : rise;", "return rise;",
         ["physics_water_forces"]),
     "parts of half a cell": (
-        "line.hh", "constexpr double kPartRun = 0.5;", "constexpr double kPartRun = 1e9;", ["stability_water_currents"]),
+        "water/line.hh", "constexpr double kPartRun = 0.5;", "constexpr double kPartRun = 1e9;", ["stability_water_currents"]),
     "what resolves waves fades out": (
-        "line.hh", "resolves = within(", "resolves = L::splat(1) + 0.0 * within(", ["stability_water_currents"]),
+        "water/line.hh", "resolves = within(", "resolves = L::splat(1) + 0.0 * within(", ["stability_water_currents"]),
     "slopes of velocities within cells": (
-        "stream.hh", "const L part = smaller(run, positive(L::splat(1) - run)) * even_depth(cell);", "const L part = 0.0 * run;",
+        "water/stream.hh", "const L part = smaller(run, positive(L::splat(1) - run)) * even_depth(cell);", "const L part = 0.0 * run;",
         ["physics_water_sides"]),
     "slopes only where depths are even": (
-        "stream.hh", "return positive(smaller(least,", "return least; return positive(smaller(least,",
+        "water/stream.hh", "return positive(smaller(least,", "return least; return positive(smaller(least,",
         ["stability_water_currents", "stability_water_energy", "physics_water_thacker"]),
     "slopes add no more than goes through": (
-        "stream.hh", "smaller(part, size_of(through))", "part", ["physics_water_symmetry"]),
+        "water/stream.hh", "smaller(part, size_of(through))", "part", ["physics_water_symmetry"]),
     "half of the momentum goes with old velocities": (
-        "carry.hh", "const Lanes<N> e = 0.5 *", "const Lanes<N> e = 0.0 *", ["physics_water_dams", "physics_water_thacker"]),
+        "water/carry.hh", "const Lanes<N> e = 0.5 *", "const Lanes<N> e = 0.0 *", ["physics_water_dams", "physics_water_thacker"]),
     "dry faces take the speed of what comes": (
-        "velocity.hh", "sweep.advected ? near : none", "none", ["physics_water_thacker", "physics_water_dams"]),
+        "water/velocity.hh", "sweep.advected ? near : none", "none", ["physics_water_thacker", "physics_water_dams"]),
     "slopes across": (
-        "across.cpp", "return smaller(q, positive(given - q)) * half_slope(through, u);", "return 0.0 * q;",
+        "water/across.cpp", "return smaller(q, positive(given - q)) * half_slope(through, u);", "return 0.0 * q;",
         ["physics_water_thacker", "physics_water_momentum"]),
     "a side's depth is that of half a cell before": (
-        "surface.hh", "- L::load(half_cell))", "- 0.0 * L::load(half_cell))", ["physics_water_sides"]),
+        "water/surface.hh", "- L::load(half_cell))", "- 0.0 * L::load(half_cell))", ["physics_water_sides"]),
     "what leaves runs no faster than it came": (
-        "velocity.hh", "larger(-most, smaller(most, u))", "u", ["physics_water_symmetry"]),
+        "water/velocity.hh", "larger(-most, smaller(most, u))", "u", ["physics_water_symmetry"]),
     "what rounding takes is handed on": (
-        "sweep.cpp", "rest.owed = rest.owed + one.owed;", "(void)one;", ["physics_water_lake"]),
+        "water/sweep.cpp", "rest.owed = rest.owed + one.owed;", "(void)one;", ["physics_water_lake"]),
+    "a rope's step makes no energy": (
+        "rope_step.cpp", "larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths)",
+        "larger(seen.pushed, seen.slack * seen.lengths)", ["stability_ropes"]),
+    "springs that only pull push nothing": (
+        "rope_step.cpp", "larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths)",
+        "larger(seen.gained, seen.slack * seen.lengths)", ["stability_ropes"]),
+    "slack springs of the interior point bear no tension": (
+        "rope_step.cpp", "larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths)",
+        "larger(seen.gained, seen.pushed)", ["stability_ropes"]),
+    "what fails is tried with lambda = 1": (
+        "rope_step.cpp", "    if (stage.lambda < 1) {\n        lambda = select", "    if (false) {\n        lambda = select",
+        ["stability_ropes"]),
+    "and by the interior point": (
+        "rope_step.cpp", "    if (!stage.push) {\n        interior", "    if (false) {\n        interior", ["stability_ropes"]),
+    "which begins from the common motion": (
+        "rope_step.cpp", "    start_together();\n", "", ["stability_ropes"]),
+    "with the force that held nodes bring": (
+        "rope_step.cpp", "        if (held(i)) driven = driven + speed;\n        else", "        if (!held(i))",
+        ["stability_ropes"]),
+    "the best that was found is kept": (
+        "rope_step.cpp", "    const L better = best - reached;", "    const L better = one();", ["stability_ropes", "api_rope"]),
+    "with no more energy than nodes have alone": (
+        "rope_step.cpp", "    calm();\n}", "}", ["stability_ropes"]),
+    "held nodes stay whatever goes wrong": (
+        "rope_step.cpp", "if (held(i)) n.w = select(open, n.b, n.w);", "", ["api_rope"]),
+    "no number, no solution": (
+        "rope_bundle.hh", "seen.probe = seen.probe + 0.0 * missing;", "", ["api_rope"]),
+    "velocities settle along taut springs": (
+        "rope_step.cpp", "    if (stage.lambda < 1) settle();\n", "", ["physics_rope"]),
+    "on the rate at which they lengthened": (
+        "rope_step.cpp", "nodes[i].next) - wanted, none);", "nodes[i].next) - 0.0 * wanted, none);", ["physics_rope"]),
+    "beyond what the tolerance explains": (
+        "rope_step.cpp", "(moved - smaller(larger(moved, none - error), error))", "(moved - 0.0 * error)",
+        ["stability_ropes"]),
+    "if they were taut before": (
+        "rope_step.cpp", "select(stage.push ? size_of(was) : was, long_after(i) - s.long_before, none)",
+        "long_after(i) - s.long_before", ["stability_ropes"]),
+    "springs that push do so midway": (
+        "rope_bundle.hh", "by_sign(t, L::splat(0.5), lambda)", "lambda", ["stability_ropes"]),
+    "springs between held nodes are no part of the system": (
+        "rope_bundle.hh", " || (held(i) && held(i + 1))", "", ["stability_ropes"]),
 }
 
 
@@ -120,7 +161,7 @@ def main():
     unguarded = 0
     for name in names:
         file, there, instead, tests = RULES[name]
-        path = tree / WATER / file
+        path = tree / KERNELS / file
         text = path.read_text()
         if text.count(there) != 1:
             sys.exit(f"{name}: {file} has {text.count(there)} times {there!r}")
