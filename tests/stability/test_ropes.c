@@ -217,7 +217,7 @@ static void hard_scenes_stay_bounded(void** state) {
         print_message("%-36s missed %d, stretch %.1e, gain %.1e of the scale, up to %.1f iterations a step\n",
                       names[hard], missed, stretch, gain, most);
         assert_true(stretch <= 1.001e-6);
-        assert_true(most < 30);
+        assert_true(most < (hard == HEAVY_END ? 12 : 30)); /* errors within the tolerance must not become velocities */
         assert_true(drift < 1e-10);
         assert_int_equal(missed, 0);
         if (hard == TOO_LONG) continue; /* it shortens by a jerk */
