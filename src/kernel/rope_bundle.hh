@@ -127,6 +127,11 @@ template <int N> struct RopeBundle {
 
     // ---- one iteration ----------------------------------------------------------------------------------------------
 
+    // By how much a tension of 1 shortens spring i and lets it stretch, if nothing else holds its nodes.
+    L give(size_t i) const {
+        return (stage.dt * stage.dt) * (nodes[i].mobility + nodes[i + 1].mobility) + L::splat(c.compliance[i]);
+    }
+
     // The unit vector along `a`, given one over its length; `other` where it is too short to have one.
     static V direction(V a, L longer, L inverse, V other) { return select(longer, inverse * a, other); }
 
@@ -177,9 +182,9 @@ template <int N> struct RopeBundle {
             seen.slack = larger(seen.slack, per_length * (t * positive(L{} - missing)));
             seen.lengths = seen.lengths + length;
         } else {
-            const L give = (stage.dt * stage.dt) * (nodes[i].mobility + nodes[i + 1].mobility) + L::splat(compliance);
-            s.taut = stage.push ? one() : select(give * t + over, one(), L{});
-            const L wrong = stage.push ? size_of(missing) : select(s.taut, size_of(missing), give * t);
+            const L shorter = give(i) * t; // by what it pulls
+            s.taut = stage.push ? one() : select(shorter + over, one(), L{});
+            const L wrong = stage.push ? size_of(missing) : select(s.taut, size_of(missing), shorter);
             seen.error = larger(seen.error, per_length * wrong);
         }
         const L impulse = (stage.dt * stage.dt) * lambda; // of a unit of stiffness, per velocity

@@ -10,10 +10,9 @@ constexpr double kSettleSoftly = 1e-12;
 constexpr double kMostError = 1e300; // of lengths, over rest lengths: beyond it, no iteration helps
 constexpr size_t kMostNewton = 8;    // iterations before a safer step is tried
 // Of the interior point.
-constexpr double kLeastForce = 1e-30; // [N]
-constexpr double kFirstGap = 0.1;     // the least gap to start with, over the rest length
-constexpr double kBarrierFall = 0.1;  // the barrier of an iteration over that of the one before
-constexpr double kInside = 0.95;      // how much of the way to a tension or gap of 0 a step goes
+constexpr double kFirstGap = 0.1;    // the least gap to start with, over the rest length
+constexpr double kBarrierFall = 0.1; // the barrier of an iteration over that of the one before
+constexpr double kInside = 0.95;     // how much of the way to a tension or gap of 0 a step goes
 
 // ---- the nonlinear system -------------------------------------------------------------------------------------------
 
@@ -69,16 +68,17 @@ template <int N> void RopeBundle<N>::start_together() {
 // T gap = barrier for every spring, finds it from anywhere.
 template <int N> void RopeBundle<N>::interior(size_t most) {
     begin();
-    L force{}, mass{}, driven{};
+    L force{}, mass{}, driven{}, pulled{};
     for (size_t i = 0; i < ropes.nodes; ++i) {
         const Node& n = nodes[i];
         const L speed = root(dot(n.b, n.b));
         if (held(i)) driven = driven + speed;
         else mass = mass + n.ground, force = force + n.ground * speed;
     }
+    for (size_t i = 0; i + 1 < ropes.nodes; ++i)
+        if (!is_idle(i)) pulled = pulled + positive(springs[i].long_before - L::splat(c.length[i])) / give(i);
     const double each = 1 / double(ropes.nodes);
-    force = (each / stage.dt) * (force + (each * mass) * driven);
-    force = larger(force, L::splat(kLeastForce));
+    force = (each / stage.dt) * (force + (each * mass) * driven) + each * pulled;
     start_together();
     L weight{}; // of the nodes, times lengths
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
@@ -194,8 +194,8 @@ template <int N> void RopeBundle<N>::calm() {
 }
 
 // Velocities along springs that are taut become those with which they lengthened in the step beyond its tolerance, or
-// 0 where they were slack before it; momentum stays. Without it what a step of lambda < 1 does along stiff springs alternates from step
-// to step.
+// 0 where they were slack before it; momentum stays. Without it what a step of lambda < 1 does along stiff springs
+// alternates from step to step.
 template <int N> void RopeBundle<N>::settle() {
     const size_t n = ropes.nodes;
     const L rate = L::splat(1 / stage.dt / stage.dt), none{};
@@ -243,10 +243,11 @@ template <int N> RopeResult RopeBundle<N>::step() {
     if (stage.lambda < 1) settle();
     const bool wide = ropes.position.is_float64;
     const L to_overflow = L::splat(wide ? Limits<double>::to_overflow : Limits<float>::to_overflow);
+    const auto look_at = [&](L a) { bad = bad + 0.0 * (to_overflow * a); };
     for (size_t i = 0; i < ropes.nodes; ++i) {
         const Node& n = nodes[i];
-        const V probe = to_overflow * (n.y + n.next);
-        bad = bad + 0.0 * ((probe.x + probe.y) + probe.z);
+        look_at(n.y.x), look_at(n.y.y), look_at(n.y.z);
+        look_at(n.next.x), look_at(n.next.y), look_at(n.next.z);
         store(n.y, ropes.position, i);
         if (!held(i)) store(n.next, ropes.velocity, i);
     }

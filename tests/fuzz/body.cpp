@@ -9,7 +9,7 @@ namespace fuzz {
 // ---- energy --------------------------------------------------------------------------------------------------------
 
 // By how much rounding may change the energy in a step: it rounds a state of this size, takes the smallest
-// numbers for 0, and moves nodes by some 1e-15 of v dt, in a ring of what they fall, too: see base.h.
+// numbers for 0, and moves nodes by some 1e-15 of v dt, in a ring or with bend of what they fall, too: see base.h.
 template <class Api> double Body<Api>::room_for_energy(double dt) const {
     const bool wide = this->precision == CD_FLOAT64;
     const double rounding = wide ? 1e-10 : 1e-5, smallest = wide ? 0x1p-500 : 0x1p-80;
@@ -17,7 +17,7 @@ template <class Api> double Body<Api>::room_for_energy(double dt) const {
     const double k = stiffest(), m = heaviest(), g = gravity();
     const double by_rounding = rounding * (8 * k * x * x + m * v * v + m * g * x);
     const double by_clearing = smallest * (8 * k * x + m * v + m * g + smallest * (k + m));
-    const double astray = 1e-15 * (v * dt + (is_ring() ? g * dt * dt : 0));
+    const double astray = 1e-15 * (v * dt + (falls_astray() ? g * dt * dt : 0));
     const double by_going_astray = (8 * k * (x + astray) + m * g) * astray;
     return 4 * double(nodes * components) * (by_rounding + by_clearing + by_going_astray);
 }
@@ -60,10 +60,10 @@ template <class Api> void Body<Api>::set_gravity(cd_status (*setter)(Handle*, co
     }
     const size_t count = pick_count(components);
     const bool null = pick_null();
-    const cd_status status = this->both(
-        text("set_gravity %.17g %.17g %.17g %.17g, count %zu%s", gravity[0], gravity[1], gravity[2], gravity[3], count,
-             null ? ", null" : ""),
-        kNoMemory, [&](Handle* handle, int) { return setter(handle, null ? nullptr : gravity, count); });
+    const cd_status status =
+        this->both(text("set_gravity %.17g %.17g %.17g %.17g, count %zu%s", gravity[0], gravity[1], gravity[2],
+                        gravity[3], count, null ? ", null" : ""),
+                   kNoMemory, [&](Handle* handle, int) { return setter(handle, null ? nullptr : gravity, count); });
     if (status == CD_OK && !moderate) this->past.moderate = false;
 }
 

@@ -13,10 +13,11 @@ protected:
     size_t components = 1, nodes = 1;
 
     virtual double energy() const = 0;
-    virtual double stiffest() const = 0;       // the largest stiffness of a spring, of bend or of a tie
-    virtual double heaviest() const = 0;       // the largest mass of a node, or more
-    virtual double gravity() const = 0;        // the largest of its components
-    virtual bool is_ring() const = 0;          // along one axis at least
+    virtual double stiffest() const = 0; // the largest stiffness of a spring, of bend or of a tie
+    virtual double heaviest() const = 0; // the largest mass of a node, or more
+    virtual double gravity() const = 0;  // the largest of its components
+    virtual bool is_ring() const = 0;    // along one axis at least
+    virtual bool falls_astray() const { return is_ring(); }
     virtual bool keeps_its_energy() const = 0; // an implicit step adds none to what energy() tells
     // By how much the step just made may have changed the energy beyond rounding.
     virtual double room_of_kind() const { return 0; }

@@ -108,6 +108,12 @@ double Chain::stiffest_tie() const {
     return tie;
 }
 
+bool Chain::falls_astray() const {
+    double bend = 0;
+    cd_chain_get_bend(first(), &bend);
+    return is_ring() || bend > 0 || !all_of(CD_BEND).empty();
+}
+
 double Chain::heaviest() const {
     double mass = 0;
     cd_chain_get_mass(first(), &mass);

@@ -25,6 +25,7 @@ protected:
     double heaviest() const override;
     double gravity() const override;
     bool is_ring() const override { return springs_now() > springs; }
+    bool falls_astray() const override;
     bool is_driven() const override;
     bool keeps_its_energy() const override { return !ended_short; }
 

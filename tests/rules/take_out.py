@@ -99,6 +99,7 @@ RULES = {
     "with the force that held nodes bring": (
         "rope_step.cpp", "        if (held(i)) driven = driven + speed;\n        else", "        if (!held(i))",
         ["stability_ropes"]),
+    "and that long springs pull with": ("rope_step.cpp", " + each * pulled;", ";", ["stability_ropes"]),
     "the best that was found is kept": (
         "rope_step.cpp", "    const L better = best - reached;", "    const L better = one();", ["stability_ropes", "api_rope"]),
     "with no more energy than nodes have alone": (
@@ -117,6 +118,8 @@ RULES = {
     "if they were taut before": (
         "rope_step.cpp", "select(stage.push ? size_of(was) : was, long_after(i) - s.long_before, none)",
         "long_after(i) - s.long_before", ["stability_ropes"]),
+    "and softly, lest one settles by the others": (
+        "rope_step.cpp", "constexpr double kSettleSoftly = 1e-12;", "constexpr double kSettleSoftly = 0;", ["stability_ropes"]),
     "springs that push do so midway": (
         "rope_bundle.hh", "by_sign(t, L::splat(0.5), lambda)", "lambda", ["stability_ropes"]),
     "springs between held nodes are no part of the system": (

@@ -50,8 +50,8 @@ class Precision(IntEnum):
 class Method(IntEnum):
     """How a step advances the state by dt. Method.IMPLICIT is the default, with lambda = 1/2. What is bounded, and
     keeps energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that its velocity would
-    carry it, and in a ring of the way that it would fall in dt, which shows where dt is longer than 1e12 times the time
-    of the fastest swing."""
+    carry it, and in a ring or with bend of the way that it would fall in dt, which shows where dt is longer than 1e12
+    times the time of the fastest swing."""
 
     #: Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is backward Euler; for lambda >= 1/2
     #: bounded at every dt
