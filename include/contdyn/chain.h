@@ -135,7 +135,8 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
  * cd_chain_step says CD_ERROR_UNSUPPORTED. */
 
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
- * where they are. A rope has the field CD_TENSION, at first 0; length 0 switches it off, and CD_REST_LENGTH too.
+ * where they are. A rope has the field CD_TENSION, at first 0; length 0 switches it off, and CD_REST_LENGTH, air and
+ * wind too.
  * Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
  * CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build without ropes, and for 0 where an infinite stiffness
  * would weld all springs or two held nodes. */
@@ -146,6 +147,21 @@ CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_len
  * Newton's method alone, which may fail from a crumpled start. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_chain_set_push(cd_chain* chain, int32_t push);
 CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
+
+/* Resistance of the air, per length of a rope [N s/m^2], in [0, 1e60], default 0: a piece of length s whose velocity
+ * through the air is w, w_t along the rope and w_n across it, is pushed by -s (along w_t + across w_n), at the
+ * directions that springs have lambda dt after the step began. Implicit: it takes energy to the wind's at any dt. A
+ * round rope of diameter d has about across = 0.6 density d |w_n|, and `along` a hundredth of that. A node bears half
+ * of its two springs' rest lengths; cut springs feel no air. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain
+ * that is no rope. */
+CD_API cd_status cd_chain_set_air(cd_chain* chain, double along, double across);
+CD_API cd_status cd_chain_get_air(const cd_chain* chain, double* out_along, double* out_across);
+
+/* Velocity of that air [m/s], one number per component, default 0; the field CD_WIND has one for each node.
+ * Errors: CD_ERROR_VALUE; CD_ERROR_RANGE if count is not the number of components; set: CD_ERROR_UNSUPPORTED of a chain
+ * that is no rope. */
+CD_API cd_status cd_chain_set_wind(cd_chain* chain, const double* velocity, size_t count);
+CD_API cd_status cd_chain_get_wind(const cd_chain* chain, double* out_velocity, size_t count);
 
 /* When a step of a rope is content: every spring is as long as its tension makes it, but for `tolerance` times its
  * length, and springs gave no more energy than that is worth; a slack one may keep a tension of about the tolerance
@@ -173,13 +189,14 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  *  CD_PIN        node             -       a cd_node
  *  CD_REST_LENGTH spring          m       1e-60 to 1e60; of ropes only
  *  CD_TENSION    strand, spring   N       finite; of ropes only: what the last step found and the next one starts from
+ *  CD_WIND       strand, node     m/s     finite; of ropes only
  * Nodes joined by welded springs make a group, which may hold one pinned or driven node: more is CD_ERROR_UNSUPPORTED.
  * Position, velocity and pin are always there, the tension in ropes. The others cost memory and time only once they are
  * switched on. */
 
 /* Switches a field on, filled with the present uniform values (force 0, target the present position). On already:
- * nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below CD_ERROR_UNSUPPORTED for CD_REST_LENGTH and
- * CD_TENSION of a chain that is no rope. */
+ * nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below CD_ERROR_UNSUPPORTED for CD_REST_LENGTH,
+ * CD_TENSION and CD_WIND of a chain that is no rope. */
 CD_API cd_status cd_chain_enable_field(cd_chain* chain, cd_field field);
 
 /* Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened.
@@ -202,7 +219,7 @@ CD_API cd_status cd_chain_read_f64(const cd_chain* chain, cd_field field, size_t
 
 /* Where a field lies in the chain's own memory, in the chain's precision, to read without a copy: the value of
  * (strand, node, component) is at byte *out_data + strand * strand_stride + node * node_stride + component *
- * component_stride. Position, velocity, force and target only. The pointer is good until the field is switched off or
+ * component_stride. Position, velocity, force, target and wind only. The pointer is good until the field is switched off or
  * the chain released; the numbers change with every write and step. Do not write through it.
  * Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_UNSUPPORTED. */
 CD_API cd_status cd_chain_view(const cd_chain* chain, cd_field field, const void** out_data, size_t* out_strand_stride,

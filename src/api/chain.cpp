@@ -117,8 +117,9 @@ cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
     if (length == 0 && has_lengths(c)) CD_CHECK(can_lose_lengths(__func__, c));
     Features wanted = features(c);
     wanted.length = length > 0;
-    if (length == 0) wanted.spring_length = false;
+    if (length == 0) wanted.spring_length = wanted.wind = false;
     CD_CHECK(shared::change_features(__func__, c, wanted));
+    if (length == 0) c.air = {};
     c.rope.length = length > 0 ? length : 0; // not -0
     c.prepared_dt = 0;
     fill_uniform(c, CD_REST_LENGTH);
@@ -130,6 +131,48 @@ cd_status cd_chain_set_push(cd_chain* chain, int32_t push) {
     CD_OPEN(chain, c);
     if (push != 0 && push != 1) return fail(CD_ERROR_VALUE, __func__, "push is %d, must be 0 or 1", int(push));
     c.rope.push = push;
+    return CD_OK;
+}
+
+static cd_status has_air(const char* function, const Chain& c) {
+    return has_lengths(c) ? CD_OK : fail(CD_ERROR_UNSUPPORTED, function, "only ropes feel air: the rest length is 0");
+}
+
+cd_status cd_chain_set_air(cd_chain* chain, double along, double across) {
+    CD_OPEN(chain, c);
+    CD_CHECK(in_range(__func__, "along", along, 0, kMost));
+    CD_CHECK(in_range(__func__, "across", across, 0, kMost));
+    CD_CHECK(has_air(__func__, c));
+    c.air.along = along + 0.0; // not -0
+    c.air.across = across + 0.0;
+    return CD_OK;
+}
+
+cd_status cd_chain_get_air(const cd_chain* chain, double* out_along, double* out_across) {
+    CD_OPEN(chain, c);
+    CD_NOT_NULL(out_along);
+    CD_NOT_NULL(out_across);
+    *out_along = c.air.along;
+    *out_across = c.air.across;
+    return CD_OK;
+}
+
+cd_status cd_chain_set_wind(cd_chain* chain, const double* velocity, size_t count) {
+    CD_OPEN(chain, c);
+    CD_NOT_NULL(velocity);
+    CD_CHECK(is_count(__func__, "count", count, c.components));
+    CD_CHECK(are_numbers(__func__, "velocity", velocity, count, most_of(c)));
+    CD_CHECK(has_air(__func__, c));
+    for (size_t k = 0; k < count; ++k) c.air.wind[k] = velocity[k] + 0.0; // not -0
+    fill_uniform(c, CD_WIND);
+    return CD_OK;
+}
+
+cd_status cd_chain_get_wind(const cd_chain* chain, double* out_velocity, size_t count) {
+    CD_OPEN(chain, c);
+    CD_NOT_NULL(out_velocity);
+    CD_CHECK(is_count(__func__, "count", count, c.components));
+    for (size_t k = 0; k < count; ++k) out_velocity[k] = k < 3 ? c.air.wind[k] : 0;
     return CD_OK;
 }
 

@@ -82,7 +82,7 @@ struct Part {
     void written(Chain& c) const {
         if (!is_state(field)) c.prepared_dt = 0;
         if (field == CD_PIN) stop_pinned(c);
-        if (field != CD_POSITION && field != CD_FORCE && field != CD_TARGET) merge_velocities(c, 0, c.lines);
+        if (field == CD_VELOCITY || !is_state(field)) merge_velocities(c, 0, c.lines);
     }
 };
 

@@ -12,9 +12,10 @@ template <> struct Behind<cd_chain> {
     static constexpr const char* name = "chain";
 };
 
+inline bool is_of_ropes(cd_field field) { return field == CD_REST_LENGTH || field == CD_TENSION || field == CD_WIND; }
 inline cd_status is_field(const char* function, const Chain&, cd_field field) {
-    if (field == CD_REST_LENGTH || field == CD_TENSION || (field >= 0 && field <= CD_TARGET)) return CD_OK;
-    return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 7, 22 or 23", int(field));
+    if (is_of_ropes(field) || (field >= 0 && field <= CD_TARGET)) return CD_OK;
+    return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 7 or 22 to 24", int(field));
 }
 inline bool is_always_on(const Chain&, cd_field field) {
     return field == CD_POSITION || field == CD_VELOCITY || field == CD_PIN || field == CD_TENSION;
@@ -23,13 +24,18 @@ inline void switch_own(Features& wanted, cd_field field, bool on) {
     if (field == CD_STIFFNESS) wanted.spring_stiffness = on;
     if (field == CD_BEND) wanted.node_bend = on;
     if (field == CD_REST_LENGTH) wanted.spring_length = on;
+    if (field == CD_WIND) wanted.wind = on;
 }
 inline bool is_per_spring(cd_field field) {
     return field == CD_STIFFNESS || field == CD_REST_LENGTH || field == CD_TENSION;
 }
 inline cd_status has_length(const char* function, const Chain& c, cd_field field) {
-    if (has_lengths(c) || (field != CD_REST_LENGTH && field != CD_TENSION)) return CD_OK;
+    if (has_lengths(c) || !is_of_ropes(field)) return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s: the rest length is 0", int(field), field_name(field));
+}
+// The part of the state that a field is, laid out like the positions.
+inline const Array<char>& state_of(const Chain& c, cd_field field) {
+    return field == CD_WIND ? c.wind : state_of(static_cast<const Body&>(c), field);
 }
 
 namespace shared {

@@ -8,10 +8,10 @@ namespace cd {
 
 inline const char* field_name(cd_field field) {
     static const char* const names[] = {
-        "CD_POSITION", "CD_VELOCITY", "CD_FORCE",       "CD_MASS",        "CD_STIFFNESS",   "CD_BEND",
-        "CD_PIN",      "CD_TARGET",   "CD_STIFFNESS_U", "CD_STIFFNESS_V", "CD_MASK",        "CD_DEPTH",
-        "CD_BED",      "CD_SURFACE",  "CD_VELOCITY_X",  "CD_VELOCITY_Y",  "CD_SOURCE",      "CD_PRESSURE",
-        "CD_FORCE_X",  "CD_FORCE_Y",  "CD_WALL_X",      "CD_WALL_Y",      "CD_REST_LENGTH", "CD_TENSION"};
+        "CD_POSITION",   "CD_VELOCITY",    "CD_FORCE",       "CD_MASS",     "CD_STIFFNESS", "CD_BEND",    "CD_PIN",
+        "CD_TARGET",     "CD_STIFFNESS_U", "CD_STIFFNESS_V", "CD_MASK",     "CD_DEPTH",     "CD_BED",     "CD_SURFACE",
+        "CD_VELOCITY_X", "CD_VELOCITY_Y",  "CD_SOURCE",      "CD_PRESSURE", "CD_FORCE_X",   "CD_FORCE_Y", "CD_WALL_X",
+        "CD_WALL_Y",     "CD_REST_LENGTH", "CD_TENSION",     "CD_WIND"};
     return names[field];
 }
 
@@ -48,7 +48,7 @@ inline cd_status must_be_on(const char* function, const char* object, cd_field f
 
 // Whether a field of a body is part of its state: a number per component, in the body's precision.
 inline bool is_state(cd_field field) {
-    return field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET;
+    return field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET || field == CD_WIND;
 }
 inline const Array<char>& state_of(const Body& b, cd_field field) {
     return field == CD_POSITION   ? b.position

@@ -17,17 +17,29 @@ namespace CD_ISA {
 // A spring shorter than this, over its rest length, has no direction of its own.
 constexpr double kNoDirection = 1e-12;
 
+// Tensions this small, over the mean force on the nodes, are rounding.
+constexpr double kRounding = 1e-14;
+
+// The air resists a node at most so many times as its inertia does: its velocity is then the wind's but for 1e-8.
+constexpr double kMostResistance = 1e8;
+
 // N strands.
 template <int N> struct RopeBundle {
     using L = Lanes<N>;
     using V = Vector<N>;
     using M = Matrix<N>;
 
+    struct Resisted {
+        L wished;
+        V by;
+    };
     struct Node {
         L ground, mobility; // and 1 / ground, of what is held 0
         V b, w, next, best; // next: what the last elimination gave; best: w of the least error
         V y;
         M c;
+        V way; // of the rope, for the air; and what that does along it, and across
+        Resisted along, side, normal;
     };
     // Of spring i from node i to node i + 1.
     struct Spring {
@@ -52,6 +64,7 @@ template <int N> struct RopeBundle {
     L iterations{}, reached{}, failed{};
     L best = L::splat(INFINITY), best_lambda{}; // the least error that was reached, and its lambda
     L apart{};                                  // the error of springs between held nodes
+    L least_worth{};                            // what tensions times lengths are at least, as errors count
 
     static L one() { return L::splat(1); }
     // Springs that no node moves by: those that are cut, or between two held nodes.
@@ -86,6 +99,59 @@ template <int N> struct RopeBundle {
     }
     V gravity() const { return {L::splat(stage.gravity[0]), L::splat(stage.gravity[1]), L::splat(stage.gravity[2])}; }
 
+    // ---- the air ----------------------------------------------------------------------------------------------------
+
+    bool has_air() const { return stage.along > 0 || stage.across > 0; }
+    // The way of the rope at node i, if its neighbours go on as they are.
+    V way_at(size_t i) const {
+        const auto is_cut = [&](size_t spring) { return isinf(c.compliance[spring]); };
+        const size_t first = i > 0 && !is_cut(i - 1) ? i - 1 : i, last = i + 1 < ropes.nodes && !is_cut(i) ? i + 1 : i;
+        const V moves = load(ropes.velocity, last) - load(ropes.velocity, first);
+        const V chord = (load(ropes.position, last) - load(ropes.position, first)) + (stage.dt * lambda) * moves;
+        const L size = root(dot(chord, chord));
+        return direction(chord, size - L::splat(kNoDirection * c.share[i]), one() / size, V{one(), L{}, L{}});
+    }
+    // Along and across the rope.
+    struct Axes {
+        V way, side, normal;
+    };
+    static Axes axes(V way) {
+        const V x{one(), L{}, L{}}, y{L{}, one(), L{}}; // one of them is 45 degrees off at least
+        const V off = cross(way, select(size_of(way.x) - L::splat(0.7), y, x));
+        const V side = (one() / root(dot(off, off))) * off;
+        return {way, side, cross(way, side)};
+    }
+    // Of a node with this mobility, and y where it would go by itself: both once the air resists it along the unit
+    // vector n, by an impulse k (n . wind - n . w), which is resisted.wished - resisted.by . phi.
+    static void resist(L k, V n, V wind, M& mobility, V& y, Resisted& resisted) {
+        const V right = mobility * n, left = transposed_times(mobility, n);
+        const L share = k / (one() + k * dot(n, right));
+        resisted = {share * dot(n, wind - y), share * left};
+        y = y + resisted.wished * right;
+        mobility.x = mobility.x - right.x * resisted.by;
+        mobility.y = mobility.y - right.y * resisted.by;
+        mobility.z = mobility.z - right.z * resisted.by;
+    }
+    void resist(size_t i, M& mobility, V& y) {
+        Node& n = nodes[i];
+        const L h = (stage.dt * c.share[i]) * lambda, most = kMostResistance * n.ground;
+        const L along = smaller(stage.along * h, most), across = smaller(stage.across * h, most);
+        const V even{L::splat(stage.wind[0]), L::splat(stage.wind[1]), L::splat(stage.wind[2])};
+        const V wind = ropes.wind.data ? load(ropes.wind, i) : even;
+        const Axes to = axes(n.way);
+        resist(along, to.way, wind, mobility, y, n.along);
+        resist(across, to.side, wind, mobility, y, n.side);
+        resist(across, to.normal, wind, mobility, y, n.normal);
+    }
+    // What is left of the impulse phi from the right, at node i.
+    V resisted(size_t i, V phi) const {
+        const Node& n = nodes[i];
+        const Axes to = axes(n.way);
+        phi = phi + (n.normal.wished - dot(n.normal.by, phi)) * to.normal;
+        phi = phi + (n.side.wished - dot(n.side.by, phi)) * to.side;
+        return phi + (n.along.wished - dot(n.along.by, phi)) * to.way;
+    }
+
     // ---- the start of a step ----------------------------------------------------------------------------------------
 
     // What nodes would do alone.
@@ -113,6 +179,13 @@ template <int N> struct RopeBundle {
     void begin() {
         begin_alone();
         for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].w = select(open, load(ropes.velocity, i), nodes[i].w);
+        L forces{}, lengths{}; // on the nodes, to stop them; and of the springs
+        for (size_t i = 0; i < ropes.nodes; ++i) {
+            const V push = nodes[i].ground * nodes[i].b;
+            forces = forces + ((size_of(push.x) + size_of(push.y)) + size_of(push.z));
+        }
+        for (size_t i = 0; i + 1 < ropes.nodes; ++i) lengths = lengths + L::splat(c.length[i]);
+        least_worth = (kRounding / (stage.tolerance * stage.dt * double(ropes.nodes))) * (forces * lengths);
         V left = load(ropes.position, 0);
         for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
             const V right = load(ropes.position, i + 1);
@@ -123,6 +196,7 @@ template <int N> struct RopeBundle {
             springs[i].tension = is_idle(i) ? L{} : select(open, load_tension(i), springs[i].tension);
             left = right;
         }
+        for (size_t i = 0; i < ropes.nodes && has_air(); ++i) nodes[i].way = way_at(i);
     }
 
     // ---- one iteration ----------------------------------------------------------------------------------------------
@@ -203,6 +277,8 @@ template <int N> struct RopeBundle {
     void eliminate() {
         M mobility = M::diagonal(nodes[0].mobility);
         V y = nodes[0].b;
+        const bool resists = has_air();
+        if (resists && !held(0)) resist(0, mobility, y);
         nodes[0].c = mobility, nodes[0].y = y;
         for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
             const Spring& s = springs[i];
@@ -227,6 +303,7 @@ template <int N> struct RopeBundle {
                     return (own + transposed_times(mobility, scaled)) - r * l;
                 };
                 mobility = {row(share.x, sx, right.x), row(share.y, sy, right.y), row(share.z, sz, right.z)};
+                if (resists) resist(i + 1, mobility, y);
             }
             node.c = mobility;
             node.y = y;
@@ -237,6 +314,7 @@ template <int N> struct RopeBundle {
             node.next = node.y + node.c * phi;
             if (i == 0) break;
             Spring& s = springs[i - 1];
+            if (resists && !held(i)) phi = resisted(i, phi);
             phi = held(i) ? into_held(i) : phi - node.ground * (node.next - node.b);
             s.impulse = phi;
             const L next = s.taut * (dot(phi, s.acting) / (stage.dt * lambda));

@@ -21,7 +21,7 @@ constexpr double kInside = 0.95;     // how much of the way to a tension or gap 
 template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L weight, bool first) {
     Seen seen;
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, barrier, interior, seen);
-    const L worth = larger(seen.worth, weight);
+    const L worth = larger(seen.worth, larger(weight, least_worth));
     const L wrong = larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths);
     const L error = select(worth, larger(seen.error, wrong / worth), seen.error) + seen.probe;
     reached = select(open, error, reached);

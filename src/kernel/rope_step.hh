@@ -6,7 +6,8 @@
 //      G_i (w_i - b_i) = phi_i - phi_{i-1},      phi_i = h T_i z_i / |z_i|,     z = D0 + theta dt (w_{i+1} - w_i)
 //      |D1| = L + T / k   where the spring is taut; T = 0 and |D1| <= L + T / k where it is slack
 //      x1 = x0 + dt w,    v1 = v0 + (w - v0) / lambda
-// G = M + h C + h^2 A and b, what the node would do alone, hold drag C and attachments A. theta is lambda where the
+// G = M + h C + h^2 A and b, what the node would do alone, hold drag C and attachments A; air adds impulses B (u - w) to
+// a node, u the wind and B = h s (along t t^T + across (1 - t t^T)), t along the rope, as it will be after h if it goes on as it is, and s its share of it. theta is lambda where the
 // spring pulls and 1/2 where it pushes; then the step changes the energy of a rope with 1 / k = 0 by
 //      -(lambda - 1/2) (|v1 - v0|_M^2 + sum over what pulls of T / |z| |D1 - D0|^2).
 #pragma once
@@ -34,7 +35,7 @@ struct StateNumbers {
 // tension at spring * strands + strand.
 struct Ropes {
     size_t nodes, strands, components, pitch;
-    StateNumbers position, velocity, force, target;
+    StateNumbers position, velocity, force, target, wind;
     double* tension;
 };
 
@@ -42,14 +43,16 @@ struct Ropes {
 struct RopeCoefficients {
     const double *mass, *drag, *tie;                // [kg], [N s/m], [N/m]
     const double *length, *per_length, *compliance; // [m], [1/m]; [m/N], 0: of fixed length, INFINITY: cut
+    const double* share;                            // of the rope, that feels the air at a node [m]
     const uint8_t* pin;                             // cd_node
 };
 
 struct RopeStage {
     double dt, lambda;
     double gravity[3];
-    bool push;        // springs push as well
-    double tolerance; // of the length that a spring should have, over its rest length
+    double along, across, wind[3]; // of the air; wind: where a node has none of its own
+    bool push;                     // springs push as well
+    double tolerance;              // of the length that a spring should have, over its rest length
     size_t most_iterations;
 };
 
@@ -67,7 +70,7 @@ struct RopeResult {
 
 // The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand;
 // a call with one strand needs no more than that strand's.
-constexpr size_t kRopeStrands = 8, kRopeScratch = 51;
+constexpr size_t kRopeStrands = 8, kRopeScratch = 66;
 
 namespace CD_ISA {
 

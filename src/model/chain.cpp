@@ -62,7 +62,8 @@ Features features(const Chain& c) {
             bool(c.node_bend),
             c.ring != 0,
             has_lengths(c),
-            bool(c.spring_length)};
+            bool(c.spring_length),
+            bool(c.wind)};
 }
 
 namespace {
@@ -97,10 +98,12 @@ bool set_features(Chain& c, const Features& wanted) {
     Change<double> bend{c.node_bend, wanted.node_bend ? c.nodes : 0};
     Change<double> length{c.spring_length, wanted.spring_length ? springs : 0};
     Change<double> tension{c.tension, wanted.length ? springs * c.strands : 0};
+    Change<char> wind{c.wind, wanted.wind ? c.position.count : 0};
     Change<double> ring_response{c.ring_response, needs.ring_response};
 
     const auto all = [&](auto f) {
-        return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(length) && f(tension) && f(ring_response);
+        return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(length) && f(tension) && f(wind) &&
+               f(ring_response);
     };
     if (wanted.method == c.method && wanted.ring == (c.ring != 0) && keep_all(all)) return true;
     if (!take_all(c.memory, all)) return false;
@@ -112,6 +115,7 @@ bool set_features(Chain& c, const Features& wanted) {
     if (bend.is_new()) fill_uniform(c, CD_BEND);
     if (length.is_new()) fill_uniform(c, CD_REST_LENGTH);
     if (tension.is_new()) memset(c.tension.data, 0, c.tension.bytes());
+    if (wind.is_new()) fill_uniform(c, CD_WIND);
     body.fill(c);
     c.prepared_dt = 0;
     return true;
@@ -126,6 +130,10 @@ void fill_uniform(Chain& c, cd_field field) {
         for (size_t i = 0; i < c.spring_length.count; ++i) c.spring_length[i] = uniform_length(c);
     if (field == CD_BEND && c.node_bend)
         for (size_t i = 0; i < c.nodes; ++i) c.node_bend[i] = uniform_bend(c);
+    if (field == CD_WIND && c.wind)
+        for (size_t i = 0; i < c.nodes; ++i)
+            for (size_t line = 0; line < c.pitch; ++line)
+                set_number(c, c.wind, i * c.pitch + line, line < c.lines ? c.air.wind[line % c.components] : 0);
 }
 
 // ---- life -----------------------------------------------------------------------------------------------------------

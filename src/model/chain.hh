@@ -20,10 +20,22 @@ struct RopeSettings {
     }
 };
 
+// Air around them.
+struct AirSettings {
+    double along = 0, across = 0; // [N s/m^2]
+    double wind[3] = {};          // [m/s]
+
+    bool operator==(const AirSettings& o) const {
+        return along == o.along && across == o.across && wind[0] == o.wind[0] && wind[1] == o.wind[1] &&
+               wind[2] == o.wind[2];
+    }
+};
+
 struct ChainSettings {
     int32_t ring;
     double stiffness, bend;
     RopeSettings rope;
+    AirSettings air;
 };
 
 // Shared by the strands: all but the four fields of strand, node and component.
@@ -35,6 +47,7 @@ struct Chain : Body, ChainSettings {
     // fields of its own, per spring and per node; pin is always there
     Array<double> spring_stiffness, node_bend, spring_length;
     Array<double> tension; // with lengths, per spring and strand: state
+    Array<char> wind;      // laid out like the positions
 
     // what steps need, none of it state: see chain_step.cpp
     Array<double> ring_response;
@@ -50,7 +63,7 @@ struct Chain : Body, ChainSettings {
     template <class F, class... C> static void each_field(F f, C&... c) {
         f(c.pin...), f(c.node_mass...), f(c.spring_stiffness...), f(c.node_bend...), f(c.spring_length...);
         f(c.attach_stiffness...), f(c.attach_damping...), f(c.position...), f(c.velocity...), f(c.force...);
-        f(c.target...), f(c.tension...);
+        f(c.target...), f(c.tension...), f(c.wind...);
     }
     template <class F> static void each_array(F f, Chain& c) {
         each_field(f, c);
@@ -110,7 +123,7 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
                        const cd_allocator& allocator, Chain*& out);
 
 struct Features : BodyFeatures {
-    bool spring_stiffness, node_bend, ring, length, spring_length;
+    bool spring_stiffness, node_bend, ring, length, spring_length, wind;
 };
 Features features(const Chain& c);
 

@@ -9,7 +9,8 @@ namespace {
 struct ChainKeep {
     using Object = Chain;
     using Settings = KeptSettings<ChainSettings>;
-    static constexpr uint32_t kOfRopes = 1u << 31; // among the bits of fields: the settings of ropes follow
+    // Among the bits of fields: the settings of ropes follow, and those of air.
+    static constexpr uint32_t kOfRopes = 1u << 31, kOfAir = 1u << 30;
     static constexpr Kind kind = {1, "chain", {"strands", "springs"}};
 
     static Shape shape_of(const Chain& c) { return {{c.strands, c.springs}, c.components, c.precision}; }
@@ -19,7 +20,9 @@ struct ChainKeep {
         if (c.spring_stiffness) s.fields |= 1u << CD_STIFFNESS;
         if (c.node_bend) s.fields |= 1u << CD_BEND;
         if (c.spring_length) s.fields |= 1u << CD_REST_LENGTH;
+        if (c.wind) s.fields |= 1u << CD_WIND;
         if (!(c.rope == RopeSettings())) s.fields |= kOfRopes;
+        if (!(c.air == AirSettings())) s.fields |= kOfAir;
         return s;
     }
 
@@ -34,7 +37,8 @@ struct ChainKeep {
                 s.on(CD_BEND),
                 s.own.ring != 0,
                 s.own.rope.length > 0,
-                s.on(CD_REST_LENGTH)};
+                s.on(CD_REST_LENGTH),
+                s.on(CD_WIND)};
     }
 
     template <class W> static void walk_settings(W& w, Settings& s) {
@@ -42,16 +46,21 @@ struct ChainKeep {
         RopeSettings& rope = s.own.rope;
         if (s.fields & kOfRopes)
             walk(w, rope.length), walk(w, rope.push), walk(w, rope.tolerance), walk(w, rope.most_iterations);
+        AirSettings& air = s.own.air;
+        if (s.fields & kOfAir) {
+            walk(w, air.along), walk(w, air.across);
+            for (double& v : air.wind) walk(w, v);
+        }
     }
     template <class W> static void walk_choices(W& w, ChainSettings& s) { walk(w, s.ring); }
     template <class W> static void walk_numbers(W& w, ChainSettings& s) { walk(w, s.stiffness), walk(w, s.bend); }
 
     static bool valid(const Chain& c, const Settings& s) {
         const uint32_t optional = 1u << CD_MASS | 1u << CD_STIFFNESS | 1u << CD_BEND | 1u << CD_FORCE | 1u << CD_TARGET;
-        const uint32_t of_ropes = s.fields & (kOfRopes | 1u << CD_REST_LENGTH);
+        const uint32_t of_ropes = s.fields & (kOfRopes | kOfAir | 1u << CD_REST_LENGTH | 1u << CD_WIND);
         return valid_body(s) && (s.fields & ~(optional | of_ropes)) == 0 &&
                (s.own.ring == 0 || (s.own.ring == 1 && c.nodes >= 3)) && valid_parameter(s.own.bend) &&
-               valid_rope(c, s.own.rope, of_ropes) &&
+               valid_rope(c, s.own.rope, of_ropes) && valid_air(c, s.own.air) &&
                (valid_parameter(s.own.stiffness) || valid_infinite(s.own.stiffness, s.own.rope.length));
     }
 
@@ -64,6 +73,12 @@ struct ChainKeep {
         return (has_length || (rope.length == 0 && fields == kOfRopes)) && (rope.push == 0 || rope.push == 1) &&
                rope.tolerance >= kLeastTolerance && rope.tolerance <= kMostTolerance && rope.most_iterations >= 1 &&
                rope.most_iterations <= kMostIterations;
+    }
+
+    static bool valid_air(const Chain& c, const AirSettings& air) {
+        bool good = valid_parameter(air.along) && valid_parameter(air.across);
+        for (size_t k = 0; k < 3; ++k) good &= k < c.components ? fabs(air.wind[k]) <= most_of(c) : air.wind[k] == 0;
+        return good;
     }
 
     static bool check_fields(Reader reader, const Chain& c, const Settings& s) {
@@ -84,6 +99,10 @@ struct ChainKeep {
         if (s.own.rope.length > 0)
             check.numbers<double>((c.springs + size_t(s.own.ring)) * c.strands,
                                   [](double t, size_t) { return isfinite(t) != 0; });
+        by_precision(c, [&](auto zero) {
+            if (s.on(CD_WIND))
+                check.numbers<decltype(zero)>(c.nodes * c.lines, [](double v, size_t) { return isfinite(v) != 0; });
+        });
         const bool welds = s.own.rope.length == 0;
         return check.all_good() &&
                nodes_are_held(c, s.own.ring != 0, pin, welds ? stiffness : SavedNumbers{}, velocity);

@@ -19,7 +19,7 @@ RopeCoefficients coefficients_of(Chain& c, bool changed) {
     double* const row = c.coefficients.data;
     double *const mass = row, *const drag = row + c.nodes, *const tie = row + 2 * c.nodes,
                   *const length = row + 3 * c.nodes, *const per_length = row + 4 * c.nodes,
-                  *const compliance = row + 5 * c.nodes;
+                  *const compliance = row + 5 * c.nodes, *const share = row + 6 * c.nodes;
     for (size_t i = 0; i < c.nodes && changed; ++i) {
         mass[i] = mass_of(c, i);
         drag[i] = drag_of(c, i);
@@ -30,7 +30,9 @@ RopeCoefficients coefficients_of(Chain& c, bool changed) {
         per_length[i] = 1 / length[i];
         compliance[i] = 1 / fabs(stiffness_of(c, i)); // which may be -0
     }
-    return {mass, drag, tie, length, per_length, compliance, c.pin.data};
+    const auto half = [&](size_t i) { return i < c.springs && !isinf(compliance[i]) ? 0.5 * length[i] : 0; };
+    for (size_t i = 0; i < c.nodes && changed; ++i) share[i] = half(i) + (i > 0 ? half(i - 1) : 0);
+    return {mass, drag, tie, length, per_length, compliance, share, c.pin.data};
 }
 
 } // namespace
@@ -45,7 +47,7 @@ const char* what_ropes_lack(const Chain& c) {
     return nullptr;
 }
 
-size_t rope_coefficients(const Chain& c) { return 6 * c.nodes; }
+size_t rope_coefficients(const Chain& c) { return 7 * c.nodes; }
 size_t rope_scratch(const Chain& c) { return tasks_of(c) * scratch_of_task(c); }
 
 void clear_state(Chain& c) {
@@ -58,10 +60,13 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
     const RopeCoefficients coefficients = coefficients_of(c, changed);
     const auto state = [&](const Array<char>& array) { return StateNumbers{array.data, c.precision == CD_FLOAT64}; };
     const Ropes ropes = {c.nodes,           c.strands,      c.components,    c.pitch,       state(c.position),
-                         state(c.velocity), state(c.force), state(c.target), c.tension.data};
+                         state(c.velocity), state(c.force), state(c.target), state(c.wind), c.tension.data};
     const RopeStage stage = {dt,
                              c.lambda,
                              {c.gravity[0], c.gravity[1], c.gravity[2]},
+                             c.air.along,
+                             c.air.across,
+                             {c.air.wind[0], c.air.wind[1], c.air.wind[2]},
                              c.rope.push != 0,
                              c.rope.tolerance,
                              size_t(c.rope.most_iterations)};

@@ -89,7 +89,8 @@ double Chain::force_on_nodes(double dt) const {
 
 // What the tolerance is worth: tension times length, and the energy of a spring that is wrong by so much; after 8
 // or 16 iterations, which are Newton's, the interior point counts the force on the nodes for a smaller tension. A
-// spring of fixed length that was too long, which holds no energy, comes back by the work of its tension.
+// spring of fixed length that was too long, which holds no energy, comes back by the work of its tension, and its nodes
+// keep the speed at which it did.
 double Chain::room_of_kind() const {
     if (!is_rope() || is_ring()) return 0;
     double tolerance = 0, room = 0;
@@ -102,6 +103,7 @@ double Chain::room_of_kind() const {
         const size_t i = j % springs;
         const double wrong = tolerance * length[i];
         room += 4 * fmax(fabs(tension[j]), force) * wrong + fabs(tension[j]) * stretched[j];
+        room += heaviest() * pow(stretched[j] / step_before, 2);
         if (!isinf(k[i])) room += k[i] * wrong * wrong;
     }
     return room;
