@@ -48,10 +48,10 @@ LENGTHS = {
 # only ropes have, chains with a rest length.
 FIELD_FACTS = {
     "chain": {
-        "components": "POSITION VELOCITY FORCE TARGET",
+        "components": "POSITION VELOCITY FORCE TARGET WIND",
         "always": "POSITION VELOCITY PIN TENSION",
         "viewable": "POSITION VELOCITY FORCE TARGET",
-        "ropes": "REST_LENGTH TENSION",
+        "ropes": "REST_LENGTH TENSION WIND",
     },
     "membrane": {
         "components": "POSITION VELOCITY FORCE TARGET",

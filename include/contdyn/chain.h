@@ -219,7 +219,7 @@ CD_API cd_status cd_chain_read_f64(const cd_chain* chain, cd_field field, size_t
 
 /* Where a field lies in the chain's own memory, in the chain's precision, to read without a copy: the value of
  * (strand, node, component) is at byte *out_data + strand * strand_stride + node * node_stride + component *
- * component_stride. Position, velocity, force, target and wind only. The pointer is good until the field is switched off or
+ * component_stride. Position, velocity, force and target only. The pointer is good until the field is switched off or
  * the chain released; the numbers change with every write and step. Do not write through it.
  * Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_UNSUPPORTED. */
 CD_API cd_status cd_chain_view(const cd_chain* chain, cd_field field, const void** out_data, size_t* out_strand_stride,

@@ -61,7 +61,9 @@ inline cd_status has_view(const char* function, cd_field field, bool has) {
     if (has) return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, has no view: read it", int(field), field_name(field));
 }
-inline cd_status has_view(const char* function, cd_field field) { return has_view(function, field, is_state(field)); }
+inline cd_status has_view(const char* function, cd_field field) {
+    return has_view(function, field, is_state(field) && field != CD_WIND);
+}
 
 // What every sample is given: places at[j], and room for positions.
 inline cd_status can_sample(const char* function, const double* at, size_t n) {

@@ -56,9 +56,9 @@ static int tear_down(void** state) {
 static void no_number_is_taken_for_a_field(void** state) {
     (void)state;
     static const cd_field none[] = {-1, 8,  9,  10, 11, 12, 13, 14,        15,       16,
-                                    17, 18, 19, 20, 21, 24, 77, INT32_MAX, INT32_MIN};
+                                    17, 18, 19, 20, 21, 25, 77, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < COUNT(none); ++i) {
-        const char* text = text_of("field|%d|must be 0 to 7, 22 or 23", none[i]);
+        const char* text = text_of("field|%d|must be 0 to 7 or 22 to 24", none[i]);
         for (int with_lengths = 0; with_lengths <= 1; ++with_lengths) {
             cd_chain* c = with_lengths ? rope : chain;
             refuses(c, cd_chain_enable_field(c, none[i]), CD_ERROR_ENUM, text);
@@ -71,7 +71,7 @@ static void no_number_is_taken_for_a_field(void** state) {
 
 static void only_ropes_have_the_fields_of_ropes(void** state) {
     (void)state;
-    for (cd_field f = CD_REST_LENGTH; f <= CD_TENSION; ++f) {
+    for (cd_field f = CD_REST_LENGTH; f <= CD_WIND; ++f) {
         const char* text = text_of("field|%d|rest length", f);
         refuses(chain, cd_chain_enable_field(chain, f), CD_ERROR_UNSUPPORTED, text);
         refuses_transfers(chain, f, 0, 1, 0, 1, 1, CD_ERROR_UNSUPPORTED, text);
@@ -85,6 +85,9 @@ static void only_ropes_have_the_fields_of_ropes(void** state) {
     ok(cd_chain_disable_field(rope, CD_REST_LENGTH));
     refuses_transfers(rope, CD_REST_LENGTH, 0, 1, 0, 1, 1, CD_ERROR_DISABLED, "field|22|CD_REST_LENGTH");
     ok(cd_chain_enable_field(rope, CD_REST_LENGTH));
+    ok(cd_chain_disable_field(rope, CD_WIND));
+    refuses_transfers(rope, CD_WIND, 0, 1, 0, 1, COMPONENTS, CD_ERROR_DISABLED, "field|24|CD_WIND");
+    ok(cd_chain_enable_field(rope, CD_WIND));
 }
 
 static void a_field_that_is_off_is_said_to_be_disabled(void** state) {
@@ -190,7 +193,7 @@ static const struct {
     {CD_PIN, 1e30, "1e+30"},       {CD_PIN, INFINITY, "inf"},       {CD_PIN, CD_NODE_MATCHED, "3"},
     {CD_REST_LENGTH, NAN, "nan"},  {CD_REST_LENGTH, 0, "0"},        {CD_REST_LENGTH, INFINITY, "inf"},
     {CD_REST_LENGTH, -0.5, "-0.5"}, {CD_TENSION, NAN, "nan"},       {CD_TENSION, INFINITY, "inf"},
-    {CD_TENSION, -INFINITY, "-inf"},
+    {CD_TENSION, -INFINITY, "-inf"}, {CD_WIND, NAN, "nan"},         {CD_WIND, INFINITY, "inf"},
 };
 
 static void lengths_beyond_their_range_are_refused(void** state) {
@@ -216,8 +219,9 @@ static void a_bad_value_is_found_before_anything_is_written(void** state) {
     (void)state;
     for (size_t i = 0; i < COUNT(bad_values); ++i) {
         const cd_field field = bad_values[i].field;
-        cd_chain* const c = field == CD_REST_LENGTH || field == CD_TENSION ? rope : chain;
-        const size_t each = field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET
+        cd_chain* const c = field >= CD_REST_LENGTH ? rope : chain;
+        const size_t each = field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET ||
+                                    field == CD_WIND
                                 ? COMPONENTS
                                 : 1;
         double doubles[3 * COMPONENTS];

@@ -88,6 +88,8 @@ static void the_extremes_of_the_header_are_taken(void** state) {
     ok(cd_chain_set_rest_length(c, 1e-60));
     ok(cd_chain_set_stiffness(c, INFINITY));
     ok(cd_chain_set_stiffness(c, 1));
+    ok(cd_chain_set_air(c, 1e60, 0));
+    ok(cd_chain_set_air(c, 0, 1e60));
     ok(cd_chain_set_rest_length(c, 0));
     cd_chain_destroy(c);
 }
@@ -103,6 +105,43 @@ static void a_rope_takes_no_other_stiffness_outside_the_range(void** state) {
     refuses_each(c, cd_chain_set_stiffness(c, bad), "stiffness", no_number);
     refuses_each(c, cd_chain_set_stiffness(c, bad), "stiffness", negative);
     refuses_each(c, cd_chain_set_stiffness(c, bad), "stiffness", too_large);
+    cd_chain_destroy(c);
+}
+
+static void only_ropes_feel_air_of_numbers_in_the_range(void** state) {
+    (void)state;
+    const double wind[3] = {1, 2, 3};
+    double air[2], shown[3];
+    cd_chain* c = scene_chain(2, 5, 3, CD_FLOAT64);
+    refuses(c, cd_chain_set_air(c, 0, 1), CD_ERROR_UNSUPPORTED, "air|rest length");
+    refuses(c, cd_chain_set_wind(c, wind, 3), CD_ERROR_UNSUPPORTED, "air|rest length");
+    ok(cd_chain_set_rest_length(c, 1));
+    refuses_each(c, cd_chain_set_air(c, bad, 1), "along", not_finite);
+    refuses_each(c, cd_chain_set_air(c, bad, 1), "along", negative);
+    refuses_each(c, cd_chain_set_air(c, bad, 1), "along", too_large);
+    refuses_each(c, cd_chain_set_air(c, 1, bad), "across", not_finite);
+    refuses_each(c, cd_chain_set_air(c, 1, bad), "across", negative);
+    refuses_each(c, cd_chain_set_air(c, 1, bad), "across", too_large);
+    for (size_t i = 0; i < COUNT(not_finite); ++i) {
+        const double numbers[3] = {0.5, not_finite[i].value, 0.5};
+        refuses(c, cd_chain_set_wind(c, numbers, 3), CD_ERROR_VALUE, text_of("velocity|[1]|%s", not_finite[i].shown));
+    }
+    refuses(c, cd_chain_set_wind(c, wind, 2), CD_ERROR_RANGE, name_and_size("count", 2));
+    refuses(c, cd_chain_get_wind(c, shown, 2), CD_ERROR_RANGE, name_and_size("count", 2));
+    ok(cd_chain_set_air(c, 0.25, 2));
+    ok(cd_chain_set_wind(c, wind, 3));
+    ok(cd_chain_enable_field(c, CD_WIND));
+    for (size_t k = 0; k < 2 * 6 * 3; ++k) {
+        double of_nodes[2 * 6 * 3];
+        scene_read(c, CD_WIND, of_nodes);
+        assert_true(of_nodes[k] == wind[k % 3]);
+    }
+    ok(cd_chain_set_rest_length(c, 0)); /* switches all of it off */
+    ok(cd_chain_set_rest_length(c, 1));
+    ok(cd_chain_get_air(c, &air[0], &air[1]));
+    ok(cd_chain_get_wind(c, shown, 3));
+    assert_true(air[0] == 0 && air[1] == 0 && shown[0] == 0 && shown[1] == 0 && shown[2] == 0);
+    refuses(c, cd_chain_read_f64(c, CD_WIND, 0, 1, 0, 1, shown, 3), CD_ERROR_DISABLED, "field|24");
     cd_chain_destroy(c);
 }
 
@@ -260,6 +299,7 @@ int main(void) {
         cmocka_unit_test(no_parameter_takes_a_number_outside_its_range),
         cmocka_unit_test(the_extremes_of_the_header_are_taken),
         cmocka_unit_test(a_rope_takes_no_other_stiffness_outside_the_range),
+        cmocka_unit_test(only_ropes_feel_air_of_numbers_in_the_range),
         cmocka_unit_test(no_array_takes_what_is_not_finite),
         cmocka_unit_test(no_number_is_taken_for_an_enumerator),
         cmocka_unit_test(no_shape_is_made_that_cannot_be),

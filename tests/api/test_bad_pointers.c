@@ -73,6 +73,10 @@ static void only_a_living_chain_is_taken_for_one(void** state) {
     refuses_handles(cd_chain_get_rest_length, out.number);
     refuses_handles(cd_chain_set_push, 1);
     refuses_handles(cd_chain_get_push, &out.i32);
+    refuses_handles(cd_chain_set_air, 1, 1);
+    refuses_handles(cd_chain_get_air, out.number, out.number + 1);
+    refuses_handles(cd_chain_set_wind, numbers, COMPONENTS);
+    refuses_handles(cd_chain_get_wind, out.number, COMPONENTS);
     refuses_handles(cd_chain_set_tolerance, 1e-3, 10);
     refuses_handles(cd_chain_get_tolerance, out.number, out.size);
     refuses_handles(cd_chain_get_convergence, out.size, out.number);
@@ -137,6 +141,10 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(chain, cd_chain_get_ring(chain, NULL), CD_ERROR_NULL, "out_ring");
     refuses(chain, cd_chain_get_rest_length(chain, NULL), CD_ERROR_NULL, "out_length");
     refuses(chain, cd_chain_get_push(chain, NULL), CD_ERROR_NULL, "out_push");
+    refuses(chain, cd_chain_get_air(chain, NULL, out.number), CD_ERROR_NULL, "out_along");
+    refuses(chain, cd_chain_get_air(chain, out.number, NULL), CD_ERROR_NULL, "out_across");
+    refuses(chain, cd_chain_set_wind(chain, NULL, COMPONENTS), CD_ERROR_NULL, "velocity");
+    refuses(chain, cd_chain_get_wind(chain, NULL, COMPONENTS), CD_ERROR_NULL, "out_velocity");
     refuses(chain, cd_chain_get_tolerance(chain, NULL, out.size), CD_ERROR_NULL, "out_tolerance");
     refuses(chain, cd_chain_get_tolerance(chain, out.number, NULL), CD_ERROR_NULL, "out_most_iterations");
     refuses(chain, cd_chain_write_f32(chain, CD_POSITION, 0, 1, 0, 1, NULL, COMPONENTS), CD_ERROR_NULL, "values");

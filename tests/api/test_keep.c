@@ -76,11 +76,18 @@ static void assert_same_in_all_that_can_be_read(const cd_chain* a, const cd_chai
     ok(cd_chain_get_ring(b, &enums_b[2]));
     ok(cd_chain_get_push(a, &enums_a[3]));
     ok(cd_chain_get_push(b, &enums_b[3]));
+    double air_a[2], air_b[2], wind_a[COMPONENTS], wind_b[COMPONENTS];
+    ok(cd_chain_get_air(a, &air_a[0], &air_a[1]));
+    ok(cd_chain_get_air(b, &air_b[0], &air_b[1]));
+    assert_same_bits(air_a, air_b, 2);
+    ok(cd_chain_get_wind(a, wind_a, COMPONENTS));
+    ok(cd_chain_get_wind(b, wind_b, COMPONENTS));
+    assert_same_bits(wind_a, wind_b, COMPONENTS);
     ok(cd_chain_get_steps(a, &steps_a));
     ok(cd_chain_get_steps(b, &steps_b));
     assert_same_bits(enums_a, enums_b, 4);
     assert_int_equal(steps_a, steps_b);
-    for (cd_field field = CD_POSITION; field <= CD_TENSION; ++field) {
+    for (cd_field field = CD_POSITION; field <= CD_WIND; ++field) {
         if (field > CD_TARGET && field < CD_REST_LENGTH) continue;
         double x[STRANDS * (SPRINGS + 1) * COMPONENTS], y[STRANDS * (SPRINGS + 1) * COMPONENTS];
         const size_t strands = scene_field_strands(a, field), items = scene_field_items(a, field);
@@ -235,7 +242,13 @@ static void what_is_set_for_ropes_is_kept_at_the_ends_of_every_range(void** stat
             ok(cd_chain_enable_field(chain, CD_REST_LENGTH));
             scene_set(chain, CD_REST_LENGTH, SPRINGS - 1, ropes[i].each);
         }
-        if (ropes[i].length > 0) scene_set(chain, CD_TENSION, SPRINGS - 1, ropes[i].tension);
+        if (ropes[i].length > 0) {
+            const double wind[COMPONENTS] = {1e30, -1e30};
+            scene_set(chain, CD_TENSION, SPRINGS - 1, ropes[i].tension);
+            ok(cd_chain_set_air(chain, i == 3 ? 1e60 : 0, i == 4 ? 1e60 : 1e-300));
+            ok(cd_chain_set_wind(chain, wind, COMPONENTS));
+            if (i != 3) ok(cd_chain_enable_field(chain, CD_WIND));
+        }
         struct blob blob = save(chain);
         ok(cd_chain_load(fresh, blob.bytes, blob.size));
         ok(cd_chain_copy_state(copied, chain));
@@ -260,6 +273,12 @@ static void what_is_as_in_a_new_chain_takes_no_bytes(void** state) {
     ok(cd_chain_set_rest_length(chain, 2));
     ok(cd_chain_save_size(chain, &during));
     assert_true(during >= before + STRANDS * SPRINGS * sizeof(double));
+    ok(cd_chain_set_air(chain, 0, -0.0)); /* is none */
+    ok(cd_chain_save_size(chain, &after));
+    assert_int_equal(after, during);
+    ok(cd_chain_set_air(chain, 0, 1));
+    ok(cd_chain_save_size(chain, &after));
+    assert_true(after > during);
     ok(cd_chain_set_rest_length(chain, -0.0)); /* is 0 */
     ok(cd_chain_save_size(chain, &after));
     assert_int_equal(after, before);

@@ -42,7 +42,7 @@ size_t scene_components(const cd_chain* chain) {
 }
 
 static int is_per_strand(cd_field field) {
-    return field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET;
+    return field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET || field == CD_WIND;
 }
 
 static int is_per_spring(cd_field field) {
@@ -146,14 +146,16 @@ static void vary(cd_chain* chain, cd_field field, double size, uint64_t seed) {
     }
 }
 
-static void push(cd_chain* chain, double size, uint64_t seed) {
-    const size_t count = scene_field_count(chain, CD_FORCE);
-    double* force = new_numbers(count);
-    for (size_t i = 0; i < count; ++i) force[i] = size * scene_noise(&seed);
-    ok(cd_chain_enable_field(chain, CD_FORCE));
-    scene_write(chain, CD_FORCE, force);
-    free(force);
+/* Other numbers at every node of every strand: of forces, or of the wind. */
+static void scatter(cd_chain* chain, cd_field field, double size, uint64_t seed) {
+    const size_t count = scene_field_count(chain, field);
+    double* numbers = new_numbers(count);
+    for (size_t i = 0; i < count; ++i) numbers[i] = size * scene_noise(&seed);
+    ok(cd_chain_enable_field(chain, field));
+    scene_write(chain, field, numbers);
+    free(numbers);
 }
+static void push(cd_chain* chain, double size, uint64_t seed) { scatter(chain, CD_FORCE, size, seed); }
 
 static void drive(cd_chain* chain, size_t node, double velocity) {
     const size_t strands = scene_strands(chain), components = scene_components(chain);
@@ -289,6 +291,8 @@ void scene_lengths(cd_chain* chain) {
     ok(cd_chain_attach(chain, 3, 25, 0.25, NULL, scene_components(chain)));
     ok(cd_chain_weld(chain, nodes - 3));
     ok(cd_chain_cut(chain, 3));
+    ok(cd_chain_set_air(chain, 0.03, 0.8));
+    scatter(chain, CD_WIND, 2, 19);
 }
 
 void scene_links(cd_chain* chain) {
@@ -299,6 +303,9 @@ void scene_links(cd_chain* chain) {
     ok(cd_chain_set_rest_length(chain, 0.1 * (double)scene_springs(chain)));
     ok(cd_chain_set_stiffness(chain, INFINITY));
     ok(cd_chain_set_push(chain, 1));
+    const double wind[3] = {1, -2, 0.5};
+    ok(cd_chain_set_air(chain, 0.2, 0.1));
+    ok(cd_chain_set_wind(chain, wind, scene_components(chain)));
 }
 
 const struct scene rope_scenes[ROPE_SCENES] = {{"lengths", scene_lengths}, {"links", scene_links}};

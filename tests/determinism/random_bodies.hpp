@@ -111,7 +111,8 @@ struct ChainScene {
     size_t numbers() const { return strands * nodes * components; }
     Size size_of(const Handle* chain, cd_field field) const {
         const bool of_springs = field == CD_STIFFNESS || field == CD_REST_LENGTH || field == CD_TENSION;
-        const bool of_strands = field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET;
+        const bool of_strands =
+            field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET || field == CD_WIND;
         return {of_strands || field == CD_TENSION ? strands : 1, of_springs ? springs(chain) : nodes,
                 of_strands ? components : 1};
     }
@@ -195,7 +196,7 @@ inline void ChainScene::become_rope(Handle* chain, Random& random, Returned& ret
 
 // What only ropes have. A hard one that ends short of its tolerance steps to the same bits, too.
 inline void ChainScene::act_on_rope(Handle* chain, Random& random, Returned& returned) const {
-    switch (random.below(9)) {
+    switch (random.below(11)) {
     case 0:
     case 1:
     case 8: return become_rope(chain, random, returned);
@@ -222,6 +223,17 @@ inline void ChainScene::act_on_rope(Handle* chain, Random& random, Returned& ret
         if (random.chance(0.5)) returned += cd_chain_set_rest_length(chain, 0);
         else returned += cd_chain_disable_field(chain, CD_REST_LENGTH);
         break;
+    case 9: {
+        const double wind[3] = {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)};
+        const double across = random.decades(-3, 3);
+        returned += cd_chain_set_air(chain, random.any_of({0, 0.1, 2}) * across, random.chance(0.2) ? 0 : across);
+        returned += cd_chain_set_wind(chain, wind, components);
+        break;
+    }
+    case 10:
+        if (random.chance(0.3)) returned += cd_chain_disable_field(chain, CD_WIND);
+        else returned += cd_chain_enable_field(chain, CD_WIND);
+        return write_numbers(chain, CD_WIND, random, returned);
     default: return write_part(*this, chain, CD_TENSION, random, returned, [&] { return random.decades(-3, 3); });
     }
 }

@@ -100,7 +100,7 @@ static void the_parallel_table_is_copied_and_can_be_taken_back(void** state) {
 
 /* Gives `alone`, of one strand, the numbers of a strand of `many`. */
 static void copy_strand(cd_chain* alone, const cd_chain* many, size_t strand) {
-    static const cd_field fields[] = {CD_POSITION, CD_VELOCITY, CD_FORCE, CD_TARGET};
+    static const cd_field fields[] = {CD_POSITION, CD_VELOCITY, CD_FORCE, CD_TARGET, CD_WIND};
     const size_t nodes = scene_nodes(many), count = nodes * scene_components(many);
     double values[64];
     assert_true(count <= COUNT(values));

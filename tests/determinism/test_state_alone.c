@@ -117,12 +117,20 @@ static void own_lengths(cd_chain* c) {
     ok(cd_chain_enable_field(c, CD_REST_LENGTH));
     scene_set(c, CD_REST_LENGTH, 4, 0.5);
 }
+static void windy(cd_chain* c) {
+    const double wind[3] = {1, 2, 3};
+    double length;
+    ok(cd_chain_get_rest_length(c, &length));
+    if (length == 0) return;
+    ok(cd_chain_set_air(c, 0.1, 1));
+    ok(cd_chain_set_wind(c, wind, 3));
+}
 static void pinned(cd_chain* c) { ok(cd_chain_set_end(c, CD_END_FIRST, CD_NODE_PINNED)); }
 static void tied(cd_chain* c) { ok(cd_chain_attach(c, 5, 30, 1, NULL, 0)); }
 static void less_implicit(cd_chain* c) { ok(cd_chain_set_lambda(c, 0.75)); }
 static void (*const chain_changes[])(cd_chain* c) = {lengths,    short_lengths, no_lengths, pushing, rigid, welds,
                                                      cuts,       tolerant,      own_masses, own_lengths,
-                                                     pinned,     tied,          less_implicit};
+                                                     pinned,     tied,          less_implicit, windy};
 
 /* A rope unless a change makes it none. */
 static cd_chain* strands(size_t count) {

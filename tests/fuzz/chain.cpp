@@ -33,6 +33,7 @@ bool Chain::extent(cd_field field, Extent& out) const {
     case CD_VELOCITY:
     case CD_FORCE:
     case CD_TARGET: out = {strands, springs + 1, components}; return true;
+    case CD_WIND: out = {strands, springs + 1, components}; return is_rope();
     case CD_MASS:
     case CD_BEND:
     case CD_PIN: out = {1, springs + 1, 1}; return true;
@@ -133,13 +134,19 @@ bool Chain::is_driven() const {
         if (force != 0) return true;
     for (double pin : all_of(CD_PIN))
         if (pin == CD_NODE_DRIVEN) return true;
+    double wind[4] = {};
+    cd_chain_get_wind(first(), wind, components);
+    for (double v : wind)
+        if (v != 0) return true;
+    for (double v : all_of(CD_WIND))
+        if (v != 0) return true;
     return false;
 }
 
 // ---- calls ---------------------------------------------------------------------------------------------------------
 
 void Chain::act_by_kind() {
-    switch (below(is_rope() || likes_lengths ? 32 : 24)) {
+    switch (below(is_rope() || likes_lengths ? 35 : 24)) {
     case 0: set_number("set_mass", cd_chain_set_mass, pick_number(-2, 3), {1e-3, 1e4}); break;
     case 1: set_stiffness(); break;
     case 2: set_number("set_bend", cd_chain_set_bend, chance(0.3) ? 0 : pick_number(-6, 1), {0, 1e2}, 0); break;
@@ -174,6 +181,9 @@ void Chain::act_by_kind() {
     case 28:
     case 29: set_tolerance(); break;
     case 30: get_tolerance(); break;
+    case 31: set_air(); break;
+    case 32: set_wind(); break;
+    case 33: get_air(); break;
     default: get_convergence();
     }
 }

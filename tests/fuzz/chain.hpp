@@ -61,6 +61,9 @@ private:
     void set_rest_length();
     void set_tolerance();
     void get_tolerance();
+    void set_air();
+    void get_air();
+    void set_wind();
     void get_convergence();
     void check_rope(const Step& step);
     void check_lengths(double tolerance, double dt);

@@ -57,7 +57,9 @@ bool Chain::is_free() const {
     cd_chain_get_drag(first(), &drag);
     for (double pin : all_of(CD_PIN))
         if (pin != CD_NODE_FREE) return false;
-    return drag == 0 && !is_driven() && all_of(CD_TARGET).empty();
+    double along = 0, across = 0;
+    cd_chain_get_air(first(), &along, &across);
+    return drag + along + across == 0 && !is_driven() && all_of(CD_TARGET).empty();
 }
 
 // ---- what must hold ------------------------------------------------------------------------------------------------
@@ -261,6 +263,39 @@ void Chain::get_tolerance() {
     });
     must_agree("get_tolerance", &tolerance[0], &tolerance[1]);
     must_agree("get_tolerance", &most[0], &most[1]);
+}
+
+void Chain::set_air() {
+    const double along = chance(0.4) ? 0 : pick_number(-3, 3), across = chance(0.2) ? 0 : pick_number(-3, 3);
+    const cd_status status = both(text("set_air %.17g %.17g", along, across), kNoMemory,
+                                  [&](cd_chain* chain, int) { return cd_chain_set_air(chain, along, across); });
+    if (status == CD_OK && !(along < 1e6 && across < 1e6)) past.moderate = false;
+    if (status == CD_OK && !is_rope()) problem("set_air: no rope, but it is taken");
+}
+
+void Chain::get_air() {
+    double air[2][2] = {}, wind[2][4] = {};
+    both("get_air", kReads,
+         [&](cd_chain* chain, int which) { return cd_chain_get_air(chain, &air[which][0], &air[which][1]); });
+    must_agree("get_air", air[0], air[1], 2);
+    const size_t count = pick_count(components);
+    both("get_wind", kReads, [&](cd_chain* chain, int which) { return cd_chain_get_wind(chain, wind[which], count); });
+    must_agree("get_wind", wind[0], wind[1], 4);
+}
+
+void Chain::set_wind() {
+    double wind[4];
+    bool moderate = true;
+    for (double& v : wind) {
+        v = chance(0.5) ? 0 : pick_number(-1, 1.5);
+        moderate &= fabs(v) < 1e3;
+    }
+    const size_t count = pick_count(components);
+    const bool null = pick_null();
+    const cd_status status =
+        both(text("set_wind %.17g %.17g %.17g, count %zu%s", wind[0], wind[1], wind[2], count, null ? ", null" : ""),
+             kNoMemory, [&](cd_chain* chain, int) { return cd_chain_set_wind(chain, null ? nullptr : wind, count); });
+    if (status == CD_OK && !moderate) past.moderate = false;
 }
 
 // The twin may be a copy that has not stepped yet: they need not agree.

@@ -40,6 +40,9 @@ static cd_status lengths(cd_chain* c) { return cd_chain_enable_field(c, CD_REST_
 static cd_status no_lengths(cd_chain* c) { return cd_chain_disable_field(c, CD_REST_LENGTH); }
 static cd_status tension(cd_chain* c) { return cd_chain_enable_field(c, CD_TENSION); }
 static cd_status push(cd_chain* c) { return cd_chain_set_push(c, 1); }
+static cd_status air(cd_chain* c) { return cd_chain_set_air(c, 0.1, 0.2); }
+static cd_status winds(cd_chain* c) { return cd_chain_enable_field(c, CD_WIND); }
+static cd_status no_winds(cd_chain* c) { return cd_chain_disable_field(c, CD_WIND); }
 static cd_status tolerance(cd_chain* c) { return cd_chain_set_tolerance(c, 1e-7, 50); }
 static cd_status load_rope(cd_chain* c) { return cd_chain_load(c, rope_bytes, rope_size); }
 static cd_status copy_rope(cd_chain* c) { return cd_chain_copy_state(c, rope); }
@@ -77,6 +80,9 @@ static const struct call {
              {"enable tension", tension, 1},
              {"set_push", push, 1},
              {"set_tolerance", tolerance, 1},
+             {"set_air", air, 1},
+             {"enable wind", winds, 0},
+             {"disable wind", no_winds, 0},
              {"load rope", load_rope, 0},
              {"copy rope", copy_rope, 0},
              {"step", step, 1},
@@ -278,7 +284,7 @@ static void the_memory_told_is_the_memory_held(void** state) {
                 go_on(chain, 2);
                 assert_accounts_for(chain, &heap);
             }
-            for (cd_field field = CD_POSITION; field <= CD_TENSION; ++field) {
+            for (cd_field field = CD_POSITION; field <= CD_WIND; ++field) {
                 if (!has_field(field, is_rope)) continue;
                 ok(cd_chain_enable_field(chain, field));
                 assert_accounts_for(chain, &heap);

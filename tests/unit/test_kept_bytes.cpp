@@ -77,7 +77,9 @@ struct RopeCalls : ChainCalls {
         ok(cd_chain_set_stiffness(chain, double(INFINITY)));
         ok(cd_chain_set_push(chain, 1));
         ok(cd_chain_set_tolerance(chain, 1e-4, 7));
-        for (cd_field field : {CD_MASS, CD_STIFFNESS, CD_FORCE, CD_REST_LENGTH})
+        ok(cd_chain_set_air(chain, 0.25, 2));
+        ok(cd_chain_set_wind(chain, gravity, 2));
+        for (cd_field field : {CD_MASS, CD_STIFFNESS, CD_FORCE, CD_REST_LENGTH, CD_WIND})
             ok(cd_chain_enable_field(chain, field));
         ok(cd_chain_set_gravity(chain, gravity, 2));
         ok(cd_chain_write_f64(chain, CD_PIN, 0, 1, 0, 2, pins, 2)); // at both ends of a spring of fixed length
@@ -104,6 +106,10 @@ struct RopeCalls : ChainCalls {
         const size_t springs = 5 + size_t(ring);
         ok(cd_chain_read_f64(chain, CD_TENSION, 0, 2, 0, springs, tension, 2 * springs));
         for (size_t i = 0; i < 2 * springs; ++i) good &= std::isfinite(tension[i]);
+        double air[2], wind[2];
+        ok(cd_chain_get_air(chain, &air[0], &air[1]));
+        ok(cd_chain_get_wind(chain, wind, 2));
+        for (int k = 0; k < 2; ++k) good &= air[k] >= 0 && air[k] <= 1e60 && std::isfinite(wind[k]);
         return good;
     }
 };

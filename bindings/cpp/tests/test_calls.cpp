@@ -165,6 +165,16 @@ void ropes() {
     CHECK(pair[0] == 1 && pair[1] == 2);
     OK(rope.enable_field(field::rest_length));
     CHECK((GET(rope.read_f64(field::rest_length)) == std::vector<double>{0.25, 0.25, 0.25, 0.25}));
+    OK(rope.set_air(0.25, 2));
+    CHECK(GET(rope.get_air()).along == 0.25 && GET(rope.get_air()).across == 2);
+    OK(rope.set_wind({1, 0, -1}));
+    std::array<double, 3> wind{};
+    OK(rope.get_wind(wind));
+    CHECK((wind == std::array<double, 3>{1, 0, -1}));
+    OK(rope.enable_field(field::wind));
+    CHECK(GET(rope.get_size(field::wind)) == 30);
+    CHECK(GET(rope.read_f64(field::wind))[27] == 1);
+    OK(rope.step(1 / 60.0, 3));
     OK(rope.set_stiffness(1));
     OK(rope.set_rest_length(0));
     OK(rope.step(1 / 60.0));

@@ -112,6 +112,8 @@ void lengths() {
     for (double bad : {-1.0, nan_value, HUGE_VAL}) KEPT(rope, status::error_value, "length", rope.set_rest_length(bad));
     for (double bad : {0.0, 1.0, nan_value}) KEPT(rope, status::error_value, "tolerance", rope.set_tolerance(bad));
     KEPT(rope, status::error_value, "most_iterations", rope.set_tolerance(1e-6, 0));
+    KEPT(rope, status::error_unsupported, "air", rope.set_air(0, 1));
+    KEPT(rope, status::error_unsupported, "air", rope.set_wind({1, 1}));
     for (field f : {field::rest_length, field::tension}) {
         KEPT(rope, status::error_unsupported, "field", rope.enable_field(f));
         KEPT(rope, status::error_unsupported, "field", rope.read_f64(f));
@@ -129,6 +131,12 @@ void lengths() {
     KEPT(rope, status::error_unsupported, "field", rope.disable_field(field::tension));
     KEPT(rope, status::error_disabled, "field", rope.read_f64(field::rest_length));
     KEPT(rope, status::error_value, "values", rope.write_f64(field::tension, 0, 1, 0, 1, {nan_value}));
+    KEPT(rope, status::error_value, "along", rope.set_air(nan_value, 1));
+    KEPT(rope, status::error_value, "across", rope.set_air(1, -1));
+    KEPT(rope, status::error_value, "velocity", rope.set_wind({1, nan_value}));
+    KEPT(rope, status::error_range, "count", rope.set_wind({1}));
+    std::array<double, 3> three{};
+    KEPT(rope, status::error_range, "count", rope.get_wind(three));
     OK(rope.set_lambda(0.25));
     KEPT(rope, status::error_unsupported, "lambda", rope.step(0.01));
     OK(rope.set_lambda(0.5));

@@ -20,7 +20,7 @@ from . import _library
 from ._api import (BedRule, Border, Edge, End, Field, Kernels, MassRule, Method, Momentum, Node, Precision, Side,
                    Solver, Status)
 from ._arrays import Array, View
-from ._body import Attachment, Convergence, Energy, Tolerance
+from ._body import Attachment, Convergence, Energy, Resistance, Tolerance
 from ._callbacks import Allocator, Parallel, Task
 from ._sheet import Vertices
 from .chain import Chain, ChainShape
@@ -35,9 +35,9 @@ __all__ = [
     "DisabledError", "DivergedError", "Edge", "End", "Energy", "Error", "Field", "FormatError",
     "HandleError", "InvalidEnumError", "InvalidValueError", "Kernels", "Limited", "MassRule", "Membrane",
     "MembraneShape", "Method", "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Parallel",
-    "Precision", "RangeError", "Ring", "Sample", "Side", "SideState", "SizeError", "Solver", "Status", "Stiffness",
-    "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices", "View", "Water", "WaterEnergy", "WaterShape",
-    "WaterVertices", "build_info", "kernels_name", "library_path", "runnable_kernels", "status_name", "version",
+    "Precision", "RangeError", "Resistance", "Ring", "Sample", "Side", "SideState", "SizeError", "Solver", "Status",
+    "Stiffness", "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices", "View", "Water", "WaterEnergy",
+    "WaterShape", "WaterVertices", "build_info", "kernels_name", "library_path", "runnable_kernels", "status_name", "version",
 ]
 
 

@@ -135,6 +135,7 @@ class Field(IntEnum):
     WALL_Y = 21
     REST_LENGTH = 22
     TENSION = 23
+    WIND = 24
 
 
 class End(IntEnum):
@@ -222,6 +223,7 @@ FIELDS: Dict[str, Dict[int, FieldInfo]] = {
         Field.PIN: FieldInfo(("node",), False, True, False, False),
         Field.REST_LENGTH: FieldInfo(("spring",), False, False, False, True),
         Field.TENSION: FieldInfo(("strand", "spring"), False, True, False, True),
+        Field.WIND: FieldInfo(("strand", "node"), True, False, False, True),
     },
     "membrane": {
         Field.POSITION: FieldInfo(("node",), True, True, True, False),
@@ -341,6 +343,10 @@ FUNCTIONS: Dict[str, str] = {
     "cd_chain_get_rest_length": "status: chain handle, out_length double*",
     "cd_chain_set_push": "status: chain handle, push int",
     "cd_chain_get_push": "status: chain handle, out_push int*",
+    "cd_chain_set_air": "status: chain handle, along double, across double",
+    "cd_chain_get_air": "status: chain handle, out_along double*, out_across double*",
+    "cd_chain_set_wind": "status: chain handle, velocity pointer, count size",
+    "cd_chain_get_wind": "status: chain handle, out_velocity pointer, count size",
     "cd_chain_set_tolerance": "status: chain handle, tolerance double, most_iterations size",
     "cd_chain_get_tolerance": "status: chain handle, out_tolerance double*, out_most_iterations size*",
     "cd_chain_get_convergence": "status: chain handle, out_iterations size*, out_residual double*",

@@ -26,6 +26,13 @@ class Attachment(NamedTuple):
     damping: float
 
 
+class Resistance(NamedTuple):
+    """Of the air, per length of a rope [N s/m^2]."""
+
+    along: float
+    across: float
+
+
 class Tolerance(NamedTuple):
     """When a solver is content: Solver.COUPLED of a membrane, a rope's steps."""
 

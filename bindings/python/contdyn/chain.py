@@ -4,10 +4,10 @@ from typing import Any, List, NamedTuple, Optional, Tuple
 from . import _arrays
 from ._api import End, Field, Node, Precision
 from ._arrays import Array, Values, row
-from ._body import Attachment, Body, Convergence, Tolerance
+from ._body import Attachment, Body, Convergence, Resistance, Tolerance
 from ._callbacks import Allocator
 from ._object import rest
-from ._properties import Reading, Setting, SettingOfSeveral
+from ._properties import Reading, Setting, SettingOfSeveral, SettingPerComponent
 
 
 class ChainShape(NamedTuple):
@@ -70,8 +70,12 @@ class Chain(Body, kind="chain"):
                                  "space, its springs pull along themselves once they are longer than their length, and "
                                  "it steps by Method.IMPLICIT with lambda in [1/2, 1], without bend, ring, matched end "
                                  "and stiffness damping. It has the fields Field.TENSION and, to be switched on, "
-                                 "Field.REST_LENGTH.")
+                                 "Field.REST_LENGTH and Field.WIND; it may have air and wind.")
     push = Setting(bool, "Whether springs that are shorter than their length push; default False: they are slack.")
+    air = SettingOfSeveral(Resistance, "Resistance of the air per length of a rope [N s/m^2]: (along, across) it; "
+                                       "default 0. Implicit: bounded at any dt.")
+    wind = SettingPerComponent("Velocity of that air [m/s], one number per component; default 0. Field.WIND has one "
+                               "for each node.")
     tolerance = SettingOfSeveral(Tolerance, "When a rope's step is content: (tolerance, most_iterations); the "
                                             "tolerance is a fraction of the springs' lengths.")
     convergence = Reading(Convergence, "What the last call of step did with a rope: (iterations, residual).")

@@ -88,6 +88,12 @@ CASES = [
     ("set_rest_length", "UNSUPPORTED", (make_rigid, setting("rest_length", 0)), "infinite"),
     ("set_rest_length", "MEMORY", hungry(make_rope), "memory"),
     ("set_push", "VALUE", setting("push", 2), "push is 2"),
+    *(("set_air", "VALUE", (make_rope, setting("air", (x, 1))), "along is") for x in BAD_NUMBERS),
+    ("set_air", "VALUE", (make_rope, setting("air", (1, -1))), "across is -1"),
+    ("set_air", "UNSUPPORTED", setting("air", (1, 1)), "ropes"),
+    ("set_wind", "VALUE", (make_rope, setting("wind", (0, INF, 0))), "inf"),
+    ("set_wind", "RANGE", (make_rope, setting("wind", (0, 0))), "2"),
+    ("set_wind", "UNSUPPORTED", setting("wind", (0, 0, 0)), "ropes"),
     *(("set_tolerance", "VALUE", setting("tolerance", (x, 10)), "tolerance is") for x in (NAN, 0, 1e-15, 0.6, INF)),
     ("set_tolerance", "VALUE", setting("tolerance", (1e-6, 0)), "most_iterations is 0"),
     ("enable_field", "ENUM", lambda c: c.enable_field(99), "field is 99"),
@@ -158,6 +164,7 @@ NOT_TO_BE_HAD = {
     ("save", "RANGE"): "save makes a buffer of the right size",
     ("set_push", "TOLERANCE"): "what a step may end with",
     ("get_gravity", "RANGE"): "the count is always that of the components",
+    ("get_wind", "RANGE"): "likewise",
     ("get_momentum", "RANGE"): "likewise",
 }
 

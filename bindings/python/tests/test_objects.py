@@ -22,7 +22,8 @@ class Everyone(unittest.TestCase):
         body = {"mass": 2.5, "mass_rule": MassRule.HALF_ENDS, "bend": 0.25, "stiffness_damping": 0.125,
                 "gravity": (1.0, 2.0, 3.0)}
         own = {
-            Chain: {**body, "stiffness": 3.0, "ring": True, "rest_length": 2.0, "push": True, "tolerance": (1e-4, 7)},
+            Chain: {**body, "stiffness": 3.0, "ring": True, "rest_length": 2.0, "push": True, "tolerance": (1e-4, 7),
+                    "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0)},
             Membrane: {**body, "stiffness": (3.0, 4.0), "ring": (True, False), "solver": Solver.COUPLED,
                        "tolerance": (1e-4, 7), "pressure": 0.5},
             Water: {"momentum": Momentum.ADVECTED, "first": 1, "gravity": 1.5, "density": 900.0, "manning": 0.03,
@@ -32,6 +33,8 @@ class Everyone(unittest.TestCase):
             for name, value in {**shared, **own[kind]}.items():
                 with self.subTest(kind.__name__, parameter=name):
                     made = make(kind)
+                    if name in ("air", "wind"):
+                        made.rest_length = 1  # only ropes feel it
                     self.assertNotEqual(getattr(made, name), value)
                     setattr(made, name, value)
                     self.assertEqual(getattr(made, name), value)
@@ -140,6 +143,21 @@ class Chains(unittest.TestCase):
         rope.stiffness, rope.rest_length = 1, 0
         rope.step(1 / 60)
         self.assertEqual(rope.convergence, (0, 0))
+
+    def test_a_rope_leans_with_the_wind(self):
+        rope = Chain(2, 4, 3)
+        rope.position = [[[0, 0, -i / 4] for i in range(5)]] * 2
+        rope.rest_length, rope.stiffness, rope.gravity, rope.lambda_ = 1, math.inf, (0, 0, -10), 1
+        rope.mass_rule = MassRule.HALF_ENDS
+        rope.set_end(End.FIRST, Node.PINNED)
+        rope.air, rope.wind = (0.5, 5), (2, 0, 0)
+        rope.enable_field(Field.WIND)
+        rope.write(Field.WIND, 0, first_strand=1)
+        self.assertEqual(rope.read(Field.WIND).shape, (2, 5, 3))
+        rope.step(0.1, 1000)
+        slope = math.sqrt(0.5)  # as much wind as weight
+        close(self, rope.position[0, 4].tolist(), (slope, 0, -slope), 6)
+        close(self, rope.position[1, 4].tolist(), (0, 0, -1), 6)
 
     def test_links_that_push_do_not_go_slack(self):
         for push, length in ((False, 0.8), (True, 1)):

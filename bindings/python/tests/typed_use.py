@@ -16,6 +16,8 @@ def use() -> float:
         rope.parallel = ThreadPoolExecutor()
         rope.rest_length, rope.push, rope.tolerance = 1, True, (1e-8, 50)
         error: float = rope.convergence.residual + rope.tolerance.tolerance
+        rope.air, rope.wind = (0.1, 1), (0, 0, 2)
+        across: float = rope.air.across
     with Membrane(4, 4, 1) as drum:
         drum.stiffness = 20, 20
         drum.set_edge(Edge.U_FIRST, Node.PINNED)

@@ -114,7 +114,8 @@ enum class field : std::int32_t {
     wall_x = CD_WALL_X,
     wall_y = CD_WALL_Y,
     rest_length = CD_REST_LENGTH,
-    tension = CD_TENSION
+    tension = CD_TENSION,
+    wind = CD_WIND
 };
 
 // The two ends of a chain.
@@ -427,6 +428,9 @@ struct convergence {
     std::size_t iterations;
     double residual;
 };
+struct resistance {
+    double along, across;
+};
 
 // ---- chain ----------------------------------------------------------------------------------------------------------
 
@@ -530,6 +534,19 @@ public:
     outcome<double> get_rest_length() const { return value<double>(cd_chain_get_rest_length); }
     outcome<> set_push(bool push) { return call(cd_chain_set_push, push); }
     outcome<bool> get_push() const { return value<bool>(cd_chain_get_push); }
+
+    // Resistance of the air per length of a rope [N s/m^2]; its velocity [m/s], velocity[component].
+    outcome<> set_air(double along, double across) { return call(cd_chain_set_air, along, across); }
+    outcome<resistance> get_air() const {
+        resistance out{};
+        return detail::got(cd_chain_get_air(handle_, &out.along, &out.across), out);
+    }
+    outcome<> set_wind(span<const double> velocity) {
+        return call(cd_chain_set_wind, velocity.data(), velocity.size());
+    }
+    outcome<> get_wind(span<double> velocity) const {
+        return call(cd_chain_get_wind, velocity.data(), velocity.size());
+    }
 
     // When a step is content with the springs' lengths; what the last call of step came to.
     outcome<> set_tolerance(double tolerance, std::size_t most_iterations = 200) {
@@ -662,7 +679,8 @@ private:
         std::int32_t ring = 0;
         cd_status s = cd_chain_get_shape(handle_, &strands, &springs, &components, nullptr);
         if (s == CD_OK) s = cd_chain_get_ring(handle_, &ring);
-        const bool each = f == field::position || f == field::velocity || f == field::force || f == field::target;
+        const bool each =
+            f == field::position || f == field::velocity || f == field::force || f == field::target || f == field::wind;
         const bool of_springs = f == field::stiffness || f == field::rest_length || f == field::tension;
         const std::size_t items = springs + (!of_springs || ring != 0);
         if (!each) components = 1;
