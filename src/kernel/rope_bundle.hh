@@ -76,7 +76,7 @@ template <int N> struct RopeBundle {
         const size_t own = size_t(lane) < count ? size_t(lane) : count - 1;
         return i * ropes.pitch + (first + own) * ropes.components;
     }
-    V load(StateNumbers numbers, size_t i) const {
+    __attribute__((noinline)) V load(StateNumbers numbers, size_t i) const {
         double lane[3][N] = {};
         for (int j = 0; j < N; ++j)
             for (size_t k = 0; k < ropes.components; ++k) lane[k][j] = numbers[place(i, j) + k];
@@ -102,12 +102,12 @@ template <int N> struct RopeBundle {
     // ---- the air ----------------------------------------------------------------------------------------------------
 
     bool has_air() const { return stage.along > 0 || stage.across > 0; }
-    // The way of the rope at node i, if its neighbours go on as they are.
+    // The way of the rope at node i, by the guess that its neighbours go on as they are.
     V way_at(size_t i) const {
         const auto is_cut = [&](size_t spring) { return isinf(c.compliance[spring]); };
         const size_t first = i > 0 && !is_cut(i - 1) ? i - 1 : i, last = i + 1 < ropes.nodes && !is_cut(i) ? i + 1 : i;
-        const V moves = load(ropes.velocity, last) - load(ropes.velocity, first);
-        const V chord = (load(ropes.position, last) - load(ropes.position, first)) + (stage.dt * lambda) * moves;
+        V chord = (stage.dt * lambda) * (nodes[last].w - nodes[first].w);
+        for (size_t spring = first; spring < last; ++spring) chord = chord + springs[spring].before;
         const L size = root(dot(chord, chord));
         return direction(chord, size - L::splat(kNoDirection * c.share[i]), one() / size, V{one(), L{}, L{}});
     }

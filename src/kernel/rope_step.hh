@@ -6,10 +6,11 @@
 //      G_i (w_i - b_i) = phi_i - phi_{i-1},      phi_i = h T_i z_i / |z_i|,     z = D0 + theta dt (w_{i+1} - w_i)
 //      |D1| = L + T / k   where the spring is taut; T = 0 and |D1| <= L + T / k where it is slack
 //      x1 = x0 + dt w,    v1 = v0 + (w - v0) / lambda
-// G = M + h C + h^2 A and b, what the node would do alone, hold drag C and attachments A; air adds impulses B (u - w) to
-// a node, u the wind and B = h s (along t t^T + across (1 - t t^T)), t along the rope, as it will be after h if it goes on as it is, and s its share of it. theta is lambda where the
+// G = M + h C + h^2 A and b, what the node would do alone, hold drag C and attachments A. theta is lambda where the
 // spring pulls and 1/2 where it pushes; then the step changes the energy of a rope with 1 / k = 0 by
 //      -(lambda - 1/2) (|v1 - v0|_M^2 + sum over what pulls of T / |z| |D1 - D0|^2).
+// Air adds the impulse B (u - w) to a node: u is the wind's velocity, B = h s (along t t^T + across (1 - t t^T)), s the
+// node's share of the rope's length, and t the rope's way there at x0 + h v0, which does not depend on w.
 #pragma once
 
 #include <stddef.h>
@@ -43,7 +44,7 @@ struct Ropes {
 struct RopeCoefficients {
     const double *mass, *drag, *tie;                // [kg], [N s/m], [N/m]
     const double *length, *per_length, *compliance; // [m], [1/m]; [m/N], 0: of fixed length, INFINITY: cut
-    const double* share;                            // of the rope, that feels the air at a node [m]
+    const double* share;                            // of the rope's length, that feels the air at a node [m]
     const uint8_t* pin;                             // cd_node
 };
 

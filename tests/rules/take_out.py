@@ -122,6 +122,13 @@ RULES = {
         "rope_step.cpp", "constexpr double kSettleSoftly = 1e-12;", "constexpr double kSettleSoftly = 0;", ["stability_ropes"]),
     "springs that push do so midway": (
         "rope_bundle.hh", "by_sign(t, L::splat(0.5), lambda)", "lambda", ["stability_ropes"]),
+    "tensions of rounding may be wrong": (
+        "rope_step.cpp", "larger(weight, least_worth)", "weight", ["physics_rope_air"]),
+    "air resists along the way of the middle of a step": (
+        "rope_bundle.hh", "V chord = (stage.dt * lambda) *", "V chord = L{} *", ["physics_rope_air"]),
+    "and no more than so many times as inertia does": (
+        "rope_bundle.hh", "constexpr double kMostResistance = 1e8;", "constexpr double kMostResistance = 1e300;",
+        ["physics_rope_air"]),
     "springs between held nodes are no part of the system": (
         "rope_bundle.hh", " || (held(i) && held(i + 1))", "", ["stability_ropes"]),
 }
