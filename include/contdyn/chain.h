@@ -149,11 +149,11 @@ CD_API cd_status cd_chain_set_push(cd_chain* chain, int32_t push);
 CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
 
 /* Resistance of the air, per length of a rope [N s/m^2], in [0, 1e60], default 0: a piece of length s whose velocity
- * through the air is w, w_t along the rope and w_n across it, is pushed by -s (along w_t + across w_n). Implicit: no air
- * at any dt makes a node faster than the wind and what else acts on it; it takes the rope's direction as it will be
- * lambda dt after the step began, and counts for at most 1e8 times the inertia. A node bears half of its two springs'
- * rest lengths; cut springs feel no air. A round rope of diameter d has about across = 0.6 density d |w_n|, `along` some
- * hundredth of that. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
+ * through the air is w, w_t along the rope and w_n across it, is pushed by -s (along w_t + across w_n). Implicit, so that
+ * it only takes energy, as seen from the air, at any dt; the rope's direction is the one that it would have lambda dt
+ * after the step began. A node bears half of its two springs' rest lengths; cut springs feel no air. A round rope of
+ * diameter d has about across = 0.6 density d |w_n|, and `along` some hundredth of that.
+ * Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
 CD_API cd_status cd_chain_set_air(cd_chain* chain, double along, double across);
 CD_API cd_status cd_chain_get_air(const cd_chain* chain, double* out_along, double* out_across);
 

@@ -20,9 +20,6 @@ constexpr double kNoDirection = 1e-12;
 // Tensions this small, over the mean force on the nodes, are rounding.
 constexpr double kRounding = 1e-14;
 
-// The air resists a node at most so many times as its inertia does: its velocity is then the wind's but for 1e-8.
-constexpr double kMostResistance = 1e8;
-
 // N strands.
 template <int N> struct RopeBundle {
     using L = Lanes<N>;
@@ -132,16 +129,20 @@ template <int N> struct RopeBundle {
         mobility.y = mobility.y - right.y * resisted.by;
         mobility.z = mobility.z - right.z * resisted.by;
     }
+    // The air's resistance at node i [kg], of a coefficient of it, and its velocity there.
+    L resistance(size_t i, double coefficient) const { return (coefficient * stage.dt * c.share[i]) * lambda; }
+    V wind(size_t i) const {
+        if (ropes.wind.data) return load(ropes.wind, i);
+        return {L::splat(stage.wind[0]), L::splat(stage.wind[1]), L::splat(stage.wind[2])};
+    }
     void resist(size_t i, M& mobility, V& y) {
         Node& n = nodes[i];
-        const L h = (stage.dt * c.share[i]) * lambda, most = kMostResistance * n.ground;
-        const L along = smaller(stage.along * h, most), across = smaller(stage.across * h, most);
-        const V even{L::splat(stage.wind[0]), L::splat(stage.wind[1]), L::splat(stage.wind[2])};
-        const V wind = ropes.wind.data ? load(ropes.wind, i) : even;
+        const L along = resistance(i, stage.along), across = resistance(i, stage.across);
+        const V u = wind(i);
         const Axes to = axes(n.way);
-        resist(along, to.way, wind, mobility, y, n.along);
-        resist(across, to.side, wind, mobility, y, n.side);
-        resist(across, to.normal, wind, mobility, y, n.normal);
+        resist(along, to.way, u, mobility, y, n.along);
+        resist(across, to.side, u, mobility, y, n.side);
+        resist(across, to.normal, u, mobility, y, n.normal);
     }
     // What is left of the impulse phi from the right, at node i.
     V resisted(size_t i, V phi) const {
@@ -175,15 +176,20 @@ template <int N> struct RopeBundle {
             n.b = n.mobility * (m * v + h * push);
         }
     }
+    // What stops free node i, or takes it to the speed of the air, about.
+    L impulse_on(size_t i) const {
+        const Node& n = nodes[i];
+        const L own = n.ground * root(dot(n.b, n.b));
+        if (!has_air()) return own;
+        const V through = wind(i) - n.b;
+        return own + (resistance(i, stage.along) + resistance(i, stage.across)) * root(dot(through, through));
+    }
     // And for what is open the guess that they go on as they are.
     void begin() {
         begin_alone();
         for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].w = select(open, load(ropes.velocity, i), nodes[i].w);
-        L forces{}, lengths{}; // on the nodes, to stop them; and of the springs
-        for (size_t i = 0; i < ropes.nodes; ++i) {
-            const V push = nodes[i].ground * nodes[i].b;
-            forces = forces + ((size_of(push.x) + size_of(push.y)) + size_of(push.z));
-        }
+        L forces{}, lengths{}; // on the nodes, and of the springs
+        for (size_t i = 0; i < ropes.nodes; ++i) forces = forces + impulse_on(i);
         for (size_t i = 0; i + 1 < ropes.nodes; ++i) lengths = lengths + L::splat(c.length[i]);
         least_worth = (kRounding / (stage.tolerance * stage.dt * double(ropes.nodes))) * (forces * lengths);
         V left = load(ropes.position, 0);

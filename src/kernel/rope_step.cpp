@@ -71,9 +71,8 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     L force{}, mass{}, driven{}, pulled{};
     for (size_t i = 0; i < ropes.nodes; ++i) {
         const Node& n = nodes[i];
-        const L speed = root(dot(n.b, n.b));
-        if (held(i)) driven = driven + speed;
-        else mass = mass + n.ground, force = force + n.ground * speed;
+        if (held(i)) driven = driven + root(dot(n.b, n.b));
+        else mass = mass + n.ground, force = force + impulse_on(i);
     }
     for (size_t i = 0; i + 1 < ropes.nodes; ++i)
         if (!is_idle(i)) pulled = pulled + positive(springs[i].long_before - L::splat(c.length[i])) / give(i);

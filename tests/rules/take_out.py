@@ -97,7 +97,7 @@ RULES = {
     "which begins from the common motion": (
         "rope_step.cpp", "    start_together();\n", "", ["stability_ropes"]),
     "with the force that held nodes bring": (
-        "rope_step.cpp", "        if (held(i)) driven = driven + speed;\n        else", "        if (!held(i))",
+        "rope_step.cpp", "        if (held(i)) driven = driven + root(dot(n.b, n.b));\n        else", "        if (!held(i))",
         ["stability_ropes"]),
     "and that long springs pull with": ("rope_step.cpp", " + each * pulled;", ";", ["stability_ropes"]),
     "the best that was found is kept": (
@@ -126,9 +126,8 @@ RULES = {
         "rope_step.cpp", "larger(weight, least_worth)", "weight", ["physics_rope_air"]),
     "air resists along the way of the middle of a step": (
         "rope_bundle.hh", "V chord = (stage.dt * lambda) *", "V chord = L{} *", ["physics_rope_air"]),
-    "and no more than so many times as inertia does": (
-        "rope_bundle.hh", "constexpr double kMostResistance = 1e8;", "constexpr double kMostResistance = 1e300;",
-        ["physics_rope_air"]),
+    "the interior point knows the air's forces": (
+        "rope_bundle.hh", "if (!has_air()) return own;", "return own;", ["physics_rope_air"]),
     "springs between held nodes are no part of the system": (
         "rope_bundle.hh", " || (held(i) && held(i + 1))", "", ["stability_ropes"]),
 }
