@@ -176,13 +176,13 @@ template <int N> struct RopeBundle {
             n.b = n.mobility * (m * v + h * push);
         }
     }
-    // What stops free node i, or takes it to the speed of the air, about.
+    // What holds free node i where it is: against what it does alone, and against the wind.
     L impulse_on(size_t i) const {
         const Node& n = nodes[i];
         const L own = n.ground * root(dot(n.b, n.b));
         if (!has_air()) return own;
-        const V through = wind(i) - n.b;
-        return own + (resistance(i, stage.along) + resistance(i, stage.across)) * root(dot(through, through));
+        const V u = wind(i);
+        return own + (resistance(i, stage.along) + resistance(i, stage.across)) * root(dot(u, u));
     }
     // And for what is open the guess that they go on as they are.
     void begin() {

@@ -81,12 +81,17 @@ void Chain::before_step(double dt) {
     }
 }
 
-// At least what would stop the nodes within the step.
+// At least what would stop the nodes within the step, in any wind.
 double Chain::force_on_nodes(double dt) const {
     const double x = fmax(largest_of({CD_POSITION}), position_before);
     const double v = fmax(largest_of({CD_VELOCITY}), velocity_before);
+    double along = 0, across = 0, wind[4] = {}, longest = 0, blows = largest_of({CD_WIND});
+    cd_chain_get_air(first(), &along, &across);
+    cd_chain_get_wind(first(), wind, components);
+    for (double u : wind) blows = fmax(blows, fabs(u));
+    for (double length : lengths()) longest = fmax(longest, length);
     return heaviest() * (v / dt + gravity()) + stiffest_tie() * (x + largest_of({CD_TARGET})) + largest_of({CD_FORCE}) +
-           1e-30;
+           2 * (along + across) * longest * blows + 1e-30;
 }
 
 // What the tolerance is worth: tension times length, and the energy of a spring that is wrong by so much; after 8
