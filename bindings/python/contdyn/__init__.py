@@ -37,7 +37,8 @@ __all__ = [
     "MembraneShape", "Method", "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Parallel",
     "Precision", "RangeError", "Resistance", "Ring", "Sample", "Side", "SideState", "SizeError", "Solver", "Status",
     "Stiffness", "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices", "View", "Water", "WaterEnergy",
-    "WaterShape", "WaterVertices", "build_info", "kernels_name", "library_path", "runnable_kernels", "status_name", "version",
+    "WaterShape", "WaterVertices", "build_info", "kernels_name", "library_path", "runnable_kernels", "status_name",
+    "version",
 ]
 
 
