@@ -153,7 +153,7 @@ CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
  * it only takes energy, as seen from the air, at any dt; the rope's direction is the one that it would have lambda dt
  * after the step began. A node bears half of its two springs' rest lengths; cut springs feel no air. A round rope of
  * diameter d has about across = 0.6 density d |w_n|, and `along` some hundredth of that.
- * Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
+ * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
 CD_API cd_status cd_chain_set_air(cd_chain* chain, double along, double across);
 CD_API cd_status cd_chain_get_air(const cd_chain* chain, double* out_along, double* out_across);
 

@@ -117,7 +117,7 @@ cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
     if (length == 0 && has_lengths(c)) CD_CHECK(can_lose_lengths(__func__, c));
     Features wanted = features(c);
     wanted.length = length > 0;
-    if (length == 0) wanted.spring_length = wanted.wind = false;
+    if (length == 0) wanted.spring_length = wanted.air = wanted.wind = false;
     CD_CHECK(shared::change_features(__func__, c, wanted));
     if (length == 0) c.air = {};
     c.rope.length = length > 0 ? length : 0; // not -0
@@ -143,6 +143,9 @@ cd_status cd_chain_set_air(cd_chain* chain, double along, double across) {
     CD_CHECK(in_range(__func__, "along", along, 0, kMost));
     CD_CHECK(in_range(__func__, "across", across, 0, kMost));
     CD_CHECK(has_air(__func__, c));
+    Features wanted = features(c);
+    wanted.air = along > 0 || across > 0;
+    CD_CHECK(shared::change_features(__func__, c, wanted));
     c.air.along = along + 0.0; // not -0
     c.air.across = across + 0.0;
     return CD_OK;

@@ -35,7 +35,10 @@ template <int N> struct RopeBundle {
         V b, w, next, best; // next: what the last elimination gave; best: w of the least error
         V y;
         M c;
-        V way; // of the rope, for the air; and what that does along it, and across
+    };
+    // Of a node in air: the rope's way, and what the air does along it, and across.
+    struct InAir {
+        V way;
         Resisted along, side, normal;
     };
     // Of spring i from node i to node i + 1.
@@ -56,6 +59,7 @@ template <int N> struct RopeBundle {
     const RopeStage& stage;
     Node* const nodes;
     Spring* const springs;
+    InAir* const in_air;        // if there is air
     size_t first, count;        // strands
     L lambda, per_lambda, open; // open: 1 where a strand is still to be solved
     L iterations{}, reached{}, failed{};
@@ -98,7 +102,7 @@ template <int N> struct RopeBundle {
 
     // ---- the air ----------------------------------------------------------------------------------------------------
 
-    bool has_air() const { return stage.along > 0 || stage.across > 0; }
+    bool has_air() const { return stage.has_air(); }
     // The way of the rope at node i, by the guess that its neighbours go on as they are.
     V way_at(size_t i) const {
         const auto is_cut = [&](size_t spring) { return isinf(c.compliance[spring]); };
@@ -136,7 +140,7 @@ template <int N> struct RopeBundle {
         return {L::splat(stage.wind[0]), L::splat(stage.wind[1]), L::splat(stage.wind[2])};
     }
     void resist(size_t i, M& mobility, V& y) {
-        Node& n = nodes[i];
+        InAir& n = in_air[i];
         const L along = resistance(i, stage.along), across = resistance(i, stage.across);
         const V u = wind(i);
         const Axes to = axes(n.way);
@@ -146,7 +150,7 @@ template <int N> struct RopeBundle {
     }
     // What is left of the impulse phi from the right, at node i.
     V resisted(size_t i, V phi) const {
-        const Node& n = nodes[i];
+        const InAir& n = in_air[i];
         const Axes to = axes(n.way);
         phi = phi + (n.normal.wished - dot(n.normal.by, phi)) * to.normal;
         phi = phi + (n.side.wished - dot(n.side.by, phi)) * to.side;
@@ -202,7 +206,7 @@ template <int N> struct RopeBundle {
             springs[i].tension = is_idle(i) ? L{} : select(open, load_tension(i), springs[i].tension);
             left = right;
         }
-        for (size_t i = 0; i < ropes.nodes && has_air(); ++i) nodes[i].way = way_at(i);
+        for (size_t i = 0; i < ropes.nodes && has_air(); ++i) in_air[i].way = way_at(i);
     }
 
     // ---- one iteration ----------------------------------------------------------------------------------------------

@@ -268,7 +268,9 @@ template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopeCoe
     static_assert(sizeof(typename Here::Node) + sizeof(typename Here::Spring) == kRopeScratch * N * sizeof(double));
     auto* const nodes = reinterpret_cast<typename Here::Node*>(scratch);
     auto* const springs = reinterpret_cast<typename Here::Spring*>(nodes + ropes.nodes);
-    Here bundle{ropes, c, stage, nodes, springs, first, count, {}, {}, {}};
+    static_assert(sizeof(typename Here::InAir) == kAirScratch * N * sizeof(double));
+    auto* const in_air = reinterpret_cast<typename Here::InAir*>(springs + ropes.nodes);
+    Here bundle{ropes, c, stage, nodes, springs, in_air, first, count, {}, {}, {}};
     return bundle.step();
 }
 

@@ -55,6 +55,8 @@ struct RopeStage {
     bool push;                     // springs push as well
     double tolerance;              // of the length that a spring should have, over its rest length
     size_t most_iterations;
+
+    bool has_air() const { return along > 0 || across > 0; }
 };
 
 struct RopeResult {
@@ -69,9 +71,9 @@ struct RopeResult {
     }
 };
 
-// The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand;
-// a call with one strand needs no more than that strand's.
-constexpr size_t kRopeStrands = 8, kRopeScratch = 66;
+// The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand,
+// without air and beyond that with it; a call with one strand needs no more than that strand's.
+constexpr size_t kRopeStrands = 8, kRopeScratch = 51, kAirScratch = 15;
 
 namespace CD_ISA {
 

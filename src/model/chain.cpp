@@ -63,6 +63,7 @@ Features features(const Chain& c) {
             c.ring != 0,
             has_lengths(c),
             bool(c.spring_length),
+            c.air.resists(),
             bool(c.wind)};
 }
 
@@ -76,7 +77,7 @@ struct Needs {
 // How many rows of one number per node the sweeps read (chain_step.cpp hands them out), and how many they leave between
 // their two ways.
 Needs needs_of(const Chain& c, const Features& f) {
-    if (f.length) return {rope_coefficients(c), rope_scratch(c), 0};
+    if (f.length) return {rope_coefficients(c), rope_scratch(c, f.air), 0};
     const bool bends = f.bend || f.node_bend, rod = bends || f.ring;
     const size_t gains = 2 + size_t(f.force) + size_t(f.target), stages = f.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
     if (is_explicit(f.method)) return {(gains + 2 + size_t(bends)) * row_length(c), 0, 0};

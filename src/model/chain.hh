@@ -25,6 +25,7 @@ struct AirSettings {
     double along = 0, across = 0; // [N s/m^2]
     double wind[3] = {};          // [m/s]
 
+    bool resists() const { return along > 0 || across > 0; }
     bool operator==(const AirSettings& o) const {
         return along == o.along && across == o.across && wind[0] == o.wind[0] && wind[1] == o.wind[1] &&
                wind[2] == o.wind[2];
@@ -123,7 +124,7 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
                        const cd_allocator& allocator, Chain*& out);
 
 struct Features : BodyFeatures {
-    bool spring_stiffness, node_bend, ring, length, spring_length, wind;
+    bool spring_stiffness, node_bend, ring, length, spring_length, air, wind;
 };
 Features features(const Chain& c);
 
@@ -180,7 +181,7 @@ double stable_dt(const Chain& c); // chain_limit.cpp
 // Why such a chain can't make its next step, or null.
 const char* what_ropes_lack(const Chain& c);
 // Of strands that are stepped at once: the doubles of scratch; and of the coefficients.
-size_t rope_scratch(const Chain& c);
+size_t rope_scratch(const Chain& c, bool air);
 size_t rope_coefficients(const Chain& c);
 // As step_chain; leaves `iterations` and `residual`.
 uint64_t step_ropes(Chain& c, double dt, size_t count);

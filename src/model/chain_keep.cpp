@@ -38,6 +38,7 @@ struct ChainKeep {
                 s.own.ring != 0,
                 s.own.rope.length > 0,
                 s.on(CD_REST_LENGTH),
+                s.own.air.resists(),
                 s.on(CD_WIND)};
     }
 

@@ -13,7 +13,9 @@ constexpr size_t kMostTasks = 16;
 
 size_t groups_of(const Chain& c) { return (c.strands + kRopeStrands - 1) / kRopeStrands; }
 size_t tasks_of(const Chain& c) { return groups_of(c) < kMostTasks ? groups_of(c) : kMostTasks; }
-size_t scratch_of_task(const Chain& c) { return c.nodes * kRopeScratch * (c.strands > 1 ? kRopeStrands : 1); }
+size_t scratch_of_task(const Chain& c, bool air) {
+    return c.nodes * (kRopeScratch + (air ? kAirScratch : 0)) * (c.strands > 1 ? kRopeStrands : 1);
+}
 
 RopeCoefficients coefficients_of(Chain& c, bool changed) {
     double* const row = c.coefficients.data;
@@ -48,7 +50,7 @@ const char* what_ropes_lack(const Chain& c) {
 }
 
 size_t rope_coefficients(const Chain& c) { return 7 * c.nodes; }
-size_t rope_scratch(const Chain& c) { return tasks_of(c) * scratch_of_task(c); }
+size_t rope_scratch(const Chain& c, bool air) { return tasks_of(c) * scratch_of_task(c, air); }
 
 void clear_state(Chain& c) {
     clear_state(static_cast<Body&>(c));
@@ -74,7 +76,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
     uint64_t bad[kMostTasks];
     const size_t groups = groups_of(c), tasks = tasks_of(c);
     auto task = [&](size_t t) {
-        double* const scratch = c.scratch.data + t * scratch_of_task(c);
+        double* const scratch = c.scratch.data + t * scratch_of_task(c, stage.has_air());
         bad[t] = UINT64_MAX;
         for (size_t g = t * groups / tasks; g < (t + 1) * groups / tasks; ++g) {
             const size_t first = g * kRopeStrands, left = c.strands - first;

@@ -272,7 +272,7 @@ void Chain::get_tolerance() {
 
 void Chain::set_air() {
     const double along = chance(0.4) ? 0 : pick_number(-3, 3), across = chance(0.2) ? 0 : pick_number(-3, 3);
-    const cd_status status = both(text("set_air %.17g %.17g", along, across), kNoMemory,
+    const cd_status status = both(text("set_air %.17g %.17g", along, across), 0,
                                   [&](cd_chain* chain, int) { return cd_chain_set_air(chain, along, across); });
     if (status == CD_OK && !(along < 1e6 && across < 1e6)) past.moderate = false;
     if (status == CD_OK && !is_rope()) problem("set_air: no rope, but it is taken");

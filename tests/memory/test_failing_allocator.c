@@ -80,7 +80,7 @@ static const struct call {
              {"enable tension", tension, 1},
              {"set_push", push, 1},
              {"set_tolerance", tolerance, 1},
-             {"set_air", air, 1},
+             {"set_air", air, 0},
              {"enable wind", winds, 0},
              {"disable wind", no_winds, 0},
              {"load rope", load_rope, 0},

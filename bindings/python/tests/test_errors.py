@@ -12,12 +12,13 @@ from support import Heap, api, moving
 NAN, INF = math.nan, math.inf
 
 
-def hungry(kind_of_change):
-    """The change on a chain whose allocator gives no more."""
+def hungry(kind_of_change, first=lambda chain: None):
+    """The change on a chain whose allocator gives no more, after what is done first."""
 
     def use(chain):
         heap = Heap()
         with Chain(2, 5, 3, allocator=heap) as poor:
+            first(poor)
             heap.most = heap.given
             kind_of_change(poor)
 
@@ -91,6 +92,7 @@ CASES = [
     *(("set_air", "VALUE", (make_rope, setting("air", (x, 1))), "along is") for x in BAD_NUMBERS),
     ("set_air", "VALUE", (make_rope, setting("air", (1, -1))), "across is -1"),
     ("set_air", "UNSUPPORTED", setting("air", (1, 1)), "ropes"),
+    ("set_air", "MEMORY", hungry(setting("air", (1, 1)), make_rope), "memory"),
     ("set_wind", "VALUE", (make_rope, setting("wind", (0, INF, 0))), "inf"),
     ("set_wind", "RANGE", (make_rope, setting("wind", (0, 0))), "2"),
     ("set_wind", "UNSUPPORTED", setting("wind", (0, 0, 0)), "ropes"),
