@@ -317,10 +317,13 @@ class Description:
             cells = [line[a:b].strip() for a, b in zip(starts, starts[1:] + [None])]
             if re.fullmatch(r"CD_[A-Z_]+", cells[0]):
                 short = cells[0][3:]
+                per = cells[1].replace(" ", "")
                 thing["fields"].append({
-                    "name": cells[0], "per": cells[1].replace(" ", "").split(","), "unit": cells[2], "values": cells[3],
+                    "name": cells[0], "per": per.replace("(strand)", "strand").split(","), "unit": cells[2],
+                    "values": cells[3],
                     "components": short in facts["components"], "always": short in facts["always"],
-                    "viewable": short in facts["viewable"], "ropes": short in facts["ropes"]})
+                    "viewable": short in facts["viewable"], "ropes": short in facts["ropes"],
+                    "own_in_ropes": "(strand)" in per})
             elif line[:starts[3]].strip() == "":
                 thing["fields"][-1]["values"] += " " + line.strip()
             else:

@@ -121,7 +121,7 @@ def fields(a_object):
     for field in a_object["fields"]:
         per = ", ".join(f'"{place}"' for place in field["per"])
         per += "," if len(field["per"]) == 1 else ""
-        flags = ", ".join(str(field[flag]) for flag in ("components", "always", "viewable", "ropes"))
+        flags = ", ".join(str(field[flag]) for flag in ("components", "always", "viewable", "ropes", "own_in_ropes"))
         yield f'        Field.{field["name"][3:]}: FieldInfo(({per}), {flags}),'
     yield "    },"
 
@@ -153,13 +153,14 @@ def module(api):
     yield ""
     yield ""
     yield "class FieldInfo(NamedTuple):"
-    yield '    """One value per what, and for each component; always there; shown by view; only in ropes."""'
+    yield '    """One value per what, and for each component; always there; shown by view; only, per strand only in ropes."""'
     yield ""
     yield "    per: Tuple[str, ...]"
     yield "    components: bool"
     yield "    always: bool"
     yield "    viewable: bool"
     yield "    ropes: bool"
+    yield "    own_in_ropes: bool"
     yield ""
     yield ""
     yield "FIELDS: Dict[str, Dict[int, FieldInfo]] = {"

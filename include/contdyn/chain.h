@@ -2,8 +2,8 @@
  *
  * A chain has `springs` springs and nodes = springs + 1 nodes; spring i joins node i to node i + 1. A ring has one
  * spring more, number `springs`, from the last node to the first. A node has 1 to 4 components that never mix. One
- * handle holds one or many strands: they share mass, stiffness, pins and ends, and so one factorization; position,
- * velocity, force and target are each strand's own.
+ * handle holds one or many strands: they share mass, stiffness, pins and attachments, and so one factorization;
+ * position, velocity, force and target are each strand's own. Strands of ropes share the totals only.
  *
  * Energy    E = 1/2 sum k_i |x_{i+1} - x_i|^2 + 1/2 sum b_i |x_{i+1} - 2 x_i + x_{i-1}|^2      (Kass 1997, eq. 2 and 5)
  * Motion    M x'' + C x' + K x = M g + f,  K = the Hessian of E,  C = drag M + stiffness_damping K
@@ -106,9 +106,9 @@ CD_API cd_status cd_chain_get_stiffness_damping(const cd_chain* chain, double* o
 CD_API cd_status cd_chain_set_gravity(cd_chain* chain, const double* gravity, size_t count);
 CD_API cd_status cd_chain_get_gravity(const cd_chain* chain, double* out_gravity, size_t count);
 
-/* What holds an end: the same as writing the field CD_PIN at the first or last node of the chain. Pinning stops the
- * node in every strand; driving leaves its velocity, which is then written through CD_VELOCITY.
- * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED on a ring. */
+/* What holds an end: the same as writing the field CD_PIN at the first or last node of every strand; the getter tells
+ * that of the first strand. Pinning stops the node; driving leaves its velocity, which is then written through
+ * CD_VELOCITY. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED on a ring. */
 CD_API cd_status cd_chain_set_end(cd_chain* chain, cd_end end, cd_node kind);
 CD_API cd_status cd_chain_get_end(const cd_chain* chain, cd_end end, cd_node* out_kind);
 
@@ -122,7 +122,7 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
 /* ---- ropes: springs that have a length --------------------------------------------------------------------------- */
 /* A rope is a chain with a rest length: the components of a node, 1 to 3, are directions of space, and a spring pulls
  * along itself by k_i (|x_{i+1} - x_i| - length_i) once it is longer than its length; shorter it is slack. k_i may be
- * anything up to INFINITY, which keeps its length. Strands share lengths and stiffness. A step solves this nonlinear
+ * anything up to INFINITY, which keeps its length. A step solves this nonlinear
  * system to the tolerance by Newton's method, each iteration in time proportional to the nodes: 1 to 3 of them as a
  * rule. lambda = 1/2 is second order and keeps the energy of a swing, but for the jerk when slack ends; lambda = 1
  * damps most; along a spring that yields, the motion is damped as by lambda = 1. What can't be solved with lambda < 1
@@ -135,11 +135,12 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
  * cd_chain_step says CD_ERROR_UNSUPPORTED. */
 
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
- * where they are. A rope has the field CD_TENSION, at first 0; length 0 switches it off, and CD_REST_LENGTH, air and
- * wind too.
+ * where they are. A rope has the field CD_TENSION, at first 0, and its strands are individuals: each has its own pins,
+ * masses, stiffnesses, rest lengths and attachments, at first those that they shared. Length 0 switches CD_TENSION off,
+ * and CD_REST_LENGTH, air and wind too.
  * Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
- * CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build without ropes, and for 0 where an infinite stiffness
- * would weld all springs or two held nodes. */
+ * CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build without ropes, and for 0 where strands differ in what
+ * they would share, or an infinite stiffness would weld all springs or two held nodes. */
 CD_API cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
 
@@ -183,13 +184,14 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  *  CD_VELOCITY   strand, node     m/s     finite; of a pinned node only 0
  *  CD_FORCE      strand, node     N       finite; acts until it is overwritten
  *  CD_TARGET     strand, node     m       finite; where cd_chain_attach pulls to
- *  CD_MASS       node             kg      > 0
- *  CD_STIFFNESS  spring           N/m     >= 0; 0: cut; INFINITY: welded, see cd_chain_weld; in ropes of fixed length
+ *  CD_MASS       (strand), node   kg      > 0
+ *  CD_STIFFNESS  (strand), spring N/m     >= 0; 0: cut; INFINITY: welded, see cd_chain_weld; in ropes of fixed length
  *  CD_BEND       node             N/m     >= 0; that of the two ends of an open chain is kept and not used
- *  CD_PIN        node             -       a cd_node
- *  CD_REST_LENGTH spring          m       1e-60 to 1e60; of ropes only
+ *  CD_PIN        (strand), node   -       a cd_node
+ *  CD_REST_LENGTH strand, spring  m       1e-60 to 1e60; of ropes only
  *  CD_TENSION    strand, spring   N       finite; of ropes only: what the last step found and the next one starts from
  *  CD_WIND       strand, node     m/s     finite; of ropes only
+ * (strand): per strand in ropes, shared by the strands of other chains.
  * Nodes joined by welded springs make a group, which may hold one pinned or driven node: more is CD_ERROR_UNSUPPORTED.
  * Position, velocity and pin are always there, the tension in ropes. The others cost memory and time only once they are
  * switched on. */
@@ -231,24 +233,25 @@ CD_API cd_status cd_chain_view(const cd_chain* chain, cd_field field, const void
  * by impulse / the group's mass; a pinned or driven node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE. */
 CD_API cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const double* impulse, size_t count);
 
-/* Ties a node of every strand to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a
- * mouse drag does. target, one number per component, is given to every strand; null: each node's present position, and
- * count means nothing.
+/* Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a
+ * spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. target, one number per component,
+ * is given to every strand that is tied; null: each node's present position, and count means nothing.
  * Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
  * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY. */
-CD_API cd_status cd_chain_attach(cd_chain* chain, size_t node, double stiffness, double damping, const double* target,
-                                 size_t count);
-CD_API cd_status cd_chain_detach(cd_chain* chain, size_t node);
-CD_API cd_status cd_chain_get_attachment(const cd_chain* chain, size_t node, double* out_stiffness,
+CD_API cd_status cd_chain_attach(cd_chain* chain, size_t strand, size_t node, double stiffness, double damping,
+                                 const double* target, size_t count);
+CD_API cd_status cd_chain_detach(cd_chain* chain, size_t strand, size_t node);
+CD_API cd_status cd_chain_get_attachment(const cd_chain* chain, size_t strand, size_t node, double* out_stiffness,
                                          double* out_damping);
 
-/* Cuts a spring (stiffness 0), or welds it (infinite stiffness): from then on its two nodes share one velocity, the
- * mean of theirs by mass, so that momentum is kept, and their offset stays as it is. Welding to a pinned or driven node
- * gives that node's velocity. A cut or welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch
- * CD_STIFFNESS on. Bend is not cut with the spring: write CD_BEND. In a rope welding fixes the spring's length only.
+/* Cuts a spring (stiffness 0) of a rope's strand, or with strand 0 of every strand of another chain; or welds it
+ * (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that momentum is
+ * kept, and their offset stays as it is. Welding to a pinned or driven node gives that node's velocity. A cut or welded
+ * spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is not cut with the spring:
+ * write CD_BEND. In a rope welding fixes the spring's length only.
  * Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two pinned or driven nodes. */
-CD_API cd_status cd_chain_cut(cd_chain* chain, size_t spring);
-CD_API cd_status cd_chain_weld(cd_chain* chain, size_t spring);
+CD_API cd_status cd_chain_cut(cd_chain* chain, size_t strand, size_t spring);
+CD_API cd_status cd_chain_weld(cd_chain* chain, size_t strand, size_t spring);
 
 /* ---- time ------------------------------------------------------------------------------------------------------- */
 

@@ -51,14 +51,16 @@ cd_status cd_chain_set_end(cd_chain* chain, cd_end end, cd_node kind) {
     if (kind == CD_NODE_MATCHED && c.ring)
         return fail(CD_ERROR_UNSUPPORTED, __func__, "kind is 3, matched: a ring has no end");
     const double value = kind;
-    return cd_chain_write_f64(chain, CD_PIN, 0, 1, end == CD_END_FIRST ? 0 : c.springs, 1, &value, 1);
+    for (size_t strand = 0; strand < own_strands(c); ++strand)
+        CD_CHECK(cd_chain_write_f64(chain, CD_PIN, strand, 1, end == CD_END_FIRST ? 0 : c.springs, 1, &value, 1));
+    return CD_OK;
 }
 
 cd_status cd_chain_get_end(const cd_chain* chain, cd_end end, cd_node* out_kind) {
     CD_OPEN(chain, c);
     CD_CHECK(is_enum(__func__, "end", end, CD_END_LAST));
     CD_NOT_NULL(out_kind);
-    *out_kind = c.pin[end == CD_END_FIRST ? 0 : c.springs];
+    *out_kind = c.pin[own_place(c, 0, end == CD_END_FIRST ? 0 : c.springs)];
     return CD_OK;
 }
 
@@ -67,9 +69,10 @@ cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring) {
     if (ring != 0 && ring != 1) return fail(CD_ERROR_VALUE, __func__, "ring is %d, must be 0 or 1", int(ring));
     if (ring && c.nodes < 3)
         return fail(CD_ERROR_UNSUPPORTED, __func__, "ring is 1, but of %zu nodes, fewer than 3", c.nodes);
-    for (size_t i : {size_t(0), c.springs})
-        if (ring && c.pin[i] == CD_NODE_MATCHED)
-            return fail(CD_ERROR_UNSUPPORTED, __func__, "ring is 1, but node %zu is a matched end", i);
+    for (size_t at = 0; at < c.pin.count && ring; ++at)
+        if (c.pin[at] == CD_NODE_MATCHED)
+            return fail(CD_ERROR_UNSUPPORTED, __func__, "ring is 1, but node %zu is a matched end",
+                        at / own_strands(c));
     if (ring == c.ring) return CD_OK;
     Features wanted = features(c);
     wanted.ring = ring != 0;
@@ -96,11 +99,25 @@ cd_status cd_chain_set_tolerance(cd_chain* chain, double tolerance, size_t most_
     return shared::set_tolerance(__func__, c.rope, tolerance, most_iterations);
 }
 
-// Whether the chain can do without lengths: what would then be welded.
+// Whether strands agree in a field that has numbers of their own.
+template <class T> static bool strands_agree(const Chain& c, const Array<T>& field) {
+    bool agree = true;
+    for (size_t at = 0; at < field.count; ++at) agree &= field[at] == field[at - at % c.strands];
+    return agree;
+}
+// Whether the chain can do without lengths: what strands will then share, and what will be welded.
 static cd_status can_lose_lengths(const char* function, const Chain& c) {
+    const bool agree = strands_agree(c, c.pin) && strands_agree(c, c.node_mass) &&
+                       strands_agree(c, c.spring_stiffness) && strands_agree(c, c.attach_stiffness) &&
+                       strands_agree(c, c.attach_damping);
+    if (!agree)
+        return fail(
+            CD_ERROR_UNSUPPORTED, function,
+            "length is 0, but strands differ in pins, masses, stiffnesses or attachments, which they would share");
     if (isinf(c.stiffness)) return fail(CD_ERROR_UNSUPPORTED, function, "length is 0, but the stiffness is infinite");
     if (groups_are_sound(
-            c.nodes, c.ring != 0, [&](size_t i) { return is_rigid(c, i); }, [&](size_t i) { return held(c, i); }))
+            c.nodes, c.ring != 0, [&](size_t i) { return is_rigid(c, own_place(c, 0, i)); },
+            [&](size_t i) { return held(c, own_place(c, 0, i)); }))
         return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function,
                 "length is 0: a group of welded nodes would hold two pinned or driven ones");

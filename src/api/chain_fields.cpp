@@ -34,8 +34,7 @@ struct Part {
 
     cd_status check(const char* function, const Chain& c, size_t count) const {
         CD_CHECK(is_on(function, c, field));
-        const bool own = is_state(field) || field == CD_TENSION;
-        CD_CHECK(is_part(function, "strands from", first_strand, strands, own ? c.strands : 1));
+        CD_CHECK(is_part(function, "strands from", first_strand, strands, strands_of(c, field)));
         const size_t all = is_per_spring(field) ? springs_in_all(c) : c.nodes;
         CD_CHECK(is_part(function, is_per_spring(field) ? "springs from" : "nodes from", first, n, all));
         return is_count(function, "count", count, strands * n * components(c));
@@ -48,7 +47,9 @@ struct Part {
                 for (size_t k = 0; k < components(c); ++k) f(at++, Place{s, i, k});
     }
 
-    bool valid(const Chain& c, const Place& p, double value) const { return valid_number(c, field, p.item, value); }
+    bool valid(const Chain& c, const Place& p, double value) const {
+        return valid_number(c, field, p.strand, p.item, value);
+    }
 
     template <class S> cd_status check_all(const char* function, const Chain& c, const S* values) const {
         if ((field != CD_STIFFNESS && field != CD_PIN) || has_lengths(c)) return CD_OK;
@@ -67,16 +68,17 @@ struct Part {
     }
 
     double get(const Chain& c, const Place& p) const {
-        if (field == CD_PIN) return c.pin[p.item];
-        if (field == CD_TENSION) return c.tension[p.item * c.strands + p.strand];
-        if (!is_state(field)) return shared_of(c, field)[p.item];
+        if (field == CD_PIN) return c.pin[own_place(c, p.strand, p.item)];
+        if (!is_state(field)) return shared_of(c, field)[place_in_shared(c, p)];
         return get_number(c, state_of(c, field), place(c, p.strand, p.item, p.component));
     }
     void set(Chain& c, const Place& p, double value) const {
-        if (field == CD_PIN) c.pin[p.item] = uint8_t(value);
-        else if (field == CD_TENSION) c.tension[p.item * c.strands + p.strand] = value;
+        if (field == CD_PIN) c.pin[own_place(c, p.strand, p.item)] = uint8_t(value);
         else if (is_state(field)) set_number(c, state_of(c, field), place(c, p.strand, p.item, p.component), value);
-        else shared_of(c, field)[p.item] = value;
+        else shared_of(c, field)[place_in_shared(c, p)] = value;
+    }
+    size_t place_in_shared(const Chain& c, const Place& p) const {
+        return field == CD_BEND ? p.item : own_place(c, p.strand, p.item);
     }
 
     void written(Chain& c) const {
@@ -141,9 +143,9 @@ cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const do
     CD_CHECK(is_count(__func__, "count", count, c.components));
     CD_CHECK(are_numbers(__func__, "impulse", impulse, count, kMost));
     const Group group = group_of(c, node);
-    if (held_in(c, group) > 0) return CD_OK;
+    if (held_in(c, strand, group) > 0) return CD_OK;
     double mass = 0;
-    for (size_t k = 0; k < group.count; ++k) mass += mass_of(c, (group.first + k) % c.nodes);
+    for (size_t k = 0; k < group.count; ++k) mass += mass_of(c, own_place(c, strand, (group.first + k) % c.nodes));
     for (size_t j = 0; j < count; ++j) {
         const double v = get_number(c, c.velocity, place(c, strand, node, j)) + impulse[j] / mass;
         if (!(fabs(v) <= most_of(c)))
@@ -158,46 +160,54 @@ cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const do
     return CD_OK;
 }
 
-cd_status cd_chain_attach(cd_chain* chain, size_t node, double stiffness, double damping, const double* target,
-                          size_t count) {
+// A node or spring of a strand that has its own, or of all strands.
+static cd_status is_own(const char* function, const Chain& c, size_t strand, const char* item, size_t i, size_t count) {
+    CD_CHECK(is_index(function, "strand", strand, own_strands(c)));
+    return is_index(function, item, i, count);
+}
+
+cd_status cd_chain_attach(cd_chain* chain, size_t strand, size_t node, double stiffness, double damping,
+                          const double* target, size_t count) {
     CD_OPEN(chain, c);
-    CD_CHECK(is_index(__func__, "node", node, c.nodes));
-    return shared::attach(__func__, c, node, stiffness, damping, target, count, [&](auto f) {
-        for (size_t strand = 0; strand < c.strands; ++strand)
-            for (size_t k = 0; k < c.components; ++k) f(k, place(c, strand, node, k));
+    CD_CHECK(is_own(__func__, c, strand, "node", node, c.nodes));
+    const size_t at = own_place(c, strand, node), last = own_strands(c) > 1 ? strand : c.strands - 1;
+    return shared::attach(__func__, c, at, stiffness, damping, target, count, [&](auto f) {
+        for (size_t s = strand; s <= last; ++s)
+            for (size_t k = 0; k < c.components; ++k) f(k, place(c, s, node, k));
     });
 }
 
-cd_status cd_chain_detach(cd_chain* chain, size_t node) {
+cd_status cd_chain_detach(cd_chain* chain, size_t strand, size_t node) {
     CD_OPEN(chain, c);
-    CD_CHECK(is_index(__func__, "node", node, c.nodes));
-    return shared::detach(c, node);
+    CD_CHECK(is_own(__func__, c, strand, "node", node, c.nodes));
+    return shared::detach(c, own_place(c, strand, node));
 }
 
-cd_status cd_chain_get_attachment(const cd_chain* chain, size_t node, double* out_stiffness, double* out_damping) {
+cd_status cd_chain_get_attachment(const cd_chain* chain, size_t strand, size_t node, double* out_stiffness,
+                                  double* out_damping) {
     CD_OPEN(chain, c);
-    CD_CHECK(is_index(__func__, "node", node, c.nodes));
-    return shared::get_attachment(__func__, c, node, out_stiffness, out_damping);
+    CD_CHECK(is_own(__func__, c, strand, "node", node, c.nodes));
+    return shared::get_attachment(__func__, c, own_place(c, strand, node), out_stiffness, out_damping);
 }
 
-cd_status cd_chain_cut(cd_chain* chain, size_t spring) {
+cd_status cd_chain_cut(cd_chain* chain, size_t strand, size_t spring) {
     CD_OPEN(chain, c);
-    CD_CHECK(is_index(__func__, "spring", spring, springs_in_all(c)));
+    CD_CHECK(is_own(__func__, c, strand, "spring", spring, springs_in_all(c)));
     CD_CHECK(shared::switch_field(__func__, c, CD_STIFFNESS, true));
-    c.spring_stiffness[spring] = 0;
+    c.spring_stiffness[own_place(c, strand, spring)] = 0;
     c.prepared_dt = 0;
     return CD_OK;
 }
 
-cd_status cd_chain_weld(cd_chain* chain, size_t spring) {
+cd_status cd_chain_weld(cd_chain* chain, size_t strand, size_t spring) {
     CD_OPEN(chain, c);
-    CD_CHECK(is_index(__func__, "spring", spring, springs_in_all(c)));
+    CD_CHECK(is_own(__func__, c, strand, "spring", spring, springs_in_all(c)));
     if (!has_lengths(c) && !groups_are_sound(
                                c.nodes, c.ring != 0, [&](size_t i) { return i == spring || welded(c, i); },
                                [&](size_t i) { return held(c, i); }))
         return fail(CD_ERROR_UNSUPPORTED, __func__, "spring %zu would join two pinned or driven nodes", spring);
     CD_CHECK(shared::switch_field(__func__, c, CD_STIFFNESS, true));
-    c.spring_stiffness[spring] = double(INFINITY);
+    c.spring_stiffness[own_place(c, strand, spring)] = double(INFINITY);
     c.prepared_dt = 0;
     merge_velocities(c, 0, c.lines);
     return CD_OK;

@@ -33,6 +33,10 @@ inline cd_status has_length(const char* function, const Chain& c, cd_field field
     if (has_lengths(c) || !is_of_ropes(field)) return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s: the rest length is 0", int(field), field_name(field));
 }
+// How many strands have one of their own.
+inline size_t strands_of(const Chain& c, cd_field field) {
+    return is_state(field) ? c.strands : field == CD_BEND ? 1 : own_strands(c);
+}
 // The part of the state that a field is, laid out like the positions.
 inline const Array<char>& state_of(const Chain& c, cd_field field) {
     return field == CD_WIND ? c.wind : state_of(static_cast<const Body&>(c), field);

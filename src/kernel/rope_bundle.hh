@@ -6,6 +6,8 @@
 
 #include <math.h>
 
+#include <initializer_list>
+
 #include "contdyn/base.h"
 #include "kernel/lines.hh"
 #include "kernel/rope_step.hh"
@@ -16,6 +18,7 @@ namespace CD_ISA {
 
 // A spring shorter than this, over its rest length, has no direction of its own.
 constexpr double kNoDirection = 1e-12;
+constexpr double kMostCompliance = 0x1.fffffffffffffp1023; // of what is not cut
 
 // Tensions this small, over the mean force on the nodes, are rounding.
 constexpr double kRounding = 1e-14;
@@ -43,6 +46,8 @@ template <int N> struct RopeBundle {
     };
     // Of spring i from node i to node i + 1.
     struct Spring {
+        L length, per_length, compliance;
+        L moves;                   // 1 where a node moves by it: not where it is cut or joins two held nodes
         V before;                  // D0
         V along, acting;           // unit vectors along D1 and z
         V wish;                    // e, what dw would be if the spring had its length
@@ -55,7 +60,7 @@ template <int N> struct RopeBundle {
     };
 
     const Ropes& ropes;
-    const RopeCoefficients& c;
+    const RopeParameters& c;
     const RopeStage& stage;
     Node* const nodes;
     Spring* const springs;
@@ -68,14 +73,29 @@ template <int N> struct RopeBundle {
     L least_worth{};                            // what tensions times lengths are at least, as errors count
 
     static L one() { return L::splat(1); }
-    // Springs that no node moves by: those that are cut, or between two held nodes.
-    bool is_idle(size_t i) const { return isinf(c.compliance[i]) || (held(i) && held(i + 1)); }
-    bool held(size_t i) const { return c.pin[i] == CD_NODE_PINNED || c.pin[i] == CD_NODE_DRIVEN; }
+    // 1 for 0, and 0 for what is positive.
+    static L opposite(L a) { return select(a, L{}, one()); }
+    L held(size_t i) const { return opposite(nodes[i].mobility); }
+    static L uncut(const Spring& s) { return select(L::splat(kMostCompliance) - s.compliance, one(), L{}); }
 
     // Strands beyond the last are the last one again.
     size_t place(size_t i, int lane) const {
         const size_t own = size_t(lane) < count ? size_t(lane) : count - 1;
         return i * ropes.pitch + (first + own) * ropes.components;
+    }
+    // The numbers of node or spring i.
+    template <class T> L of(const RopeNumbers<T>& numbers, size_t i) const {
+        return numbers.of_strand == 0 ? L::splat(numbers.at(i, 0)) : gathered(numbers, i);
+    }
+    template <class T> __attribute__((noinline)) L gathered(const RopeNumbers<T>& numbers, size_t i) const {
+        double lane[N];
+        for (int j = 0; j < N; ++j) lane[j] = numbers.at(i, first + (size_t(j) < count ? size_t(j) : count - 1));
+        return L::load(lane);
+    }
+    // 1 where a node is pinned or driven.
+    L is_held(size_t i) const {
+        const L pin = of(c.pin, i), off = (pin - L::splat(CD_NODE_PINNED)) * (pin - L::splat(CD_NODE_DRIVEN));
+        return opposite(off * off);
     }
     __attribute__((noinline)) V load(StateNumbers numbers, size_t i) const {
         double lane[3][N] = {};
@@ -105,12 +125,18 @@ template <int N> struct RopeBundle {
     bool has_air() const { return stage.has_air(); }
     // The way of the rope at node i, by the guess that its neighbours go on as they are.
     V way_at(size_t i) const {
-        const auto is_cut = [&](size_t spring) { return isinf(c.compliance[spring]); };
-        const size_t first = i > 0 && !is_cut(i - 1) ? i - 1 : i, last = i + 1 < ropes.nodes && !is_cut(i) ? i + 1 : i;
-        V chord = (stage.dt * lambda) * (nodes[last].w - nodes[first].w);
-        for (size_t spring = first; spring < last; ++spring) chord = chord + springs[spring].before;
+        V left = nodes[i].w, right = left, before{}, after{};
+        if (i > 0) {
+            const L there = uncut(springs[i - 1]);
+            left = select(there, nodes[i - 1].w, left), before = select(there, springs[i - 1].before, V{});
+        }
+        if (i + 1 < ropes.nodes) {
+            const L there = uncut(springs[i]);
+            right = select(there, nodes[i + 1].w, right), after = select(there, springs[i].before, V{});
+        }
+        const V chord = ((stage.dt * lambda) * (right - left) + before) + after;
         const L size = root(dot(chord, chord));
-        return direction(chord, size - L::splat(kNoDirection * c.share[i]), one() / size, V{one(), L{}, L{}});
+        return direction(chord, size - kNoDirection * share_of(i), one() / size, V{one(), L{}, L{}});
     }
     // Along and across the rope.
     struct Axes {
@@ -133,15 +159,23 @@ template <int N> struct RopeBundle {
         mobility.y = mobility.y - right.y * resisted.by;
         mobility.z = mobility.z - right.z * resisted.by;
     }
+    // The length of the rope that feels the air at node i [m].
+    L share_of(size_t i) const {
+        const auto half = [&](size_t k) {
+            return k + 1 < ropes.nodes ? uncut(springs[k]) * (0.5 * springs[k].length) : L{};
+        };
+        return i > 0 ? half(i) + half(i - 1) : half(i);
+    }
     // The air's resistance at node i [kg], of a coefficient of it, and its velocity there.
-    L resistance(size_t i, double coefficient) const { return (coefficient * stage.dt * c.share[i]) * lambda; }
+    L resistance(size_t i, double coefficient) const { return ((coefficient * stage.dt) * share_of(i)) * lambda; }
     V wind(size_t i) const {
         if (ropes.wind.data) return load(ropes.wind, i);
         return {L::splat(stage.wind[0]), L::splat(stage.wind[1]), L::splat(stage.wind[2])};
     }
     void resist(size_t i, M& mobility, V& y) {
         InAir& n = in_air[i];
-        const L along = resistance(i, stage.along), across = resistance(i, stage.across);
+        const L free = opposite(held(i));
+        const L along = free * resistance(i, stage.along), across = free * resistance(i, stage.across);
         const V u = wind(i);
         const Axes to = axes(n.way);
         resist(along, to.way, u, mobility, y, n.along);
@@ -159,6 +193,16 @@ template <int N> struct RopeBundle {
 
     // ---- the start of a step ----------------------------------------------------------------------------------------
 
+    // What the springs are, and which nodes are free: mobility is 1, until a stage has a better one.
+    void prepare() {
+        for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].mobility = opposite(is_held(i));
+        for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+            Spring& s = springs[i];
+            s.length = of(c.length, i), s.per_length = one() / s.length;
+            s.compliance = one() / size_of(of(c.stiffness, i)); // which may be -0
+            s.moves = uncut(s) * opposite(held(i) * held(i + 1));
+        }
+    }
     // What nodes would do alone.
     void begin_alone() {
         const L h = stage.dt * lambda;
@@ -166,18 +210,14 @@ template <int N> struct RopeBundle {
         for (size_t i = 0; i < ropes.nodes; ++i) {
             const V v = load(ropes.velocity, i);
             Node& n = nodes[i];
-            n.ground = n.mobility = L{};
-            if (held(i)) {
-                n.b = v;
-                continue;
-            }
-            const L m = L::splat(c.mass[i]);
-            n.ground = m + h * (L::splat(c.drag[i]) + h * L::splat(c.tie[i]));
+            const L m = of(c.mass, i), tie = of(c.tie, i), free = n.mobility;
+            const L ground = m + h * ((c.drag * m + of(c.tie_damping, i)) + h * tie);
             V push = m * gravity();
             if (ropes.force.data) push = push + load(ropes.force, i);
-            if (ropes.target.data) push = push + L::splat(c.tie[i]) * (load(ropes.target, i) - load(ropes.position, i));
-            n.mobility = one() / n.ground;
-            n.b = n.mobility * (m * v + h * push);
+            if (ropes.target.data) push = push + tie * (load(ropes.target, i) - load(ropes.position, i));
+            n.ground = select(free, ground, L{});
+            n.mobility = select(free, one() / ground, L{});
+            n.b = select(free, n.mobility * (m * v + h * push), v);
         }
     }
     // What holds free node i where it is: against what it does alone, and against the wind.
@@ -194,7 +234,7 @@ template <int N> struct RopeBundle {
         for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].w = select(open, load(ropes.velocity, i), nodes[i].w);
         L forces{}, lengths{}; // on the nodes, and of the springs
         for (size_t i = 0; i < ropes.nodes; ++i) forces = forces + impulse_on(i);
-        for (size_t i = 0; i + 1 < ropes.nodes; ++i) lengths = lengths + L::splat(c.length[i]);
+        for (size_t i = 0; i + 1 < ropes.nodes; ++i) lengths = lengths + springs[i].length;
         least_worth = (kRounding / (stage.tolerance * stage.dt * double(ropes.nodes))) * (forces * lengths);
         V left = load(ropes.position, 0);
         for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
@@ -203,7 +243,7 @@ template <int N> struct RopeBundle {
             springs[i].long_before = root(dot(springs[i].before, springs[i].before));
             springs[i].impulse = select(open, V{}, springs[i].impulse);
             springs[i].pushed = L{};
-            springs[i].tension = is_idle(i) ? L{} : select(open, load_tension(i), springs[i].tension);
+            springs[i].tension = springs[i].moves * select(open, load_tension(i), springs[i].tension);
             left = right;
         }
         for (size_t i = 0; i < ropes.nodes && has_air(); ++i) in_air[i].way = way_at(i);
@@ -213,7 +253,7 @@ template <int N> struct RopeBundle {
 
     // By how much a tension of 1 shortens spring i and lets it stretch, if nothing else holds its nodes.
     L give(size_t i) const {
-        return (stage.dt * stage.dt) * (nodes[i].mobility + nodes[i + 1].mobility) + L::splat(c.compliance[i]);
+        return (stage.dt * stage.dt) * (nodes[i].mobility + nodes[i + 1].mobility) + springs[i].compliance;
     }
 
     // The unit vector along `a`, given one over its length; `other` where it is too short to have one.
@@ -225,13 +265,35 @@ template <int N> struct RopeBundle {
         L pushed{};           // the sum of the pushes of springs that only pull, times lengths
         L gained{}, worth{};  // the energy that springs give from nothing, and the sum of tensions times lengths
         L slack{}, lengths{}; // the most of a tension times how much its spring is too short for it; sum of lengths
+
+        void add(const Seen& o) {
+            error = larger(error, o.error), slack = larger(slack, o.slack);
+            probe = probe + o.probe, pushed = pushed + o.pushed, lengths = lengths + o.lengths;
+            gained = gained + o.gained, worth = worth + o.worth;
+        }
+        Seen of(L strands) const {
+            const auto there = [&](L a) { return select(strands, a, L{}); };
+            return {there(error), there(probe), there(pushed), there(gained),
+                    there(worth), there(slack), there(lengths)};
+        }
     };
+
+    // Spring i where no node moves by it.
+    __attribute__((noinline)) void rest(size_t i) {
+        Spring& s = springs[i];
+        const L over = long_after(i) - s.length, idle = opposite(s.moves);
+        const L yields = idle * select(s.compliance, one(), L{}), rigid = idle * opposite(s.compliance);
+        s.tension = select(yields, (one() / s.compliance) * (stage.push ? over : positive(over)), s.tension);
+        apart = select(rigid, larger(apart, s.per_length * over), apart);
+        for (L* a : {&s.taut, &s.transverse, &s.axial, &s.wished}) *a = select(idle, L{}, *a);
+        s.wish = select(idle, nodes[i + 1].w - nodes[i].w, s.wish);
+    }
 
     // Linearizes spring i about the guess (w, T). barrier > 0: T gap = barrier instead of "slack or taut".
     void linearize(size_t i, L barrier, bool interior, Seen& seen) {
         Spring& s = springs[i];
-        const double compliance = c.compliance[i];
-        const L length = L::splat(c.length[i]), per_length = L::splat(c.per_length[i]);
+        const L length = s.length;
+        Seen here;
         const V dw = nodes[i + 1].w - nodes[i].w;
         const L t = s.tension, dt = L::splat(stage.dt);
         const L theta = by_sign(t, L::splat(0.5), lambda);
@@ -243,44 +305,39 @@ template <int N> struct RopeBundle {
         s.acting = direction(z, long_z - least, per_z, s.along);
         L over = long_after - length;
 
-        if (is_idle(i)) {
-            if (compliance > 0) s.tension = (1 / compliance) * (stage.push ? over : positive(over));
-            else apart = larger(apart, per_length * over);
-            s.taut = s.transverse = s.axial = L{};
-            s.wish = dw, s.wished = L{};
-            return;
-        }
-        const L missing = over - compliance * t;
+        const L missing = over - s.compliance * t;
         // The work that its impulse did on the nodes, beyond what a spring of this tension can give.
         const L stretch = long_after - s.long_before;
-        seen.probe = seen.probe + 0.0 * missing;
-        seen.gained = seen.gained + (t * stretch - dot(s.impulse, dw) * per_lambda);
-        seen.worth = seen.worth + (size_of(t) + s.pushed) * length;
-        seen.pushed = seen.pushed + s.pushed * length;
-        L yields = L::splat(compliance);
+        here.probe = 0.0 * missing;
+        here.gained = t * stretch - dot(s.impulse, dw) * per_lambda;
+        here.worth = (size_of(t) + s.pushed) * length;
+        here.pushed = s.pushed * length;
+        L yields = s.compliance;
         if (interior) {
             over = over + (s.gap + barrier / t);
             yields = yields + s.gap / t;
             s.taut = one();
-            seen.error = larger(seen.error, per_length * missing);
-            seen.slack = larger(seen.slack, per_length * (t * positive(L{} - missing)));
-            seen.lengths = seen.lengths + length;
+            here.error = s.per_length * missing;
+            here.slack = s.per_length * (t * positive(L{} - missing));
+            here.lengths = length;
         } else {
             const L shorter = give(i) * t; // by what it pulls
             s.taut = stage.push ? one() : select(shorter + over, one(), L{});
             const L wrong = stage.push ? size_of(missing) : select(s.taut, size_of(missing), shorter);
-            seen.error = larger(seen.error, per_length * wrong);
+            here.error = s.per_length * wrong;
         }
         const L impulse = (stage.dt * stage.dt) * lambda; // of a unit of stiffness, per velocity
         s.transverse = s.taut * ((theta * impulse) * (positive(t) / larger(long_z, least)));
         s.axial = L{};
-        if (interior || compliance > 0) {
+        if (interior || any_positive(s.compliance)) {
             const L a = yields / impulse; // as much as 1 / (transverse + 1 / axial): axial may be negative, or infinite
-            s.axial = a / (one() - a * s.transverse);
+            s.axial = select(interior ? one() : s.compliance, a / (one() - a * s.transverse), L{});
         }
         const double rate = 1 / stage.dt;
         s.wish = dw - ((rate * over) / dot(s.along, s.acting)) * s.acting;
         s.wished = dot(s.along, dw) - rate * over;
+        if (any_positive(opposite(s.moves))) rest(i), here = here.of(s.moves);
+        seen.add(here);
     }
 
     // Solves the linear system: phi_i = s (dw - e) + u tau, c . (dw - e) = axial tau, into `next`.
@@ -288,33 +345,32 @@ template <int N> struct RopeBundle {
         M mobility = M::diagonal(nodes[0].mobility);
         V y = nodes[0].b;
         const bool resists = has_air();
-        if (resists && !held(0)) resist(0, mobility, y);
+        if (resists) resist(0, mobility, y);
         nodes[0].c = mobility, nodes[0].y = y;
         for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
             const Spring& s = springs[i];
             Node& node = nodes[i + 1];
-            if (held(i + 1)) {
-                mobility = M::diagonal(L{});
-                y = node.b;
-            } else {
-                const L m = node.ground, stiff = s.transverse, ms = m * stiff, diagonal = m + stiff;
-                M a{ms * mobility.x, ms * mobility.y, ms * mobility.z};
-                a.x.x = a.x.x + diagonal, a.y.y = a.y.y + diagonal, a.z.z = a.z.z + diagonal;
-                const M share = inverse(a);
-                const V right = share * s.acting, left = transposed_times(share, s.along);
-                const L yields = s.axial + dot(s.along, right + m * (mobility * right));
-                const L pull = s.taut / yields;
-                const V q = stiff * (share * ((y - node.b) + s.wish));
-                const L tau = (dot(s.along, (q + m * (mobility * q)) + (node.b - y)) - s.wished) * pull;
-                y = (node.b + q) - tau * right;
-                const V l = pull * left;
-                const V sx = stiff * share.x, sy = stiff * share.y, sz = stiff * share.z;
-                const auto row = [&](V own, V scaled, L r) {
-                    return (own + transposed_times(mobility, scaled)) - r * l;
-                };
-                mobility = {row(share.x, sx, right.x), row(share.y, sy, right.y), row(share.z, sz, right.z)};
-                if (resists) resist(i + 1, mobility, y);
+            const L m = node.ground, stiff = s.transverse, ms = m * stiff, diagonal = m + stiff;
+            M a{ms * mobility.x, ms * mobility.y, ms * mobility.z};
+            a.x.x = a.x.x + diagonal, a.y.y = a.y.y + diagonal, a.z.z = a.z.z + diagonal;
+            const M share = inverse(a);
+            const V right = share * s.acting, left = transposed_times(share, s.along);
+            const L yields = s.axial + dot(s.along, right + m * (mobility * right));
+            const L pull = s.taut / yields;
+            const V q = stiff * (share * ((y - node.b) + s.wish));
+            const L tau = (dot(s.along, (q + m * (mobility * q)) + (node.b - y)) - s.wished) * pull;
+            y = (node.b + q) - tau * right;
+            const V l = pull * left;
+            const V sx = stiff * share.x, sy = stiff * share.y, sz = stiff * share.z;
+            const auto row = [&](V own, V scaled, L r) { return (own + transposed_times(mobility, scaled)) - r * l; };
+            mobility = {row(share.x, sx, right.x), row(share.y, sy, right.y), row(share.z, sz, right.z)};
+            const L fixed = held(i + 1);
+            if (any_positive(fixed)) {
+                mobility = {select(fixed, V{}, mobility.x), select(fixed, V{}, mobility.y),
+                            select(fixed, V{}, mobility.z)};
+                y = select(fixed, node.b, y);
             }
+            if (resists) resist(i + 1, mobility, y);
             node.c = mobility;
             node.y = y;
         }
@@ -324,8 +380,10 @@ template <int N> struct RopeBundle {
             node.next = node.y + node.c * phi;
             if (i == 0) break;
             Spring& s = springs[i - 1];
-            if (resists && !held(i)) phi = resisted(i, phi);
-            phi = held(i) ? into_held(i) : phi - node.ground * (node.next - node.b);
+            if (resists) phi = resisted(i, phi);
+            phi = phi - node.ground * (node.next - node.b);
+            const L fixed = held(i);
+            if (any_positive(fixed)) phi = select(fixed, into_held(i), phi);
             s.impulse = phi;
             const L next = s.taut * (dot(phi, s.acting) / (stage.dt * lambda));
             s.next = stage.push ? next : positive(next);
@@ -353,7 +411,7 @@ template <int N> struct RopeBundle {
         const V after = springs[i].before + L::splat(stage.dt) * (nodes[i + 1].w - nodes[i].w);
         return root(dot(after, after));
     }
-    L alone(size_t i) const { return held(i) ? L{} : L::splat(1 / c.mass[i]); }
+    L alone(size_t i) const { return select(held(i), L{}, one() / of(c.mass, i)); }
     void linearize_all(L barrier, bool interior, L weight, bool first);
     void newton(size_t most);
     void start_together();

@@ -48,19 +48,21 @@ template <int N> void RopeBundle<N>::newton(size_t most) {
 // The guess that each piece of the rope moves as one: with its momentum, which the iterations keep, or, where it
 // hangs on a held node, not at all.
 template <int N> void RopeBundle<N>::start_together() {
-    for (size_t first = 0, i = 0; i < ropes.nodes; ++i) {
-        if (i + 1 < ropes.nodes && !is_idle(i)) continue;
-        bool hangs = false;
-        L mass{};
-        V momentum{};
-        for (size_t k = first; k <= i; ++k) {
-            hangs |= held(k);
-            mass = mass + nodes[k].ground;
-            momentum = momentum + nodes[k].ground * nodes[k].b;
-        }
-        for (size_t k = first; k <= i; ++k)
-            if (!held(k)) nodes[k].w = select(open, hangs ? V{} : (one() / mass) * momentum, nodes[k].w);
-        first = i + 1;
+    const size_t last = ropes.nodes - 1;
+    const auto joined = [&](size_t i) { return i < last ? springs[i].moves : L{}; }; // to the next node
+    L mass{}, hangs{};
+    V momentum{};
+    for (size_t i = 0; i <= last; ++i) { // of the piece so far
+        Node& n = nodes[i];
+        mass = mass + n.ground, momentum = momentum + n.ground * n.b, hangs = larger(hangs, held(i));
+        n.next = select(hangs, V{}, (one() / mass) * momentum);
+        const L on = joined(i);
+        mass = on * mass, momentum = select(on, momentum, V{}), hangs = on * hangs;
+    }
+    V whole{};
+    for (size_t i = ropes.nodes; i-- > 0;) {
+        whole = select(joined(i), whole, nodes[i].next);
+        nodes[i].w = select(open * opposite(held(i)), whole, nodes[i].w);
     }
 }
 
@@ -71,28 +73,26 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     L force{}, mass{}, driven{}, pulled{};
     for (size_t i = 0; i < ropes.nodes; ++i) {
         const Node& n = nodes[i];
-        if (held(i)) driven = driven + root(dot(n.b, n.b));
-        else mass = mass + n.ground, force = force + impulse_on(i);
+        driven = driven + select(held(i), root(dot(n.b, n.b)), L{});
+        mass = mass + n.ground, force = force + select(held(i), L{}, impulse_on(i));
     }
     for (size_t i = 0; i + 1 < ropes.nodes; ++i)
-        if (!is_idle(i)) pulled = pulled + positive(springs[i].long_before - L::splat(c.length[i])) / give(i);
+        pulled = pulled + select(springs[i].moves, positive(springs[i].long_before - springs[i].length) / give(i), L{});
     const double each = 1 / double(ropes.nodes);
     force = (each / stage.dt) * (force + (each * mass) * driven) + each * pulled;
     start_together();
     L weight{}; // of the nodes, times lengths
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
         Spring& s = springs[i];
-        if (is_idle(i)) continue;
-        const L length = L::splat(c.length[i]);
-        weight = weight + force * length;
-        s.gap = larger(length - s.long_before, kFirstGap * length);
-        s.tension = select(open, force, s.tension);
+        weight = weight + select(s.moves, force * s.length, L{});
+        s.gap = larger(s.length - s.long_before, kFirstGap * s.length);
+        s.tension = select(open * s.moves, force, s.tension);
     }
     const double share = 1 / double(ropes.nodes - 1);
     for (size_t k = 0;; ++k) {
         L sum{}; // of tensions times gaps
         for (size_t i = 0; i + 1 < ropes.nodes; ++i)
-            if (!is_idle(i)) sum = sum + springs[i].tension * springs[i].gap;
+            sum = sum + select(springs[i].moves, springs[i].tension * springs[i].gap, L{});
         const L barrier = (kBarrierFall * share) * sum;
         linearize_all(barrier, true, weight, k == 0);
         if (k == most || !any_positive(open)) return;
@@ -106,19 +106,18 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
 template <int N> void RopeBundle<N>::step_inside(L barrier) {
     L part = one();
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
-        if (is_idle(i)) continue;
         const Spring& s = springs[i];
-        const L change = s.next - s.tension, fall = (barrier - s.gap * s.next) / s.tension;
+        const L change = select(s.moves, s.next - s.tension, L{});
+        const L fall = select(s.moves, (barrier - s.gap * s.next) / s.tension, L{});
         part = select(L{} - change, smaller(part, kInside * (s.tension / (L{} - change))), part);
         part = select(L{} - fall, smaller(part, kInside * (s.gap / (L{} - fall))), part);
     }
     part = open * part;
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
-        if (is_idle(i)) continue;
         Spring& s = springs[i];
-        const L fall = (barrier - s.gap * s.next) / s.tension;
-        s.tension = select(open, s.tension + part * (s.next - s.tension), s.tension);
-        s.gap = select(open, s.gap + part * fall, s.gap);
+        const L fall = (barrier - s.gap * s.next) / s.tension, on = open * s.moves;
+        s.tension = select(on, s.tension + part * (s.next - s.tension), s.tension);
+        s.gap = select(on, s.gap + part * fall, s.gap);
     }
     for (size_t i = 0; i < ropes.nodes; ++i)
         nodes[i].w = select(open, nodes[i].w + part * (nodes[i].next - nodes[i].w), nodes[i].w);
@@ -129,6 +128,7 @@ template <int N> void RopeBundle<N>::step_inside(L barrier) {
 template <int N> void RopeBundle<N>::solve() {
     lambda = L::splat(stage.lambda);
     open = one();
+    prepare();
     begin();
     newton(kMostNewton);
     if (!try_again()) return;
@@ -173,18 +173,16 @@ template <int N> void RopeBundle<N>::calm() {
     L sum{}, by_themselves{};
     for (size_t i = 0; i < ropes.nodes; ++i) {
         const Node& n = nodes[i];
-        if (held(i)) continue;
-        const V together = ends(i, n.w), by_itself = ends(i, n.b);
+        const V together = select(held(i), V{}, ends(i, n.w)), by_itself = select(held(i), V{}, ends(i, n.b));
         sum = sum + n.ground * dot(together, together);
         by_themselves = by_themselves + n.ground * dot(by_itself, by_itself);
     }
     const L part = smaller(positive(root(by_themselves / sum)), one()); // 0 if something is no number
     for (size_t i = 0; i < ropes.nodes; ++i) {
         Node& n = nodes[i];
-        if (held(i)) n.w = select(open, n.b, n.w); // whatever went wrong
-        if (held(i)) continue;
         const V v = load(ropes.velocity, i), less = v + lambda * (part * ends(i, n.w) - v);
-        n.w = select(open, select(part, select(one() - part, less, n.w), n.b), n.w);
+        const L keeps = part * opposite(held(i)); // held nodes move as they are told, whatever went wrong
+        n.w = select(open, select(keeps, select(one() - part, less, n.w), n.b), n.w);
     }
     const L wrong = open * select(one() - part, one(), L{});
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) springs[i].tension = select(wrong, L{}, springs[i].tension);
@@ -199,16 +197,16 @@ template <int N> void RopeBundle<N>::settle() {
     const size_t n = ropes.nodes;
     const L rate = L::splat(1 / stage.dt / stage.dt), none{};
     const L unsettled = select(one() - lambda, one(), none);
-    L before_pivot = one(), before_rest{};
+    L before_pivot = one(), before_rest{}, left = alone(0);
     for (size_t i = 0; i + 1 < n; ++i) {
         Spring& s = springs[i];
-        const L left = alone(i), right = alone(i + 1);
-        const L own = (1 + kSettleSoftly) * (left + right) + c.compliance[i] * rate;
+        const L right = alone(i + 1);
+        const L own = (1 + kSettleSoftly) * (left + right) + s.compliance * rate;
         const L pulls = stage.push ? size_of(s.tension) : s.tension;
-        s.taut = is_idle(i) ? none : unsettled * select(pulls, select(own, one(), none), none);
+        s.taut = (s.moves * unsettled) * select(pulls, select(own, one(), none), none);
         const L was = load_tension(i);
         const L moved = select(stage.push ? size_of(was) : was, long_after(i) - s.long_before, none);
-        const L error = L::splat(2 * stage.tolerance * c.length[i]); // what two lengths that are right may differ by
+        const L error = (2 * stage.tolerance) * s.length; // what two lengths that are right may differ by
         const L wanted = (1 / stage.dt) * (moved - smaller(larger(moved, none - error), error));
         s.wished = select(s.taut, dot(s.along, nodes[i + 1].next - nodes[i].next) - wanted, none);
         const L both = i == 0 ? none : s.taut * springs[i - 1].taut;
@@ -217,15 +215,18 @@ template <int N> void RopeBundle<N>::settle() {
         s.transverse = select(s.taut, own - share * s.axial, one());
         s.wished = select(s.taut, s.wished - share * before_rest, none);
         before_pivot = s.transverse, before_rest = s.wished;
+        left = right;
     }
-    L after{};
+    L after{}, right = alone(n - 1);
     for (size_t i = n - 1; i-- > 0;) {
         Spring& s = springs[i];
         const L coupling = i + 2 < n ? springs[i + 1].axial : none;
         after = (s.wished - coupling * after) / s.transverse;
         const V along = select(s.taut, s.along, V{});
-        nodes[i].next = nodes[i].next + (alone(i) * after) * along;
-        nodes[i + 1].next = nodes[i + 1].next - (alone(i + 1) * after) * along;
+        left = alone(i);
+        nodes[i].next = nodes[i].next + (left * after) * along;
+        nodes[i + 1].next = nodes[i + 1].next - (right * after) * along;
+        right = left;
     }
 }
 
@@ -237,18 +238,19 @@ template <int N> RopeResult RopeBundle<N>::step() {
         Node& n = nodes[i];
         const V x = load(ropes.position, i), v = load(ropes.velocity, i);
         n.y = x + L::splat(stage.dt) * n.w;
-        n.next = held(i) ? v : v + (one() / lambda) * (n.w - v);
+        n.next = v + (one() / lambda) * (n.w - v);
     }
     if (stage.lambda < 1) settle();
     const bool wide = ropes.position.is_float64;
     const L to_overflow = L::splat(wide ? Limits<double>::to_overflow : Limits<float>::to_overflow);
     const auto look_at = [&](L a) { bad = bad + 0.0 * (to_overflow * a); };
     for (size_t i = 0; i < ropes.nodes; ++i) {
-        const Node& n = nodes[i];
+        Node& n = nodes[i];
+        if (any_positive(held(i))) n.next = select(held(i), load(ropes.velocity, i), n.next);
         look_at(n.y.x), look_at(n.y.y), look_at(n.y.z);
         look_at(n.next.x), look_at(n.next.y), look_at(n.next.z);
         store(n.y, ropes.position, i);
-        if (!held(i)) store(n.next, ropes.velocity, i);
+        store(n.next, ropes.velocity, i);
     }
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
         double lane[N];
@@ -262,7 +264,7 @@ template <int N> RopeResult RopeBundle<N>::step() {
     return result;
 }
 
-template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopeCoefficients& c, const RopeStage& stage,
+template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage,
                                                double* scratch, size_t first, size_t count) {
     using Here = RopeBundle<N>;
     static_assert(sizeof(typename Here::Node) + sizeof(typename Here::Spring) == kRopeScratch * N * sizeof(double));
@@ -274,8 +276,8 @@ template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopeCoe
     return bundle.step();
 }
 
-RopeResult rope_step(const Ropes& ropes, const RopeCoefficients& c, const RopeStage& stage, double* scratch,
-                     size_t first, size_t count) {
+RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch, size_t first,
+                     size_t count) {
     RopeResult result;
     while (count > 0) {
         const size_t now = count < size_t(kNative) ? count : size_t(kNative);

@@ -40,12 +40,18 @@ struct Ropes {
     double* tension;
 };
 
-// Of the nodes and springs, the same for all strands.
-struct RopeCoefficients {
-    const double *mass, *drag, *tie;                // [kg], [N s/m], [N/m]
-    const double *length, *per_length, *compliance; // [m], [1/m]; [m/N], 0: of fixed length, INFINITY: cut
-    const double* share;                            // of the rope's length, that feels the air at a node [m]
-    const uint8_t* pin;                             // cd_node
+// Numbers per node or spring and strand, with steps from one to the next: 0 where they are the same.
+template <class T> struct RopeNumbers {
+    const T* data;
+    size_t of_item, of_strand;
+
+    double at(size_t item, size_t strand) const { return double(data[item * of_item + strand * of_strand]); }
+};
+struct RopeParameters {
+    RopeNumbers<double> mass, tie, tie_damping; // [kg], of attachments [N/m], [N s/m]
+    RopeNumbers<double> length, stiffness;      // [m], [N/m]: 0: cut, INFINITY: of fixed length
+    RopeNumbers<uint8_t> pin;                   // cd_node
+    double drag;                                // [1/s]
 };
 
 struct RopeStage {
@@ -73,12 +79,12 @@ struct RopeResult {
 
 // The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand,
 // without air and beyond that with it; a call with one strand needs no more than that strand's.
-constexpr size_t kRopeStrands = 8, kRopeScratch = 51, kAirScratch = 15;
+constexpr size_t kRopeStrands = 8, kRopeScratch = 55, kAirScratch = 15;
 
 namespace CD_ISA {
 
-RopeResult rope_step(const Ropes& ropes, const RopeCoefficients& c, const RopeStage& stage, double* scratch,
-                     size_t first, size_t count);
+RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch, size_t first,
+                     size_t count);
 
 } // namespace CD_ISA
 } // namespace cd

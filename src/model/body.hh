@@ -52,10 +52,11 @@ struct BodyChanges {
     Change<double> mass, attach_stiffness, attach_damping, coefficients, scratch;
     Change<char> force, target;
 
-    BodyChanges(Body& b, const BodyFeatures& wanted, size_t coefficients_needed, size_t scratch_needed)
-        : mass{b.node_mass, wanted.node_mass ? b.nodes : 0},
-          attach_stiffness{b.attach_stiffness, wanted.target ? b.nodes : 0},
-          attach_damping{b.attach_damping, wanted.target ? b.nodes : 0},
+    // numbers: of a field that has one per node, or one per node and strand
+    BodyChanges(Body& b, const BodyFeatures& wanted, size_t numbers, size_t coefficients_needed, size_t scratch_needed)
+        : mass{b.node_mass, wanted.node_mass ? numbers : 0},
+          attach_stiffness{b.attach_stiffness, wanted.target ? numbers : 0},
+          attach_damping{b.attach_damping, wanted.target ? numbers : 0},
           coefficients{b.coefficients, coefficients_needed},
           scratch{b.scratch, scratch_needed},
           force{b.force, wanted.force ? b.position.count : 0},

@@ -29,9 +29,9 @@ double bend_of(const Chain& c, size_t node) {
 
 bool has_bend(const Chain& c) { return c.node_bend || c.bend > 0; }
 
-// sqrt(stiffness mass) of a matched end, 0 of every other node [N s/m].
+// sqrt(stiffness mass) of a matched end, 0 of every other node [N s/m]; ropes have none.
 static double impedance(const Chain& c, size_t node) {
-    if (c.pin[node] != CD_NODE_MATCHED || c.springs == 0) return 0;
+    if (c.pin[node] != CD_NODE_MATCHED || c.springs == 0 || has_lengths(c)) return 0;
     const bool first = node == 0;
     size_t i = first ? 0 : c.springs - 1;
     while (welded(c, i) && i != (first ? c.springs - 1 : 0))
@@ -40,9 +40,7 @@ static double impedance(const Chain& c, size_t node) {
     return welded(c, i) ? 0 : sqrt(stiffness_of(c, i) * mass_of(c, inside));
 }
 
-double drag_of(const Chain& c, size_t node) {
-    return c.drag * mass_of(c, node) + impedance(c, node) + tie_damping_of(c, node);
-}
+double drag_of(const Chain& c, size_t at) { return c.drag * mass_of(c, at) + impedance(c, at) + tie_damping_of(c, at); }
 
 // ---- memory ---------------------------------------------------------------------------------------------------------
 
@@ -93,11 +91,12 @@ Needs needs_of(const Chain& c, const Features& f) {
 bool set_features(Chain& c, const Features& wanted) {
     const Needs needs = needs_of(c, wanted);
     const size_t springs = c.springs + (wanted.ring ? 1 : 0);
-    BodyChanges body(c, wanted, needs.coefficients, needs.scratch);
-    Change<uint8_t> pin{c.pin, c.nodes};
-    Change<double> stiffness{c.spring_stiffness, wanted.spring_stiffness ? springs : 0};
+    const size_t own = wanted.length ? c.strands : 1;
+    BodyChanges body(c, wanted, c.nodes * own, needs.coefficients, needs.scratch);
+    Change<uint8_t> pin{c.pin, c.nodes * own};
+    Change<double> stiffness{c.spring_stiffness, wanted.spring_stiffness ? springs * own : 0};
     Change<double> bend{c.node_bend, wanted.node_bend ? c.nodes : 0};
-    Change<double> length{c.spring_length, wanted.spring_length ? springs : 0};
+    Change<double> length{c.spring_length, wanted.spring_length ? springs * own : 0};
     Change<double> tension{c.tension, wanted.length ? springs * c.strands : 0};
     Change<char> wind{c.wind, wanted.wind ? c.position.count : 0};
     Change<double> ring_response{c.ring_response, needs.ring_response};
@@ -108,11 +107,14 @@ bool set_features(Chain& c, const Features& wanted) {
     };
     if (wanted.method == c.method && wanted.ring == (c.ring != 0) && keep_all(all)) return true;
     if (!take_all(c.memory, all)) return false;
+    pin.spread(c.nodes), body.attach_stiffness.spread(c.nodes), body.attach_damping.spread(c.nodes);
+    const bool has_mass = body.mass.spread(c.nodes);
+    const bool has_stiffness = wanted.ring == (c.ring != 0) && stiffness.spread(springs);
     put_all(c.memory, all);
     c.ring = wanted.ring;
     c.method = wanted.method;
-    if (body.mass.is_new()) fill_uniform(c, CD_MASS);
-    if (stiffness.is_new()) fill_uniform(c, CD_STIFFNESS);
+    if (!has_mass) fill_uniform(c, CD_MASS);
+    if (!has_stiffness) fill_uniform(c, CD_STIFFNESS);
     if (bend.is_new()) fill_uniform(c, CD_BEND);
     if (length.is_new()) fill_uniform(c, CD_REST_LENGTH);
     if (tension.is_new()) memset(c.tension.data, 0, c.tension.bytes());
@@ -124,7 +126,8 @@ bool set_features(Chain& c, const Features& wanted) {
 
 void fill_uniform(Chain& c, cd_field field) {
     if (field == CD_MASS && c.node_mass)
-        for (size_t i = 0; i < c.nodes; ++i) c.node_mass[i] = uniform_mass(c, i);
+        for (size_t i = 0; i < c.node_mass.count; ++i)
+            c.node_mass[i] = uniform_mass(c, i / (c.node_mass.count / c.nodes));
     if (field == CD_STIFFNESS && c.spring_stiffness)
         for (size_t i = 0; i < c.spring_stiffness.count; ++i) c.spring_stiffness[i] = uniform_stiffness(c);
     if (field == CD_REST_LENGTH && c.spring_length)

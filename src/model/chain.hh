@@ -39,7 +39,8 @@ struct ChainSettings {
     AirSettings air;
 };
 
-// Shared by the strands: all but the four fields of strand, node and component.
+// Shared by the strands: all but the fields of strand, node and component. In ropes every strand has its own pins,
+// masses, stiffnesses, lengths and attachments too: see own_strands.
 struct Chain : Body, ChainSettings {
     // shape
     size_t strands, springs;
@@ -81,7 +82,17 @@ inline size_t place(const Chain& c, size_t strand, size_t node, size_t component
     return node * c.pitch + strand * c.components + component;
 }
 inline size_t springs_in_all(const Chain& c) { return c.springs + size_t(c.ring); }
-inline bool held(const Chain& c, size_t node) { return c.pin[node] == CD_NODE_PINNED || c.pin[node] == CD_NODE_DRIVEN; }
+
+inline bool can_have_lengths(const Chain& c) { return CD_WITH_ROPE && c.springs > 0 && c.components <= 3; }
+inline bool has_lengths(const Chain& c) { return CD_WITH_ROPE && c.rope.length > 0; }
+
+// How many strands have fields per node and spring of their own; and where in such a field the number of a node or
+// spring stands, `at` in the functions below.
+inline size_t own_strands(const Chain& c) { return has_lengths(c) ? c.strands : 1; }
+inline size_t own_place(const Chain& c, size_t strand, size_t item) {
+    return has_lengths(c) ? item * c.strands + strand : item;
+}
+inline bool held(const Chain& c, size_t at) { return c.pin[at] == CD_NODE_PINNED || c.pin[at] == CD_NODE_DRIVEN; }
 
 // Whether a line is solved in segments side by side, for want of lines to fill the lanes; unless some of it is welded.
 // Four lines with bend, two registers at once, wait less for each other: cutting them up pays later.
@@ -93,30 +104,27 @@ template <class Thing> constexpr size_t numbers_of(size_t count) { return count 
 // From one row of coefficients to the next: whole cache lines, but in small scenes.
 inline size_t row_length(const Chain& c) { return c.nodes < 8 * kSegments ? c.nodes : (c.nodes + 7) / 8 * 8; }
 
-inline bool can_have_lengths(const Chain& c) { return CD_WITH_ROPE && c.springs > 0 && c.components <= 3; }
-inline bool has_lengths(const Chain& c) { return CD_WITH_ROPE && c.rope.length > 0; }
-
 // The uniform values that the totals come to.
 double uniform_mass(const Chain& c, size_t node);
 double uniform_stiffness(const Chain& c);
 double uniform_bend(const Chain& c);
 
-inline double mass_of(const Chain& c, size_t node) { return c.node_mass ? c.node_mass[node] : uniform_mass(c, node); }
-inline double stiffness_of(const Chain& c, size_t spring) {
-    return c.spring_stiffness ? c.spring_stiffness[spring] : uniform_stiffness(c);
+inline double mass_of(const Chain& c, size_t at) {
+    return c.node_mass ? c.node_mass[at] : uniform_mass(c, has_lengths(c) ? at / c.strands : at);
+}
+inline double stiffness_of(const Chain& c, size_t at) {
+    return c.spring_stiffness ? c.spring_stiffness[at] : uniform_stiffness(c);
 }
 inline double uniform_length(const Chain& c) { return c.rope.length / double(springs_in_all(c)); }
-inline double length_of(const Chain& c, size_t spring) {
-    return c.spring_length ? c.spring_length[spring] : uniform_length(c);
-}
+inline double length_of(const Chain& c, size_t at) { return c.spring_length ? c.spring_length[at] : uniform_length(c); }
 double bend_of(const Chain& c, size_t node); // 0 at the ends of an open chain
 bool has_bend(const Chain& c);
 // An infinite stiffness welds the nodes of a spring that has no length; one that has it keeps it.
-inline bool is_rigid(const Chain& c, size_t spring) { return stiffness_of(c, spring) > 1.7976931348623157e308; }
+inline bool is_rigid(const Chain& c, size_t at) { return stiffness_of(c, at) > 1.7976931348623157e308; }
 inline bool welded(const Chain& c, size_t spring) { return is_rigid(c, spring) && !has_lengths(c); }
 
 // What drags a node back beside the springs' damping [N s/m]: drag, a matched end, an attachment.
-double drag_of(const Chain& c, size_t node);
+double drag_of(const Chain& c, size_t at);
 
 // ---- life and features (chain.cpp) ----------------------------------------------------------------------------------
 
@@ -138,14 +146,14 @@ void fill_uniform(Chain& c, cd_field field);
 // ---- fields and acting (chain_fields.cpp) ---------------------------------------------------------------------------
 
 // Whether a number may stand in a field: finite, and in the ranges of chain.h.
-bool valid_number(const Chain& c, cd_field field, size_t node, double value);
+bool valid_number(const Chain& c, cd_field field, size_t strand, size_t node, double value);
 
 // The group of nodes that welded springs join to a node: `count` nodes from `first`, round a ring.
 struct Group {
     size_t first, count;
 };
 Group group_of(const Chain& c, size_t node);
-size_t held_in(const Chain& c, Group group);
+size_t held_in(const Chain& c, size_t strand, Group group);
 
 // Whether every welded group of a chain, or ring, of `nodes` nodes would hold one held node at the most, if springs and
 // nodes were as the functions of their numbers say.

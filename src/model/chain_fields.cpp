@@ -5,7 +5,7 @@
 
 namespace cd {
 
-bool valid_number(const Chain& c, cd_field field, size_t node, double value) {
+bool valid_number(const Chain& c, cd_field field, size_t strand, size_t node, double value) {
     switch (field) {
     case CD_MASS: return valid_mass(value);
     case CD_REST_LENGTH: return valid_mass(value);
@@ -18,7 +18,7 @@ bool valid_number(const Chain& c, cd_field field, size_t node, double value) {
                (value == CD_NODE_MATCHED && end);
     }
     case CD_VELOCITY:
-        if (c.pin[node] == CD_NODE_PINNED && value != 0) return false;
+        if (c.pin[own_place(c, strand, node)] == CD_NODE_PINNED && value != 0) return false;
         [[fallthrough]];
     default: return fabs(value) <= most_of(c);
     }
@@ -36,9 +36,9 @@ Group group_of(const Chain& c, size_t node) {
     return group;
 }
 
-size_t held_in(const Chain& c, Group group) {
+size_t held_in(const Chain& c, size_t strand, Group group) {
     size_t count = 0;
-    for (size_t k = 0; k < group.count; ++k) count += held(c, (group.first + k) % c.nodes);
+    for (size_t k = 0; k < group.count; ++k) count += held(c, own_place(c, strand, (group.first + k) % c.nodes));
     return count;
 }
 
@@ -71,7 +71,7 @@ static void merge(Chain& c, Group group, size_t first_line, size_t lines) {
 }
 
 void merge_velocities(Chain& c, size_t first_line, size_t lines) {
-    if (!c.spring_stiffness) return;
+    if (!c.spring_stiffness || has_lengths(c)) return;
     bool any_start = false;
     for (size_t i = 0; i < c.nodes; ++i) {
         const bool start = i > 0 ? !welded(c, i - 1) : !c.ring || !welded(c, c.nodes - 1);
@@ -83,8 +83,8 @@ void merge_velocities(Chain& c, size_t first_line, size_t lines) {
 
 void stop_pinned(Chain& c) {
     for (size_t node = 0; node < c.nodes; ++node)
-        if (c.pin[node] == CD_NODE_PINNED)
-            for (size_t strand = 0; strand < c.strands; ++strand)
+        for (size_t strand = 0; strand < c.strands; ++strand)
+            if (c.pin[own_place(c, strand, node)] == CD_NODE_PINNED)
                 for (size_t k = 0; k < c.components; ++k) set_number(c, c.velocity, place(c, strand, node, k), 0);
 }
 

@@ -50,7 +50,7 @@ struct ChainKeep {
         AirSettings& air = s.own.air;
         if (s.fields & kOfAir) {
             walk(w, air.along), walk(w, air.across);
-            for (double& v : air.wind) walk(w, v);
+            walk(w, air.wind[0]), walk(w, air.wind[1]), walk(w, air.wind[2]);
         }
     }
     template <class W> static void walk_choices(W& w, ChainSettings& s) { walk(w, s.ring); }
@@ -85,28 +85,37 @@ struct ChainKeep {
     static bool check_fields(Reader reader, const Chain& c, const Settings& s) {
         FieldCheck check{reader};
         const SavedNumbers pin = check.here<uint8_t>();
-        check.numbers<uint8_t>(c.nodes, [&](double value, size_t i) {
-            const bool end = !s.own.ring && (i == 0 || i + 1 == c.nodes);
+        const bool rope = s.own.rope.length > 0;
+        const size_t own = rope ? c.strands : 1, nodes = c.nodes * own,
+                     springs = (c.springs + size_t(s.own.ring)) * own;
+        check.numbers<uint8_t>(nodes, [&](double value, size_t i) {
+            const bool end = !s.own.ring && (i < own || i >= nodes - own);
             return value <= (end ? CD_NODE_MATCHED : CD_NODE_DRIVEN);
         });
-        if (s.on(CD_MASS)) check.numbers<double>(c.nodes, valid_shared_mass);
+        if (s.on(CD_MASS)) check.numbers<double>(nodes, valid_shared_mass);
         const SavedNumbers stiffness = s.on(CD_STIFFNESS) ? check.here<double>() : SavedNumbers{};
         if (s.on(CD_STIFFNESS))
-            check.numbers<double>(c.springs + size_t(s.own.ring),
+            check.numbers<double>(springs,
                                   [](double k, size_t i) { return valid_shared(k, i) || (isinf(k) && k > 0); });
         if (s.on(CD_BEND)) check.numbers<double>(c.nodes, valid_shared);
-        if (s.on(CD_REST_LENGTH)) check.numbers<double>(c.springs + size_t(s.own.ring), valid_shared_mass);
-        const SavedNumbers velocity = check_ties_and_state(check, c, layout_of(c), s);
-        if (s.own.rope.length > 0)
-            check.numbers<double>((c.springs + size_t(s.own.ring)) * c.strands,
-                                  [](double t, size_t) { return isfinite(t) != 0; });
+        if (s.on(CD_REST_LENGTH)) check.numbers<double>(springs, valid_shared_mass);
+        const SavedNumbers velocity = check_ties_and_state(check, c, layout_of(c), s, nodes);
+        if (rope) check.numbers<double>(springs, [](double t, size_t) { return isfinite(t) != 0; });
         by_precision(c, [&](auto zero) {
             if (s.on(CD_WIND))
                 check.numbers<decltype(zero)>(c.nodes * c.lines, [](double v, size_t) { return isfinite(v) != 0; });
         });
-        const bool welds = s.own.rope.length == 0;
-        return check.all_good() &&
-               nodes_are_held(c, s.own.ring != 0, pin, welds ? stiffness : SavedNumbers{}, velocity);
+        if (!check.all_good()) return false;
+        return rope ? pinned_rest(c, pin, velocity) : nodes_are_held(c, s.own.ring != 0, pin, stiffness, velocity);
+    }
+
+    // Of a rope, whether its pinned nodes rest.
+    static bool pinned_rest(const Chain& c, SavedNumbers pin, SavedNumbers velocity) {
+        bool good = true;
+        for (size_t i = 0; i < c.nodes * c.strands; ++i)
+            for (size_t k = 0; k < c.components; ++k)
+                good &= pin[i] != CD_NODE_PINNED || velocity[i * c.components + k] == 0;
+        return good;
     }
 
     // Whether pinned nodes rest, and welded groups move as one and hold one held node at the most.

@@ -15,56 +15,60 @@ template <class T> struct Measure {
     size_t after(size_t i) const { return i + 1 < c.nodes ? i + 1 : 0; }
     double at(const T* data, size_t node, size_t line) const { return double(data[node * c.pitch + line]); }
 
+    // The lines of strands that share their numbers: all, or in ropes one strand's.
+    struct Part {
+        size_t first, end;
+    };
+    // f(node or spring, where its numbers are, the lines that they are for), of each of `items`.
+    template <class F> void each(size_t items, F f) const {
+        const size_t own = own_strands(c), width = c.lines / own;
+        for (size_t i = 0; i < items; ++i)
+            for (size_t s = 0; s < own; ++s) f(i, own_place(c, s, i), Part{s * width, (s + 1) * width});
+    }
+
     // sum over lines of term(line)^2
-    template <class Term> double squares(Term term) const {
+    template <class Term> static double squares(Part part, Term term) {
         double sum = 0;
-        for (size_t line = 0; line < c.lines; ++line) sum += term(line) * term(line);
+        for (size_t line = part.first; line < part.end; ++line) sum += term(line) * term(line);
         return sum;
     }
 
-    // sum over strands of the square of what spring i is longer than its length, or, if it pushes, shorter
-    double stretches(size_t i) const {
-        if (!has_lengths(c)) return squares([&](size_t l) { return at(x, after(i), l) - at(x, i, l); });
-        double sum = 0;
-        for (size_t strand = 0; strand < c.strands; ++strand) {
-            double square = 0;
-            for (size_t k = 0; k < c.components; ++k) {
-                const size_t line = strand * c.components + k;
-                const double d = at(x, after(i), line) - at(x, i, line);
-                square += d * d;
-            }
-            const double stretch = sqrt(square) - length_of(c, i);
-            if (stretch > 0 || c.rope.push) sum += stretch * stretch;
-        }
-        return sum;
+    // The square of what spring i is longer than its length, or, if it pushes, shorter.
+    double stretches(size_t i, size_t own, Part part) const {
+        const double square = squares(part, [&](size_t l) { return at(x, after(i), l) - at(x, i, l); });
+        if (!has_lengths(c)) return square;
+        const double stretch = sqrt(square) - length_of(c, own);
+        return stretch > 0 || c.rope.push ? stretch * stretch : 0;
     }
 
     void energy(Sum& kinetic, Sum& elastic, Sum& gravity) const {
-        for (size_t i = 0; i < springs_in_all(c); ++i)
-            if (!is_rigid(c, i)) elastic.add(0.5 * stiffness_of(c, i) * stretches(i));
-        for (size_t i = 0; i < c.nodes; ++i) {
+        each(springs_in_all(c), [&](size_t i, size_t own, Part part) {
+            if (!is_rigid(c, own)) elastic.add(0.5 * stiffness_of(c, own) * stretches(i, own, part));
+        });
+        each(c.nodes, [&](size_t i, size_t own, Part part) {
             if (bend_of(c, i) > 0) {
                 const size_t left = i > 0 ? i - 1 : c.nodes - 1, right = after(i);
-                elastic.add(0.5 * bend_of(c, i) * squares([&](size_t l) {
+                elastic.add(0.5 * bend_of(c, i) * squares(part, [&](size_t l) {
                                 return (at(x, right, l) - at(x, i, l)) - (at(x, i, l) - at(x, left, l));
                             }));
             }
             if (c.target)
-                elastic.add(0.5 * c.attach_stiffness[i] *
-                            squares([&](size_t l) { return at(x, i, l) - at(target, i, l); }));
-            if (held(c, i)) continue;
-            kinetic.add(0.5 * mass_of(c, i) * squares([&](size_t l) { return at(v, i, l); }));
+                elastic.add(0.5 * c.attach_stiffness[own] *
+                            squares(part, [&](size_t l) { return at(x, i, l) - at(target, i, l); }));
+            if (held(c, own)) return;
+            kinetic.add(0.5 * mass_of(c, own) * squares(part, [&](size_t l) { return at(v, i, l); }));
             double fall = 0;
-            for (size_t l = 0; l < c.lines; ++l) fall += c.gravity[l % c.components] * at(x, i, l);
-            gravity.add(-mass_of(c, i) * fall);
-        }
+            for (size_t l = part.first; l < part.end; ++l) fall += c.gravity[l % c.components] * at(x, i, l);
+            gravity.add(-mass_of(c, own) * fall);
+        });
     }
 
     void momentum(double* out) const {
         Sum sums[4];
-        for (size_t i = 0; i < c.nodes; ++i)
-            if (!held(c, i))
-                for (size_t l = 0; l < c.lines; ++l) sums[l % c.components].add(mass_of(c, i) * at(v, i, l));
+        each(c.nodes, [&](size_t i, size_t own, Part part) {
+            for (size_t l = part.first; l < part.end && !held(c, own); ++l)
+                sums[l % c.components].add(mass_of(c, own) * at(v, i, l));
+        });
         for (size_t k = 0; k < c.components; ++k) out[k] = sums[k].value();
     }
 };

@@ -17,24 +17,21 @@ size_t scratch_of_task(const Chain& c, bool air) {
     return c.nodes * (kRopeScratch + (air ? kAirScratch : 0)) * (c.strands > 1 ? kRopeStrands : 1);
 }
 
-RopeCoefficients coefficients_of(Chain& c, bool changed) {
-    double* const row = c.coefficients.data;
-    double *const mass = row, *const drag = row + c.nodes, *const tie = row + 2 * c.nodes,
-                  *const length = row + 3 * c.nodes, *const per_length = row + 4 * c.nodes,
-                  *const compliance = row + 5 * c.nodes, *const share = row + 6 * c.nodes;
-    for (size_t i = 0; i < c.nodes && changed; ++i) {
-        mass[i] = mass_of(c, i);
-        drag[i] = drag_of(c, i);
-        tie[i] = tie_of(c, i);
-    }
-    for (size_t i = 0; i < c.springs && changed; ++i) {
-        length[i] = length_of(c, i);
-        per_length[i] = 1 / length[i];
-        compliance[i] = 1 / fabs(stiffness_of(c, i)); // which may be -0
-    }
-    const auto half = [&](size_t i) { return i < c.springs && !isinf(compliance[i]) ? 0.5 * length[i] : 0; };
-    for (size_t i = 0; i < c.nodes && changed; ++i) share[i] = half(i) + (i > 0 ? half(i - 1) : 0);
-    return {mass, drag, tie, length, per_length, compliance, share, c.pin.data};
+RopeParameters parameters_of(Chain& c, bool changed) {
+    // Numbers that all strands have in common: of each node, what the total comes to; of all springs; and none.
+    double *const mass = c.coefficients.data, *const one = mass + c.nodes;
+    for (size_t i = 0; i < c.nodes && changed; ++i) mass[i] = uniform_mass(c, i);
+    if (changed) one[0] = uniform_length(c), one[1] = uniform_stiffness(c), one[2] = 0;
+    const auto own = [&](const Array<double>& field, const double* common, size_t of_item) {
+        return field ? RopeNumbers<double>{field.data, c.strands, 1} : RopeNumbers<double>{common, of_item, 0};
+    };
+    return {own(c.node_mass, mass, 1),
+            own(c.attach_stiffness, one + 2, 0),
+            own(c.attach_damping, one + 2, 0),
+            own(c.spring_length, one, 0),
+            own(c.spring_stiffness, one + 1, 0),
+            {c.pin.data, c.strands, 1},
+            c.drag};
 }
 
 } // namespace
@@ -45,11 +42,12 @@ const char* what_ropes_lack(const Chain& c) {
     if (has_bend(c)) return "bend";
     if (c.ring) return "ring";
     if (c.damping > 0) return "stiffness damping";
-    if (c.pin[0] == CD_NODE_MATCHED || c.pin[c.nodes - 1] == CD_NODE_MATCHED) return "matched end";
+    for (size_t i = 0; i < c.pin.count; ++i)
+        if (c.pin[i] == CD_NODE_MATCHED) return "matched end";
     return nullptr;
 }
 
-size_t rope_coefficients(const Chain& c) { return 7 * c.nodes; }
+size_t rope_coefficients(const Chain& c) { return c.nodes + 3; }
 size_t rope_scratch(const Chain& c, bool air) { return tasks_of(c) * scratch_of_task(c, air); }
 
 void clear_state(Chain& c) {
@@ -58,8 +56,8 @@ void clear_state(Chain& c) {
 }
 
 uint64_t step_ropes(Chain& c, double dt, size_t count) {
-    const bool changed = c.prepared_dt == 0 && must_prepare(c, dt); // coefficients are the same at any dt
-    const RopeCoefficients coefficients = coefficients_of(c, changed);
+    const bool changed = c.prepared_dt == 0 && must_prepare(c, dt); // they are the same at any dt
+    const RopeParameters parameters = parameters_of(c, changed);
     const auto state = [&](const Array<char>& array) { return StateNumbers{array.data, c.precision == CD_FLOAT64}; };
     const Ropes ropes = {c.nodes,           c.strands,      c.components,    c.pitch,       state(c.position),
                          state(c.velocity), state(c.force), state(c.target), state(c.wind), c.tension.data};
@@ -81,7 +79,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
         for (size_t g = t * groups / tasks; g < (t + 1) * groups / tasks; ++g) {
             const size_t first = g * kRopeStrands, left = c.strands - first;
             for (size_t s = 0; s < count; ++s) {
-                const RopeResult result = c.kernels->rope_step(ropes, coefficients, stage, scratch, first,
+                const RopeResult result = c.kernels->rope_step(ropes, parameters, stage, scratch, first,
                                                                left < kRopeStrands ? left : kRopeStrands);
                 results[t].add(result);
                 if (!result.finite && s < bad[t]) bad[t] = s;

@@ -66,9 +66,10 @@ BodyFeatures features_of_body(const KeptBody& s, bool bend) {
     return {s.body.method, s.on(CD_MASS), s.on(CD_FORCE), s.on(CD_TARGET), bend};
 }
 
-SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s) {
+SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s,
+                                  size_t ties) {
     const size_t state = layout.rows * layout.width;
-    if (s.on(CD_TARGET)) check.numbers<double>(2 * b.nodes, [](double tie, size_t) { return valid_parameter(tie); });
+    if (s.on(CD_TARGET)) check.numbers<double>(2 * ties, [](double tie, size_t) { return valid_parameter(tie); });
     SavedNumbers velocity{};
     by_precision(b, [&](auto zero) {
         using T = decltype(zero);

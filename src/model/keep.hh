@@ -204,7 +204,8 @@ BodyFeatures features_of_body(const KeptBody& s, bool bend);
 inline bool valid_shared(double value, size_t) { return value >= 0 && value <= 1e100; }
 inline bool valid_shared_mass(double value, size_t) { return value >= 1e-100 && value <= 1e100; }
 
-// What comes after an object's own fields: attachments and the state. Tells where the velocities lie.
-SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s);
+// What comes after an object's own fields: attachments, `ties` nodes', and the state. Tells where the velocities lie.
+SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s,
+                                  size_t ties);
 
 } // namespace cd

@@ -21,6 +21,15 @@ template <class T> struct Change {
         array = fresh;
     }
     bool is_new() const { return fresh && array.data == fresh.data; } // once it is put
+
+    // Before it is put: numbers that many shared become each one's own, or those of the first are shared. Whether the
+    // array holds what it did, once it is put.
+    bool spread(size_t items) {
+        if (!fresh || !array) return keep();
+        const size_t from = array.count / items, to = count / items;
+        for (size_t i = 0; i < count; ++i) fresh[i] = array[i / to * from];
+        return true;
+    }
 };
 
 // What may be done with changes, of which all(f) makes f(change) && f(next) && ...

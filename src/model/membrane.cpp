@@ -146,7 +146,7 @@ MembraneFeatures features(const Membrane& m) {
 bool set_features(Membrane& m, const MembraneFeatures& wanted) {
     MembraneNeeds needs;
     if (!needs_of(m, wanted, needs)) return false;
-    BodyChanges body(m, wanted, needs.coefficients, needs.scratch);
+    BodyChanges body(m, wanted, m.nodes, needs.coefficients, needs.scratch);
     Change<double> along_u{m.spring_stiffness[kU], wanted.spring_stiffness[kU] ? m.nodes : 0};
     Change<double> along_v{m.spring_stiffness[kV], wanted.spring_stiffness[kV] ? m.nodes : 0};
     Change<double> pressed{m.pressed, wanted.pressure ? m.components * m.plane : 0};

@@ -87,7 +87,7 @@ struct MembraneKeep {
                     const size_t along = d == kU ? i % m.columns : i / m.columns;
                     return along < m.springs[d] + size_t(s.own.ring[d]) ? valid_shared(k, i) : k == 0;
                 });
-        const SavedNumbers velocity = check_ties_and_state(check, m, layout_of(m), s);
+        const SavedNumbers velocity = check_ties_and_state(check, m, layout_of(m), s, m.nodes);
         if (!check.all_good()) return false;
         bool good = true;
         for (size_t k = 0; k < m.components; ++k)

@@ -101,7 +101,7 @@ static void a_tied_node_moves_as_the_equation_says(void** state) {
         ok(cd_chain_set_mass(chain, p.mass));
         ok(cd_chain_set_drag(chain, p.drag));
         ok(cd_chain_set_gravity(chain, &p.gravity, 1));
-        ok(cd_chain_attach(chain, 0, p.stiffness, p.damping, &target, 1));
+        ok(cd_chain_attach(chain, 0, 0, p.stiffness, p.damping, &target, 1));
         ok(cd_chain_set_method(chain, ways[i].method));
         ok(cd_chain_set_lambda(chain, ways[i].lambda));
         for (int step = 0; step < 50; ++step) {
@@ -141,7 +141,7 @@ static void a_damped_tie_comes_to_rest_where_forces_balance(void** state) {
         double x[2];
         ok(cd_chain_set_gravity(chain, &gravity, 1));
         ok(cd_chain_set_method(chain, method));
-        ok(cd_chain_attach(chain, 0, 16, 4, &target, 1));
+        ok(cd_chain_attach(chain, 0, 0, 16, 4, &target, 1));
         ok(cd_chain_step(chain, 0.0625, 400));
         scene_read(chain, CD_POSITION, x);
         assert_near(x[0], 1.5, 1e-12, 1);
@@ -151,7 +151,7 @@ static void a_damped_tie_comes_to_rest_where_forces_balance(void** state) {
         scene_read(chain, CD_POSITION, x);
         assert_near(x[0], -1.5, 1e-12, 1);
         assert_near(x[1], 4.5, 1e-12, 1);
-        ok(cd_chain_attach(chain, 0, 32, 4, NULL, 1)); /* again: other numbers, the present place */
+        ok(cd_chain_attach(chain, 0, 0, 32, 4, NULL, 1)); /* again: other numbers, the present place */
         ok(cd_chain_step(chain, 0.0625, 400));
         scene_read(chain, CD_POSITION, x);
         assert_near(x[0], -1.75, 1e-12, 1);
@@ -168,19 +168,19 @@ static void ties_are_told_and_loosened(void** state) {
         scene_rope(chain);
         scene_rope(never);
         double stiffness = -1, damping = -1, x[ALL], target[ALL], y[ALL];
-        ok(cd_chain_attach(chain, 4, 12, 0.5, NULL, COMPONENTS));
-        ok(cd_chain_get_attachment(chain, 4, &stiffness, &damping));
+        ok(cd_chain_attach(chain, 0, 4, 12, 0.5, NULL, COMPONENTS));
+        ok(cd_chain_get_attachment(chain, 0, 4, &stiffness, &damping));
         assert_true(stiffness == 12 && damping == 0.5);
-        ok(cd_chain_get_attachment(chain, 5, &stiffness, &damping));
+        ok(cd_chain_get_attachment(chain, 0, 5, &stiffness, &damping));
         assert_true(stiffness == 0 && damping == 0);
         scene_read(chain, CD_POSITION, x);
         scene_read(chain, CD_TARGET, target);
         for (size_t s = 0; s < STRANDS; ++s)
             for (size_t c = 0; c < COMPONENTS; ++c) assert_true(target[place(s, 4, c)] == x[place(s, 4, c)]);
-        if (how == 0) ok(cd_chain_detach(chain, 4));
+        if (how == 0) ok(cd_chain_detach(chain, 0, 4));
         else ok(cd_chain_disable_field(chain, CD_TARGET));
-        ok(cd_chain_detach(chain, 4)); /* nothing is tied there: no error */
-        ok(cd_chain_get_attachment(chain, 4, &stiffness, &damping));
+        ok(cd_chain_detach(chain, 0, 4)); /* nothing is tied there: no error */
+        ok(cd_chain_get_attachment(chain, 0, 4, &stiffness, &damping));
         assert_true(stiffness == 0 && damping == 0);
         ok(cd_chain_step(chain, 0.01, 50));
         ok(cd_chain_step(never, 0.01, 50));
@@ -255,7 +255,7 @@ static void energy_and_momentum_are_the_sums_of_the_header(void** state) {
                     bend += 0.5 * scene_get(chain, CD_BEND, node) * curve * curve;
                 }
                 double k, damping;
-                ok(cd_chain_get_attachment(chain, node, &k, &damping));
+                ok(cd_chain_get_attachment(chain, 0, node, &k, &damping));
                 ties += 0.5 * k * (x[j] - target[j]) * (x[j] - target[j]);
             }
             double told[3], told_momentum[COMPONENTS];

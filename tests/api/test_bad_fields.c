@@ -152,12 +152,12 @@ static void fields_that_the_strands_share_have_strand_0_only(void** state) {
     }
 }
 
-/* Lengths are shared by the strands, a tension is one strand's own. */
 static void no_spring_beyond_the_end_of_a_rope_is_taken(void** state) {
     (void)state;
-    static const size_t strands[] = {1, STRANDS};
-    for (cd_field f = CD_REST_LENGTH; f <= CD_TENSION; ++f) {
-        const size_t all = strands[f - CD_REST_LENGTH], most = SIZE_MAX;
+    static const cd_field fields[] = {CD_STIFFNESS, CD_REST_LENGTH, CD_TENSION};
+    for (size_t k = 0; k < COUNT(fields); ++k) {
+        const cd_field f = fields[k];
+        const size_t all = STRANDS, most = SIZE_MAX;
         refuses_transfers(rope, f, all, 1, 0, 1, 1, CD_ERROR_RANGE, part_text("first_strand", all));
         refuses_transfers(rope, f, 0, all + 1, 0, 1, all + 1, CD_ERROR_RANGE, part_text("strands", all + 1));
         refuses_transfers(rope, f, most, 1, 0, 1, 1, CD_ERROR_RANGE, part_text("first_strand", most));
@@ -253,7 +253,7 @@ static void what_overflows_in_the_chains_precision_is_refused(void** state) {
     cd_chain* single = scene_chain(1, 0, 1, CD_FLOAT32);
     refuses(single, cd_chain_set_gravity(single, &huge, 1), CD_ERROR_VALUE, "gravity|1e+300");
     refuses(single, cd_chain_impulse(single, 0, 0, &huge, 1), CD_ERROR_VALUE, "impulse|1e+300");
-    refuses(single, cd_chain_attach(single, 0, 1, 1, &huge, 1), CD_ERROR_VALUE, "target|1e+300");
+    refuses(single, cd_chain_attach(single, 0, 0, 1, 1, &huge, 1), CD_ERROR_VALUE, "target|1e+300");
     cd_chain_destroy(single);
 }
 
@@ -277,16 +277,16 @@ static void held_nodes_are_not_joined_by_a_weld(void** state) {
             ok(cd_chain_enable_field(c, CD_STIFFNESS));
             scene_set(c, CD_PIN, 1, a);
             scene_set(c, CD_PIN, 2, b);
-            refuses(c, cd_chain_weld(c, 1), CD_ERROR_UNSUPPORTED, "spring|1");
+            refuses(c, cd_chain_weld(c, 0, 1), CD_ERROR_UNSUPPORTED, "spring|1");
             scene_set(c, CD_PIN, 2, CD_NODE_FREE);
             scene_set(c, CD_PIN, 4, b);
-            ok(cd_chain_weld(c, 1));
-            ok(cd_chain_weld(c, 2));
-            refuses(c, cd_chain_weld(c, 3), CD_ERROR_UNSUPPORTED, "spring|3"); /* through the welds between */
+            ok(cd_chain_weld(c, 0, 1));
+            ok(cd_chain_weld(c, 0, 2));
+            refuses(c, cd_chain_weld(c, 0, 3), CD_ERROR_UNSUPPORTED, "spring|3"); /* through the welds between */
             refuses(c, cd_chain_write_f64(c, CD_STIFFNESS, 0, 1, 3, 1, &weld, 1), CD_ERROR_UNSUPPORTED, "");
             refuses(c, cd_chain_write_f64(c, CD_STIFFNESS, 0, 1, 1, 3, welds, 3), CD_ERROR_UNSUPPORTED, "");
             scene_set(c, CD_PIN, 4, CD_NODE_FREE);
-            ok(cd_chain_weld(c, 3));
+            ok(cd_chain_weld(c, 0, 3));
             const double kind = b;
             refuses(c, cd_chain_write_f64(c, CD_PIN, 0, 1, 4, 1, &kind, 1), CD_ERROR_UNSUPPORTED, "");
             cd_chain_destroy(c);

@@ -58,12 +58,12 @@ static void no_parameter_takes_a_number_outside_its_range(void** state) {
     refuses_each(chain, cd_chain_step(chain, bad, 1), "dt", not_positive);
     refuses_each(chain, cd_chain_step(chain, bad, 1), "dt", not_a_step);
     refuses_each(chain, cd_chain_step(chain, bad, 0), "dt", not_finite);
-    refuses_each(chain, cd_chain_attach(chain, 2, bad, 1, NULL, COMPONENTS), "stiffness", not_finite);
-    refuses_each(chain, cd_chain_attach(chain, 2, bad, 1, NULL, COMPONENTS), "stiffness", negative);
-    refuses_each(chain, cd_chain_attach(chain, 2, bad, 1, NULL, COMPONENTS), "stiffness", too_large);
-    refuses_each(chain, cd_chain_attach(chain, 2, 1, bad, NULL, COMPONENTS), "damping", not_finite);
-    refuses_each(chain, cd_chain_attach(chain, 2, 1, bad, NULL, COMPONENTS), "damping", negative);
-    refuses_each(chain, cd_chain_attach(chain, 2, 1, bad, NULL, COMPONENTS), "damping", too_large);
+    refuses_each(chain, cd_chain_attach(chain, 0, 2, bad, 1, NULL, COMPONENTS), "stiffness", not_finite);
+    refuses_each(chain, cd_chain_attach(chain, 0, 2, bad, 1, NULL, COMPONENTS), "stiffness", negative);
+    refuses_each(chain, cd_chain_attach(chain, 0, 2, bad, 1, NULL, COMPONENTS), "stiffness", too_large);
+    refuses_each(chain, cd_chain_attach(chain, 0, 2, 1, bad, NULL, COMPONENTS), "damping", not_finite);
+    refuses_each(chain, cd_chain_attach(chain, 0, 2, 1, bad, NULL, COMPONENTS), "damping", negative);
+    refuses_each(chain, cd_chain_attach(chain, 0, 2, 1, bad, NULL, COMPONENTS), "damping", too_large);
 }
 
 static void the_extremes_of_the_header_are_taken(void** state) {
@@ -79,7 +79,7 @@ static void the_extremes_of_the_header_are_taken(void** state) {
     }
     ok(cd_chain_set_lambda(c, 0));
     ok(cd_chain_set_lambda(c, 1));
-    ok(cd_chain_attach(c, 0, 1e60, 1e60, NULL, 1));
+    ok(cd_chain_attach(c, 0, 0, 1e60, 1e60, NULL, 1));
     ok(cd_chain_step(c, 1e-30, 1));
     ok(cd_chain_step(c, 1e30, 1));
     ok(cd_chain_set_tolerance(c, 1e-14, 1));
@@ -156,7 +156,7 @@ static void no_array_takes_what_is_not_finite(void** state) {
                     text_of("gravity|[%zu]|%s", at, shown));
             refuses(chain, cd_chain_impulse(chain, 1, 2, numbers, COMPONENTS), CD_ERROR_VALUE,
                     text_of("impulse|[%zu]|%s", at, shown));
-            refuses(chain, cd_chain_attach(chain, 2, 1, 1, numbers, COMPONENTS), CD_ERROR_VALUE,
+            refuses(chain, cd_chain_attach(chain, 0, 2, 1, 1, numbers, COMPONENTS), CD_ERROR_VALUE,
                     text_of("target|[%zu]|%s", at, shown));
             refuses(chain, cd_chain_sample(chain, 1, numbers, 2, out.number, 2 * COMPONENTS), CD_ERROR_VALUE,
                     text_of("at|[%zu]|%s", at, shown));
@@ -238,13 +238,24 @@ static void no_index_beyond_the_end_is_taken(void** state) {
         const size_t spring = i < COUNT(beyond) ? SPRINGS + beyond[i] : SIZE_MAX;
         refuses(chain, cd_chain_impulse(chain, strand, 2, numbers, 2), CD_ERROR_RANGE, name_and_size("strand", strand));
         refuses(chain, cd_chain_impulse(chain, 0, node, numbers, 2), CD_ERROR_RANGE, name_and_size("node", node));
-        refuses(chain, cd_chain_attach(chain, node, 1, 1, numbers, 2), CD_ERROR_RANGE, name_and_size("node", node));
-        refuses(chain, cd_chain_attach(chain, node, 1, 1, NULL, 2), CD_ERROR_RANGE, name_and_size("node", node));
-        refuses(chain, cd_chain_detach(chain, node), CD_ERROR_RANGE, name_and_size("node", node));
-        refuses(chain, cd_chain_get_attachment(chain, node, &out.number[0], &out.number[1]), CD_ERROR_RANGE,
+        refuses(chain, cd_chain_attach(chain, 0, node, 1, 1, numbers, 2), CD_ERROR_RANGE, name_and_size("node", node));
+        refuses(chain, cd_chain_attach(chain, 0, node, 1, 1, NULL, 2), CD_ERROR_RANGE, name_and_size("node", node));
+        refuses(chain, cd_chain_detach(chain, 0, node), CD_ERROR_RANGE, name_and_size("node", node));
+        refuses(chain, cd_chain_get_attachment(chain, 0, node, &out.number[0], &out.number[1]), CD_ERROR_RANGE,
                 name_and_size("node", node));
-        refuses(chain, cd_chain_cut(chain, spring), CD_ERROR_RANGE, name_and_size("spring", spring));
-        refuses(chain, cd_chain_weld(chain, spring), CD_ERROR_RANGE, name_and_size("spring", spring));
+        refuses(chain, cd_chain_cut(chain, 0, spring), CD_ERROR_RANGE, name_and_size("spring", spring));
+        refuses(chain, cd_chain_weld(chain, 0, spring), CD_ERROR_RANGE, name_and_size("spring", spring));
+        for (int is_rope = 0; is_rope <= 1; ++is_rope) { /* what strands share they all have: there is but strand 0 */
+            const size_t s = is_rope ? strand : strand - STRANDS + 1;
+            if (is_rope) ok(cd_chain_set_rest_length(chain, 1));
+            refuses(chain, cd_chain_attach(chain, s, 2, 1, 1, numbers, 2), CD_ERROR_RANGE, name_and_size("strand", s));
+            refuses(chain, cd_chain_detach(chain, s, 2), CD_ERROR_RANGE, name_and_size("strand", s));
+            refuses(chain, cd_chain_get_attachment(chain, s, 2, &out.number[0], &out.number[1]), CD_ERROR_RANGE,
+                    name_and_size("strand", s));
+            refuses(chain, cd_chain_cut(chain, s, 2), CD_ERROR_RANGE, name_and_size("strand", s));
+            refuses(chain, cd_chain_weld(chain, s, 2), CD_ERROR_RANGE, name_and_size("strand", s));
+            ok(cd_chain_set_rest_length(chain, 0));
+        }
         refuses(chain, cd_chain_sample(chain, strand, numbers, 2, out.number, 4), CD_ERROR_RANGE,
                 name_and_size("strand", strand));
     }
@@ -259,7 +270,8 @@ static void no_buffer_of_another_length_is_taken(void** state) {
         refuses(chain, cd_chain_set_gravity(chain, numbers, count), CD_ERROR_RANGE, name_and_size("count", count));
         refuses(chain, cd_chain_get_gravity(chain, out.number, count), CD_ERROR_RANGE, name_and_size("count", count));
         refuses(chain, cd_chain_impulse(chain, 0, 2, numbers, count), CD_ERROR_RANGE, name_and_size("count", count));
-        refuses(chain, cd_chain_attach(chain, 2, 1, 1, numbers, count), CD_ERROR_RANGE, name_and_size("count", count));
+        refuses(chain, cd_chain_attach(chain, 0, 2, 1, 1, numbers, count), CD_ERROR_RANGE,
+                name_and_size("count", count));
         refuses(chain, cd_chain_get_momentum(chain, out.number, count), CD_ERROR_RANGE, name_and_size("count", count));
         refuses(chain, cd_chain_sample(chain, 0, numbers, 2, out.number, count), CD_ERROR_RANGE,
                 name_and_size("out_count", count));

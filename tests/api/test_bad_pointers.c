@@ -88,11 +88,11 @@ static void only_a_living_chain_is_taken_for_one(void** state) {
     refuses_handles(cd_chain_read_f64, CD_POSITION, 0, 1, 0, 1, out.number, COMPONENTS);
     refuses_handles(cd_chain_view, CD_POSITION, &out.pointer, &out.size[0], &out.size[1], &out.size[2]);
     refuses_handles(cd_chain_impulse, 0, 2, numbers, COMPONENTS);
-    refuses_handles(cd_chain_attach, 2, 1.0, 1.0, numbers, COMPONENTS);
-    refuses_handles(cd_chain_detach, 3);
-    refuses_handles(cd_chain_get_attachment, 3, &out.number[0], &out.number[1]);
-    refuses_handles(cd_chain_cut, 2);
-    refuses_handles(cd_chain_weld, 2);
+    refuses_handles(cd_chain_attach, 0, 2, 1.0, 1.0, numbers, COMPONENTS);
+    refuses_handles(cd_chain_detach, 0, 3);
+    refuses_handles(cd_chain_get_attachment, 0, 3, &out.number[0], &out.number[1]);
+    refuses_handles(cd_chain_cut, 0, 2);
+    refuses_handles(cd_chain_weld, 0, 2);
     refuses_handles(cd_chain_step, 0.01, 1);
     refuses_handles(cd_chain_stable_dt, out.number);
     refuses_handles(cd_chain_get_time, out.number);
@@ -160,8 +160,8 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(chain, cd_chain_view(chain, CD_POSITION, &out.pointer, &out.size[0], &out.size[1], NULL), CD_ERROR_NULL,
             "out_component_stride");
     refuses(chain, cd_chain_impulse(chain, 0, 2, NULL, COMPONENTS), CD_ERROR_NULL, "impulse");
-    refuses(chain, cd_chain_get_attachment(chain, 3, NULL, &out.number[1]), CD_ERROR_NULL, "out_stiffness");
-    refuses(chain, cd_chain_get_attachment(chain, 3, &out.number[0], NULL), CD_ERROR_NULL, "out_damping");
+    refuses(chain, cd_chain_get_attachment(chain, 0, 3, NULL, &out.number[1]), CD_ERROR_NULL, "out_stiffness");
+    refuses(chain, cd_chain_get_attachment(chain, 0, 3, &out.number[0], NULL), CD_ERROR_NULL, "out_damping");
     refuses(chain, cd_chain_stable_dt(chain, NULL), CD_ERROR_NULL, "out_dt");
     refuses(chain, cd_chain_get_time(chain, NULL), CD_ERROR_NULL, "out_time");
     refuses(chain, cd_chain_get_steps(chain, NULL), CD_ERROR_NULL, "out_steps");
@@ -195,10 +195,10 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     ok(cd_chain_set_parallel(other, NULL));
     ok(cd_chain_get_energy(other, NULL, NULL, NULL));
     ok(cd_chain_get_convergence(other, NULL, NULL));
-    ok(cd_chain_attach(other, 0, 1, 1, target, COMPONENTS));
-    ok(cd_chain_attach(other, 1, 1, 1, NULL, COMPONENTS));
-    ok(cd_chain_attach(other, 1, 1, 1, NULL, 0)); /* then count means nothing */
-    ok(cd_chain_attach(other, 1, 1, 1, NULL, SIZE_MAX));
+    ok(cd_chain_attach(other, 0, 0, 1, 1, target, COMPONENTS));
+    ok(cd_chain_attach(other, 0, 1, 1, 1, NULL, COMPONENTS));
+    ok(cd_chain_attach(other, 0, 1, 1, 1, NULL, 0)); /* then count means nothing */
+    ok(cd_chain_attach(other, 0, 1, 1, 1, NULL, SIZE_MAX));
     cd_chain_destroy(other);
     cd_chain_destroy(NULL);
 }

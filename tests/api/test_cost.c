@@ -27,10 +27,10 @@ static void pin(cd_chain* chain) { scene_set(chain, CD_PIN, 2, CD_NODE_PINNED); 
 static void node_mass(cd_chain* chain) { scene_set(chain, CD_MASS, 2, 9); }
 static void spring_stiffness(cd_chain* chain) { scene_set(chain, CD_STIFFNESS, 2, 9); }
 static void node_bend(cd_chain* chain) { scene_set(chain, CD_BEND, 2, 9); }
-static void attach(cd_chain* chain) { ok(cd_chain_attach(chain, 2, 1, 1, NULL, COMPONENTS)); }
-static void detach(cd_chain* chain) { ok(cd_chain_detach(chain, 3)); }
-static void cut(cd_chain* chain) { ok(cd_chain_cut(chain, 1)); }
-static void weld(cd_chain* chain) { ok(cd_chain_weld(chain, 5)); }
+static void attach(cd_chain* chain) { ok(cd_chain_attach(chain, 0, 2, 1, 1, NULL, COMPONENTS)); }
+static void detach(cd_chain* chain) { ok(cd_chain_detach(chain, 0, 3)); }
+static void cut(cd_chain* chain) { ok(cd_chain_cut(chain, 0, 1)); }
+static void weld(cd_chain* chain) { ok(cd_chain_weld(chain, 0, 5)); }
 
 static void length(cd_chain* chain) { ok(cd_chain_set_rest_length(chain, 2)); }
 static void spring_length(cd_chain* chain) { scene_set(chain, CD_REST_LENGTH, 2, 0.2); }
@@ -178,8 +178,8 @@ static void lengths_take_memory_and_give_it_back(void** state) {
     assert_int_equal(heap.allocations, allocations);
     assert_int_equal(heap.live_bytes, rope);
     ok(cd_chain_enable_field(chain, CD_REST_LENGTH));
-    assert_true(heap.live_bytes >= rope + LONG * sizeof(double));
-    assert_true(heap.live_bytes < rope + LONG * sizeof(double) + 4096);
+    assert_true(heap.live_bytes >= rope + MANY * LONG * sizeof(double));
+    assert_true(heap.live_bytes < rope + MANY * LONG * sizeof(double) + 4096);
     ok(cd_chain_disable_field(chain, CD_REST_LENGTH));
     assert_int_equal(heap.live_bytes, rope);
     ok(cd_chain_set_air(chain, 0, 2)); /* scratch for those that are stepped at once */
@@ -217,7 +217,7 @@ static void a_rope_takes_no_more_scratch_than_its_tasks(void** state) {
         ok(cd_chain_get_memory(chain, &plain));
         ok(cd_chain_set_rest_length(chain, 1));
         ok(cd_chain_get_memory(chain, &rope));
-        of_step[i] = rope - plain - strands[i] * 99 * sizeof(double);
+        of_step[i] = rope - plain - strands[i] * 99 * sizeof(double) - (strands[i] - 1) * 100; /* tensions, pins */
         cd_chain_destroy(chain);
     }
     assert_true(of_step[0] < 100 * 64 * sizeof(double));

@@ -198,11 +198,11 @@ static void no_infinite_state_goes_without_a_status(void** state) {
                 for (size_t count = 1; count < 40; count += 3) {
                     cd_chain* chain = scene_chain(1, 4, 1, precision);
                     double x[5], v[5];
-                    ok(cd_chain_weld(chain, 0));
+                    ok(cd_chain_weld(chain, 0, 0));
                     ok(cd_chain_enable_field(chain, CD_MASS));
                     scene_write(chain, CD_MASS, masses);
                     scene_write(chain, CD_POSITION, start);
-                    ok(cd_chain_attach(chain, 0, 5371.29, 0, &target, 1));
+                    ok(cd_chain_attach(chain, 0, 0, 5371.29, 0, &target, 1));
                     ok(cd_chain_set_method(chain, method));
                     const cd_status status = cd_chain_step(chain, dt, count);
                     scene_read(chain, CD_POSITION, x);
@@ -226,9 +226,9 @@ static void what_is_welded_to_a_pinned_node_does_not_diverge(void** state) {
                 double v[12];
                 ok(cd_chain_set_end(chain, CD_END_LAST, CD_NODE_PINNED));
                 ok(cd_chain_set_mass(chain, 1e-60));
-                ok(cd_chain_attach(chain, 2, 1e60, 0, &target, 1));
+                ok(cd_chain_attach(chain, 0, 2, 1e60, 0, &target, 1));
                 if (bends) ok(cd_chain_set_bend(chain, 1));
-                for (size_t spring = 0; spring < 3; ++spring) ok(cd_chain_weld(chain, spring));
+                for (size_t spring = 0; spring < 3; ++spring) ok(cd_chain_weld(chain, 0, spring));
                 ok(cd_chain_set_method(chain, method));
                 ok(cd_chain_step(chain, precision ? 1e30 : 1, 2));
                 scene_read(chain, CD_VELOCITY, v);
@@ -246,7 +246,7 @@ static void the_mean_velocity_of_a_weld_does_not_overflow(void** state) {
             double v[2] = {speeds[j], -speeds[j]};
             ok(cd_chain_set_mass(chain, masses[i]));
             ok(cd_chain_write_f64(chain, CD_VELOCITY, 0, 1, 0, 2, v, 2));
-            ok(cd_chain_weld(chain, 0));
+            ok(cd_chain_weld(chain, 0, 0));
             ok(cd_chain_read_f64(chain, CD_VELOCITY, 0, 1, 0, 2, v, 2));
             assert_true(v[0] == 0 && v[1] == 0);
             cd_chain_destroy(chain);
@@ -260,10 +260,10 @@ static void targets_are_never_taken_from_a_diverged_state(void** state) {
     cd_chain* chain = unstable(CD_FLOAT32, CD_METHOD_FORWARD_EULER, &dt);
     assert_int_equal(cd_chain_step(chain, dt, 5000), CD_ERROR_DIVERGED);
     refuses(chain, cd_chain_enable_field(chain, CD_TARGET), CD_ERROR_DIVERGED, "");
-    refuses(chain, cd_chain_attach(chain, 3, 1, 0, NULL, 0), CD_ERROR_DIVERGED, "");
-    refuses(chain, cd_chain_attach(chain, 3, 1, 0, target, COMPONENTS), CD_ERROR_DIVERGED, "");
+    refuses(chain, cd_chain_attach(chain, 0, 3, 1, 0, NULL, 0), CD_ERROR_DIVERGED, "");
+    refuses(chain, cd_chain_attach(chain, 0, 3, 1, 0, target, COMPONENTS), CD_ERROR_DIVERGED, "");
     ok(cd_chain_reset(chain));
-    ok(cd_chain_attach(chain, 3, 1, 0, NULL, 0));
+    ok(cd_chain_attach(chain, 0, 3, 1, 0, NULL, 0));
     ok(cd_chain_step(chain, dt / 8, 1));
     cd_chain_destroy(chain);
 }

@@ -213,7 +213,7 @@ static void a_field_switched_off_gives_its_memory_back_and_its_values_up(void** 
         ok(cd_chain_enable_field(chain, fields[i].field));
         ok(cd_chain_get_memory(chain, &with));
         assert_true(with > before);
-        if (fields[i].field == CD_TARGET) ok(cd_chain_attach(chain, 2, 10, 1, NULL, COMPONENTS));
+        if (fields[i].field == CD_TARGET) ok(cd_chain_attach(chain, 0, 2, 10, 1, NULL, COMPONENTS));
         double values[ALL];
         fill(fields[i].field, values, scene_field_count(chain, fields[i].field), 31);
         scene_write(chain, fields[i].field, values);

@@ -44,14 +44,14 @@ static void no_mass(cd_chain* c) { ok(cd_chain_disable_field(c, CD_MASS)); }
 static void no_stiffness(cd_chain* c) { ok(cd_chain_disable_field(c, CD_STIFFNESS)); }
 static void no_bend(cd_chain* c) { ok(cd_chain_disable_field(c, CD_BEND)); }
 static void no_target(cd_chain* c) { ok(cd_chain_disable_field(c, CD_TARGET)); }
-static void attach_stiffness(cd_chain* c) { ok(cd_chain_attach(c, 3, 26, 0.25, NULL, COMPONENTS)); }
-static void attach_damping(cd_chain* c) { ok(cd_chain_attach(c, 3, 25, 0.5, NULL, COMPONENTS)); }
-static void attach_target(cd_chain* c) { ok(cd_chain_attach(c, 3, 25, 0.25, gravity[0], COMPONENTS)); }
-static void attach_another(cd_chain* c) { ok(cd_chain_attach(c, 2, 25, 0.25, NULL, COMPONENTS)); }
-static void detach(cd_chain* c) { ok(cd_chain_detach(c, 3)); }
+static void attach_stiffness(cd_chain* c) { ok(cd_chain_attach(c, 0, 3, 26, 0.25, NULL, COMPONENTS)); }
+static void attach_damping(cd_chain* c) { ok(cd_chain_attach(c, 0, 3, 25, 0.5, NULL, COMPONENTS)); }
+static void attach_target(cd_chain* c) { ok(cd_chain_attach(c, 0, 3, 25, 0.25, gravity[0], COMPONENTS)); }
+static void attach_another(cd_chain* c) { ok(cd_chain_attach(c, 0, 2, 25, 0.25, NULL, COMPONENTS)); }
+static void detach(cd_chain* c) { ok(cd_chain_detach(c, 0, 3)); }
 static void impulse(cd_chain* c) { ok(cd_chain_impulse(c, 1, 6, gravity[0], COMPONENTS)); }
-static void cut(cd_chain* c) { ok(cd_chain_cut(c, 1)); }
-static void weld(cd_chain* c) { ok(cd_chain_weld(c, 5)); }
+static void cut(cd_chain* c) { ok(cd_chain_cut(c, 0, 1)); }
+static void weld(cd_chain* c) { ok(cd_chain_weld(c, 0, 5)); }
 static void step(cd_chain* c) { ok(cd_chain_step(c, 0.001, 1)); }
 static void longer_step(cd_chain* c) { ok(cd_chain_step(c, 0.002, 1)); }
 static void two_steps(cd_chain* c) { ok(cd_chain_step(c, 0.001, 2)); }
@@ -65,7 +65,22 @@ static void tolerance(cd_chain* c) { ok(cd_chain_set_tolerance(c, 1e-8, 100)); }
 static void most_iterations(cd_chain* c) { ok(cd_chain_set_tolerance(c, 1e-9, 101)); }
 static void push(cd_chain* c) { ok(cd_chain_set_push(c, 1)); }
 static void length(cd_chain* c) { ok(cd_chain_set_rest_length(c, 2)); }
-static void no_length(cd_chain* c) { ok(cd_chain_set_rest_length(c, 0)); }
+static void no_length(cd_chain* c) { /* strands must agree in what they will share */
+    for (cd_field field = CD_MASS; field <= CD_TARGET; ++field)
+        if (field != CD_PIN) ok(cd_chain_disable_field(c, field));
+    for (size_t i = 0; i < scene_nodes(c); ++i) scene_set(c, CD_PIN, i, CD_NODE_FREE);
+    ok(cd_chain_set_rest_length(c, 0));
+}
+static void pin_in_one_strand(cd_chain* c) {
+    const double pin = CD_NODE_PINNED;
+    ok(cd_chain_write_f64(c, CD_PIN, 1, 1, 2, 1, &pin, 1));
+}
+static void mass_in_one_strand(cd_chain* c) {
+    const double m = 0.5;
+    ok(cd_chain_write_f64(c, CD_MASS, 1, 1, 2, 1, &m, 1));
+}
+static void cut_in_one_strand(cd_chain* c) { ok(cd_chain_cut(c, 1, 1)); }
+static void attach_in_one_strand(cd_chain* c) { ok(cd_chain_attach(c, 1, 2, 25, 0.25, NULL, COMPONENTS)); }
 static void no_lengths(cd_chain* c) { ok(cd_chain_disable_field(c, CD_REST_LENGTH)); }
 static void air_along(cd_chain* c) { ok(cd_chain_set_air(c, 0.04, 0.8)); }
 static void air_across(cd_chain* c) { ok(cd_chain_set_air(c, 0.03, 0.9)); }
@@ -84,7 +99,8 @@ static void (*const rope_changes[])(cd_chain*) = {
     tolerance, most_iterations, push,    length,   no_length, no_lengths,   rigid,     lambda, method_1,
     mass,      stiffness,       bend,    drag,     damping,   no_force,     no_mass,   no_stiffness,
     no_target, detach,          impulse, cut,      weld,      step,         longer_step, two_steps, reset,
-    air_along, air_across,      wind_0,  wind_last, no_winds};
+    air_along, air_across,      wind_0,  wind_last, no_winds, pin_in_one_strand, mass_in_one_strand, cut_in_one_strand,
+    attach_in_one_strand};
 
 static void (*const changes[])(cd_chain*) = {
     lambda,    method_1,  method_2, method_3, mass,       mass_rule,        stiffness,      bend,          drag,

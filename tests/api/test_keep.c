@@ -99,8 +99,8 @@ static void assert_same_in_all_that_can_be_read(const cd_chain* a, const cd_chai
     }
     for (size_t node = 0; node <= SPRINGS; ++node) {
         double x[2], y[2];
-        ok(cd_chain_get_attachment(a, node, &x[0], &x[1]));
-        ok(cd_chain_get_attachment(b, node, &y[0], &y[1]));
+        ok(cd_chain_get_attachment(a, 0, node, &x[0], &x[1]));
+        ok(cd_chain_get_attachment(b, 0, node, &y[0], &y[1]));
         assert_same_bits(x, y, 2);
     }
 }
@@ -205,7 +205,7 @@ static void what_was_saved_can_be_loaded_at_the_ends_of_every_range(void** state
             ok(cd_chain_set_bend(chain, totals[i].other));
             ok(cd_chain_set_drag(chain, totals[i].other));
             ok(cd_chain_set_stiffness_damping(chain, totals[i].other));
-            ok(cd_chain_attach(chain, 3, totals[i].other, totals[i].other, NULL, 0));
+            ok(cd_chain_attach(chain, 0, 3, totals[i].other, totals[i].other, NULL, 0));
             for (cd_field field = CD_POSITION; field <= CD_TARGET; ++field) ok(cd_chain_enable_field(chain, field));
             struct blob blob = save(chain);
             ok(cd_chain_load(fresh, blob.bytes, blob.size));

@@ -116,7 +116,7 @@ static void a_new_chain_lies_at_rest_at_the_origin_and_holds_nothing_optional(vo
     for (int c = 0; c < 3; ++c) assert_true(momentum[c] == 0);
     for (size_t node = 0; node < 5; ++node) {
         number = damping = 1;
-        ok(cd_chain_get_attachment(chain, node, &number, &damping));
+        ok(cd_chain_get_attachment(chain, 0, node, &number, &damping));
         assert_true(number == 0 && damping == 0);
     }
     cd_chain_destroy(chain);

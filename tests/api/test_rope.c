@@ -24,13 +24,13 @@ static cd_chain* rope(void) {
 static void a_length_is_dealt_out_to_the_springs(void** state) {
     (void)state;
     cd_chain* chain = rope();
-    double length = 0, lengths[SPRINGS], positions[2][ALL];
+    double length = 0, lengths[STRANDS * SPRINGS], positions[2][ALL];
     scene_read(chain, CD_POSITION, positions[0]);
     ok(cd_chain_get_rest_length(chain, &length));
     assert_true(length == 0.1 * SPRINGS);
     ok(cd_chain_enable_field(chain, CD_REST_LENGTH));
     scene_read(chain, CD_REST_LENGTH, lengths);
-    for (size_t i = 0; i < SPRINGS; ++i) assert_true(lengths[i] == length / SPRINGS);
+    for (size_t i = 0; i < STRANDS * SPRINGS; ++i) assert_true(lengths[i] == length / SPRINGS);
     scene_set(chain, CD_REST_LENGTH, 4, 0.5);
     ok(cd_chain_enable_field(chain, CD_REST_LENGTH)); /* on already: nothing happens */
     assert_true(scene_get(chain, CD_REST_LENGTH, 4) == 0.5);
@@ -38,7 +38,7 @@ static void a_length_is_dealt_out_to_the_springs(void** state) {
     assert_true(length == 0.1 * SPRINGS);
     ok(cd_chain_set_rest_length(chain, 18)); /* writes the field anew */
     scene_read(chain, CD_REST_LENGTH, lengths);
-    for (size_t i = 0; i < SPRINGS; ++i) assert_true(lengths[i] == 2);
+    for (size_t i = 0; i < STRANDS * SPRINGS; ++i) assert_true(lengths[i] == 2);
     scene_read(chain, CD_POSITION, positions[1]); /* nodes stay where they are */
     assert_same_bits(positions[0], positions[1], ALL);
     ok(cd_chain_set_rest_length(chain, 0));
@@ -228,8 +228,8 @@ static void lengths_stay_where_a_weld_would_join_held_nodes(void** state) {
             double v[STRANDS * COMPONENTS];
             scene_set(chain, CD_PIN, 2, a);
             scene_set(chain, CD_PIN, 4, b);
-            ok(cd_chain_weld(chain, 2));
-            ok(cd_chain_weld(chain, 3)); /* only its length is fixed */
+            for (size_t s = 0; s < STRANDS; ++s) ok(cd_chain_weld(chain, s, 2)); /* only its length is fixed */
+            for (size_t s = 0; s < STRANDS; ++s) ok(cd_chain_weld(chain, s, 3));
             scene_set(chain, CD_STIFFNESS, 3, INFINITY);
             refuses(chain, cd_chain_set_rest_length(chain, 0), CD_ERROR_UNSUPPORTED, "length|0|welded");
             refuses(chain, cd_chain_set_rest_length(chain, -0.0), CD_ERROR_UNSUPPORTED, "length|0");
@@ -243,7 +243,7 @@ static void lengths_stay_where_a_weld_would_join_held_nodes(void** state) {
             ok(cd_chain_read_f64(chain, CD_VELOCITY, 0, STRANDS, 4, 1, group, STRANDS * COMPONENTS));
             assert_same_bits(held, group, STRANDS * COMPONENTS);
             scene_set(chain, CD_PIN, 5, b);
-            refuses(chain, cd_chain_weld(chain, 4), CD_ERROR_UNSUPPORTED, "spring|4");
+            refuses(chain, cd_chain_weld(chain, 0, 4), CD_ERROR_UNSUPPORTED, "spring|4");
             cd_chain_destroy(chain);
         }
     }
@@ -254,7 +254,7 @@ static void rigid_springs_of_ropes_are_no_welds(void** state) {
     const double push[COMPONENTS] = {0, 1, 0};
     double before[ALL], after[ALL];
     cd_chain* chain = rope();
-    ok(cd_chain_weld(chain, 3));
+    ok(cd_chain_weld(chain, 0, 3));
     ok(cd_chain_impulse(chain, 1, 4, push, COMPONENTS)); /* takes that node alone along */
     scene_read(chain, CD_VELOCITY, before);
     assert_near(before[(NODES + 4) * COMPONENTS + 1], (double)NODES, 1e-15, 0);
@@ -411,7 +411,7 @@ static void energy_counts_what_springs_are_longer(void** state) {
         scene_write(chain, CD_POSITION, x);
         ok(cd_chain_get_energy(chain, &kinetic, &elastic, &gravity));
         assert_true(kinetic == 0 && gravity == 0 && elastic == 3 * 9 + (push ? 3 * 1 : 0));
-        ok(cd_chain_weld(chain, 0));
+        ok(cd_chain_weld(chain, 0, 0));
         ok(cd_chain_get_energy(chain, NULL, &elastic, NULL));
         assert_true(elastic == (push ? 3 * 1 : 0));
         cd_chain_destroy(chain);

@@ -61,7 +61,7 @@ static void welded_nodes_share_the_mean_velocity_at_once(void** state) {
         const size_t pair[] = {3, 4};
         scene_read(chain, CD_VELOCITY, v);
         momentum_of(chain, before);
-        ok(cd_chain_weld(chain, 3));
+        ok(cd_chain_weld(chain, 0, 3));
         assert_true(isinf(scene_get(chain, CD_STIFFNESS, 3)));
         momentum_of(chain, after);
         scene_read(chain, CD_VELOCITY, welded);
@@ -86,9 +86,9 @@ static void a_welded_pair_keeps_its_offset_and_the_chain_its_momentum(void** sta
         for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
             cd_chain* chain = free_chain(&ways[w], precision);
             static const size_t pair[] = {2, 3}, run[] = {5, 6, 7};
-            ok(cd_chain_weld(chain, 2));
-            ok(cd_chain_weld(chain, 5));
-            ok(cd_chain_weld(chain, 6));
+            ok(cd_chain_weld(chain, 0, 2));
+            ok(cd_chain_weld(chain, 0, 5));
+            ok(cd_chain_weld(chain, 0, 6));
             double start[ALL], end[ALL], before[COMPONENTS], after[COMPONENTS];
             scene_read(chain, CD_POSITION, start);
             momentum_of(chain, before);
@@ -122,7 +122,7 @@ static void a_chain_welded_all_along_moves_as_one_body(void** state) {
         double momentum[COMPONENTS], after[COMPONENTS], mass = 0;
         for (size_t i = 0; i < NODES; ++i) mass += scene_get(chain, CD_MASS, i);
         momentum_of(chain, momentum);
-        for (size_t i = 0; i < scene_springs(chain); ++i) ok(cd_chain_weld(chain, (i * 5) % scene_springs(chain)));
+        for (size_t i = 0; i < scene_springs(chain); ++i) ok(cd_chain_weld(chain, 0, (i * 5) % scene_springs(chain)));
         momentum_of(chain, after);
         for (size_t c = 0; c < COMPONENTS; ++c) assert_near(after[c], momentum[c], 1e-14, 1);
         ok(cd_chain_set_gravity(chain, gravity, COMPONENTS));
@@ -146,7 +146,7 @@ static void a_weld_in_an_explicit_step_makes_one_mass_of_two(void** state) {
         ok(cd_chain_set_method(chain, explicit_methods[i]));
         scene_write(chain, CD_POSITION, x);
         scene_write(chain, CD_VELOCITY, v);
-        ok(cd_chain_weld(chain, 1));
+        ok(cd_chain_weld(chain, 0, 1));
         for (int step = 0; step < 20; ++step) {
             const double left = k * (x[1] - x[0]), right = k * (x[3] - x[2]);
             const double a[4] = {left / m, (right - left) / (2 * m), (right - left) / (2 * m), -right / m};
@@ -175,8 +175,8 @@ static void what_is_welded_to_a_held_node_moves_with_it(void** state) {
             double told[STRANDS * COMPONENTS] = {0.25, -0.5, 0, 1}, v[ALL], start[ALL], end[ALL];
             for (size_t j = 0; j < COUNT(told) && kind == CD_NODE_PINNED; ++j) told[j] = 0;
             ok(cd_chain_write_f64(chain, CD_VELOCITY, 0, STRANDS, 4, 1, told, COUNT(told)));
-            ok(cd_chain_weld(chain, 3));
-            ok(cd_chain_weld(chain, 4));
+            ok(cd_chain_weld(chain, 0, 3));
+            ok(cd_chain_weld(chain, 0, 4));
             assert_one_velocity(chain, group, 3);
             scene_read(chain, CD_POSITION, start);
             ok(cd_chain_step(chain, 0.0078125, 128));
@@ -200,7 +200,7 @@ static void a_velocity_written_to_a_welded_node_goes_to_its_whole_group(void** s
         const size_t group[] = {3, 4, 0, 1, 2, 5, 6, 7, 8}, members = all_round ? NODES : 2;
         const double fast[COMPONENTS] = {8, -8};
         double v[ALL], mass = 0, mean = 0;
-        for (size_t i = 0; i < (all_round ? NODES : 1); ++i) ok(cd_chain_weld(chain, (i + 3) % NODES));
+        for (size_t i = 0; i < (all_round ? NODES : 1); ++i) ok(cd_chain_weld(chain, 0, (i + 3) % NODES));
         scene_read(chain, CD_VELOCITY, v);
         for (size_t i = 0; i < members; ++i) {
             const double m = scene_get(chain, CD_MASS, group[i]);
@@ -223,7 +223,7 @@ static void a_cut_leaves_two_chains(void** state) {
         cd_chain* chain = free_chain(&ways[w], CD_FLOAT64);
         cd_chain* left = scene_chain(STRANDS, 3, COMPONENTS, CD_FLOAT64);
         double x[ALL], v[ALL], y[STRANDS * 4 * COMPONENTS];
-        ok(cd_chain_cut(chain, 3));
+        ok(cd_chain_cut(chain, 0, 3));
         assert_true(scene_get(chain, CD_STIFFNESS, 3) == 0);
         scene_read(chain, CD_POSITION, x);
         scene_read(chain, CD_VELOCITY, v);
@@ -250,14 +250,14 @@ static void a_cut_leaves_two_chains(void** state) {
 static void a_weld_comes_loose_when_it_gets_a_stiffness_again(void** state) {
     (void)state;
     cd_chain* chain = free_chain(&ways[0], CD_FLOAT64);
-    ok(cd_chain_weld(chain, 3));
+    ok(cd_chain_weld(chain, 0, 3));
     ok(cd_chain_step(chain, 0.01, 10));
     scene_set(chain, CD_STIFFNESS, 3, 5);
     ok(cd_chain_step(chain, 0.01, 10));
     double v[ALL];
     scene_read(chain, CD_VELOCITY, v);
     assert_true(at(v, 0, 3, 0) != at(v, 0, 4, 0));
-    ok(cd_chain_weld(chain, 3));
+    ok(cd_chain_weld(chain, 0, 3));
     ok(cd_chain_disable_field(chain, CD_STIFFNESS));
     ok(cd_chain_step(chain, 0.01, 10));
     scene_read(chain, CD_VELOCITY, v);
@@ -284,7 +284,7 @@ static void welded_nodes_share_one_velocity_to_the_bit(void** state) {
         if (kind / 8 % 2) ok(cd_chain_set_bend(chain, 1e-7));
         scene_write(chain, CD_POSITION, x);
         scene_write(chain, CD_VELOCITY, v);
-        for (size_t k = 0; k < COUNT(welds) - (ring ? 0 : 1); ++k) ok(cd_chain_weld(chain, welds[k]));
+        for (size_t k = 0; k < COUNT(welds) - (ring ? 0 : 1); ++k) ok(cd_chain_weld(chain, 0, welds[k]));
         for (int step = 0; step < 50; ++step) {
             ok(cd_chain_step(chain, 0.003, 1));
             scene_read(chain, CD_VELOCITY, v);
@@ -310,7 +310,7 @@ static void welded_nodes_of_a_rod_share_one_velocity_whatever_holds_them(void** 
             ok(cd_chain_set_bend(chain, 0.01));
             scene_write(chain, CD_VELOCITY, v);
             scene_set(chain, CD_PIN, n - 3, held);
-            ok(cd_chain_weld(chain, n - 3));
+            ok(cd_chain_weld(chain, 0, n - 3));
             ok(cd_chain_step(chain, 0.1, 4));
             scene_read(chain, CD_VELOCITY, v);
             assert_true(v[n - 3] == v[n - 2]);
@@ -333,7 +333,7 @@ static void welded_nodes_share_one_velocity_at_any_lambda(void** state) {
             for (size_t i = 0; i < 9; ++i) v[40 + i] = v[51 + i] = pow(0.1, 140 - 5.0 * (double)i);
             scene_write(chain, CD_VELOCITY, v);
             ok(cd_chain_set_lambda(chain, lambda));
-            ok(cd_chain_weld(chain, 48));
+            ok(cd_chain_weld(chain, 0, 48));
             for (int s = 0; s < 40; ++s) {
                 if (cd_chain_step(chain, 164.6, 1) != CD_OK) break;
                 scene_read(chain, CD_VELOCITY, v);

@@ -146,12 +146,13 @@ def nulls(library):
         check(getattr(library.dll, function["name"])(*SHAPES[kind], None) == NULL, f"{function['name']} without output")
 
 
-def extent(kind, field):
+def extent(kind, field, is_rope=False):
     """Four numbers that a read of the whole field takes, and how many values it has."""
     a, b = SHAPES[kind][:2]
     per = field["per"][-1]
     if kind == "chain":
-        strands, items = (a if "strand" in field["per"] else 1), b + (per == "node")
+        own = "strand" in field["per"] and (is_rope or not field["own_in_ropes"])
+        strands, items = (a if own else 1), b + (per == "node")
         numbers, count = (0, strands, 0, items), strands * items
     elif kind == "membrane":
         n_u, n_v = a + (not field["name"].endswith("_U")), b + (not field["name"].endswith("_V"))
@@ -182,6 +183,12 @@ def fields(library):
                 room = (ctypes.c_double * (count + 1))()
                 check(call("read_f64", *numbers, room, count) == OK, f"{where}: not of {count} values")
                 check(call("read_f64", *numbers, room, count + 1) == RANGE, f"{where}: of more than {count} values")
+                if field.get("own_in_ropes"):
+                    check(library.dll.cd_chain_set_rest_length(handle, 1.0) == OK, f"{where}: a rest length is refused")
+                    of_all, more = extent(kind, field, is_rope=True)
+                    room = (ctypes.c_double * more)()
+                    check(call("read_f64", *of_all, room, more) == OK, f"{where}: of ropes not of {more} values")
+                    check(library.dll.cd_chain_set_rest_length(handle, 0.0) == OK, f"{where}: lengths stay")
                 for k in (2, 3):
                     more = [n + (i == k) for i, n in enumerate(numbers)]
                     if kind == "chain":

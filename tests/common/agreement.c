@@ -60,7 +60,7 @@ cd_chain* chain_like(struct reference* r, cd_precision precision) {
     for (size_t i = 0; i < n; ++i) {
         const double target = (double)r->target[i];
         if (r->anchor_stiffness[i] == 0 && r->anchor_damping[i] == 0) continue;
-        ok(cd_chain_attach(chain, i, (double)r->anchor_stiffness[i], (double)r->anchor_damping[i], &target, 1));
+        ok(cd_chain_attach(chain, 0, i, (double)r->anchor_stiffness[i], (double)r->anchor_damping[i], &target, 1));
     }
     double* x = calloc(2 * n, sizeof *x);
     assert_non_null(x);

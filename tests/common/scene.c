@@ -49,8 +49,14 @@ static int is_per_spring(cd_field field) {
     return field == CD_STIFFNESS || field == CD_REST_LENGTH || field == CD_TENSION;
 }
 
+size_t scene_own_strands(const cd_chain* chain) {
+    double length;
+    ok(cd_chain_get_rest_length(chain, &length));
+    return length > 0 ? scene_strands(chain) : 1;
+}
+
 size_t scene_field_strands(const cd_chain* chain, cd_field field) {
-    return is_per_strand(field) || field == CD_TENSION ? scene_strands(chain) : 1;
+    return is_per_strand(field) ? scene_strands(chain) : field == CD_BEND ? 1 : scene_own_strands(chain);
 }
 
 size_t scene_field_items(const cd_chain* chain, cd_field field) {
@@ -79,7 +85,8 @@ double scene_get(const cd_chain* chain, cd_field field, size_t item) {
 }
 
 void scene_set(cd_chain* chain, cd_field field, size_t item, double value) {
-    ok(cd_chain_write_f64(chain, field, 0, 1, item, 1, &value, 1));
+    for (size_t strand = 0; strand < scene_field_strands(chain, field); ++strand)
+        ok(cd_chain_write_f64(chain, field, strand, 1, item, 1, &value, 1));
 }
 
 double scene_noise(uint64_t* seed) { /* splitmix64 */
@@ -115,12 +122,12 @@ void scene_shake(cd_chain* chain, double size, uint64_t seed) {
     const size_t count = scene_field_count(chain, CD_POSITION);
     double* x = new_numbers(count);
     double* v = new_numbers(count);
-    double* pin = new_numbers(nodes);
+    double* pin = new_numbers(scene_field_count(chain, CD_PIN));
     scene_read(chain, CD_POSITION, x);
     scene_read(chain, CD_VELOCITY, v);
     scene_read(chain, CD_PIN, pin);
     for (size_t i = 0; i < count; ++i) {
-        const double kind = pin[i / components % nodes];
+        const double kind = pin[i / components % (nodes * scene_own_strands(chain))];
         x[i] += size * scene_noise(&seed);
         if (kind == CD_NODE_FREE || kind == CD_NODE_MATCHED) v[i] += size * scene_noise(&seed);
     }
@@ -216,9 +223,9 @@ void scene_welded(cd_chain* chain) {
     set_gravity(chain, -1);
     scene_lay_out(chain, 0.1);
     scene_shake(chain, 0.05, 6);
-    for (size_t spring = 1; spring < springs / 2; ++spring) ok(cd_chain_weld(chain, spring));
-    ok(cd_chain_weld(chain, springs - 1));
-    ok(cd_chain_cut(chain, springs / 2 + 1));
+    for (size_t spring = 1; spring < springs / 2; ++spring) ok(cd_chain_weld(chain, 0, spring));
+    ok(cd_chain_weld(chain, 0, springs - 1));
+    ok(cd_chain_cut(chain, 0, springs / 2 + 1));
 }
 
 void scene_attached(cd_chain* chain) {
@@ -226,8 +233,8 @@ void scene_attached(cd_chain* chain) {
     const size_t components = scene_components(chain);
     scene_lay_out(chain, 0.1);
     scene_shake(chain, 0.1, 7);
-    ok(cd_chain_attach(chain, 0, 30, 0.5, NULL, components));
-    ok(cd_chain_attach(chain, scene_nodes(chain) / 2, 8, 0, target, components));
+    ok(cd_chain_attach(chain, 0, 0, 30, 0.5, NULL, components));
+    ok(cd_chain_attach(chain, 0, scene_nodes(chain) / 2, 8, 0, target, components));
     set_gravity(chain, -2);
 }
 
@@ -256,9 +263,9 @@ static void all_fields(cd_chain* chain) {
     push(chain, 0.5, 12);
     scene_set(chain, CD_PIN, nodes / 2, CD_NODE_PINNED);
     drive(chain, 1, 0.1);
-    ok(cd_chain_attach(chain, 3, 25, 0.25, NULL, scene_components(chain)));
-    ok(cd_chain_weld(chain, nodes - 3));
-    ok(cd_chain_cut(chain, 3));
+    ok(cd_chain_attach(chain, 0, 3, 25, 0.25, NULL, scene_components(chain)));
+    ok(cd_chain_weld(chain, 0, nodes - 3));
+    ok(cd_chain_cut(chain, 0, 3));
 }
 
 void scene_everything(cd_chain* chain) {
@@ -288,9 +295,13 @@ void scene_lengths(cd_chain* chain) {
     push(chain, 0.5, 17);
     scene_set(chain, CD_PIN, nodes / 2, CD_NODE_PINNED);
     drive(chain, 1, 0.1);
-    ok(cd_chain_attach(chain, 3, 25, 0.25, NULL, scene_components(chain)));
-    ok(cd_chain_weld(chain, nodes - 3));
-    ok(cd_chain_cut(chain, 3));
+    for (size_t strand = 0; strand < scene_strands(chain); ++strand) {
+        const double free_node = CD_NODE_FREE;
+        if (strand % 4 != 2) ok(cd_chain_attach(chain, strand, 3, 25, 0.25, NULL, scene_components(chain)));
+        if (strand % 5 != 3) ok(cd_chain_weld(chain, strand, nodes - 3));
+        ok(cd_chain_cut(chain, strand, strand % 3 == 2 ? 2 : 3));
+        if (strand % 4 == 1) ok(cd_chain_write_f64(chain, CD_PIN, strand, 1, nodes / 2, 1, &free_node, 1));
+    }
     ok(cd_chain_set_air(chain, 0.03, 0.8));
     scatter(chain, CD_WIND, 2, 19);
 }

@@ -20,6 +20,9 @@ size_t scene_nodes(const cd_chain* chain);
 size_t scene_springs(const cd_chain* chain); /* a ring's last one too */
 size_t scene_components(const cd_chain* chain);
 
+/* How many strands have pins, masses and the like of their own: all of a rope. */
+size_t scene_own_strands(const cd_chain* chain);
+
 /* How many strands, items (nodes or springs) and numbers a whole field has. */
 size_t scene_field_strands(const cd_chain* chain, cd_field field);
 size_t scene_field_items(const cd_chain* chain, cd_field field);
@@ -29,8 +32,8 @@ size_t scene_field_count(const cd_chain* chain, cd_field field);
 void scene_read(const cd_chain* chain, cd_field field, double* out_values);
 void scene_write(cd_chain* chain, cd_field field, const double* values);
 
-/* One value of a field that has one per node or spring: mass, stiffness, bend, pin, rest length; a first strand's
- * tension. */
+/* One value of a field that has one per node or spring: mass, stiffness, bend, pin, rest length, tension; of the first
+ * strand, and of all. */
 double scene_get(const cd_chain* chain, cd_field field, size_t item);
 void scene_set(cd_chain* chain, cd_field field, size_t item, double value);
 

@@ -108,12 +108,17 @@ struct ChainScene {
         cd_chain_get_ring(chain, &ring);
         return nodes - 1 + size_t(ring);
     }
+    size_t own_strands(const Handle* chain) const {
+        double length = 0;
+        cd_chain_get_rest_length(chain, &length);
+        return length > 0 ? strands : 1;
+    }
     size_t numbers() const { return strands * nodes * components; }
     Size size_of(const Handle* chain, cd_field field) const {
         const bool of_springs = field == CD_STIFFNESS || field == CD_REST_LENGTH || field == CD_TENSION;
         const bool of_strands =
             field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET || field == CD_WIND;
-        return {of_strands || field == CD_TENSION ? strands : 1, of_springs ? springs(chain) : nodes,
+        return {of_strands ? strands : field == CD_BEND ? 1 : own_strands(chain), of_springs ? springs(chain) : nodes,
                 of_strands ? components : 1};
     }
     cd_status write(Handle* chain, cd_field field, size_t strand, size_t count, size_t first, size_t n,
@@ -278,10 +283,10 @@ inline void ChainScene::act(Handle* chain, Random& random, Returned& returned) c
     case 16: returned += cd_chain_set_method(chain, cd_method(random.chance(0.5) ? 0 : random.below(4))); break;
     case 17: returned += cd_chain_set_lambda(chain, random.any_of({0.5, 0.5, 0.6, 0.75, 1, 0.3})); break;
     case 18: {
-        const size_t node = random.below(nodes);
+        const size_t strand = random.below(own_strands(chain)), node = random.below(nodes);
         const double stiffness = random.decades(-1, 3), damping = random.any_of({0, 1});
-        returned += random.chance(0.3) ? cd_chain_detach(chain, node)
-                                       : cd_chain_attach(chain, node, stiffness, damping, vector, components);
+        returned += random.chance(0.3) ? cd_chain_detach(chain, strand, node)
+                                       : cd_chain_attach(chain, strand, node, stiffness, damping, vector, components);
         break;
     }
     default:
@@ -289,8 +294,8 @@ inline void ChainScene::act(Handle* chain, Random& random, Returned& returned) c
             const size_t strand = random.below(strands);
             returned += cd_chain_impulse(chain, strand, random.below(nodes), vector, components);
         } else {
-            const size_t spring = random.below(springs(chain));
-            returned += random.chance(0.5) ? cd_chain_cut(chain, spring) : cd_chain_weld(chain, spring);
+            const size_t strand = random.below(own_strands(chain)), spring = random.below(springs(chain));
+            returned += random.chance(0.5) ? cd_chain_cut(chain, strand, spring) : cd_chain_weld(chain, strand, spring);
         }
     }
 }

@@ -1,5 +1,6 @@
 /* The result depends neither on who runs the tasks and in what order, nor on a strand's neighbours, nor on how steps
  * are dealt out over calls and threads. */
+#include <math.h>
 #include <pthread.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -100,13 +101,26 @@ static void the_parallel_table_is_copied_and_can_be_taken_back(void** state) {
 
 /* Gives `alone`, of one strand, the numbers of a strand of `many`. */
 static void copy_strand(cd_chain* alone, const cd_chain* many, size_t strand) {
-    static const cd_field fields[] = {CD_POSITION, CD_VELOCITY, CD_FORCE, CD_TARGET, CD_WIND};
-    const size_t nodes = scene_nodes(many), count = nodes * scene_components(many);
-    double values[64];
-    assert_true(count <= COUNT(values));
+    static const cd_field fields[] = {CD_PIN,   CD_MASS,   CD_STIFFNESS, CD_REST_LENGTH, CD_POSITION,
+                                      CD_VELOCITY, CD_FORCE, CD_TARGET,    CD_WIND};
+    double values[64], stiffness, damping;
     for (size_t i = 0; i < COUNT(fields); ++i) {
-        if (cd_chain_read_f64(many, fields[i], strand, 1, 0, nodes, values, count) != CD_OK) continue;
-        ok(cd_chain_write_f64(alone, fields[i], 0, 1, 0, nodes, values, count));
+        const size_t items = scene_field_items(many, fields[i]), strands = scene_field_strands(many, fields[i]);
+        const size_t count = scene_field_count(many, fields[i]) / strands;
+        assert_true(count <= COUNT(values));
+        if (cd_chain_read_f64(many, fields[i], strands > 1 ? strand : 0, 1, 0, items, values, count) != CD_OK) continue;
+        ok(cd_chain_enable_field(alone, fields[i]));
+        ok(cd_chain_write_f64(alone, fields[i], 0, 1, 0, items, values, count));
+    }
+    for (size_t node = 0; node < scene_nodes(many) && scene_own_strands(many) > 1; ++node) {
+        ok(cd_chain_get_attachment(many, strand, node, &stiffness, &damping));
+        ok(cd_chain_get_attachment(alone, 0, node, &values[0], &values[1]));
+        if (stiffness == values[0] && damping == values[1]) continue;
+        const size_t components = scene_components(many);
+        if (stiffness > 0 || damping > 0)
+            ok(cd_chain_read_f64(many, CD_TARGET, strand, 1, node, 1, values, components));
+        else ok(cd_chain_read_f64(alone, CD_TARGET, 0, 1, node, 1, values, components));
+        ok(cd_chain_attach(alone, 0, node, stiffness, damping, values, components));
     }
 }
 
@@ -150,6 +164,72 @@ static void a_strand_does_not_feel_its_neighbours(void** state) {
                 }
             }
         }
+    }
+}
+
+/* Strands of a rope that differ in all that they may: each moves to the bit as one alone does. */
+static void strands_of_ropes_are_individuals(void** state) {
+    (void)state;
+    enum { STRANDS = 21, SPRINGS = 9, NODES = SPRINGS + 1 };
+    for (uint64_t number = 0; number < 60; ++number) {
+        const size_t components = 1 + number % 3;
+        const double dt = number % 5 == 0 ? 1 : 0.02, gravity[3] = {-9.81, 1, 0.5};
+        uint64_t seed = 900 + number;
+        cd_chain* many = scene_chain(STRANDS, SPRINGS, components, number % 2 ? CD_FLOAT64 : CD_FLOAT32);
+        ok(cd_chain_set_rest_length(many, 1));
+        ok(cd_chain_set_gravity(many, gravity, components));
+        ok(cd_chain_set_lambda(many, number % 4 == 0 ? 1 : 0.5));
+        if (number % 3 == 0) ok(cd_chain_set_air(many, 0.1, 1));
+        ok(cd_chain_enable_field(many, CD_MASS));
+        ok(cd_chain_enable_field(many, CD_STIFFNESS));
+        ok(cd_chain_enable_field(many, CD_REST_LENGTH));
+        scene_lay_out(many, 0.1);
+        scene_shake(many, 0.03, number);
+        for (size_t s = 0; s < STRANDS; ++s)
+            for (size_t i = 0; i < NODES; ++i) {
+                const double kind = 4 * scene_noise(&seed), mass = pow(10, scene_noise(&seed));
+                const double pin = kind > 3.3 ? CD_NODE_PINNED : kind < -3.6 ? CD_NODE_DRIVEN : CD_NODE_FREE;
+                const double firm = scene_noise(&seed), length = 0.11 * (1 + 0.2 * scene_noise(&seed));
+                const double stiffness = firm > 0.5 ? INFINITY : firm < -0.8 ? 0 : 1000 * (2 + firm);
+                ok(cd_chain_write_f64(many, CD_PIN, s, 1, i, 1, &pin, 1));
+                ok(cd_chain_write_f64(many, CD_MASS, s, 1, i, 1, &mass, 1));
+                if (kind > -0.1 && kind < 0.1) ok(cd_chain_attach(many, s, i, 30 * mass, 0.5, NULL, 0));
+                if (i == SPRINGS) continue;
+                ok(cd_chain_write_f64(many, CD_STIFFNESS, s, 1, i, 1, &stiffness, 1));
+                ok(cd_chain_write_f64(many, CD_REST_LENGTH, s, 1, i, 1, &length, 1));
+            }
+        cd_chain* alone[STRANDS];
+        for (size_t s = 0; s < STRANDS; ++s) {
+            alone[s] = scene_chain(1, SPRINGS, components, number % 2 ? CD_FLOAT64 : CD_FLOAT32);
+            ok(cd_chain_set_rest_length(alone[s], 1));
+            ok(cd_chain_set_gravity(alone[s], gravity, components));
+            ok(cd_chain_set_lambda(alone[s], number % 4 == 0 ? 1 : 0.5));
+            if (number % 3 == 0) ok(cd_chain_set_air(alone[s], 0.1, 1));
+            copy_strand(alone[s], many, s);
+        }
+        double energy[3] = {0}, of_all[3], of_one[3];
+        for (int step = 0; step < 10; ++step) {
+            int short_of = 0, wrong = cd_chain_step(many, dt, 1) == CD_ERROR_TOLERANCE; /* held nodes may drift apart */
+            for (size_t s = 0; s < STRANDS; ++s) short_of |= cd_chain_step(alone[s], dt, 1) == CD_ERROR_TOLERANCE;
+            assert_int_equal(wrong, short_of);
+        }
+        ok(cd_chain_get_energy(many, &of_all[0], &of_all[1], &of_all[2]));
+        for (size_t s = 0; s < STRANDS; ++s) {
+            double x[2][NODES * 3], tension[2][SPRINGS];
+            for (cd_field field = CD_POSITION; field <= CD_VELOCITY; ++field) {
+                ok(cd_chain_read_f64(many, field, s, 1, 0, NODES, x[0], NODES * components));
+                ok(cd_chain_read_f64(alone[s], field, 0, 1, 0, NODES, x[1], NODES * components));
+                assert_same_bits(x[0], x[1], NODES * components);
+            }
+            ok(cd_chain_read_f64(many, CD_TENSION, s, 1, 0, SPRINGS, tension[0], SPRINGS));
+            ok(cd_chain_read_f64(alone[s], CD_TENSION, 0, 1, 0, SPRINGS, tension[1], SPRINGS));
+            assert_same_bits(tension[0], tension[1], SPRINGS);
+            ok(cd_chain_get_energy(alone[s], &of_one[0], &of_one[1], &of_one[2]));
+            for (int k = 0; k < 3; ++k) energy[k] += of_one[k];
+            cd_chain_destroy(alone[s]);
+        }
+        for (int k = 0; k < 3; ++k) assert_near(of_all[k], energy[k], 1e-9 * (1 + fabs(energy[k])), 0);
+        cd_chain_destroy(many);
     }
 }
 
@@ -235,6 +315,7 @@ int main(void) {
         cmocka_unit_test(the_job_system_leaves_no_trace_in_ropes),
         cmocka_unit_test(the_parallel_table_is_copied_and_can_be_taken_back),
         cmocka_unit_test(a_strand_does_not_feel_its_neighbours),
+        cmocka_unit_test(strands_of_ropes_are_individuals),
         cmocka_unit_test(components_do_not_mix),
         cmocka_unit_test(ten_steps_at_once_are_ten_steps),
         cmocka_unit_test(distinct_chains_can_be_stepped_at_the_same_time),

@@ -106,8 +106,12 @@ static void rigid(cd_chain* c) {
     ok(cd_chain_get_rest_length(c, &length));
     if (length > 0) ok(cd_chain_set_stiffness(c, INFINITY));
 }
-static void welds(cd_chain* c) { ok(cd_chain_weld(c, 3)); }
-static void cuts(cd_chain* c) { ok(cd_chain_cut(c, 2)); }
+static void welds(cd_chain* c) {
+    for (size_t strand = 0; strand < scene_own_strands(c); ++strand) ok(cd_chain_weld(c, strand, 3));
+}
+static void cuts(cd_chain* c) {
+    for (size_t strand = 0; strand < scene_own_strands(c); ++strand) ok(cd_chain_cut(c, strand, 2));
+}
 static void tolerant(cd_chain* c) { ok(cd_chain_set_tolerance(c, 1e-2, 2)); }
 static void own_masses(cd_chain* c) { ok(cd_chain_enable_field(c, CD_MASS)); }
 static void own_lengths(cd_chain* c) {
@@ -126,7 +130,9 @@ static void windy(cd_chain* c) {
     ok(cd_chain_set_wind(c, wind, 3));
 }
 static void pinned(cd_chain* c) { ok(cd_chain_set_end(c, CD_END_FIRST, CD_NODE_PINNED)); }
-static void tied(cd_chain* c) { ok(cd_chain_attach(c, 5, 30, 1, NULL, 0)); }
+static void tied(cd_chain* c) {
+    for (size_t strand = 0; strand < scene_own_strands(c); ++strand) ok(cd_chain_attach(c, strand, 5, 30, 1, NULL, 0));
+}
 static void less_implicit(cd_chain* c) { ok(cd_chain_set_lambda(c, 0.75)); }
 static void (*const chain_changes[])(cd_chain* c) = {lengths,    short_lengths, no_lengths, pushing, rigid, welds,
                                                      cuts,       tolerant,      own_masses, own_lengths,

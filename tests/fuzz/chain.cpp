@@ -34,11 +34,11 @@ bool Chain::extent(cd_field field, Extent& out) const {
     case CD_FORCE:
     case CD_TARGET: out = {strands, springs + 1, components}; return true;
     case CD_WIND: out = {strands, springs + 1, components}; return is_rope();
+    case CD_BEND: out = {1, springs + 1, 1}; return true;
     case CD_MASS:
-    case CD_BEND:
-    case CD_PIN: out = {1, springs + 1, 1}; return true;
-    case CD_STIFFNESS: out = {1, springs_now(), 1}; return true;
-    case CD_REST_LENGTH: out = {1, springs_now(), 1}; return is_rope();
+    case CD_PIN: out = {own_strands(), springs + 1, 1}; return true;
+    case CD_STIFFNESS: out = {own_strands(), springs_now(), 1}; return true;
+    case CD_REST_LENGTH: out = {strands, springs_now(), 1}; return is_rope();
     case CD_TENSION: out = {strands, springs_now(), 1}; return is_rope();
     default: return false;
     }
@@ -63,7 +63,8 @@ void Chain::check_state() {
     for (size_t strand = 0; strand < strands; ++strand)
         for (size_t i = 0; i < n; ++i) {
             const double* const here = velocity(strand, i);
-            for (size_t c = 0; c < components && pin[i] == CD_NODE_PINNED; ++c)
+            const double kind = pin[own_strands() > 1 ? strand * n + i : i];
+            for (size_t c = 0; c < components && kind == CD_NODE_PINNED; ++c)
                 if (here[c] != 0) return problem("chain: pinned node %zu of strand %zu moves", i, strand);
             if (i >= k.size() || !isinf(k[i])) continue;
             const double* const next = velocity(strand, (i + 1) % n);
@@ -102,10 +103,11 @@ double Chain::stiffest() const {
 
 double Chain::stiffest_tie() const {
     double tie = 0;
-    for (size_t i = 0; i <= springs; ++i) {
-        double stiffness = 0, damping;
-        if (cd_chain_get_attachment(first(), i, &stiffness, &damping) == CD_OK) tie = fmax(tie, stiffness);
-    }
+    for (size_t strand = 0; strand < own_strands(); ++strand)
+        for (size_t i = 0; i <= springs; ++i) {
+            double stiffness = 0, damping;
+            if (cd_chain_get_attachment(first(), strand, i, &stiffness, &damping) == CD_OK) tie = fmax(tie, stiffness);
+        }
     return tie;
 }
 
@@ -219,34 +221,36 @@ void Chain::impulse() {
 
 void Chain::attach() {
     const Tie tie = pick_tie();
-    const size_t node = pick_index(springs + 1);
+    const size_t strand = pick_index(own_strands()), node = pick_index(springs + 1);
     const cd_status status =
-        both(text("attach %zu, %.17g, %.17g%s", node, tie.stiffness, tie.damping, tie.null ? ", null" : ""), 0,
-             [&](cd_chain* chain, int) {
-                 return cd_chain_attach(chain, node, tie.stiffness, tie.damping, tie.at(), tie.count);
+        both(text("attach %zu %zu, %.17g, %.17g%s", strand, node, tie.stiffness, tie.damping, tie.null ? ", null" : ""),
+             0, [&](cd_chain* chain, int) {
+                 return cd_chain_attach(chain, strand, node, tie.stiffness, tie.damping, tie.at(), tie.count);
              });
     has_tied(tie, status);
 }
 
 void Chain::detach() {
-    const size_t node = pick_index(springs + 1);
-    both(text("detach %zu", node), 0, [&](cd_chain* chain, int) { return cd_chain_detach(chain, node); });
+    const size_t strand = pick_index(own_strands()), node = pick_index(springs + 1);
+    both(text("detach %zu %zu", strand, node), 0,
+         [&](cd_chain* chain, int) { return cd_chain_detach(chain, strand, node); });
 }
 
 void Chain::get_attachment() {
-    const size_t node = pick_index(springs + 1);
+    const size_t strand = pick_index(own_strands()), node = pick_index(springs + 1);
     double out[2][2] = {};
     both("get_attachment", kReads, [&](cd_chain* chain, int which) {
-        return cd_chain_get_attachment(chain, node, &out[which][0], &out[which][1]);
+        return cd_chain_get_attachment(chain, strand, node, &out[which][0], &out[which][1]);
     });
     must_agree("get_attachment", out[0], out[1], 2);
 }
 
 void Chain::cut_or_weld() {
-    const size_t spring = pick_index(springs_now());
+    const size_t strand = pick_index(own_strands()), spring = pick_index(springs_now());
     const bool cut = chance(0.4);
-    both(text("%s %zu", cut ? "cut" : "weld", spring), 0,
-         [&](cd_chain* chain, int) { return cut ? cd_chain_cut(chain, spring) : cd_chain_weld(chain, spring); });
+    both(text("%s %zu %zu", cut ? "cut" : "weld", strand, spring), 0, [&](cd_chain* chain, int) {
+        return cut ? cd_chain_cut(chain, strand, spring) : cd_chain_weld(chain, strand, spring);
+    });
 }
 
 void Chain::sample() {

@@ -52,6 +52,8 @@ private:
 
     // Of ropes: chain_rope.cpp.
     bool is_rope() const;
+    size_t own_strands() const; // that have pins, masses and the like of their own
+    bool has_matched() const;
     bool lacks_something() const; // that ropes need to step
     bool is_free() const;         // nothing but gravity moves it from outside
     Doubles lengths() const;

@@ -12,6 +12,14 @@ bool Chain::is_rope() const {
     return length > 0;
 }
 
+size_t Chain::own_strands() const { return is_rope() ? strands : 1; }
+
+bool Chain::has_matched() const {
+    bool matched = false;
+    for (double pin : all_of(CD_PIN)) matched |= pin == CD_NODE_MATCHED;
+    return matched;
+}
+
 bool Chain::lacks_something() const {
     cd_method method = CD_METHOD_IMPLICIT;
     double lambda = 1, bend = 0, damping = 0;
@@ -19,24 +27,22 @@ bool Chain::lacks_something() const {
     cd_chain_get_lambda(first(), &lambda);
     cd_chain_get_bend(first(), &bend);
     cd_chain_get_stiffness_damping(first(), &damping);
-    bool matched = false;
-    for (double pin : all_of(CD_PIN)) matched |= pin == CD_NODE_MATCHED;
     return method != CD_METHOD_IMPLICIT || lambda < 0.5 || bend > 0 || !all_of(CD_BEND).empty() || damping > 0 ||
-           is_ring() || matched;
+           is_ring() || has_matched();
 }
 
 Doubles Chain::lengths() const {
     double total = 0;
     cd_chain_get_rest_length(first(), &total);
     const Doubles own = all_of(CD_REST_LENGTH);
-    return own.empty() ? Doubles(springs_now(), total / double(springs_now())) : own;
+    return own.empty() ? Doubles(strands * springs_now(), total / double(springs_now())) : own;
 }
 
 Doubles Chain::stiffnesses() const {
     double total = 0;
     cd_chain_get_stiffness(first(), &total);
     const Doubles own = all_of(CD_STIFFNESS);
-    return own.empty() ? Doubles(springs_now(), total * double(springs_now())) : own;
+    return own.empty() ? Doubles(strands * springs_now(), total * double(springs_now())) : own;
 }
 
 Doubles Chain::lengths_now() const {
@@ -76,8 +82,8 @@ void Chain::before_step(double dt) {
     int32_t push = 0;
     cd_chain_get_push(first(), &push);
     for (size_t i = 0; i < now.size(); ++i) {
-        const double over = now[i] - length[i % springs];
-        stretched.push_back(isinf(k[i % springs]) ? push ? fabs(over) : fmax(over, 0) : 0);
+        const double over = now[i] - length[i];
+        stretched.push_back(isinf(k[i]) ? push ? fabs(over) : fmax(over, 0) : 0);
     }
 }
 
@@ -106,11 +112,10 @@ double Chain::room_of_kind() const {
     cd_chain_get_convergence(first(), &iterations, nullptr);
     const Doubles length = lengths(), k = stiffnesses(), tension = all_of(CD_TENSION);
     const double force = iterations > 8 ? force_on_nodes(step_before) : 0;
-    for (size_t j = 0; j < tension.size(); ++j) {
-        const size_t i = j % springs;
+    for (size_t i = 0; i < tension.size(); ++i) {
         const double wrong = tolerance * length[i];
-        room += 4 * fmax(fabs(tension[j]), force) * wrong + fabs(tension[j]) * stretched[j];
-        room += heaviest() * pow(stretched[j] / step_before, 2);
+        room += 4 * fmax(fabs(tension[i]), force) * wrong + fabs(tension[i]) * stretched[i];
+        room += heaviest() * pow(stretched[i] / step_before, 2);
         if (!isinf(k[i])) room += k[i] * wrong * wrong;
     }
     return room;
@@ -159,21 +164,21 @@ void Chain::check_lengths(double tolerance, double dt) {
     cd_chain_get_tolerance(first(), &tolerance, &most);
     const double x = largest_of({CD_POSITION}), rounding = (precision == CD_FLOAT64 ? 1e-14 : 1e-6) * x;
     const double force = force_on_nodes(dt) + largest_of({CD_TENSION});
-    for (size_t j = 0; j < now.size(); ++j) {
-        const size_t i = j % springs;
-        if (!(tension[j] >= 0) && !push) return problem("rope: tension %g, but it does not push", tension[j]);
-        if (k[i] == 0 && tension[j] != 0) return problem("rope: a cut spring has the tension %g", tension[j]);
-        if (k[i] == 0 || (is_held(pin[i]) && is_held(pin[i + 1]))) continue; // nothing moves by it
-        const double give = tension[j] / k[i], over = now[j] - length[i] - give;
+    for (size_t i = 0; i < now.size(); ++i) {
+        const size_t node = i + i / springs;
+        if (!(tension[i] >= 0) && !push) return problem("rope: tension %g, but it does not push", tension[i]);
+        if (k[i] == 0 && tension[i] != 0) return problem("rope: a cut spring has the tension %g", tension[i]);
+        if (k[i] == 0 || (is_held(pin[node]) && is_held(pin[node + 1]))) continue; // nothing moves by it
+        const double give = tension[i] / k[i], over = now[i] - length[i] - give;
         const double room = 1.001 * tolerance * length[i] + rounding + 1e-12 * (length[i] + fabs(give));
-        const bool taut = push || tension[j] * -over > 4 * double(springs) * tolerance * force * length[i];
+        const bool taut = push || tension[i] * -over > 4 * double(springs) * tolerance * force * length[i];
         if (over > room || (taut && over < -room))
             return problem(
                 "rope: spring %zu of strand %zu is %.17g long, of length %g and with tension %g over %g: "
                 "wrong by %g, where %g would do; tension at most %g; tolerance %g, %zu iterations and %zu at most, dt "
                 "%g",
-                i, j / springs, now[j], length[i], tension[j], k[i], over, room, largest_of({CD_TENSION}), tolerance,
-                iterations, most, dt);
+                i % springs, i / springs, now[i], length[i], tension[i], k[i], over, room, largest_of({CD_TENSION}),
+                tolerance, iterations, most, dt);
     }
 }
 
@@ -184,7 +189,7 @@ void Chain::check_momentum(const Step& s) {
     cd_chain_get_gravity(first(), gravity, components);
     cd_chain_get_mass(first(), &total);
     const Doubles masses = all_of(CD_MASS);
-    if (masses.empty()) mass = total;
+    if (masses.empty()) mass = total * double(strands);
     for (double m : masses) mass += m;
     double pull = 0, tolerance = 0;
     size_t iterations = 0, most = 0;
@@ -195,7 +200,7 @@ void Chain::check_momentum(const Step& s) {
     const bool wide = precision == CD_FLOAT64;
     const double rounding = wide ? 1e-12 : 1e-6, smallest = wide ? 0x1p-500 : 0x1p-80;
     for (size_t c = 0; c < components; ++c) {
-        const double wanted = momentum_before[c] + mass * double(strands) * gravity[c] * s.dt;
+        const double wanted = momentum_before[c] + mass * gravity[c] * s.dt;
         const double room =
             n * (rounding * (heaviest() * v + fabs(mass * gravity[c] * s.dt) + pull * s.dt) + smallest * heaviest()) +
             rounding * fabs(momentum_before[c]);
@@ -225,13 +230,9 @@ void Chain::get_ready() {
     both("set_stiffness_damping 0", kNoMemory,
          [&](cd_chain* chain, int) { return cd_chain_set_stiffness_damping(chain, 0); });
     both("set_ring 0", 0, [&](cd_chain* chain, int) { return cd_chain_set_ring(chain, 0); });
-    for (cd_end end = CD_END_FIRST; end <= CD_END_LAST; ++end) {
-        cd_node kind = CD_NODE_FREE;
-        cd_chain_get_end(first(), end, &kind);
-        if (kind == CD_NODE_MATCHED)
-            both(text("set_end %d 0", int(end)), kNoMemory,
-                 [&](cd_chain* chain, int) { return cd_chain_set_end(chain, end, CD_NODE_FREE); });
-    }
+    for (cd_end end = CD_END_FIRST; end <= CD_END_LAST && has_matched(); ++end)
+        both(text("set_end %d 0", int(end)), kNoMemory,
+             [&](cd_chain* chain, int) { return cd_chain_set_end(chain, end, CD_NODE_FREE); });
 }
 
 void Chain::set_rest_length() {

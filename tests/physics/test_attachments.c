@@ -17,7 +17,7 @@ static double lone_node_error(const struct time_step* step, cd_precision precisi
     set_time_step(chain, step);
     ok(cd_chain_set_mass(chain, mass));
     ok(cd_chain_set_drag(chain, drag));
-    ok(cd_chain_attach(chain, 0, stiffness, damping, &target, 1));
+    ok(cd_chain_attach(chain, 0, 0, stiffness, damping, &target, 1));
     ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, 1, &x0, 1));
     ok(cd_chain_write_f64(chain, CD_VELOCITY, 0, 1, 0, 1, &v0, 1));
     ok(cd_chain_step(chain, dt, steps));
@@ -66,7 +66,7 @@ static void a_chain_tied_everywhere_swings_faster_by_the_known_amount(void** sta
             const double zero = 0;
             for (size_t i = 0; i < NODES; ++i) {
                 x[i] = (double)lattice_shape(&l, MODE, i);
-                ok(cd_chain_attach(chain, i, tie, 0, &zero, 1));
+                ok(cd_chain_attach(chain, 0, i, tie, 0, &zero, 1));
             }
             ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, NODES, x, NODES));
             const long double own = lattice_omega(&l, MODE), omega = sqrtl(own * own + (long double)tie / node_mass);
@@ -95,7 +95,7 @@ static void a_moved_target_moves_the_motion_and_a_loosened_node_is_free(void** s
             uint64_t seed = 6;
             for (size_t i = 0; i < NODES; ++i) x[moved][i] = shift + random_number(&seed);
             ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, NODES, x[moved], NODES));
-            ok(cd_chain_attach(chain, 4, 20, 0.1, NULL, 1));
+            ok(cd_chain_attach(chain, 0, 4, 20, 0.1, NULL, 1));
             ok(cd_chain_stable_dt(chain, &dt));
             dt *= time_steps[m].grows ? 0.05 : 0.5;
             ok(cd_chain_step(chain, dt, 100));
@@ -103,7 +103,7 @@ static void a_moved_target_moves_the_motion_and_a_loosened_node_is_free(void** s
             ok(cd_chain_write_f64(chain, CD_TARGET, 0, 1, 4, 1, &target, 1));
             ok(cd_chain_step(chain, dt, 100));
             double before, after;
-            ok(cd_chain_detach(chain, 4));
+            ok(cd_chain_detach(chain, 0, 4));
             ok(cd_chain_get_momentum(chain, &before, 1));
             ok(cd_chain_step(chain, dt, 100));
             ok(cd_chain_get_momentum(chain, &after, 1));

@@ -55,16 +55,16 @@ static cd_chain* make(enum kind kind, cd_precision precision) {
     ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, NODES, x, NODES));
     ok(cd_chain_write_f64(chain, CD_VELOCITY, 0, 1, 0, NODES, v, NODES));
     if (kind == WELDED) {
-        ok(cd_chain_weld(chain, 2));
-        ok(cd_chain_weld(chain, 3));
-        ok(cd_chain_weld(chain, 7));
-        ok(cd_chain_cut(chain, 5));
+        ok(cd_chain_weld(chain, 0, 2));
+        ok(cd_chain_weld(chain, 0, 3));
+        ok(cd_chain_weld(chain, 0, 7));
+        ok(cd_chain_cut(chain, 0, 5));
         stop_drift(chain, 0, 6);
         stop_drift(chain, 6, NODES - 6);
     }
     if (kind == FREE || kind == RANDOM || kind == CLOSED || kind == BENT) stop_drift(chain, 0, NODES);
     const double target = 0.5;
-    if (kind == TIED) ok(cd_chain_attach(chain, 3, 7, 0, &target, 1));
+    if (kind == TIED) ok(cd_chain_attach(chain, 0, 3, 7, 0, &target, 1));
     return chain;
 }
 

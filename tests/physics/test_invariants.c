@@ -72,9 +72,9 @@ static double momentum_change(enum kind kind, cd_precision precision, const stru
     for (size_t k = 0; k < 10; ++k) {
         /* every now and then something is welded and something cut */
         if (kind == WELDED_AND_CUT) {
-            ok(cd_chain_weld(chain, 5 * k + 2));
-            if (k % 3 == 0) ok(cd_chain_weld(chain, 5 * k + 3));
-            ok(cd_chain_cut(chain, 4 * k + 1));
+            ok(cd_chain_weld(chain, 0, 5 * k + 2));
+            if (k % 3 == 0) ok(cd_chain_weld(chain, 0, 5 * k + 3));
+            ok(cd_chain_cut(chain, 0, 4 * k + 1));
         }
         ok(cd_chain_step(chain, dt, 200));
         ok(cd_chain_get_momentum(chain, after, COMPONENTS));
@@ -121,9 +121,9 @@ static cd_chain* make_rich(const struct time_step* step, int with_bend) {
     ok(cd_chain_set_end(chain, CD_END_LAST, CD_NODE_PINNED));
     ok(cd_chain_enable_field(chain, CD_FORCE));
     const double target[COMPONENTS] = {0, 0};
-    ok(cd_chain_attach(chain, 20, 3, 0.1, target, COMPONENTS));
-    ok(cd_chain_weld(chain, 30));
-    ok(cd_chain_cut(chain, 40));
+    ok(cd_chain_attach(chain, 0, 20, 3, 0.1, target, COMPONENTS));
+    ok(cd_chain_weld(chain, 0, 30));
+    ok(cd_chain_cut(chain, 0, 40));
     return chain;
 }
 

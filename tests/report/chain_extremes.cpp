@@ -54,7 +54,7 @@ Outcome welded_outcome(const Problem& problem, const Method& how, cd_precision p
     chain.write(CD_VELOCITY, problem.velocity);
     check(cd_chain_set_method(chain.get(), how.method));
     if (how.method == CD_METHOD_IMPLICIT) check(cd_chain_set_lambda(chain.get(), how.lambda));
-    for (std::size_t i = 0; i < kSprings; ++i) check(cd_chain_weld(chain.get(), i));
+    for (std::size_t i = 0; i < kSprings; ++i) check(cd_chain_weld(chain.get(), 0, i));
     Reference reference = reference_of(problem, INFINITY);
     Outcome outcome;
     for (std::size_t done = 1; done <= steps; ++done) {

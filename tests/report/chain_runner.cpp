@@ -49,7 +49,7 @@ public:
         check(cd_chain_set_gravity(chain, &problem.gravity, 1));
         check(cd_chain_set_drag(chain, problem.drag));
         const double origin = 0;
-        if (problem.tie > 0) check(cd_chain_attach(chain, problem.springs, problem.tie, 0, &origin, 1));
+        if (problem.tie > 0) check(cd_chain_attach(chain, 0, problem.springs, problem.tie, 0, &origin, 1));
         if (!problem.node_mass.empty()) {
             check(cd_chain_enable_field(chain, CD_MASS));
             chain_.write(CD_MASS, problem.node_mass);
@@ -148,7 +148,7 @@ double stable_dt(const Problem& problem) {
     if (problem.pin_last) check(cd_chain_set_end(chain.get(), CD_END_LAST, CD_NODE_PINNED));
     check(cd_chain_set_drag(chain.get(), problem.drag));
     const double origin = 0;
-    if (problem.tie > 0) check(cd_chain_attach(chain.get(), problem.springs, problem.tie, 0, &origin, 1));
+    if (problem.tie > 0) check(cd_chain_attach(chain.get(), 0, problem.springs, problem.tie, 0, &origin, 1));
     double dt = 0;
     check(cd_chain_stable_dt(chain.get(), &dt));
     return dt;

@@ -111,7 +111,7 @@ Trial welded(cd_precision precision) {
     std::vector<double> x(kSprings + 1), v(kSprings + 1, 0.5);
     for (std::size_t i = 0; i <= kSprings; ++i) x[i] = double(i % 7) / 8;
     v[3] = 4.5;
-    for (std::size_t i = 0; i < kSprings; ++i) check(cd_chain_weld(chain->get(), i));
+    for (std::size_t i = 0; i < kSprings; ++i) check(cd_chain_weld(chain->get(), 0, i));
     chain->write(CD_POSITION, x);
     for (double& speed : v) speed = 0.5 + 4.0 / double(kSprings + 1); // what they then share
     chain->write(CD_VELOCITY, v);

@@ -58,13 +58,13 @@ static cd_chain* make(enum feature feature, cd_precision precision, uint64_t see
         ok(cd_chain_enable_field(chain, CD_STIFFNESS));
         ok(cd_chain_write_f64(chain, CD_STIFFNESS, 0, 1, 0, NODES - 1, values, NODES - 1));
     }
-    if (feature == CUT) ok(cd_chain_cut(chain, 4));
+    if (feature == CUT) ok(cd_chain_cut(chain, 0, 4));
     if (feature == WELDED)
-        for (size_t i = 0; i < NODES; i += 3) ok(cd_chain_weld(chain, i));
+        for (size_t i = 0; i < NODES; i += 3) ok(cd_chain_weld(chain, 0, i));
     if (feature == DRAG) ok(cd_chain_set_drag(chain, 5));
     if (feature == STIFFNESS_DAMPING) ok(cd_chain_set_stiffness_damping(chain, 0.02));
-    if (feature == ATTACHED) ok(cd_chain_attach(chain, 5, 90, 0, NULL, 1));
-    if (feature == ATTACHED_DAMPED) ok(cd_chain_attach(chain, 5, 50, 0.4, NULL, 1));
+    if (feature == ATTACHED) ok(cd_chain_attach(chain, 0, 5, 90, 0, NULL, 1));
+    if (feature == ATTACHED_DAMPED) ok(cd_chain_attach(chain, 0, 5, 50, 0.4, NULL, 1));
     if (feature == MATCHED) ok(cd_chain_set_end(chain, CD_END_LAST, CD_NODE_MATCHED));
     if (feature == BEND || feature == BEND_PINNED) ok(cd_chain_set_bend(chain, 0.05));
     return chain;
@@ -172,7 +172,7 @@ static void stable_dt_is_infinite_where_nothing_swings(void** state) {
     assert_true(isinf(dt));
     cd_chain_destroy(chain);
     ok(cd_chain_create(1, 3, 1, CD_FLOAT64, NULL, &chain));
-    for (size_t i = 0; i < 3; ++i) ok(cd_chain_weld(chain, i));
+    for (size_t i = 0; i < 3; ++i) ok(cd_chain_weld(chain, 0, i));
     ok(cd_chain_stable_dt(chain, &dt));
     assert_true(isinf(dt));
     cd_chain_destroy(chain);

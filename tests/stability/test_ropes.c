@@ -304,9 +304,13 @@ static void steps_that_end_early_are_told_and_bounded(void** state) {
             for (size_t i = 0; i < s.nodes; ++i) mass += s.mass[i];
             for (int step = 0; step < 50; ++step) {
                 size_t iterations;
-                double error;
+                double error, held[2][3];
+                ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, 1, held[0], 3));
                 const cd_status status = cd_chain_step(chain, 0.1, 1);
                 assert_true(status == CD_OK || status == CD_ERROR_TOLERANCE);
+                ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, 1, held[1], 3));
+                for (int k = 0; k < 3 && s.pin[0] != CD_NODE_FREE; ++k) /* moves as it is told */
+                    assert_near(held[1][k], held[0][k] + 0.1 * s.v[0][k], 1e-12, 0);
                 ok(cd_chain_get_convergence(chain, &iterations, &error));
                 assert_int_equal(status == CD_OK, error <= 1e-14);
                 told += status != CD_OK;
@@ -385,7 +389,7 @@ static void a_step_that_ends_short_keeps_the_best_it_found(void** state) {
     ok(cd_chain_create(1, 102, 3, CD_FLOAT64, NULL, &chain));
     ok(cd_chain_set_rest_length(chain, 0.0733));
     ok(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_PINNED));
-    ok(cd_chain_attach(chain, 99, 31.6, 0, target, 3));
+    ok(cd_chain_attach(chain, 0, 99, 31.6, 0, target, 3));
     ok(cd_chain_set_tolerance(chain, 1.2e-13, 200));
     double worst = 0;
     int short_of_it = 0;

@@ -40,8 +40,8 @@ struct ChainCalls {
         ok(cd_chain_set_gravity(chain, gravity, 2));
         ok(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_PINNED));
         ok(cd_chain_set_end(chain, CD_END_LAST, CD_NODE_MATCHED));
-        ok(cd_chain_attach(chain, 2, 3, 1, nullptr, 0));
-        ok(cd_chain_weld(chain, 3));
+        ok(cd_chain_attach(chain, 0, 2, 3, 1, nullptr, 0));
+        ok(cd_chain_weld(chain, 0, 3));
         ok(cd_chain_step(chain, 0.125, 3));
     }
     // Pinned nodes rest, welded ones share a velocity, groups hold one held node at the most, time is finite.
@@ -83,8 +83,8 @@ struct RopeCalls : ChainCalls {
             ok(cd_chain_enable_field(chain, field));
         ok(cd_chain_set_gravity(chain, gravity, 2));
         ok(cd_chain_write_f64(chain, CD_PIN, 0, 1, 0, 2, pins, 2)); // at both ends of a spring of fixed length
-        ok(cd_chain_attach(chain, 2, 3, 1, nullptr, 0));
-        ok(cd_chain_cut(chain, 0));
+        ok(cd_chain_attach(chain, 0, 2, 3, 1, nullptr, 0));
+        ok(cd_chain_cut(chain, 0, 0));
         const cd_status stepped = cd_chain_step(chain, 0.125, 3);
         assert_true(stepped == CD_OK || stepped == CD_ERROR_TOLERANCE);
     }

@@ -120,13 +120,13 @@ void chains() {
     OK(rope.impulse(0, 3, {1, 2}));
     OK(rope.get_momentum(pair));
     CHECK(near(pair[0], 1) && near(pair[1], 2));
-    OK(rope.attach(5, 10, 0.5, {1, 1}));
-    OK(rope.attach(4, 7, 0));
-    CHECK(GET(rope.get_attachment(5)).stiffness == 10 && GET(rope.get_attachment(5)).damping == 0.5);
-    OK(rope.detach(5));
-    CHECK(GET(rope.get_attachment(5)).stiffness == 0);
-    OK(rope.cut(2));
-    OK(rope.weld(4));
+    OK(rope.attach(0, 5, 10, 0.5, {1, 1}));
+    OK(rope.attach(0, 4, 7, 0));
+    CHECK(GET(rope.get_attachment(0, 5)).stiffness == 10 && GET(rope.get_attachment(0, 5)).damping == 0.5);
+    OK(rope.detach(0, 5));
+    CHECK(GET(rope.get_attachment(0, 5)).stiffness == 0);
+    OK(rope.cut(0, 2));
+    OK(rope.weld(0, 4));
     const std::vector<double> springs = GET(rope.read_f64(field::stiffness));
     CHECK(springs.size() == 6 && springs[2] == 0 && std::isinf(springs[4]));
     rope.destroy();
@@ -164,7 +164,10 @@ void ropes() {
     OK(rope.read_f64(field::tension, 1, 1, 2, 2, pair));
     CHECK(pair[0] == 1 && pair[1] == 2);
     OK(rope.enable_field(field::rest_length));
-    CHECK((GET(rope.read_f64(field::rest_length)) == std::vector<double>{0.25, 0.25, 0.25, 0.25}));
+    CHECK(GET(rope.read_f64(field::rest_length)) == std::vector<double>(8, 0.25)); // two strands have their own
+    OK(rope.cut(1, 3));
+    const std::vector<double> stiffnesses = GET(rope.read_f64(field::stiffness));
+    CHECK(stiffnesses.size() == 8 && stiffnesses[3] > 0 && stiffnesses[7] == 0);
     OK(rope.set_air(0.25, 2));
     CHECK(GET(rope.get_air()).along == 0.25 && GET(rope.get_air()).across == 2);
     OK(rope.set_wind({1, 0, -1}));

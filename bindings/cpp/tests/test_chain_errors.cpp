@@ -28,12 +28,12 @@ void numbers(chain& rope) {
         KEPT(rope, status::error_value, "drag", rope.set_drag(bad));
         KEPT(rope, status::error_value, "seconds", rope.set_stiffness_damping(bad));
         KEPT(rope, status::error_value, "dt", rope.step(bad));
-        KEPT(rope, status::error_value, "stiffness", rope.attach(1, bad, 0));
-        KEPT(rope, status::error_value, "damping", rope.attach(1, 1, bad));
+        KEPT(rope, status::error_value, "stiffness", rope.attach(0, 1, bad, 0));
+        KEPT(rope, status::error_value, "damping", rope.attach(0, 1, 1, bad));
     }
     KEPT(rope, status::error_value, "gravity", rope.set_gravity({0, nan_value}));
     KEPT(rope, status::error_value, "impulse", rope.impulse(0, 1, {0, nan_value}));
-    KEPT(rope, status::error_value, "target", rope.attach(1, 1, 1, {0, nan_value}));
+    KEPT(rope, status::error_value, "target", rope.attach(0, 1, 1, 1, {0, nan_value}));
     KEPT(rope, status::error_value, "values", rope.write_f64(field::position, 0, 1, 0, 1, {0, nan_value}));
     KEPT(rope, status::error_value, "values", rope.write_f32(field::position, 0, 1, 0, 1, {0, NAN}));
     double out[2];
@@ -71,12 +71,12 @@ void ranges(chain& rope) {
     KEPT(rope, status::error_range, "strand", rope.impulse(2, 0, {1, 2}));
     KEPT(rope, status::error_range, "node", rope.impulse(0, 6, {1, 2}));
     KEPT(rope, status::error_range, "count", rope.impulse(0, 0, {1, 2, 3}));
-    KEPT(rope, status::error_range, "node", rope.attach(6, 1, 1));
-    KEPT(rope, status::error_range, "count", rope.attach(1, 1, 1, {1}));
-    KEPT(rope, status::error_range, "node", rope.detach(6));
-    KEPT(rope, status::error_range, "node", rope.get_attachment(6));
-    KEPT(rope, status::error_range, "spring", rope.cut(5));
-    KEPT(rope, status::error_range, "spring", rope.weld(5));
+    KEPT(rope, status::error_range, "node", rope.attach(0, 6, 1, 1));
+    KEPT(rope, status::error_range, "count", rope.attach(0, 1, 1, 1, {1}));
+    KEPT(rope, status::error_range, "node", rope.detach(0, 6));
+    KEPT(rope, status::error_range, "node", rope.get_attachment(0, 6));
+    KEPT(rope, status::error_range, "spring", rope.cut(0, 5));
+    KEPT(rope, status::error_range, "spring", rope.weld(0, 5));
     KEPT(rope, status::error_value, "at", rope.sample(0, {5.5}, span<double>(three.data(), 2)));
     KEPT(rope, status::error_range, "out_count", rope.sample(0, {1}, three));
     KEPT(rope, status::error_range, "strand", rope.sample(2, {1}, span<double>(three.data(), 2)));
@@ -103,7 +103,7 @@ void combinations(chain& rope) {
     chain pair = GET(chain::create(1, 1, 2));
     OK(pair.set_end(end::first, node::pinned));
     OK(pair.set_end(end::last, node::driven));
-    KEPT(pair, status::error_unsupported, "", pair.weld(0));
+    KEPT(pair, status::error_unsupported, "", pair.weld(0, 0));
     KEPT(pair, status::error_unsupported, "", pair.set_ring(true));
 }
 
@@ -174,9 +174,9 @@ void memory() {
     KEPT(rope, status::error_memory, "", rope.enable_field(field::force));
     KEPT(rope, status::error_memory, "", rope.set_bend(1));
     KEPT(rope, status::error_memory, "", rope.set_rest_length(1));
-    KEPT(rope, status::error_memory, "", rope.attach(0, 1, 1));
-    KEPT(rope, status::error_memory, "", rope.cut(0));
-    KEPT(rope, status::error_memory, "", rope.weld(0));
+    KEPT(rope, status::error_memory, "", rope.attach(0, 0, 1, 1));
+    KEPT(rope, status::error_memory, "", rope.cut(0, 0));
+    KEPT(rope, status::error_memory, "", rope.weld(0, 0));
     KEPT(rope, status::error_memory, "", rope.load(saved));
     KEPT(rope, status::error_memory, "", rope.copy_state(full));
     REFUSED(status::error_memory, "", chain::create(1, 5, 2, precision::float64, &allocator));

@@ -202,53 +202,54 @@ class BedRule(IntEnum):
 
 
 class FieldInfo(NamedTuple):
-    """One value per what, and for each component; always there; shown by view; only in ropes."""
+    """One value per what, and for each component; always there; shown by view; only, per strand only in ropes."""
 
     per: Tuple[str, ...]
     components: bool
     always: bool
     viewable: bool
     ropes: bool
+    own_in_ropes: bool
 
 
 FIELDS: Dict[str, Dict[int, FieldInfo]] = {
     "chain": {
-        Field.POSITION: FieldInfo(("strand", "node"), True, True, True, False),
-        Field.VELOCITY: FieldInfo(("strand", "node"), True, True, True, False),
-        Field.FORCE: FieldInfo(("strand", "node"), True, False, True, False),
-        Field.TARGET: FieldInfo(("strand", "node"), True, False, True, False),
-        Field.MASS: FieldInfo(("node",), False, False, False, False),
-        Field.STIFFNESS: FieldInfo(("spring",), False, False, False, False),
-        Field.BEND: FieldInfo(("node",), False, False, False, False),
-        Field.PIN: FieldInfo(("node",), False, True, False, False),
-        Field.REST_LENGTH: FieldInfo(("spring",), False, False, False, True),
-        Field.TENSION: FieldInfo(("strand", "spring"), False, True, False, True),
-        Field.WIND: FieldInfo(("strand", "node"), True, False, False, True),
+        Field.POSITION: FieldInfo(("strand", "node"), True, True, True, False, False),
+        Field.VELOCITY: FieldInfo(("strand", "node"), True, True, True, False, False),
+        Field.FORCE: FieldInfo(("strand", "node"), True, False, True, False, False),
+        Field.TARGET: FieldInfo(("strand", "node"), True, False, True, False, False),
+        Field.MASS: FieldInfo(("strand", "node"), False, False, False, False, True),
+        Field.STIFFNESS: FieldInfo(("strand", "spring"), False, False, False, False, True),
+        Field.BEND: FieldInfo(("node",), False, False, False, False, False),
+        Field.PIN: FieldInfo(("strand", "node"), False, True, False, False, True),
+        Field.REST_LENGTH: FieldInfo(("strand", "spring"), False, False, False, True, False),
+        Field.TENSION: FieldInfo(("strand", "spring"), False, True, False, True, False),
+        Field.WIND: FieldInfo(("strand", "node"), True, False, False, True, False),
     },
     "membrane": {
-        Field.POSITION: FieldInfo(("node",), True, True, True, False),
-        Field.VELOCITY: FieldInfo(("node",), True, True, True, False),
-        Field.FORCE: FieldInfo(("node",), True, False, True, False),
-        Field.TARGET: FieldInfo(("node",), True, False, True, False),
-        Field.MASS: FieldInfo(("node",), False, False, False, False),
-        Field.STIFFNESS_U: FieldInfo(("spring",), False, False, False, False),
-        Field.STIFFNESS_V: FieldInfo(("spring",), False, False, False, False),
-        Field.PIN: FieldInfo(("node",), False, False, False, False),
-        Field.MASK: FieldInfo(("node",), False, False, False, False),
+        Field.POSITION: FieldInfo(("node",), True, True, True, False, False),
+        Field.VELOCITY: FieldInfo(("node",), True, True, True, False, False),
+        Field.FORCE: FieldInfo(("node",), True, False, True, False, False),
+        Field.TARGET: FieldInfo(("node",), True, False, True, False, False),
+        Field.MASS: FieldInfo(("node",), False, False, False, False, False),
+        Field.STIFFNESS_U: FieldInfo(("spring",), False, False, False, False, False),
+        Field.STIFFNESS_V: FieldInfo(("spring",), False, False, False, False, False),
+        Field.PIN: FieldInfo(("node",), False, False, False, False, False),
+        Field.MASK: FieldInfo(("node",), False, False, False, False, False),
     },
     "water": {
-        Field.DEPTH: FieldInfo(("cell",), False, True, True, False),
-        Field.BED: FieldInfo(("cell",), False, True, True, False),
-        Field.SURFACE: FieldInfo(("cell",), False, True, False, False),
-        Field.VELOCITY_X: FieldInfo(("x-face",), False, True, True, False),
-        Field.VELOCITY_Y: FieldInfo(("y-face",), False, True, True, False),
-        Field.SOURCE: FieldInfo(("cell",), False, False, True, False),
-        Field.PRESSURE: FieldInfo(("cell",), False, False, True, False),
-        Field.FORCE_X: FieldInfo(("x-face",), False, False, True, False),
-        Field.FORCE_Y: FieldInfo(("y-face",), False, False, True, False),
-        Field.MASK: FieldInfo(("cell",), False, False, False, False),
-        Field.WALL_X: FieldInfo(("x-face",), False, False, False, False),
-        Field.WALL_Y: FieldInfo(("y-face",), False, False, False, False),
+        Field.DEPTH: FieldInfo(("cell",), False, True, True, False, False),
+        Field.BED: FieldInfo(("cell",), False, True, True, False, False),
+        Field.SURFACE: FieldInfo(("cell",), False, True, False, False, False),
+        Field.VELOCITY_X: FieldInfo(("x-face",), False, True, True, False, False),
+        Field.VELOCITY_Y: FieldInfo(("y-face",), False, True, True, False, False),
+        Field.SOURCE: FieldInfo(("cell",), False, False, True, False, False),
+        Field.PRESSURE: FieldInfo(("cell",), False, False, True, False, False),
+        Field.FORCE_X: FieldInfo(("x-face",), False, False, True, False, False),
+        Field.FORCE_Y: FieldInfo(("y-face",), False, False, True, False, False),
+        Field.MASK: FieldInfo(("cell",), False, False, False, False, False),
+        Field.WALL_X: FieldInfo(("x-face",), False, False, False, False, False),
+        Field.WALL_Y: FieldInfo(("y-face",), False, False, False, False, False),
     },
 }
 
@@ -363,11 +364,13 @@ FUNCTIONS: Dict[str, str] = {
     "cd_chain_view": ("status: chain handle, field int, out_data pointer*, out_strand_stride size*, out_node_stride "
                       "size*, out_component_stride size*"),
     "cd_chain_impulse": "status: chain handle, strand size, node size, impulse pointer, count size",
-    "cd_chain_attach": "status: chain handle, node size, stiffness double, damping double, target pointer, count size",
-    "cd_chain_detach": "status: chain handle, node size",
-    "cd_chain_get_attachment": "status: chain handle, node size, out_stiffness double*, out_damping double*",
-    "cd_chain_cut": "status: chain handle, spring size",
-    "cd_chain_weld": "status: chain handle, spring size",
+    "cd_chain_attach": ("status: chain handle, strand size, node size, stiffness double, damping double, target "
+                        "pointer, count size"),
+    "cd_chain_detach": "status: chain handle, strand size, node size",
+    "cd_chain_get_attachment": ("status: chain handle, strand size, node size, out_stiffness double*, out_damping "
+                                "double*"),
+    "cd_chain_cut": "status: chain handle, strand size, spring size",
+    "cd_chain_weld": "status: chain handle, strand size, spring size",
     "cd_chain_step": "status: chain handle, dt double, count size",
     "cd_chain_stable_dt": "status: chain handle, out_dt double*",
     "cd_chain_get_time": "status: chain handle, out_time double*",

@@ -25,11 +25,11 @@ class ChainShape(NamedTuple):
 
 
 class Chain(Body, kind="chain"):
-    """`strands` strands of `springs` springs and springs + 1 nodes, which share mass, stiffness, pins and ends.
+    """`strands` strands of `springs` springs and springs + 1 nodes, which share masses, pins and the like.
 
     Arrays of positions, velocities, forces and targets have the shape (strands, nodes, components); those of masses,
-    bends and pins (nodes,); of stiffnesses and rest lengths (springs,), of tensions (strands, springs), in a ring one
-    more.
+    bends and pins (nodes,); of stiffnesses (springs,), in a ring one more. Strands of ropes share but the bends: masses
+    and pins are (strands, nodes), stiffnesses, rest lengths and tensions (strands, springs).
 
     Rest length is zero, unless rest_length makes the chain a rope: a free chain draws together, and one stretched
     evenly is held by its ends. A new chain lies with every node at the origin, at rest and free, mass 1, stiffness 1,
@@ -87,11 +87,16 @@ class Chain(Body, kind="chain"):
         per = self._known(field).per
         strands, springs, *_ = self._made_of
         places = springs + self.ring if "spring" in per else springs + 1
-        return (strands if "strand" in per else 1), places
+        return (strands if self._is_own(field) else 1), places
+
+    def _is_own(self, field: Field) -> bool:
+        """Whether each strand has its own."""
+        info = self._fields[field]
+        return "strand" in info.per and (not info.own_in_ropes or self.rest_length > 0)
 
     def _shape_of(self, field: Field, strands: int, n: int) -> Tuple[int, ...]:
-        info = self._fields[field]
-        return ((strands,) if "strand" in info.per else ()) + (n,) + ((self._components,) if info.components else ())
+        components = (self._components,) if self._fields[field].components else ()
+        return ((strands,) if self._is_own(field) else ()) + (n,) + components
 
     def _whole(self, field: Field) -> Tuple[int, ...]:
         return self._shape_of(field, *self._extents(field))
@@ -103,9 +108,9 @@ class Chain(Body, kind="chain"):
              n: Optional[int] = None, *, precision: Optional[Precision] = None, out: Any = None) -> Any:
         """A copy of a field: strands [first_strand, first_strand + strands), nodes (or springs) [first, first + n).
 
-        None stands for all the rest. The array has the shape (strands, n, components), of tensions (strands, n), of
-        fields that the strands share (n,), and the object's precision or the one asked for. `out`: a dense array of
-        float32 or float64 to fill, which is given back.
+        None stands for all the rest. The array has the shape (strands, n, components), of fields without components
+        (strands, n), of those that strands share (n,), and the object's precision or the one asked for. `out`: a dense
+        array of float32 or float64 to fill, which is given back.
         """
         with self._lock:
             place, shape = self._range(field, first_strand, strands, first, n)
@@ -137,30 +142,34 @@ class Chain(Body, kind="chain"):
         numbers = row(impulse)
         self._call("impulse", strand, node, numbers.address, numbers.length)
 
-    def attach(self, node: int, stiffness: float, damping: float, target: Optional[Values] = None) -> None:
-        """Ties a node of every strand to its target by a spring of `stiffness` [N/m] and `damping` [N s/m], both >= 0.
+    # strand: one of a rope; 0 stands for all strands of another chain, which share such things.
 
-        target [m]: one number per component, given to every strand; None: each node's present position. Move it
-        afterwards by writing Field.TARGET, which this switches on.
+    def attach(self, strand: int, node: int, stiffness: float, damping: float,
+               target: Optional[Values] = None) -> None:
+        """Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by
+        a spring of `stiffness` [N/m] and `damping` [N s/m], both >= 0.
+
+        target [m]: one number per component, given to every strand that is tied; None: each node's present position.
+        Move it afterwards by writing Field.TARGET, which this switches on.
         """
-        self._attach((node,), stiffness, damping, target)
+        self._attach((strand, node), stiffness, damping, target)
 
-    def detach(self, node: int) -> None:
+    def detach(self, strand: int, node: int) -> None:
         """Loosens a node from its target."""
-        self._call("detach", node)
+        self._call("detach", strand, node)
 
-    def get_attachment(self, node: int) -> Attachment:
+    def get_attachment(self, strand: int, node: int) -> Attachment:
         """(stiffness, damping) that tie a node to its target; zeros if none do."""
-        return self._attachment((node,))
+        return self._attachment((strand, node))
 
-    def cut(self, spring: int) -> None:
+    def cut(self, strand: int, spring: int) -> None:
         """Cuts a spring: stiffness 0. Switches Field.STIFFNESS on. Bend is not cut with it."""
-        self._call("cut", spring)
+        self._call("cut", strand, spring)
 
-    def weld(self, spring: int) -> None:
+    def weld(self, strand: int, spring: int) -> None:
         """Makes a spring rigid: its two nodes share one velocity from now on, of a rope its length is kept. Switches
         Field.STIFFNESS on."""
-        self._call("weld", spring)
+        self._call("weld", strand, spring)
 
     # ---- measuring --------------------------------------------------------------------------------------------------
 

@@ -12,14 +12,14 @@ from support import KINDS, Heap, api, make, moving
 # What each function takes, beyond the object; by the C API's name without its prefix.
 ARGUMENTS = {
     "set_end": (0, 0), "get_end": (0,), "set_edge": (0, 0), "get_edge": (0,), "set_side": (0, 0), "get_side": (0,),
-    "enable_field": (2,), "disable_field": (2,), "view": (0,), "cut": (0,), "weld": (0,), "step": (0.01,),
+    "enable_field": (2,), "disable_field": (2,), "view": (0,), "cut": (0, 0), "weld": (0, 0), "step": (0.01,),
     "get_courant": (0.1,), "add_volume": (0, 0, 1, 1), "add_volume_rectangle": (0, 0, 1, 1, 1),
     "add_source": (0, 0, 1, 1), "add_source_rectangle": (0, 0, 1, 1, 1), "splash": (0, 0, 1, 1), "load": (b"",),
 }
 ARGUMENTS_OF = {
     ("chain", "impulse"): (0, 0, [0] * 3), ("membrane", "impulse"): (0, 0, 0, [0] * 3),
-    ("water", "impulse"): (0, 0, 1, 0, 0), ("chain", "attach"): (0, 1, 0), ("membrane", "attach"): (0, 0, 1, 0),
-    ("chain", "detach"): (0,), ("membrane", "detach"): (0, 0), ("chain", "get_attachment"): (0,),
+    ("water", "impulse"): (0, 0, 1, 0, 0), ("chain", "attach"): (0, 0, 1, 0), ("membrane", "attach"): (0, 0, 1, 0),
+    ("chain", "detach"): (0, 0), ("membrane", "detach"): (0, 0), ("chain", "get_attachment"): (0, 0),
     ("membrane", "get_attachment"): (0, 0), ("chain", "sample"): (0, [0]), ("membrane", "sample"): ([0, 0],),
     ("water", "sample"): ([0, 0],), ("membrane", "write_vertices"): (bytearray(480), 24, 0, 12),
     ("water", "write_vertices"): (bytearray(560), 28, 0, 12, 24),

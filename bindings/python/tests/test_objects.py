@@ -94,18 +94,18 @@ class Chains(unittest.TestCase):
         close(self, self.chain.velocity[0, 1].tolist(), (1.0, 2.0))
 
     def test_attachments(self):
-        self.chain.attach(2, 30, 0.5)
+        self.chain.attach(0, 2, 30, 0.5)
         self.assertEqual(self.chain.target.tolist()[0][2], [2, 0])
-        self.chain.attach(3, 40, 0, (7, 8))
+        self.chain.attach(0, 3, 40, 0, (7, 8))
         self.assertEqual(self.chain.target.tolist()[0][3], [7, 8])
-        self.assertEqual(self.chain.get_attachment(2), (30, 0.5))
-        self.assertEqual(self.chain.get_attachment(3).stiffness, 40)
-        self.chain.detach(2)
-        self.assertEqual(self.chain.get_attachment(2), (0, 0))
+        self.assertEqual(self.chain.get_attachment(0, 2), (30, 0.5))
+        self.assertEqual(self.chain.get_attachment(0, 3).stiffness, 40)
+        self.chain.detach(0, 2)
+        self.assertEqual(self.chain.get_attachment(0, 2), (0, 0))
 
     def test_cut_and_weld(self):
-        self.chain.cut(1)
-        self.chain.weld(3)
+        self.chain.cut(0, 1)
+        self.chain.weld(0, 3)
         self.assertEqual(self.chain.read(Field.STIFFNESS).tolist(), [4, 0, 4, math.inf])
 
     def test_ends(self):
@@ -130,9 +130,11 @@ class Chains(unittest.TestCase):
             close(self, tensions, (8, 6, 4, 2), 5)  # what hangs below
         close(self, rope.position[1, 4].tolist(), (0, 0, -1), 5)
         rope.enable_field(Field.REST_LENGTH)
-        rope.write(Field.REST_LENGTH, [0.5, 0.25, 0.25, 0.25])
+        rope.write(Field.REST_LENGTH, [[0.5, 0.25, 0.25, 0.25]], strands=1)  # of the first strand
         rope.step(1 / 60, 60)
-        self.assertAlmostEqual(math.dist(rope.position[0, 0].tolist(), rope.position[0, 1].tolist()), 0.5, 5)
+        for strand, length in ((0, 0.5), (1, 0.25)):
+            first, second = rope.position[strand, :2].tolist()
+            self.assertAlmostEqual(math.dist(first, second), length, 5)
         rope.write(Field.TENSION, [1, 2], first_strand=1, first=2, n=2)
         self.assertEqual(rope.read(Field.TENSION, 1, 1, 2, 2).tolist(), [[1, 2]])
         copy = Chain(2, 4, 3)
@@ -140,6 +142,13 @@ class Chains(unittest.TestCase):
         self.assertEqual(copy.hash(), rope.hash())
         copy.write(Field.TENSION, 0)
         self.assertNotEqual(copy.hash(), rope.hash())
+        rope.cut(1, 3)
+        self.assertEqual(rope.read(Field.STIFFNESS).tolist(), [[math.inf] * 4, [math.inf] * 3 + [0]])
+        rope.attach(1, 2, 30, 0.5)
+        self.assertEqual((rope.get_attachment(0, 2).stiffness, rope.get_attachment(1, 2).stiffness), (0, 30))
+        with self.assertRaisesRegex(contdyn.UnsupportedError, "strands differ"):
+            rope.rest_length = 0
+        rope.disable_field(Field.TARGET)
         rope.stiffness, rope.rest_length = 1, 0
         rope.step(1 / 60)
         self.assertEqual(rope.convergence, (0, 0))

@@ -156,7 +156,8 @@ class Lasting(unittest.TestCase):
     def test_what_else_takes_or_gives_memory_leaves_views_in_place(self):
         heap = Heap()
         changes = {
-            Chain: [lambda m: m.attach(1, 2, 3), lambda m: m.detach(1), lambda m: m.cut(1), lambda m: m.weld(2),
+            Chain: [lambda m: m.attach(0, 1, 2, 3), lambda m: m.detach(0, 1), lambda m: m.cut(0, 1),
+                    lambda m: m.weld(0, 2),
                     lambda m: setattr(m, "bend", 0.1), lambda m: setattr(m, "ring", True),
                     lambda m: setattr(m, "ring", False), lambda m: setattr(m, "bend", 0),
                     lambda m: m.disable_field(Field.BEND), lambda m: setattr(m, "rest_length", 9),

@@ -614,19 +614,21 @@ public:
         return call(cd_chain_impulse, strand, node, newton_seconds.data(), newton_seconds.size());
     }
 
-    // Ties a node of every strand to its target[component], or to where it is, by a spring [N/m] with damping [N s/m].
-    outcome<> attach(std::size_t node, double stiffness, double damping, span<const double> target = {}) {
-        return call(cd_chain_attach, node, stiffness, damping, target.data(), target.size());
+    // Here and below the strand of a rope, or 0 for all strands of another chain, which share such things.
+    // Ties a node to its target[component], or to where it is, by a spring [N/m] with damping [N s/m].
+    outcome<> attach(std::size_t strand, std::size_t node, double stiffness, double damping,
+                     span<const double> target = {}) {
+        return call(cd_chain_attach, strand, node, stiffness, damping, target.data(), target.size());
     }
-    outcome<> detach(std::size_t node) { return call(cd_chain_detach, node); }
-    outcome<attachment> get_attachment(std::size_t node) const {
+    outcome<> detach(std::size_t strand, std::size_t node) { return call(cd_chain_detach, strand, node); }
+    outcome<attachment> get_attachment(std::size_t strand, std::size_t node) const {
         attachment out{};
-        return detail::got(cd_chain_get_attachment(handle_, node, &out.stiffness, &out.damping), out);
+        return detail::got(cd_chain_get_attachment(handle_, strand, node, &out.stiffness, &out.damping), out);
     }
 
     // Cuts a spring, or makes it rigid; of a rope fixes its length.
-    outcome<> cut(std::size_t spring) { return call(cd_chain_cut, spring); }
-    outcome<> weld(std::size_t spring) { return call(cd_chain_weld, spring); }
+    outcome<> cut(std::size_t strand, std::size_t spring) { return call(cd_chain_cut, strand, spring); }
+    outcome<> weld(std::size_t strand, std::size_t spring) { return call(cd_chain_weld, strand, spring); }
 
     // ---- time ----
 
@@ -683,8 +685,10 @@ private:
             f == field::position || f == field::velocity || f == field::force || f == field::target || f == field::wind;
         const bool of_springs = f == field::stiffness || f == field::rest_length || f == field::tension;
         const std::size_t items = springs + (!of_springs || ring != 0);
+        double length = 0;
+        if (s == CD_OK) s = cd_chain_get_rest_length(handle_, &length);
         if (!each) components = 1;
-        if (!each && f != field::tension) strands = 1;
+        if (!each && (length == 0 || f == field::bend)) strands = 1;
         return {s, {0, strands, 0, items}, strands * items * components};
     }
 };
