@@ -271,7 +271,7 @@ template <int N> struct RopeBundle {
             probe = probe + o.probe, pushed = pushed + o.pushed, lengths = lengths + o.lengths;
             gained = gained + o.gained, worth = worth + o.worth;
         }
-        Seen of(L strands) const {
+        Seen in(L strands) const {
             const auto there = [&](L a) { return select(strands, a, L{}); };
             return {there(error), there(probe), there(pushed), there(gained),
                     there(worth), there(slack), there(lengths)};
@@ -336,7 +336,7 @@ template <int N> struct RopeBundle {
         const double rate = 1 / stage.dt;
         s.wish = dw - ((rate * over) / dot(s.along, s.acting)) * s.acting;
         s.wished = dot(s.along, dw) - rate * over;
-        if (any_positive(opposite(s.moves))) rest(i), here = here.of(s.moves);
+        if (any_positive(opposite(s.moves))) rest(i), here = here.in(s.moves);
         seen.add(here);
     }
 

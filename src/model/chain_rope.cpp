@@ -42,8 +42,9 @@ const char* what_ropes_lack(const Chain& c) {
     if (has_bend(c)) return "bend";
     if (c.ring) return "ring";
     if (c.damping > 0) return "stiffness damping";
-    for (size_t i = 0; i < c.pin.count; ++i)
-        if (c.pin[i] == CD_NODE_MATCHED) return "matched end";
+    for (size_t s = 0; s < c.strands; ++s)
+        for (const size_t end : {size_t(0), c.springs})
+            if (c.pin[own_place(c, s, end)] == CD_NODE_MATCHED) return "matched end";
     return nullptr;
 }
 

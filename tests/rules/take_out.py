@@ -131,7 +131,7 @@ RULES = {
     "springs between held nodes are no part of the system": (
         "rope_bundle.hh", " * opposite(held(i) * held(i + 1));", ";", ["stability_ropes"]),
     "and count for no error": (
-        "rope_bundle.hh", "rest(i), here = here.of(s.moves);", "rest(i);", ["stability_ropes", "determinism_parallel"]),
+        "rope_bundle.hh", "rest(i), here = here.in(s.moves);", "rest(i);", ["stability_ropes", "determinism_parallel"]),
 }
 
 
