@@ -14,11 +14,11 @@
 {2, 17, 1, {0x423c672a3e4aa3fd, 0xcd2745d8e9cf84fd}}, /* flood */
 {2, 16, 7, {0xfd95f8bf9ff5fbb2, 0xaec5685319e634d8}}, /* flood */
 {2, 2, 16, {0x602dc4845c9ea7eb, 0x8c4e889121d29e03}}, /* flood */
-{3, 13, 9, {0xd712016d6f814bd2, 0xbb991ef1a80cfa54}}, /* weir */
-{3, 1, 17, {0x000c2cafbc72f4d2, 0xb0d43a9f19ade0d7}}, /* weir */
-{3, 17, 1, {0xb83bad7df0454898, 0xb839e63673689925}}, /* weir */
-{3, 16, 7, {0x7e8be9fe50b0199d, 0xa9781d6a38e0fdac}}, /* weir */
-{3, 2, 16, {0xa341d0bf76c37cae, 0x2a27c98b381b4337}}, /* weir */
+{3, 13, 9, {0x64831d3e9c44ded4, 0x413aca2348b6d561}}, /* weir */
+{3, 1, 17, {0x2ba55771517f3457, 0x662cf7cb35c2126b}}, /* weir */
+{3, 17, 1, {0x269e407816e6f158, 0x95c25b5ce1c73c21}}, /* weir */
+{3, 16, 7, {0xc4b51373f6f99fc0, 0xa8836fa6e460c456}}, /* weir */
+{3, 2, 16, {0x78825d8a673da664, 0xdd13867e87b40d01}}, /* weir */
 {4, 13, 9, {0x34ff9a256ba8112e, 0x380f62d35a5d541c}}, /* explicit */
 {4, 1, 17, {0x198e4dec868efae1, 0x9bd595cdeda19578}}, /* explicit */
 {4, 17, 1, {0xba518f52d22e4f33, 0x9597a377557876a4}}, /* explicit */
@@ -29,11 +29,11 @@
 {5, 17, 1, {0x659e9a0f86c3b3ca, 0xcb56a0b64b209b37}}, /* forward */
 {5, 16, 7, {0xd72a3b17eeafe701, 0xa2032450d92bc4af}}, /* forward */
 {5, 2, 16, {0x1562c493214caa8f, 0x19011cf8cd6b6fd1}}, /* forward */
-{6, 13, 9, {0xf85ba0e2e46a6801, 0x6a5746ee6e5d05dc}}, /* tide */
-{6, 1, 17, {0xef63e20fb5eb0cdf, 0x60070954c8237a08}}, /* tide */
-{6, 17, 1, {0x2a201b05c86e6d99, 0x98c3c3b5435523d2}}, /* tide */
-{6, 16, 7, {0xcaa2ddc9609470a0, 0x888e07453f73b216}}, /* tide */
-{6, 2, 16, {0x550118643eadb862, 0x8992b2b60c47c2a3}}, /* tide */
+{6, 13, 9, {0x82848151164c01c5, 0xb7aa84453dfadd57}}, /* tide */
+{6, 1, 17, {0x54d814b9d25da25f, 0xdfb076f9999dc857}}, /* tide */
+{6, 17, 1, {0x616bb3d6395b86d5, 0x59431f3f818a6151}}, /* tide */
+{6, 16, 7, {0x3f33358f064f89cd, 0x805824bb28d8d993}}, /* tide */
+{6, 2, 16, {0x0e3644fcde0e37fa, 0x49586a8c78572324}}, /* tide */
 {7, 13, 9, {0xc6c78f7f00970a9b, 0xdef795a41abf9673}}, /* river */
 {7, 1, 17, {0x0bf022df59761559, 0x2fe2b547ac76b05f}}, /* river */
 {7, 17, 1, {0xb974bd8d9dc61c61, 0x03f5c59d81d86bc9}}, /* river */
@@ -54,13 +54,13 @@
 {10, 17, 1, {0x76a00fc9e757c8c6, 0x8bb0f004791a59d4}}, /* fed */
 {10, 16, 7, {0x0f8a10c41740fc7c, 0x56579e455719bbea}}, /* fed */
 {10, 2, 16, {0x5709f1bd2d163a80, 0x167ac3319304afdc}}, /* fed */
-{11, 13, 9, {0xbb4772a3a21ff2dd, 0x0e690a5d1124303c}}, /* everything */
-{11, 1, 17, {0x2641bf11755796e0, 0xbe6b6b4e1aa8bffa}}, /* everything */
-{11, 17, 1, {0x59085e7916ef2bdf, 0xbbd719238d24359f}}, /* everything */
-{11, 16, 7, {0x42d1a1deccf1c1f6, 0xd908d6f9c3d674ed}}, /* everything */
-{11, 2, 16, {0x40d08d80be9238d2, 0x6c616bf331ea7d85}}, /* everything */
-{12, 13, 9, {0x2924e4bd3b059f66, 0x8782500e21fb239d}}, /* everything, long steps */
-{12, 1, 17, {0x42583f1396f8f3bd, 0x6be1e8a70257c44c}}, /* everything, long steps */
-{12, 17, 1, {0x61283ec925f97584, 0x2666a567abc8c5bd}}, /* everything, long steps */
-{12, 16, 7, {0x74ff7de2983abdb5, 0xe80ac72cf44a7cbc}}, /* everything, long steps */
-{12, 2, 16, {0x522dabbc4de2a4cc, 0xbbac1840825a350a}}, /* everything, long steps */
+{11, 13, 9, {0x78948a4c1009652a, 0x1681724f448fdb27}}, /* everything */
+{11, 1, 17, {0x8fac8eabbf31e934, 0xfc20fb6fa8aeb6b8}}, /* everything */
+{11, 17, 1, {0xa57c557aeb89ebd9, 0x466110e9d5fa1673}}, /* everything */
+{11, 16, 7, {0xa6304876edd36a8c, 0xed8dbd2c0c4d45cd}}, /* everything */
+{11, 2, 16, {0x67a8e069bb1b10eb, 0x455850753748076d}}, /* everything */
+{12, 13, 9, {0x209fcd069fa2509a, 0xb2aa7a19affd5fd4}}, /* everything, long steps */
+{12, 1, 17, {0x340c8fdd43afe4e0, 0x57708d58b904d8d4}}, /* everything, long steps */
+{12, 17, 1, {0xd972a3fe216a4de6, 0x98d9b174d0106581}}, /* everything, long steps */
+{12, 16, 7, {0xc626e1949ce767e7, 0xea33ad104585e052}}, /* everything, long steps */
+{12, 2, 16, {0xabb0ab4281074977, 0xfa9f8907a8278d83}}, /* everything, long steps */

@@ -43,6 +43,13 @@ RULES = {
         "water/limiter.hh", "    if (!ring) { //", "    if (false) { //", ["stability_water_extremes"]),
     "what fills a cell at a side ends at the level outside": (
         "water/side.hh", "d_out > d ? most / (d_out - d) : 0", "0", ["physics_water_sides", "stability_water_extremes"]),
+    "as does what comes in at an open side": (
+        "water/side.hh", "secant > tangent ? secant : tangent", "tangent", ["stability_water_extremes"]),
+    "of linear momentum too": (
+        "water/side.hh", "c > tangent ? c : tangent", "tangent", ["stability_water_extremes"]),
+    "and at a level's critical depth": (
+        "water/side.hh", "if (wave < -c_out && d < d_out) return fills(d, d_out, c_out * d_out, d_out);", "",
+        ["stability_water_extremes"]),
     "velocities follow what the limiter lets through": (
         "water/velocity.hh", "if (any_limited)", "if (false)", ["stability_water_energy"]),
     "the energy bound of long steps": (

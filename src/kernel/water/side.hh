@@ -12,11 +12,13 @@ namespace cd {
 namespace CD_ISA {
 
 struct SideFlow {
-    double discharge = 0, slope = 0; // outward [m^2/s]; its derivative by the cell's depth, never below 0 [m/s]
+    double discharge = 0, slope = 0; // outward [m^2/s]; per change of the cell's depth, see SideWaves [m/s]
     double depth = 0;                // of what crosses [m]
     double half_cell = 0;            // 0.5: the side's depth is the cell's when the wave was there, half a cell before
 };
 
+// The slope is the tangent of the discharge as a function of the depth; where water comes in, the secant to where it no
+// longer does, which is steeper: so that a long step ends there.
 struct SideWaves {
     double gravity;
     bool advected;
@@ -30,16 +32,18 @@ struct SideWaves {
         if (!advected) {
             const double depth = d > d_out / 3 ? d : d_out / 3, c = speed(depth); // comes in by a third at the least
             if (depth > d || !(c > 0)) return fills(d, d_out, c * (d_out - depth), depth);
-            return {c * (depth - d_out), c * (1.5 - d_out / (2 * depth)), depth, 0.5};
+            const double tangent = c * (1.5 - d_out / (2 * depth));
+            return {c * (depth - d_out), c > tangent ? c : tangent, depth, 0.5};
         }
         const double depth = d > d_out * (4.0 / 9) ? d : d_out * (4.0 / 9), c = speed(depth), c_out = speed(d_out);
         const double wave = 2 * (c - c_out);
         if (wave > c) return falls(d, u);
         if (depth > d) return fills(d, d_out, -depth * wave, depth);
-        return {depth * wave, 3 * c - 2 * c_out, depth, 0.5};
+        const double tangent = 3 * c - 2 * c_out, secant = 2 * c * c / (c + c_out); // 0 / 0 where all is dry
+        return {depth * wave, secant > tangent ? secant : tangent, depth, 0.5};
     }
 
-    // As much comes in as can; it ends where the cell is as deep as the water outside.
+    // As much comes in as can.
     static SideFlow fills(double d, double d_out, double most, double depth) {
         return {-most, d_out > d ? most / (d_out - d) : 0, depth};
     }
@@ -48,8 +52,8 @@ struct SideWaves {
     SideFlow level(double d, double d_out, double u) const {
         const double c = speed(d), c_out = speed(d_out), wave = u + 2 * (c - c_out);
         if (u > c || wave > c_out) return falls(d, u);
-        if (wave < -c_out) return {-c_out * d_out, 0, d_out};
-        return {d_out * wave, d > 0 ? d_out * c / d : 0, d_out};
+        if (wave < -c_out && d < d_out) return fills(d, d_out, c_out * d_out, d_out);
+        return {d_out * (wave > -c_out ? wave : -c_out), d > 0 ? d_out * c / d : 0, d_out};
     }
 
     // What runs faster than its waves leaves as it comes, all else at its critical depth.
