@@ -108,7 +108,9 @@ enum {
     CD_NODE_FREE = 0,
     CD_NODE_PINNED = 1, /* infinite mass, at rest */
     CD_NODE_DRIVEN = 2, /* infinite mass, moves with the velocity written to it */
-    CD_NODE_MATCHED = 3 /* border nodes only: free, with the impedance sqrt(stiffness mass) that sends no echo back */
+    CD_NODE_MATCHED = 3, /* border nodes only: free, with the impedance sqrt(stiffness mass) that sends no echo back */
+    CD_NODE_POSED = 4    /* infinite mass; each call of cd_*_step moves it to where CD_TARGET is, evenly, and there it
+                            stays until CD_TARGET is written again. Without that field as CD_NODE_DRIVEN */
 };
 
 /* Per-node and per-spring data; which object has which is in its own header. */
@@ -138,7 +140,9 @@ enum {
     CD_WALL_Y = 21,
     CD_REST_LENGTH = 22,
     CD_TENSION = 23,
-    CD_WIND = 24
+    CD_WIND = 24,
+    CD_STRENGTH = 25,
+    CD_STRAIN = 26
 };
 
 /* ---- callbacks ------------------------------------------------------------------------------------------------- */

@@ -108,7 +108,9 @@ CD_API cd_status cd_chain_get_gravity(const cd_chain* chain, double* out_gravity
 
 /* What holds an end: the same as writing the field CD_PIN at the first or last node of every strand; the getter tells
  * that of the first strand. Pinning stops the node; driving leaves its velocity, which is then written through
- * CD_VELOCITY. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED on a ring. */
+ * CD_VELOCITY; posing switches CD_TARGET on, through which the next position is then written.
+ * Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED on a ring; CD_ERROR_DIVERGED for
+ * CD_NODE_POSED where the state is not finite. */
 CD_API cd_status cd_chain_set_end(cd_chain* chain, cd_end end, cd_node kind);
 CD_API cd_status cd_chain_get_end(const cd_chain* chain, cd_end end, cd_node* out_kind);
 
@@ -135,9 +137,9 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
  * cd_chain_step says CD_ERROR_UNSUPPORTED. */
 
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
- * where they are. A rope has the field CD_TENSION, at first 0, and its strands are individuals: each has its own pins,
- * masses, stiffnesses, rest lengths and attachments, at first those that they shared. Length 0 switches CD_TENSION off,
- * and CD_REST_LENGTH, air and wind too.
+ * where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has its
+ * own pins, masses, stiffnesses, rest lengths and attachments, at first those that they shared. Length 0 switches
+ * CD_TENSION off, and CD_REST_LENGTH, strength, air and wind too.
  * Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
  * CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build without ropes, and for 0 where strands differ in what
  * they would share, or an infinite stiffness would weld all springs or two held nodes. */
@@ -148,6 +150,23 @@ CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_len
  * Newton's method alone, which may fail from a crumpled start. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_chain_set_push(cd_chain* chain, int32_t push);
 CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
+
+/* The tension at which a spring breaks [N], 1e-60 to 1e60, or INFINITY, the default: springs hold. A rope's step ends by
+ * cutting, of each strand, the spring whose tension is most beyond its strength: its stiffness and tension become 0, and
+ * the next step shows what the others bear. Mend it by writing CD_STIFFNESS, which a finite strength switches on for as
+ * long as there is one. The field CD_STRENGTH has one for each spring.
+ * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
+CD_API cd_status cd_chain_set_strength(cd_chain* chain, double strength);
+CD_API cd_status cd_chain_get_strength(const cd_chain* chain, double* out_strength);
+
+/* How many springs broke in the last call of cd_chain_step: those whose CD_STIFFNESS became 0. */
+CD_API cd_status cd_chain_get_broken(const cd_chain* chain, size_t* out_springs);
+
+/* The force [N], one number per component, with which the springs of a rope pull at a node: of a held node, what the
+ * rope does to whatever holds it. It is the sum of their tensions, along the directions that they have now; 0 of a
+ * spring without length. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
+CD_API cd_status cd_chain_get_reaction(const cd_chain* chain, size_t strand, size_t node, double* out_force,
+                                       size_t count);
 
 /* Resistance of the air, per length of a rope [N s/m^2], in [0, 1e60], default 0: a piece of length s whose velocity
  * through the air is w, w_t along the rope and w_n across it, is pushed by -s (along w_t + across w_n). Implicit, so that
@@ -183,7 +202,7 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  *  CD_POSITION   strand, node     m       finite
  *  CD_VELOCITY   strand, node     m/s     finite; of a pinned node only 0
  *  CD_FORCE      strand, node     N       finite; acts until it is overwritten
- *  CD_TARGET     strand, node     m       finite; where cd_chain_attach pulls to
+ *  CD_TARGET     strand, node     m       finite; where cd_chain_attach pulls to, and where CD_NODE_POSED goes
  *  CD_MASS       (strand), node   kg      > 0
  *  CD_STIFFNESS  (strand), spring N/m     >= 0; 0: cut; INFINITY: welded, see cd_chain_weld; in ropes of fixed length
  *  CD_BEND       node             N/m     >= 0; that of the two ends of an open chain is kept and not used
@@ -191,25 +210,29 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  *  CD_REST_LENGTH strand, spring  m       1e-60 to 1e60; of ropes only
  *  CD_TENSION    strand, spring   N       finite; of ropes only: what the last step found and the next one starts from
  *  CD_WIND       strand, node     m/s     finite; of ropes only
+ *  CD_STRENGTH   strand, spring   N       1e-60 to 1e60, or INFINITY; of ropes only: see cd_chain_set_strength
+ *  CD_STRAIN     strand, spring   -       of ropes, to read only: length now over rest length, less 1; -1 and more
  * (strand): per strand in ropes, shared by the strands of other chains.
  * Nodes joined by welded springs make a group, which may hold one pinned or driven node: more is CD_ERROR_UNSUPPORTED.
- * Position, velocity and pin are always there, the tension in ropes. The others cost memory and time only once they are
- * switched on. */
+ * Position, velocity and pin are always there, tension and strain in ropes. The others cost memory and time only once
+ * they are switched on. */
 
 /* Switches a field on, filled with the present uniform values (force 0, target the present position). On already:
- * nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below CD_ERROR_UNSUPPORTED for CD_REST_LENGTH,
- * CD_TENSION and CD_WIND of a chain that is no rope. */
+ * nothing happens. CD_STRENGTH switches CD_STIFFNESS on too. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below
+ * CD_ERROR_UNSUPPORTED for the fields of ropes of a chain that is none. */
 CD_API cd_status cd_chain_enable_field(cd_chain* chain, cd_field field);
 
 /* Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened.
- * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position, velocity, pin and tension. */
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position, velocity, pin, tension and strain, and for stiffness where
+ * springs may break. */
 CD_API cd_status cd_chain_disable_field(cd_chain* chain, cd_field field);
 
 /* Writes or reads values[strand][node][component], dense, of strands [first_strand, first_strand + strands) and nodes
  * (or springs) [first, first + n). Fields without components have one value per node; fields that the strands share
  * have the single strand 0. `count` is the number of values in the buffer: strands * n * components. Numbers are
  * rounded once, to the precision of the side that is narrower. Never allocates.
- * Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first bad index. */
+ * Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first bad index, and
+ * CD_ERROR_UNSUPPORTED for CD_STRAIN. */
 CD_API cd_status cd_chain_write_f32(cd_chain* chain, cd_field field, size_t first_strand, size_t strands,
                                     size_t first, size_t n, const float* values, size_t count);
 CD_API cd_status cd_chain_write_f64(cd_chain* chain, cd_field field, size_t first_strand, size_t strands,
@@ -232,6 +255,13 @@ CD_API cd_status cd_chain_view(const cd_chain* chain, cd_field field, const void
 /* Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in a welded group
  * by impulse / the group's mass; a pinned or driven node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE. */
 CD_API cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const double* impulse, size_t count);
+
+/* Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
+ * every velocity rotation * v; tensions stay. rotation: components rows of as many numbers, orthogonal to 1e-6; null:
+ * none. offset [m]: one number per component, which count counts.
+ * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite. */
+CD_API cd_status cd_chain_teleport(cd_chain* chain, size_t strand, const double* rotation, const double* offset,
+                                   size_t count);
 
 /* Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a
  * spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. target, one number per component,

@@ -162,12 +162,13 @@ CD_API cd_status cd_membrane_get_gravity(const cd_membrane* membrane, double* ou
 CD_API cd_status cd_membrane_set_pressure(cd_membrane* membrane, double pressure);
 CD_API cd_status cd_membrane_get_pressure(const cd_membrane* membrane, double* out_pressure);
 
-/* What holds an edge; a corner is pinned if either of its edges is, else driven if either is. Pinning stops the nodes;
- * driving leaves their velocity, which is then written through CD_VELOCITY. CD_NODE_MATCHED leaves the edge free, with
- * the impedance that sends no echo back to a wave that runs straight at it. Where CD_PIN is switched on, free, pinned
- * and driven are written to it along the edge. The getter tells what was set last, whatever was written to CD_PIN
- * since.
- * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED in the direction of a ring; CD_ERROR_MEMORY. */
+/* What holds an edge; a corner is pinned if either of its edges is, else driven, else posed if either is. Pinning stops
+ * the nodes; driving leaves their velocity, which is then written through CD_VELOCITY; posing switches CD_TARGET on,
+ * through which the next positions are then written. CD_NODE_MATCHED leaves the edge free, with the impedance that
+ * sends no echo back to a wave that runs straight at it. Where CD_PIN is switched on, all but matched are written to it along
+ * the edge. The getter tells what was set last, whatever was written to CD_PIN since.
+ * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED in the direction of a ring; CD_ERROR_MEMORY;
+ * CD_ERROR_DIVERGED for CD_NODE_POSED where the state is not finite. */
 CD_API cd_status cd_membrane_set_edge(cd_membrane* membrane, cd_edge edge, cd_node kind);
 CD_API cd_status cd_membrane_get_edge(const cd_membrane* membrane, cd_edge edge, cd_node* out_kind);
 
@@ -182,11 +183,11 @@ CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_
  *  CD_POSITION      node          m       finite
  *  CD_VELOCITY      node          m/s     finite; of a pinned or absent node only 0
  *  CD_FORCE         node          N       finite; acts until it is overwritten
- *  CD_TARGET        node          m       finite; where cd_membrane_attach pulls to
+ *  CD_TARGET        node          m       finite; where cd_membrane_attach pulls to, and where CD_NODE_POSED goes
  *  CD_MASS          node          kg      > 0
  *  CD_STIFFNESS_U   spring        N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u + 1, v)
  *  CD_STIFFNESS_V   spring        N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u, v + 1)
- *  CD_PIN           node          -       CD_NODE_FREE, CD_NODE_PINNED or CD_NODE_DRIVEN; whole edges need it not, see
+ *  CD_PIN           node          -       any cd_node but CD_NODE_MATCHED; whole edges need it not, see
  *                                         cd_membrane_set_edge
  *  CD_MASK          node          -       1: there; 0: absent, with all that touches it: it stands still where it is
  *                                         and counts for nothing
@@ -228,10 +229,17 @@ CD_API cd_status cd_membrane_view(const cd_membrane* membrane, cd_field field, c
 /* Adds impulse [N s], one number per component, spread over the nodes that are less than `radius` springs away from
  * the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which
  * are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass;
- * pinned, driven and absent nodes take none of it, and their shares are lost. u in [0, nu], v in [0, nv], radius >= 0.
+ * held and absent nodes take none of it, and their shares are lost. u in [0, nu], v in [0, nv], radius >= 0.
  * Errors: CD_ERROR_RANGE for count; CD_ERROR_VALUE. */
 CD_API cd_status cd_membrane_impulse(cd_membrane* membrane, double u, double v, double radius, const double* impulse,
                                      size_t count);
+
+/* Moves the sheet as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
+ * every velocity rotation * v. rotation: components rows of as many numbers, orthogonal to 1e-6; null: none.
+ * offset [m]: one number per component, which count counts.
+ * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite. */
+CD_API cd_status cd_membrane_teleport(cd_membrane* membrane, const double* rotation, const double* offset,
+                                      size_t count);
 
 /* Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
  * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by

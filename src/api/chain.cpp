@@ -47,13 +47,16 @@ cd_status cd_chain_set_stiffness(cd_chain* chain, double stiffness) {
 cd_status cd_chain_set_end(cd_chain* chain, cd_end end, cd_node kind) {
     CD_OPEN(chain, c);
     CD_CHECK(is_enum(__func__, "end", end, CD_END_LAST));
-    CD_CHECK(is_enum(__func__, "kind", kind, CD_NODE_MATCHED));
+    CD_CHECK(is_enum(__func__, "kind", kind, CD_NODE_POSED));
     if (kind == CD_NODE_MATCHED && c.ring)
         return fail(CD_ERROR_UNSUPPORTED, __func__, "kind is 3, matched: a ring has no end");
+    const bool new_target = kind == CD_NODE_POSED && !c.target;
+    if (new_target) CD_CHECK(shared::enable_field(__func__, c, CD_TARGET));
     const double value = kind;
-    for (size_t strand = 0; strand < own_strands(c); ++strand)
-        CD_CHECK(cd_chain_write_f64(chain, CD_PIN, strand, 1, end == CD_END_FIRST ? 0 : c.springs, 1, &value, 1));
-    return CD_OK;
+    cd_status status = CD_OK;
+    for (size_t strand = 0; strand < own_strands(c) && status == CD_OK; ++strand)
+        status = cd_chain_write_f64(chain, CD_PIN, strand, 1, end == CD_END_FIRST ? 0 : c.springs, 1, &value, 1);
+    return status != CD_OK && new_target ? (shared::switch_field(__func__, c, CD_TARGET, false), status) : status;
 }
 
 cd_status cd_chain_get_end(const cd_chain* chain, cd_end end, cd_node* out_kind) {
@@ -86,6 +89,8 @@ cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring) {
 
 CD_GETTER(chain, get_rest_length, double, out_length, x.rope.length)
 CD_GETTER(chain, get_push, int32_t, out_push, x.rope.push)
+CD_GETTER(chain, get_strength, double, out_strength, x.rope.strength)
+CD_GETTER(chain, get_broken, size_t, out_springs, x.broken)
 CD_FUNCTION(chain, const, get_tolerance, (double* out_tolerance, size_t* out_most_iterations),
             shared::get_tolerance(__func__, x.rope, out_tolerance, out_most_iterations))
 CD_FUNCTION(chain, const, get_convergence, (size_t * out_iterations, double* out_residual),
@@ -134,9 +139,9 @@ cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
     if (length == 0 && has_lengths(c)) CD_CHECK(can_lose_lengths(__func__, c));
     Features wanted = features(c);
     wanted.length = length > 0;
-    if (length == 0) wanted.spring_length = wanted.air = wanted.wind = false;
+    if (length == 0) wanted.spring_length = wanted.air = wanted.wind = wanted.spring_strength = false;
     CD_CHECK(shared::change_features(__func__, c, wanted));
-    if (length == 0) c.air = {};
+    if (length == 0) c.air = {}, c.rope.strength = INFINITY;
     c.rope.length = length > 0 ? length : 0; // not -0
     c.prepared_dt = 0;
     fill_uniform(c, CD_REST_LENGTH);
@@ -151,15 +156,36 @@ cd_status cd_chain_set_push(cd_chain* chain, int32_t push) {
     return CD_OK;
 }
 
-static cd_status has_air(const char* function, const Chain& c) {
-    return has_lengths(c) ? CD_OK : fail(CD_ERROR_UNSUPPORTED, function, "only ropes feel air: the rest length is 0");
+static cd_status is_rope(const char* function, const Chain& c, const char* lack) {
+    return has_lengths(c) ? CD_OK : fail(CD_ERROR_UNSUPPORTED, function, "%s: the rest length is 0", lack);
+}
+
+cd_status cd_chain_set_strength(cd_chain* chain, double strength) {
+    CD_OPEN(chain, c);
+    if (!(isinf(strength) && strength > 0)) CD_CHECK(in_range(__func__, "strength", strength, kLeastMass, kMost));
+    CD_CHECK(is_rope(__func__, c, "only ropes break"));
+    if (strength < INFINITY) CD_CHECK(shared::switch_field(__func__, c, CD_STIFFNESS, true));
+    c.rope.strength = strength;
+    fill_uniform(c, CD_STRENGTH);
+    return CD_OK;
+}
+
+cd_status cd_chain_get_reaction(const cd_chain* chain, size_t strand, size_t node, double* out_force, size_t count) {
+    CD_OPEN(chain, c);
+    CD_CHECK(is_rope(__func__, c, "only ropes have tensions"));
+    CD_CHECK(is_index(__func__, "strand", strand, c.strands));
+    CD_CHECK(is_index(__func__, "node", node, c.nodes));
+    CD_NOT_NULL(out_force);
+    CD_CHECK(is_count(__func__, "count", count, c.components));
+    reaction(c, strand, node, out_force);
+    return CD_OK;
 }
 
 cd_status cd_chain_set_air(cd_chain* chain, double along, double across) {
     CD_OPEN(chain, c);
     CD_CHECK(in_range(__func__, "along", along, 0, kMost));
     CD_CHECK(in_range(__func__, "across", across, 0, kMost));
-    CD_CHECK(has_air(__func__, c));
+    CD_CHECK(is_rope(__func__, c, "only ropes feel air"));
     Features wanted = features(c);
     wanted.air = along > 0 || across > 0;
     CD_CHECK(shared::change_features(__func__, c, wanted));
@@ -182,7 +208,7 @@ cd_status cd_chain_set_wind(cd_chain* chain, const double* velocity, size_t coun
     CD_NOT_NULL(velocity);
     CD_CHECK(is_count(__func__, "count", count, c.components));
     CD_CHECK(are_numbers(__func__, "velocity", velocity, count, most_of(c)));
-    CD_CHECK(has_air(__func__, c));
+    CD_CHECK(is_rope(__func__, c, "only ropes feel air"));
     for (size_t k = 0; k < count; ++k) c.air.wind[k] = velocity[k] + 0.0; // not -0
     fill_uniform(c, CD_WIND);
     return CD_OK;

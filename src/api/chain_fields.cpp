@@ -10,6 +10,7 @@ const Array<double>& shared_of(const Chain& c, cd_field field) {
            : field == CD_STIFFNESS   ? c.spring_stiffness
            : field == CD_REST_LENGTH ? c.spring_length
            : field == CD_TENSION     ? c.tension
+           : field == CD_STRENGTH    ? c.spring_strength
                                      : c.node_bend;
 }
 
@@ -18,7 +19,7 @@ cd_status is_on(const char* function, const Chain& c, cd_field field) {
     CD_CHECK(has_length(function, c, field));
     const bool empty = field == CD_STIFFNESS && springs_in_all(c) == 0; // of a single node: neither on nor off
     const bool on = is_state(field) ? bool(state_of(c, field)) : bool(shared_of(c, field));
-    return must_be_on(function, "chain", field, on || empty || field == CD_PIN);
+    return must_be_on(function, "chain", field, on || empty || field == CD_PIN || field == CD_STRAIN);
 }
 
 struct Place {
@@ -59,16 +60,14 @@ struct Part {
         };
         const bool sound = groups_are_sound(
             c.nodes, c.ring != 0, [&](size_t i) { return isinf(new_value(CD_STIFFNESS, i, stiffness_of(c, i))); },
-            [&](size_t i) {
-                const double pin = new_value(CD_PIN, i, c.pin[i]);
-                return pin == CD_NODE_PINNED || pin == CD_NODE_DRIVEN;
-            });
+            [&](size_t i) { return holds(new_value(CD_PIN, i, c.pin[i])); });
         if (sound) return CD_OK;
         return fail(CD_ERROR_UNSUPPORTED, function, "a group of welded nodes would hold two pinned or driven ones");
     }
 
     double get(const Chain& c, const Place& p) const {
         if (field == CD_PIN) return c.pin[own_place(c, p.strand, p.item)];
+        if (field == CD_STRAIN) return strain_of(c, p.strand, p.item);
         if (!is_state(field)) return shared_of(c, field)[place_in_shared(c, p)];
         return get_number(c, state_of(c, field), place(c, p.strand, p.item, p.component));
     }
@@ -158,6 +157,15 @@ cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const do
             set_number(c, c.velocity, at, get_number(c, c.velocity, at) + impulse[j] / mass);
         }
     return CD_OK;
+}
+
+cd_status cd_chain_teleport(cd_chain* chain, size_t strand, const double* rotation, const double* offset,
+                            size_t count) {
+    CD_OPEN(chain, c);
+    CD_CHECK(is_index(__func__, "strand", strand, c.strands));
+    return shared::teleport(__func__, c, rotation, offset, count, 1, [&](auto f) {
+        for (size_t i = 0; i < c.nodes; ++i) f(place(c, strand, i, 0));
+    });
 }
 
 // A node or spring of a strand that has its own, or of all strands.

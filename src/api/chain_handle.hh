@@ -12,23 +12,23 @@ template <> struct Behind<cd_chain> {
     static constexpr const char* name = "chain";
 };
 
-inline bool is_of_ropes(cd_field field) { return field == CD_REST_LENGTH || field == CD_TENSION || field == CD_WIND; }
+inline bool is_of_ropes(cd_field field) { return field >= CD_REST_LENGTH && field <= CD_STRAIN; }
 inline cd_status is_field(const char* function, const Chain&, cd_field field) {
     if (is_of_ropes(field) || (field >= 0 && field <= CD_TARGET)) return CD_OK;
-    return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 7 or 22 to 24", int(field));
+    return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 7 or 22 to 26", int(field));
 }
-inline bool is_always_on(const Chain&, cd_field field) {
-    return field == CD_POSITION || field == CD_VELOCITY || field == CD_PIN || field == CD_TENSION;
+inline bool is_always_on(const Chain& c, cd_field field) {
+    return field == CD_POSITION || field == CD_VELOCITY || field == CD_PIN || field == CD_TENSION ||
+           field == CD_STRAIN || (field == CD_STIFFNESS && can_break(c));
 }
 inline void switch_own(Features& wanted, cd_field field, bool on) {
     if (field == CD_STIFFNESS) wanted.spring_stiffness = on;
     if (field == CD_BEND) wanted.node_bend = on;
     if (field == CD_REST_LENGTH) wanted.spring_length = on;
     if (field == CD_WIND) wanted.wind = on;
+    if (field == CD_STRENGTH) wanted.spring_strength = on, wanted.spring_stiffness |= on;
 }
-inline bool is_per_spring(cd_field field) {
-    return field == CD_STIFFNESS || field == CD_REST_LENGTH || field == CD_TENSION;
-}
+inline bool is_per_spring(cd_field field) { return field == CD_STIFFNESS || (is_of_ropes(field) && field != CD_WIND); }
 inline cd_status has_length(const char* function, const Chain& c, cd_field field) {
     if (has_lengths(c) || !is_of_ropes(field)) return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s: the rest length is 0", int(field), field_name(field));

@@ -11,7 +11,7 @@ inline const char* field_name(cd_field field) {
         "CD_POSITION",   "CD_VELOCITY",    "CD_FORCE",       "CD_MASS",     "CD_STIFFNESS", "CD_BEND",    "CD_PIN",
         "CD_TARGET",     "CD_STIFFNESS_U", "CD_STIFFNESS_V", "CD_MASK",     "CD_DEPTH",     "CD_BED",     "CD_SURFACE",
         "CD_VELOCITY_X", "CD_VELOCITY_Y",  "CD_SOURCE",      "CD_PRESSURE", "CD_FORCE_X",   "CD_FORCE_Y", "CD_WALL_X",
-        "CD_WALL_Y",     "CD_REST_LENGTH", "CD_TENSION",     "CD_WIND"};
+        "CD_WALL_Y",     "CD_REST_LENGTH", "CD_TENSION",     "CD_WIND",     "CD_STRENGTH",  "CD_STRAIN"};
     return names[field];
 }
 
@@ -21,6 +21,7 @@ inline const char* field_takes(cd_field field) {
     case CD_MASS:
     case CD_REST_LENGTH: return "numbers from 1e-60 to 1e60";
     case CD_TENSION: return "finite numbers";
+    case CD_STRENGTH: return "numbers from 1e-60 to 1e60, or infinity";
     case CD_STIFFNESS: return "0 to 1e60, or infinity";
     case CD_BEND:
     case CD_STIFFNESS_U:
@@ -79,6 +80,11 @@ inline cd_status is_place(const char* function, const double* at, size_t j, size
     return fail(CD_ERROR_VALUE, function, "at[%zu] is %g, must be in [0, %zu]", j, at[j], springs);
 }
 
+inline cd_status can_write(const char* function, cd_field field) {
+    if (field != CD_STRAIN) return CD_OK;
+    return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, is to be read only", int(field), field_name(field));
+}
+
 // Part: a part of the field part.field of an object, as read and write are given it:
 //   check(function, x, count)        whether it is one, and whether a buffer of `count` numbers fits it
 //   each(x, f)                       f(index in the buffer, place) for each of its numbers
@@ -90,6 +96,7 @@ inline cd_status is_place(const char* function, const double* at, size_t j, size
 template <class X, class Part, class S>
 cd_status write_part(const char* function, X& x, const Part& part, const S* values, size_t count) {
     CD_CHECK(part.check(function, x, count));
+    CD_CHECK(can_write(function, part.field));
     if (count > 0) CD_CHECK(not_null(function, "values", values));
     size_t bad = SIZE_MAX;
     part.each(x, [&](size_t at, const auto& place) {

@@ -97,9 +97,10 @@ cd_status cd_membrane_set_pressure(cd_membrane* membrane, double pressure) {
 cd_status cd_membrane_set_edge(cd_membrane* membrane, cd_edge edge, cd_node kind) {
     CD_OPEN(membrane, m);
     CD_CHECK(is_enum(__func__, "edge", edge, CD_EDGE_V_LAST));
-    CD_CHECK(is_enum(__func__, "kind", kind, CD_NODE_MATCHED));
+    CD_CHECK(is_enum(__func__, "kind", kind, CD_NODE_POSED));
     if (kind == CD_NODE_MATCHED && m.ring[direction_of(edge)])
         return fail(CD_ERROR_UNSUPPORTED, __func__, "kind is 3, matched, but edge %d lies across a ring", int(edge));
+    if (kind == CD_NODE_POSED) CD_CHECK(shared::is_finite(__func__, m)); // targets start as the present positions
     return set_edge(m, edge, kind) ? CD_OK : fail(CD_ERROR_MEMORY, __func__, "no memory");
 }
 

@@ -154,6 +154,13 @@ cd_status cd_membrane_impulse(cd_membrane* membrane, double u, double v, double 
     return CD_OK;
 }
 
+cd_status cd_membrane_teleport(cd_membrane* membrane, const double* rotation, const double* offset, size_t count) {
+    CD_OPEN(membrane, m);
+    return shared::teleport(__func__, m, rotation, offset, count, m.plane, [&](auto f) {
+        for (size_t i = 0; i < m.nodes; ++i) f(place(m, i % m.columns, i / m.columns, 0));
+    });
+}
+
 cd_status cd_membrane_attach(cd_membrane* membrane, size_t u, size_t v, double stiffness, double damping,
                              const double* target, size_t count) {
     CD_OPEN(membrane, m);

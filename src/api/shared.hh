@@ -9,6 +9,8 @@
 namespace cd {
 namespace shared {
 
+constexpr double kMostSkew = 1e-6; // of a rotation: how far products of its rows may be from 0 and 1
+
 // ---- life -----------------------------------------------------------------------------------------------------------
 
 // What every create is given beside sizes.
@@ -198,6 +200,53 @@ inline cd_status get_attachment(const char* function, const Body& b, size_t node
     CD_CHECK(not_null(function, "out_damping", out_damping));
     *out_stiffness = tie_of(b, node);
     *out_damping = tie_damping_of(b, node);
+    return CD_OK;
+}
+
+// ---- moving all at once ---------------------------------------------------------------------------------------------
+
+inline cd_status is_rotation(const char* function, const double* rotation, size_t n) {
+    CD_CHECK(are_numbers(function, "rotation", rotation, n * n, 2));
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j <= i; ++j) {
+            double product = i == j ? -1 : 0;
+            for (size_t k = 0; k < n; ++k) product += rotation[i * n + k] * rotation[j * n + k];
+            if (!(fabs(product) <= kMostSkew))
+                return fail(CD_ERROR_VALUE, function, "rotation is not orthogonal: rows %zu and %zu are off by %g", j,
+                            i, product);
+        }
+    return CD_OK;
+}
+
+// each_node(f) makes f(place) for every node that moves; its components lie `stride` numbers apart.
+template <class X, class EachNode> cd_status teleport(const char* function, X& x, const double* rotation,
+                                                      const double* offset, size_t count, size_t stride,
+                                                      EachNode each_node) {
+    CD_CHECK(not_null(function, "offset", offset));
+    CD_CHECK(is_count(function, "count", count, x.components));
+    CD_CHECK(are_numbers(function, "offset", offset, count, most_of(x)));
+    if (rotation) CD_CHECK(is_rotation(function, rotation, count));
+    CD_CHECK(is_finite(function, x));
+    const auto moved = [&](const Array<char>& array, size_t at, size_t k) {
+        double sum = rotation ? 0 : get_number(x, array, at + k * stride);
+        for (size_t j = 0; j < count && rotation; ++j)
+            sum += rotation[k * count + j] * get_number(x, array, at + j * stride);
+        return &array == &x.velocity ? sum : sum + offset[k];
+    };
+    bool fits = true;
+    const auto each_array = [&](auto f) {
+        for (const Array<char>* array : {&x.position, &x.velocity, &x.target})
+            if (*array) each_node([&](size_t at) { f(*array, at); });
+    };
+    each_array([&](const Array<char>& array, size_t at) {
+        for (size_t k = 0; k < count; ++k) fits &= fabs(moved(array, at, k)) <= most_of(x);
+    });
+    if (!fits) return fail(CD_ERROR_VALUE, function, "a number would leave the finite range");
+    each_array([&](const Array<char>& array, size_t at) {
+        double to[4];
+        for (size_t k = 0; k < count; ++k) to[k] = moved(array, at, k);
+        for (size_t k = 0; k < count; ++k) set_number(x, array, at + k * stride, to[k]);
+    });
     return CD_OK;
 }
 

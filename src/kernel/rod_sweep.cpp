@@ -1,6 +1,6 @@
 #include "kernel/rod_sweep.hh"
 
-#include "contdyn/base.h"
+#include "base/node.hh"
 #include "kernel/line_lanes.hh"
 
 namespace cd {
@@ -20,7 +20,7 @@ template <class T, bool kEnds> struct Sweep {
     template <int N> StateLanes<N> state(size_t i, size_t first) const {
         return load_start<N>(lines, start, i * lines.pitch + first);
     }
-    bool held(size_t i) const { return c.pin[i] == CD_NODE_PINNED || c.pin[i] == CD_NODE_DRIVEN; }
+    bool held(size_t i) const { return holds(c.pin[i]); }
 
     // The difference of the answer at which spring i, between two nodes, would be closed after the stage.
     template <int N> Lanes<N> spring_wish(size_t i, const StateLanes<N>& left, const StateLanes<N>& right) const {

@@ -8,7 +8,7 @@
 
 #include <initializer_list>
 
-#include "contdyn/base.h"
+#include "base/node.hh"
 #include "kernel/lines.hh"
 #include "kernel/rope_step.hh"
 #include "kernel/vectors.hh"
@@ -92,9 +92,11 @@ template <int N> struct RopeBundle {
         for (int j = 0; j < N; ++j) lane[j] = numbers.at(i, first + (size_t(j) < count ? size_t(j) : count - 1));
         return L::load(lane);
     }
-    // 1 where a node is pinned or driven.
+    // 1 where a node is held, as holds() has it.
     L is_held(size_t i) const {
-        const L pin = of(c.pin, i), off = (pin - L::splat(CD_NODE_PINNED)) * (pin - L::splat(CD_NODE_DRIVEN));
+        L off = one();
+        for (const cd_node kind : {CD_NODE_PINNED, CD_NODE_DRIVEN, CD_NODE_POSED})
+            off = off * (of(c.pin, i) - L::splat(kind));
         return opposite(off * off);
     }
     __attribute__((noinline)) V load(StateNumbers numbers, size_t i) const {

@@ -26,6 +26,11 @@ struct Body : Object, BodySettings {
 inline double tie_of(const Body& b, size_t node) { return b.attach_stiffness ? b.attach_stiffness[node] : 0; }
 inline double tie_damping_of(const Body& b, size_t node) { return b.attach_damping ? b.attach_damping[node] : 0; }
 
+// Gives a number of a posed node the velocity that brings it to its target in `seconds`.
+inline void pose(Body& b, size_t at, double seconds) {
+    set_number(b, b.velocity, at, (get_number(b, b.target, at) - get_number(b, b.position, at)) / seconds);
+}
+
 // X: a body with a layout_of.
 template <class X> bool all_finite(const X& x) {
     bool finite = true;

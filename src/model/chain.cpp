@@ -62,7 +62,8 @@ Features features(const Chain& c) {
             has_lengths(c),
             bool(c.spring_length),
             c.air.resists(),
-            bool(c.wind)};
+            bool(c.wind),
+            bool(c.spring_strength)};
 }
 
 namespace {
@@ -98,11 +99,12 @@ bool set_features(Chain& c, const Features& wanted) {
     Change<double> bend{c.node_bend, wanted.node_bend ? c.nodes : 0};
     Change<double> length{c.spring_length, wanted.spring_length ? springs * own : 0};
     Change<double> tension{c.tension, wanted.length ? springs * c.strands : 0};
+    Change<double> strength{c.spring_strength, wanted.spring_strength ? springs * own : 0};
     Change<char> wind{c.wind, wanted.wind ? c.position.count : 0};
     Change<double> ring_response{c.ring_response, needs.ring_response};
 
     const auto all = [&](auto f) {
-        return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(length) && f(tension) && f(wind) &&
+        return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(length) && f(tension) && f(strength) && f(wind) &&
                f(ring_response);
     };
     if (wanted.method == c.method && wanted.ring == (c.ring != 0) && keep_all(all)) return true;
@@ -118,6 +120,7 @@ bool set_features(Chain& c, const Features& wanted) {
     if (bend.is_new()) fill_uniform(c, CD_BEND);
     if (length.is_new()) fill_uniform(c, CD_REST_LENGTH);
     if (tension.is_new()) memset(c.tension.data, 0, c.tension.bytes());
+    if (strength.is_new()) fill_uniform(c, CD_STRENGTH);
     if (wind.is_new()) fill_uniform(c, CD_WIND);
     body.fill(c);
     c.prepared_dt = 0;
@@ -132,6 +135,8 @@ void fill_uniform(Chain& c, cd_field field) {
         for (size_t i = 0; i < c.spring_stiffness.count; ++i) c.spring_stiffness[i] = uniform_stiffness(c);
     if (field == CD_REST_LENGTH && c.spring_length)
         for (size_t i = 0; i < c.spring_length.count; ++i) c.spring_length[i] = uniform_length(c);
+    if (field == CD_STRENGTH && c.spring_strength)
+        for (size_t i = 0; i < c.spring_strength.count; ++i) c.spring_strength[i] = c.rope.strength;
     if (field == CD_BEND && c.node_bend)
         for (size_t i = 0; i < c.nodes; ++i) c.node_bend[i] = uniform_bend(c);
     if (field == CD_WIND && c.wind)

@@ -14,9 +14,12 @@ struct RopeSettings {
     int32_t push = 0;
     double tolerance = 1e-6;
     uint64_t most_iterations = 200;
+    double strength = INFINITY; // [N]
 
+    bool breaks() const { return strength < INFINITY; }
     bool operator==(const RopeSettings& o) const {
-        return length == o.length && push == o.push && tolerance == o.tolerance && most_iterations == o.most_iterations;
+        return length == o.length && push == o.push && tolerance == o.tolerance &&
+               most_iterations == o.most_iterations && strength == o.strength;
     }
 };
 
@@ -47,7 +50,7 @@ struct Chain : Body, ChainSettings {
     size_t lines, pitch; // lines: strands * components, side by side; pitch: numbers from one node to the next
 
     // fields of its own, per spring and per node; pin is always there
-    Array<double> spring_stiffness, node_bend, spring_length;
+    Array<double> spring_stiffness, node_bend, spring_length, spring_strength;
     Array<double> tension; // with lengths, per spring and strand: state
     Array<char> wind;      // laid out like the positions
 
@@ -58,12 +61,13 @@ struct Chain : Body, ChainSettings {
     double of_change;        // see Stage
 
     // what the last call of cd_chain_step did
-    size_t iterations;
+    size_t iterations, broken;
     double residual;
 
     // f(array, array of another chain...) for each field, in the order in which they are kept; and for every array.
     template <class F, class... C> static void each_field(F f, C&... c) {
         f(c.pin...), f(c.node_mass...), f(c.spring_stiffness...), f(c.node_bend...), f(c.spring_length...);
+        f(c.spring_strength...);
         f(c.attach_stiffness...), f(c.attach_damping...), f(c.position...), f(c.velocity...), f(c.force...);
         f(c.target...), f(c.tension...), f(c.wind...);
     }
@@ -92,7 +96,7 @@ inline size_t own_strands(const Chain& c) { return has_lengths(c) ? c.strands : 
 inline size_t own_place(const Chain& c, size_t strand, size_t item) {
     return has_lengths(c) ? item * c.strands + strand : item;
 }
-inline bool held(const Chain& c, size_t at) { return c.pin[at] == CD_NODE_PINNED || c.pin[at] == CD_NODE_DRIVEN; }
+inline bool held(const Chain& c, size_t at) { return holds(c.pin[at]); }
 
 // Whether a line is solved in segments side by side, for want of lines to fill the lanes; unless some of it is welded.
 // Four lines with bend, two registers at once, wait less for each other: cutting them up pays later.
@@ -117,6 +121,10 @@ inline double stiffness_of(const Chain& c, size_t at) {
 }
 inline double uniform_length(const Chain& c) { return c.rope.length / double(springs_in_all(c)); }
 inline double length_of(const Chain& c, size_t at) { return c.spring_length ? c.spring_length[at] : uniform_length(c); }
+inline double strength_of(const Chain& c, size_t at) {
+    return c.spring_strength ? c.spring_strength[at] : c.rope.strength;
+}
+inline bool can_break(const Chain& c) { return c.spring_strength || c.rope.breaks(); }
 double bend_of(const Chain& c, size_t node); // 0 at the ends of an open chain
 bool has_bend(const Chain& c);
 // An infinite stiffness welds the nodes of a spring that has no length; one that has it keeps it.
@@ -132,7 +140,7 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
                        const cd_allocator& allocator, Chain*& out);
 
 struct Features : BodyFeatures {
-    bool spring_stiffness, node_bend, ring, length, spring_length, air, wind;
+    bool spring_stiffness, node_bend, ring, length, spring_length, air, wind, spring_strength;
 };
 Features features(const Chain& c);
 
@@ -191,7 +199,7 @@ const char* what_ropes_lack(const Chain& c);
 // Of strands that are stepped at once: the doubles of scratch; and of the coefficients.
 size_t rope_scratch(const Chain& c, bool air);
 size_t rope_coefficients(const Chain& c);
-// As step_chain; leaves `iterations` and `residual`.
+// As step_chain; leaves `iterations`, `residual` and `broken`.
 uint64_t step_ropes(Chain& c, double dt, size_t count);
 // Positions, velocities, tensions and time back to 0.
 void clear_state(Chain& c);
@@ -200,6 +208,9 @@ void clear_state(Chain& c);
 
 void energy(const Chain& c, double& kinetic, double& elastic, double& gravity);
 void momentum(const Chain& c, double* out);
+// Of ropes: a spring's strain, and the force with which springs pull at a node.
+double strain_of(const Chain& c, size_t strand, size_t spring);
+void reaction(const Chain& c, size_t strand, size_t node, double* out);
 
 // ---- keeping (chain_keep.cpp) ---------------------------------------------------------------------------------------
 

@@ -10,12 +10,12 @@ bool valid_number(const Chain& c, cd_field field, size_t strand, size_t node, do
     case CD_MASS: return valid_mass(value);
     case CD_REST_LENGTH: return valid_mass(value);
     case CD_TENSION: return isfinite(value) != 0;
+    case CD_STRENGTH: return valid_mass(value) || (isinf(value) && value > 0);
     case CD_STIFFNESS: return valid_parameter(value) || (isinf(value) && value > 0);
     case CD_BEND: return valid_parameter(value);
     case CD_PIN: {
         const bool end = !c.ring && (node == 0 || node + 1 == c.nodes);
-        return value == CD_NODE_FREE || value == CD_NODE_PINNED || value == CD_NODE_DRIVEN ||
-               (value == CD_NODE_MATCHED && end);
+        return is_kind(value) || (value == CD_NODE_MATCHED && end);
     }
     case CD_VELOCITY:
         if (c.pin[own_place(c, strand, node)] == CD_NODE_PINNED && value != 0) return false;

@@ -9,8 +9,8 @@ namespace {
 struct ChainKeep {
     using Object = Chain;
     using Settings = KeptSettings<ChainSettings>;
-    // Among the bits of fields: the settings of ropes follow, and those of air.
-    static constexpr uint32_t kOfRopes = 1u << 31, kOfAir = 1u << 30;
+    // Among the bits of fields: the settings of ropes follow, those of air, and the strength.
+    static constexpr uint32_t kOfRopes = 1u << 31, kOfAir = 1u << 30, kOfStrength = 1u << 29;
     static constexpr Kind kind = {1, "chain", {"strands", "springs"}};
 
     static Shape shape_of(const Chain& c) { return {{c.strands, c.springs}, c.components, c.precision}; }
@@ -21,8 +21,10 @@ struct ChainKeep {
         if (c.node_bend) s.fields |= 1u << CD_BEND;
         if (c.spring_length) s.fields |= 1u << CD_REST_LENGTH;
         if (c.wind) s.fields |= 1u << CD_WIND;
+        if (c.spring_strength) s.fields |= 1u << CD_STRENGTH;
         if (!(c.rope == RopeSettings())) s.fields |= kOfRopes;
         if (!(c.air == AirSettings())) s.fields |= kOfAir;
+        if (c.rope.breaks()) s.fields |= kOfStrength;
         return s;
     }
 
@@ -39,7 +41,8 @@ struct ChainKeep {
                 s.own.rope.length > 0,
                 s.on(CD_REST_LENGTH),
                 s.own.air.resists(),
-                s.on(CD_WIND)};
+                s.on(CD_WIND),
+                s.on(CD_STRENGTH)};
     }
 
     template <class W> static void walk_settings(W& w, Settings& s) {
@@ -52,16 +55,18 @@ struct ChainKeep {
             walk(w, air.along), walk(w, air.across);
             walk(w, air.wind[0]), walk(w, air.wind[1]), walk(w, air.wind[2]);
         }
+        if (s.fields & kOfStrength) walk(w, rope.strength);
     }
     template <class W> static void walk_choices(W& w, ChainSettings& s) { walk(w, s.ring); }
     template <class W> static void walk_numbers(W& w, ChainSettings& s) { walk(w, s.stiffness), walk(w, s.bend); }
 
     static bool valid(const Chain& c, const Settings& s) {
         const uint32_t optional = 1u << CD_MASS | 1u << CD_STIFFNESS | 1u << CD_BEND | 1u << CD_FORCE | 1u << CD_TARGET;
-        const uint32_t of_ropes = s.fields & (kOfRopes | kOfAir | 1u << CD_REST_LENGTH | 1u << CD_WIND);
+        const uint32_t of_ropes =
+            s.fields & (kOfRopes | kOfAir | kOfStrength | 1u << CD_REST_LENGTH | 1u << CD_WIND | 1u << CD_STRENGTH);
         return valid_body(s) && (s.fields & ~(optional | of_ropes)) == 0 &&
                (s.own.ring == 0 || (s.own.ring == 1 && c.nodes >= 3)) && valid_parameter(s.own.bend) &&
-               valid_rope(c, s.own.rope, of_ropes) && valid_air(c, s.own.air) &&
+               valid_rope(c, s.own.rope, of_ropes) && valid_air(c, s) && valid_strength(s) &&
                (valid_parameter(s.own.stiffness) || valid_infinite(s.own.stiffness, s.own.rope.length));
     }
 
@@ -76,8 +81,17 @@ struct ChainKeep {
                rope.most_iterations <= kMostIterations;
     }
 
-    static bool valid_air(const Chain& c, const AirSettings& air) {
-        bool good = valid_parameter(air.along) && valid_parameter(air.across);
+    // What may break has stiffnesses of its own.
+    static bool valid_strength(const Settings& s) {
+        const double strength = s.own.rope.strength;
+        const bool holds = isinf(strength) && strength > 0, told = (s.fields & kOfStrength) != 0;
+        return (told ? valid_mass(strength) : holds) && ((holds && !s.on(CD_STRENGTH)) || s.on(CD_STIFFNESS));
+    }
+
+    static bool valid_air(const Chain& c, const Settings& s) {
+        const AirSettings& air = s.own.air;
+        bool good = (air == AirSettings()) == ((s.fields & kOfAir) == 0) && valid_parameter(air.along) &&
+                    valid_parameter(air.across);
         for (size_t k = 0; k < 3; ++k) good &= k < c.components ? fabs(air.wind[k]) <= most_of(c) : air.wind[k] == 0;
         return good;
     }
@@ -90,7 +104,7 @@ struct ChainKeep {
                      springs = (c.springs + size_t(s.own.ring)) * own;
         check.numbers<uint8_t>(nodes, [&](double value, size_t i) {
             const bool end = !s.own.ring && (i < own || i >= nodes - own);
-            return value <= (end ? CD_NODE_MATCHED : CD_NODE_DRIVEN);
+            return is_kind(value) || (end && value == CD_NODE_MATCHED);
         });
         if (s.on(CD_MASS)) check.numbers<double>(nodes, valid_shared_mass);
         const SavedNumbers stiffness = s.on(CD_STIFFNESS) ? check.here<double>() : SavedNumbers{};
@@ -99,6 +113,8 @@ struct ChainKeep {
                                   [](double k, size_t i) { return valid_shared(k, i) || (isinf(k) && k > 0); });
         if (s.on(CD_BEND)) check.numbers<double>(c.nodes, valid_shared);
         if (s.on(CD_REST_LENGTH)) check.numbers<double>(springs, valid_shared_mass);
+        if (s.on(CD_STRENGTH))
+            check.numbers<double>(springs, [](double t, size_t) { return valid_mass(t) || (isinf(t) && t > 0); });
         const SavedNumbers velocity = check_ties_and_state(check, c, layout_of(c), s, nodes);
         if (rope) check.numbers<double>(springs, [](double t, size_t) { return isfinite(t) != 0; });
         by_precision(c, [&](auto zero) {
@@ -123,7 +139,7 @@ struct ChainKeep {
                                SavedNumbers velocity) {
         const size_t springs = c.springs + size_t(ring);
         const auto is_welded = [&](size_t i) { return stiffness.from && i < springs && isinf(stiffness[i]); };
-        const auto is_held = [&](size_t i) { return pin[i] == CD_NODE_PINNED || pin[i] == CD_NODE_DRIVEN; };
+        const auto is_held = [&](size_t i) { return holds(pin[i]); };
         if (!groups_are_sound(c.nodes, ring, is_welded, is_held)) return false;
         bool good = true;
         for (size_t i = 0; i < c.nodes; ++i) {

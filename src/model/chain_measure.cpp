@@ -87,4 +87,33 @@ void momentum(const Chain& c, double* out) {
     by_precision(c, [&](auto zero) { Measure<decltype(zero)>{c}.momentum(out); });
 }
 
+// A spring of a rope: its vector, and how long that is, also where squares overflow.
+static double vector_of(const Chain& c, size_t strand, size_t spring, double* out) {
+    double largest = 0, square = 0;
+    for (size_t k = 0; k < c.components; ++k) {
+        out[k] = get_number(c, c.position, place(c, strand, spring + 1, k)) -
+                 get_number(c, c.position, place(c, strand, spring, k));
+        largest = fmax(largest, fabs(out[k]));
+    }
+    for (size_t k = 0; k < c.components && largest > 0; ++k) square += (out[k] / largest) * (out[k] / largest);
+    return largest * sqrt(square);
+}
+
+double strain_of(const Chain& c, size_t strand, size_t spring) {
+    double vector[4];
+    return vector_of(c, strand, spring, vector) / length_of(c, own_place(c, strand, spring)) - 1;
+}
+
+void reaction(const Chain& c, size_t strand, size_t node, double* out) {
+    for (size_t k = 0; k < c.components; ++k) out[k] = 0;
+    const auto pull = [&](size_t spring, double sign) {
+        double vector[4];
+        const double length = vector_of(c, strand, spring, vector);
+        const double tension = sign * c.tension[own_place(c, strand, spring)];
+        for (size_t k = 0; k < c.components && length > 0; ++k) out[k] += tension * (vector[k] / length);
+    };
+    if (node > 0) pull(node - 1, -1);
+    if (node < c.springs) pull(node, 1);
+}
+
 } // namespace cd

@@ -34,6 +34,24 @@ RopeParameters parameters_of(Chain& c, bool changed) {
             c.drag};
 }
 
+// Cuts, of each of these strands, the spring whose tension is most beyond its strength; tells how many.
+size_t break_springs(Chain& c, size_t first, size_t strands) {
+    size_t broken = 0;
+    for (size_t s = first; s < first + strands; ++s) {
+        size_t worst = c.tension.count;
+        double most = 1;
+        for (size_t i = 0; i < c.springs; ++i) {
+            const size_t at = own_place(c, s, i);
+            const double load = c.tension[at] / strength_of(c, at);
+            if (load > most) most = load, worst = at;
+        }
+        if (worst == c.tension.count) continue;
+        c.spring_stiffness[worst] = c.tension[worst] = 0;
+        ++broken;
+    }
+    return broken;
+}
+
 } // namespace
 
 const char* what_ropes_lack(const Chain& c) {
@@ -73,17 +91,19 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                              size_t(c.rope.most_iterations)};
     RopeResult results[kMostTasks];
     uint64_t bad[kMostTasks];
+    size_t broken[kMostTasks] = {};
     const size_t groups = groups_of(c), tasks = tasks_of(c);
     auto task = [&](size_t t) {
         double* const scratch = c.scratch.data + t * scratch_of_task(c, stage.has_air());
         bad[t] = UINT64_MAX;
         for (size_t g = t * groups / tasks; g < (t + 1) * groups / tasks; ++g) {
-            const size_t first = g * kRopeStrands, left = c.strands - first;
+            const size_t first = g * kRopeStrands, left = c.strands - first,
+                         strands = left < kRopeStrands ? left : kRopeStrands;
             for (size_t s = 0; s < count; ++s) {
-                const RopeResult result = c.kernels->rope_step(ropes, parameters, stage, scratch, first,
-                                                               left < kRopeStrands ? left : kRopeStrands);
+                const RopeResult result = c.kernels->rope_step(ropes, parameters, stage, scratch, first, strands);
                 results[t].add(result);
                 if (!result.finite && s < bad[t]) bad[t] = s;
+                if (can_break(c)) broken[t] += break_springs(c, first, strands);
             }
         }
     };
@@ -92,6 +112,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
     for (size_t t = 0; t < tasks; ++t) {
         if (bad[t] < first_bad) first_bad = bad[t];
         if (results[t].iterations > c.iterations) c.iterations = results[t].iterations;
+        c.broken += broken[t];
         if (!(results[t].error <= c.residual)) c.residual = results[t].error;
     }
     return first_bad;

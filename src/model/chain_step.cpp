@@ -386,9 +386,20 @@ template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
 
 } // namespace
 
+// Posed nodes are driven to their targets.
+static void pose_nodes(Chain& c, double seconds) {
+    if (!c.target || !memchr(c.pin.data, CD_NODE_POSED, c.pin.count)) return;
+    for (size_t i = 0; i < c.nodes; ++i)
+        for (size_t s = 0; s < c.strands; ++s)
+            for (size_t k = 0; k < c.components && c.pin[own_place(c, s, i)] == CD_NODE_POSED; ++k)
+                pose(c, place(c, s, i, k), seconds);
+    merge_velocities(c, 0, c.lines);
+}
+
 uint64_t step_chain(Chain& c, double dt, size_t count) {
     uint64_t bad = UINT64_MAX;
-    c.iterations = 0, c.residual = 0;
+    pose_nodes(c, dt * double(count));
+    c.iterations = c.broken = 0, c.residual = 0;
     if (has_lengths(c)) {
         bad = step_ropes(c, dt, count);
     } else {

@@ -76,13 +76,14 @@ double impedance(const Membrane& m, size_t u, size_t v) {
 } // namespace
 
 cd_node kind_by_edges(const Membrane& m, const cd_node* edges, size_t u, size_t v) {
-    bool pinned = false, driven = false;
+    bool pinned = false, driven = false, posed = false;
     for (cd_edge edge = CD_EDGE_U_FIRST; edge <= CD_EDGE_V_LAST; ++edge) {
         if (!on_edge(m, edge, u, v)) continue;
         pinned |= edges[edge] == CD_NODE_PINNED;
         driven |= edges[edge] == CD_NODE_DRIVEN;
+        posed |= edges[edge] == CD_NODE_POSED;
     }
-    return pinned ? CD_NODE_PINNED : driven ? CD_NODE_DRIVEN : CD_NODE_FREE;
+    return pinned ? CD_NODE_PINNED : driven ? CD_NODE_DRIVEN : posed ? CD_NODE_POSED : CD_NODE_FREE;
 }
 
 cd_node kind_of(const Membrane& m, size_t u, size_t v) {
@@ -196,6 +197,7 @@ void stop_nodes(Membrane& m) {
 bool set_edge(Membrane& m, cd_edge edge, cd_node kind) {
     MembraneFeatures wanted = features(m);
     wanted.edge[edge] = kind;
+    wanted.target |= kind == CD_NODE_POSED;
     if (!set_features(m, wanted)) return false;
     for (size_t i = 0; m.pin && i < m.nodes; ++i) {
         const size_t u = i % m.columns, v = i / m.columns;

@@ -92,7 +92,7 @@ double uniform_twist(const Membrane& m);
 
 // What node (u, v) is, what it weighs, and how stiff the spring is that starts there along d: with every weight, mask
 // and field; 0 where there is no spring.
-cd_node kind_of(const Membrane& m, size_t u, size_t v); // CD_NODE_FREE, _PINNED or _DRIVEN
+cd_node kind_of(const Membrane& m, size_t u, size_t v);                             // not CD_NODE_MATCHED
 cd_node kind_by_edges(const Membrane& m, const cd_node* edges, size_t u, size_t v); // what edges make of it, by cd_edge
 inline bool held(const Membrane& m, size_t u, size_t v) { return kind_of(m, u, v) != CD_NODE_FREE; }
 inline bool present(const Membrane& m, size_t u, size_t v) { return !m.mask || m.mask[node_at(m, u, v)] != 0; }

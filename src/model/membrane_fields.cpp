@@ -8,7 +8,7 @@ bool valid_number(const Membrane& m, cd_field field, size_t u, size_t v, double 
     case CD_MASS: return valid_mass(value);
     case CD_STIFFNESS_U:
     case CD_STIFFNESS_V: return valid_parameter(value);
-    case CD_PIN: return value == CD_NODE_FREE || value == CD_NODE_PINNED || value == CD_NODE_DRIVEN;
+    case CD_PIN: return is_kind(value);
     case CD_MASK: return value == 0 || value == 1;
     case CD_VELOCITY:
         if (value != 0 && (kind_of(m, u, v) == CD_NODE_PINNED || !present(m, u, v))) return false;

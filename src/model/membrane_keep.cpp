@@ -68,7 +68,7 @@ struct MembraneKeep {
         }
         for (cd_edge edge = CD_EDGE_U_FIRST; edge <= CD_EDGE_V_LAST; ++edge) {
             const bool ring = own.ring[direction_of(edge)] != 0;
-            good &= own.edge[edge] >= CD_NODE_FREE && own.edge[edge] <= (ring ? CD_NODE_DRIVEN : CD_NODE_MATCHED);
+            good &= is_kind(own.edge[edge]) || (!ring && own.edge[edge] == CD_NODE_MATCHED);
         }
         return good;
     }
@@ -77,7 +77,7 @@ struct MembraneKeep {
         FieldCheck check{reader};
         const size_t n = m.nodes;
         const SavedNumbers pin = s.on(CD_PIN) ? check.here<uint8_t>() : SavedNumbers{};
-        if (s.on(CD_PIN)) check.numbers<uint8_t>(n, [](double kind, size_t) { return kind <= CD_NODE_DRIVEN; });
+        if (s.on(CD_PIN)) check.numbers<uint8_t>(n, [](double kind, size_t) { return is_kind(kind); });
         const SavedNumbers mask = s.on(CD_MASK) ? check.here<uint8_t>() : SavedNumbers{};
         if (s.on(CD_MASK)) check.numbers<uint8_t>(n, [](double there, size_t) { return there <= 1; });
         if (s.on(CD_MASS)) check.numbers<double>(n, valid_shared_mass);

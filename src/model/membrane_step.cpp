@@ -326,8 +326,20 @@ template <class T> MembraneOutcome step(Membrane& m, double dt, size_t count) {
 
 } // namespace
 
+// Posed nodes are driven to their targets.
+static void pose_nodes(Membrane& m, double seconds) {
+    bool any = m.pin && memchr(m.pin.data, CD_NODE_POSED, m.pin.count);
+    for (cd_node edge : m.edge) any |= edge == CD_NODE_POSED;
+    for (size_t i = 0; i < m.nodes && any && m.target; ++i) {
+        const size_t u = i % m.columns, v = i / m.columns;
+        const bool posed = kind_of(m, u, v) == CD_NODE_POSED && present(m, u, v);
+        for (size_t k = 0; k < m.components && posed; ++k) pose(m, place(m, u, v, k), seconds);
+    }
+}
+
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
     MembraneOutcome outcome{};
+    pose_nodes(m, dt * double(count));
 #if CD_WITH_FLOAT64
     if (m.precision == CD_FLOAT64) outcome = step<double>(m, dt, count);
 #endif

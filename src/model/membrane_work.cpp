@@ -15,9 +15,9 @@ bool is_wide(const Membrane& m) { return m.springs[kU] > 0 && m.springs[kV] > 0;
 // Whether only whole edges hold nodes, and nothing else tells one line from another.
 bool edges_only(const Membrane& m, const MembraneFeatures& f) {
     const bool fields = f.node_mass || f.spring_stiffness[kU] || f.spring_stiffness[kV] || f.pin || f.mask || f.target;
-    const auto holds = [&](cd_edge e) { return f.edge[e] == CD_NODE_PINNED || f.edge[e] == CD_NODE_DRIVEN; };
-    const bool u = f.ring[kU] || (holds(CD_EDGE_U_FIRST) && holds(CD_EDGE_U_LAST));
-    const bool v = f.ring[kV] || (holds(CD_EDGE_V_FIRST) && holds(CD_EDGE_V_LAST));
+    const auto holds_edge = [&](cd_edge e) { return holds(f.edge[e]); };
+    const bool u = f.ring[kU] || (holds_edge(CD_EDGE_U_FIRST) && holds_edge(CD_EDGE_U_LAST));
+    const bool v = f.ring[kV] || (holds_edge(CD_EDGE_V_FIRST) && holds_edge(CD_EDGE_V_LAST));
     return !fields && (!f.bend || !is_wide(m) || (u && v));
 }
 

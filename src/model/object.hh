@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.hh"
+#include "base/node.hh"
 #include "contdyn/base.h"
 #include "kernel/kernels.hh"
 
