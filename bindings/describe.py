@@ -29,13 +29,18 @@ NULLABLE = {
     "cd_water_destroy": ["water"],
     "cd_chain_attach": ["target"],
     "cd_membrane_attach": ["target"],
+    "cd_chain_teleport": ["rotation"],
+    "cd_membrane_teleport": ["rotation"],
     "cd_water_add_volume": ["out_added"],
     "cd_water_add_volume_rectangle": ["out_added"],
 }
 EACH_MAY_BE_NULL = re.compile(r"each\s+(output\s+)?may\s+be\s+null", re.IGNORECASE)
 
-# Arrays that hold more than one number for each place that their length counts, or have no length after them.
+# Arrays that hold more than one number for each place that their length counts, or have no length after them: the
+# parameter that counts, and how many numbers there are for each that it counts, or the parameter that says how many.
 LENGTHS = {
+    ("cd_chain_teleport", "rotation"): ("count", "count"),
+    ("cd_membrane_teleport", "rotation"): ("count", "count"),
     ("cd_membrane_sample", "at"): ("n", 2),
     ("cd_water_sample", "at"): ("n", 2),
     ("cd_water_sample", "out_surface"): ("n", 1),
@@ -44,26 +49,29 @@ LENGTHS = {
     ("cd_water_sample", "out_velocity"): ("n", 2),
 }
 
-# Of each object's fields: those with a component per value, those always there, those cd_*_view shows, and those that
-# only ropes have, chains with a rest length.
+# Of each object's fields: those with a component per value, those always there, those cd_*_view shows, those that only
+# ropes have, chains with a rest length, and those that cannot be written.
 FIELD_FACTS = {
     "chain": {
         "components": "POSITION VELOCITY FORCE TARGET WIND",
-        "always": "POSITION VELOCITY PIN TENSION",
+        "always": "POSITION VELOCITY PIN TENSION STRAIN",
         "viewable": "POSITION VELOCITY FORCE TARGET",
-        "ropes": "REST_LENGTH TENSION WIND",
+        "ropes": "REST_LENGTH TENSION WIND STRENGTH STRAIN",
+        "read_only": "STRAIN",
     },
     "membrane": {
         "components": "POSITION VELOCITY FORCE TARGET",
         "always": "POSITION VELOCITY",
         "viewable": "POSITION VELOCITY FORCE TARGET",
         "ropes": "",
+        "read_only": "",
     },
     "water": {
         "components": "",
         "always": "DEPTH BED SURFACE VELOCITY_X VELOCITY_Y",
         "viewable": "DEPTH BED VELOCITY_X VELOCITY_Y SOURCE PRESSURE FORCE_X FORCE_Y",
         "ropes": "",
+        "read_only": "",
     },
 }
 
@@ -231,7 +239,8 @@ class Description:
         parameter.update(direction=direction, role=role, base=base)
         if role in ("array", "bytes"):
             length, times = self.table(LENGTHS, (function["name"], name)) or (parameters[i + 1]["name"], 1)
-            if not any(p["name"] == length and p["type"] == "size_t" for p in parameters):
+            sizes = [p["name"] for p in parameters if p["type"] == "size_t"]
+            if length not in sizes or not (isinstance(times, int) or times in sizes):
                 raise NotUnderstood(f"{function['name']}: '{name}' has no length")
             parameter.update(length=length, times=times)
         if stars:
@@ -323,7 +332,7 @@ class Description:
                     "values": cells[3],
                     "components": short in facts["components"], "always": short in facts["always"],
                     "viewable": short in facts["viewable"], "ropes": short in facts["ropes"],
-                    "own_in_ropes": "(strand)" in per})
+                    "own_in_ropes": "(strand)" in per, "read_only": short in facts["read_only"]})
             elif line[:starts[3]].strip() == "":
                 thing["fields"][-1]["values"] += " " + line.strip()
             else:

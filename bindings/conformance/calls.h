@@ -1,7 +1,8 @@
 /* How the words of a call in scenes.txt become the arguments of a function, once for the runners in C and C++. Included
  * with these macros set: CHAIN(name, ...), MEMBRANE(name, ...), WATER(name, ...), each with _0 for calls without
  * arguments; what argument k is: D(k) a double, Z(k) a size, I(k) 0 or 1, E(type, k) an enumerator, A(k) an array of
- * doubles, F(k) of floats; and OUT, an output that is not looked at. */
+ * doubles and its length, F(k) of floats, P(k) an array of doubles whose length is not told; and OUT, an output that is
+ * not looked at. */
 #define EVERY_OBJECT(CALL, CALL_0)                                                                                     \
     CALL(set_method, E(method, 0))                                                                                     \
     CALL(set_lambda, D(0))                                                                                             \
@@ -24,10 +25,12 @@ CHAIN(set_end, E(end, 0), E(node, 1))
 CHAIN(set_ring, I(0))
 CHAIN(set_rest_length, D(0))
 CHAIN(set_push, I(0))
+CHAIN(set_strength, D(0))
 CHAIN(set_air, D(0), D(1))
 CHAIN(set_wind, A(0))
 CHAIN(set_tolerance, D(0), Z(1))
 CHAIN(impulse, Z(0), Z(1), A(2))
+CHAIN(teleport, Z(0), P(1), A(2))
 CHAIN(attach, Z(0), Z(1), D(2), D(3), A(4))
 CHAIN(detach, Z(0), Z(1))
 CHAIN(cut, Z(0), Z(1))
@@ -46,6 +49,7 @@ MEMBRANE(set_pressure, D(0))
 MEMBRANE(set_edge, E(edge, 0), E(node, 1))
 MEMBRANE(set_ring, I(0), I(1))
 MEMBRANE(impulse, D(0), D(1), D(2), A(3))
+MEMBRANE(teleport, P(0), A(1))
 MEMBRANE(attach, Z(0), Z(1), D(2), D(3), A(4))
 MEMBRANE(detach, Z(0), Z(1))
 

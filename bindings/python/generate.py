@@ -72,8 +72,9 @@ def type_of(parameter, enums):
 
 def python_words(text):
     """A comment of the C API, as Python calls what it names."""
-    for c_word, python_word in (("cd_*_", ""), ("CD_PIN", "Field.PIN"), ("CD_METHOD_", "Method."),
-                                ("CD_SOLVER_", "Solver."), ("CD_BED_", "BedRule.")):
+    for c_word, python_word in (("cd_*_", ""), ("CD_PIN", "Field.PIN"), ("CD_TARGET", "Field.TARGET"),
+                                ("CD_NODE_", "Node."), ("CD_METHOD_", "Method."), ("CD_SOLVER_", "Solver."),
+                                ("CD_BED_", "BedRule.")):
         text = text.replace(c_word, python_word)
     return " ".join(text.split())
 
@@ -116,12 +117,15 @@ def callbacks(struct):
     yield "    ]"
 
 
+FLAGS = ("components", "always", "viewable", "ropes", "own_in_ropes", "read_only")
+
+
 def fields(a_object):
     yield f'    "{a_object["name"]}": {{'
     for field in a_object["fields"]:
         per = ", ".join(f'"{place}"' for place in field["per"])
         per += "," if len(field["per"]) == 1 else ""
-        flags = ", ".join(str(field[flag]) for flag in ("components", "always", "viewable", "ropes", "own_in_ropes"))
+        flags = ", ".join(str(field[flag]) for flag in FLAGS)
         yield f'        Field.{field["name"][3:]}: FieldInfo(({per}), {flags}),'
     yield "    },"
 
@@ -153,14 +157,12 @@ def module(api):
     yield ""
     yield ""
     yield "class FieldInfo(NamedTuple):"
-    yield '    """One value per what, and for each component; always there; shown by view; only, per strand only in ropes."""'
+    doc = ("One value per what, and for each component; always there; shown by view; only in ropes; per strand only in "
+           "ropes; not to be written.")
+    yield from textwrap.wrap(f'"""{doc}"""', WIDTH, initial_indent="    ", subsequent_indent="    ")
     yield ""
     yield "    per: Tuple[str, ...]"
-    yield "    components: bool"
-    yield "    always: bool"
-    yield "    viewable: bool"
-    yield "    ropes: bool"
-    yield "    own_in_ropes: bool"
+    yield from (f"    {flag}: bool" for flag in FLAGS)
     yield ""
     yield ""
     yield "FIELDS: Dict[str, Dict[int, FieldInfo]] = {"

@@ -49,6 +49,7 @@ SHAPES = {"chain": (2, 4, COMPONENTS, 1, None), "membrane": (4, 5, COMPONENTS, 1
 VALUES = {"lambda": 0.5, "tolerance": 0.01, "dt": 0.01, "strand": 0, "index_size": 4, "stride": 64,
           "position_offset": 0, "normal_offset": 12, "depth_offset": 24, "first": 0, "first_strand": 0, "first_u": 0,
           "first_v": 0, "first_x": 0, "first_y": 0, "along_u": 1, "along_v": 1, "height": 0.1, "skip_dry": 0}
+IDENTITY = [float(row == column) for row in range(COMPONENTS) for column in range(COMPONENTS)]
 ROOM = 1 << 16
 
 
@@ -95,7 +96,7 @@ def arguments(library, function, handle, other, saved):
             value = VALUES.get(p["name"], 1)
         elif role == "length":
             counted = next(q for q in function["parameters"] if q["name"] == p["of"][0])
-            single = counted["times"] > 1 or function["short"] == "sample" and p["name"] == "n"
+            single = counted["times"] in (2, 3) or function["short"] == "sample" and p["name"] == "n"
             value = {"bytes": ROOM}.get(counted["role"], 1 if single or kind == "water" else COMPONENTS)
             if function["short"] == "load":
                 value = len(saved)
@@ -103,6 +104,8 @@ def arguments(library, function, handle, other, saved):
             value = ctypes.create_string_buffer(saved, len(saved))
         elif role == "callbacks":
             value = None
+        elif p["name"] == "rotation":
+            value = (ctypes.c_double * len(IDENTITY))(*IDENTITY)
         elif role != "length":
             value = ctypes.create_string_buffer(ROOM)
         kept.append(value)
@@ -130,6 +133,9 @@ def nulls(library):
             values, kept = arguments(library, function, handle, other, saved_state(library, kind, other))
             call = getattr(library.dll, function["name"])
             status = call(*values)
+            if status == UNSUPPORTED and kind == "chain":
+                library.dll.cd_chain_set_rest_length(handle, 1.0)  # some functions are of ropes only
+                status = call(*values)
             if function["short"] not in ("disable_field", "get_volume"):
                 check(status in (OK, UNSUPPORTED), f"{function['name']}: {library.dll.cd_error_message()}: are the "
                                                    "arguments made up here wrong?")
@@ -189,6 +195,9 @@ def fields(library):
                     room = (ctypes.c_double * more)()
                     check(call("read_f64", *of_all, room, more) == OK, f"{where}: of ropes not of {more} values")
                     check(library.dll.cd_chain_set_rest_length(handle, 0.0) == OK, f"{where}: lengths stay")
+                check(call("read_f64", *numbers, room, count) == OK, f"{where}: cannot be read again")
+                status = call("write_f64", *numbers, room, count)
+                check(status == (UNSUPPORTED if field["read_only"] else OK), f"{where}: written, status {status}")
                 for k in (2, 3):
                     more = [n + (i == k) for i, n in enumerate(numbers)]
                     if kind == "chain":

@@ -20,6 +20,7 @@ BROKEN = [
     ("chain.h", "typedef struct cd_chain cd_chain;", "typedef struct cd_chain cd_chain;\nstruct cd_extra { int a; };"),
     ("chain.h", " *  CD_BEND       node ", " *  CD_BENDS      node "),
     ("chain.h", "/* ---- measuring ---", "/* ---- Measuring, 2 ---"),
+    ("chain.h", "size_t strand, const double* rotation", "size_t strand, const double* turn"),
     ("membrane.h", "cd_membrane_sample(", "cd_membrane_probe("),
     ("base.h", "#define CD_VERSION_PATCH 0", "#define CD_VERSION_PATCH 0\n#define CD_LIMIT 7"),
     ("base.h", "    void* user;\n    void* (*allocate)", "    void* user[2];\n    void* (*allocate)"),

@@ -83,8 +83,9 @@ static cd_status save_and_load(const struct object* to, const struct object* fro
 #define Z(k) size_argument(call, k)
 #define I(k) (int32_t)number_argument(call, k)
 #define E(type, k) enum_argument(call, k)
-#define A(k) array.null ? NULL : array.values, array.count
-#define F(k) array.singles, array.count
+#define P(k) arrays[k].null ? NULL : arrays[k].values
+#define A(k) P(k), arrays[k].count
+#define F(k) arrays[k].singles, arrays[k].count
 #define OUT , NULL
 #define CHAIN(name, ...) TRY(chain, name, cd_chain_##name(object->chain, __VA_ARGS__))
 #define CHAIN_0(name) TRY(chain, name, cd_chain_##name(object->chain))
@@ -94,19 +95,24 @@ static cd_status save_and_load(const struct object* to, const struct object* fro
 #define WATER_0(name) TRY(water, name, cd_water_##name(object->water))
 #define TRY(kind, name, call_of_it) if (object->kind && strcmp(word, #name) == 0) return call_of_it;
 
-/* A call takes one array at the most. */
-static struct numbers the_array(const struct arguments* call) {
-    size_t k = 0;
-    for (size_t word = call->first + 1; word < call->statement->count; ++word, ++k)
-        if (strcmp(call->statement->words[word], "[") == 0 || strcmp(call->statement->words[word], "null") == 0)
-            return array_argument(call, k);
-    const struct numbers none = {{0}, {0}, 0, 1};
-    return none;
+enum { MOST_ARGUMENTS = 6 };
+
+/* Sets arrays[k] to argument k where that is an array, to null where it is none. */
+static void read_arrays(const struct arguments* call, struct numbers* arrays) {
+    static const struct numbers none = {{0}, {0}, 0, 1};
+    for (size_t k = 0; k < MOST_ARGUMENTS; ++k) arrays[k] = none;
+    size_t word = call->first + 1;
+    for (size_t k = 0; k < MOST_ARGUMENTS && word < call->statement->count; ++k, ++word) {
+        if (strcmp(call->statement->words[word], "[") != 0) continue;
+        arrays[k] = array_argument(call, k);
+        while (strcmp(call->statement->words[word], "]") != 0) ++word;
+    }
 }
 
 static cd_status perform(const struct object* object, const struct arguments* call) {
     const char* word = call->statement->words[call->first];
-    const struct numbers array = the_array(call);
+    static struct numbers arrays[MOST_ARGUMENTS];
+    read_arrays(call, arrays);
 #include "calls.h"
     fail_at(call->statement, "no call", word);
     return CD_OK;

@@ -168,6 +168,23 @@ void ropes() {
     OK(rope.cut(1, 3));
     const std::vector<double> stiffnesses = GET(rope.read_f64(field::stiffness));
     CHECK(stiffnesses.size() == 8 && stiffnesses[3] > 0 && stiffnesses[7] == 0);
+
+    std::array<double, 3> force{};
+    OK(rope.get_reaction(0, 0, force)); // what hangs at its first node
+    CHECK(force[0] == 0 && force[1] == 0 && std::fabs(force[2] + 8) < 1e-4);
+    CHECK(GET(rope.get_size(field::strain)) == 8);
+    for (double strain : GET(rope.read_f64(field::strain))) CHECK(std::fabs(strain) < 1e-5);
+    CHECK(std::isinf(GET(rope.get_strength())) && GET(rope.get_broken()) == 0);
+    OK(rope.set_strength(7));
+    CHECK(GET(rope.get_strength()) == 7);
+    OK(rope.enable_field(field::strength));
+    CHECK(GET(rope.read_f64(field::strength)) == std::vector<double>(8, 7));
+    OK(rope.write_f64(field::strength, 1, 1, 0, 4, {100, 100, 100, 100}));
+    OK(rope.step(1 / 60.0)); // the first spring of the first strand bears 8 N
+    CHECK(GET(rope.get_broken()) == 1 && GET(rope.read_f64(field::stiffness))[0] == 0);
+    OK(rope.set_strength(HUGE_VAL));
+    OK(rope.disable_field(field::strength));
+
     OK(rope.set_air(0.25, 2));
     CHECK(GET(rope.get_air()).along == 0.25 && GET(rope.get_air()).across == 2);
     OK(rope.set_wind({1, 0, -1}));
@@ -182,6 +199,44 @@ void ropes() {
     OK(rope.set_rest_length(0));
     OK(rope.step(1 / 60.0));
     CHECK(GET(rope.get_convergence()).iterations == 0 && GET(rope.get_convergence()).residual == 0);
+}
+
+// A strand and a sheet that are led, then put elsewhere; turned by a quarter where there is a rotation.
+void posed() {
+    chain rope = GET(chain::create(2, 2, 2, precision::float64));
+    OK(rope.set_end(end::last, node::posed));
+    CHECK(GET(rope.get_end(end::last)) == node::posed);
+    OK(rope.write_f64(field::target, 0, 2, 2, 1, {1, 2, 3, 4}));
+    OK(rope.step(0.125, 4));
+    std::array<double, 2> place{}, other{};
+    const auto last = [&](std::size_t strand) { OK(rope.read_f64(field::position, strand, 1, 2, 1, place)); };
+    last(1);
+    CHECK(near(place[0], 3) && near(place[1], 4));
+    OK(rope.teleport(0, {0, -1, 1, 0}, {10, 20}));
+    last(0);
+    CHECK(near(place[0], 8) && near(place[1], 21));
+    last(1);
+    CHECK(near(place[0], 3) && near(place[1], 4));
+    OK(rope.teleport(1, {}, {10, 20}));
+    last(1);
+    CHECK(near(place[0], 13) && near(place[1], 24));
+    OK(rope.read_f64(field::target, 1, 1, 2, 1, other));
+    CHECK(near(other[0], 13) && near(other[1], 24));
+    OK(rope.step(0.5));
+    last(1);
+    CHECK(near(place[0], 13) && near(place[1], 24)); // where it was put it stays
+
+    membrane sheet = GET(membrane::create(2, 1, 2, precision::float64));
+    OK(sheet.set_edge(edge::u_last, node::posed));
+    CHECK(GET(sheet.get_edge(edge::u_last)) == node::posed);
+    OK(sheet.write_f64(field::target, 2, 0, 1, 2, {1, 2, 3, 4}));
+    OK(sheet.step(0.125, 4));
+    OK(sheet.read_f64(field::position, 2, 1, 1, 1, place));
+    CHECK(near(place[0], 3) && near(place[1], 4));
+    OK(sheet.teleport({0, -1, 1, 0}, {10, 20}));
+    OK(sheet.teleport({}, {0, 1}));
+    OK(sheet.read_f64(field::position, 2, 1, 1, 1, place));
+    CHECK(near(place[0], 6) && near(place[1], 24));
 }
 
 void membranes() {
@@ -379,6 +434,7 @@ int main() {
     CHECK(std::string(status_name(status::error_value)) == "CD_ERROR_VALUE");
     chains();
     ropes();
+    posed();
     membranes();
     waters();
     threads(hair(), hair());

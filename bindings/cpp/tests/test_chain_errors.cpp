@@ -33,6 +33,9 @@ void numbers(chain& rope) {
     }
     KEPT(rope, status::error_value, "gravity", rope.set_gravity({0, nan_value}));
     KEPT(rope, status::error_value, "impulse", rope.impulse(0, 1, {0, nan_value}));
+    KEPT(rope, status::error_value, "offset", rope.teleport(0, {}, {0, nan_value}));
+    KEPT(rope, status::error_value, "rotation", rope.teleport(0, {1, 0, 0, 2}, {0, 0}));
+    KEPT(rope, status::error_value, "rotation", rope.teleport(0, {1, 0, 0, nan_value}, {0, 0}));
     KEPT(rope, status::error_value, "target", rope.attach(0, 1, 1, 1, {0, nan_value}));
     KEPT(rope, status::error_value, "values", rope.write_f64(field::position, 0, 1, 0, 1, {0, nan_value}));
     KEPT(rope, status::error_value, "values", rope.write_f32(field::position, 0, 1, 0, 1, {0, NAN}));
@@ -71,6 +74,11 @@ void ranges(chain& rope) {
     KEPT(rope, status::error_range, "strand", rope.impulse(2, 0, {1, 2}));
     KEPT(rope, status::error_range, "node", rope.impulse(0, 6, {1, 2}));
     KEPT(rope, status::error_range, "count", rope.impulse(0, 0, {1, 2, 3}));
+    KEPT(rope, status::error_range, "strand", rope.teleport(2, {}, {1, 2}));
+    KEPT(rope, status::error_range, "count", rope.teleport(0, {}, {1}));
+    KEPT(rope, status::error_range, "count", rope.teleport(0, {1, 0, 0, 0, 1, 0, 0, 0, 1}, three));
+    KEPT(rope, status::error_range, "chain::teleport", rope.teleport(0, {1, 0, 0}, {1, 2}));
+    KEPT(rope, status::error_range, "chain::teleport", rope.teleport(0, {1}, {}));
     KEPT(rope, status::error_range, "node", rope.attach(0, 6, 1, 1));
     KEPT(rope, status::error_range, "count", rope.attach(0, 1, 1, 1, {1}));
     KEPT(rope, status::error_range, "node", rope.detach(0, 6));
@@ -114,7 +122,10 @@ void lengths() {
     KEPT(rope, status::error_value, "most_iterations", rope.set_tolerance(1e-6, 0));
     KEPT(rope, status::error_unsupported, "air", rope.set_air(0, 1));
     KEPT(rope, status::error_unsupported, "air", rope.set_wind({1, 1}));
-    for (field f : {field::rest_length, field::tension}) {
+    KEPT(rope, status::error_unsupported, "break", rope.set_strength(1));
+    double two[2];
+    KEPT(rope, status::error_unsupported, "tensions", rope.get_reaction(0, 0, two));
+    for (field f : {field::rest_length, field::tension, field::strength, field::strain}) {
         KEPT(rope, status::error_unsupported, "field", rope.enable_field(f));
         KEPT(rope, status::error_unsupported, "field", rope.read_f64(f));
         KEPT(rope, status::error_unsupported, "field", rope.write_f64(f, 0, 1, 0, 1, {1}));
@@ -131,6 +142,16 @@ void lengths() {
     KEPT(rope, status::error_unsupported, "field", rope.disable_field(field::tension));
     KEPT(rope, status::error_disabled, "field", rope.read_f64(field::rest_length));
     KEPT(rope, status::error_value, "values", rope.write_f64(field::tension, 0, 1, 0, 1, {nan_value}));
+    for (double bad : {-1.0, 0.0, nan_value, -HUGE_VAL})
+        KEPT(rope, status::error_value, "strength", rope.set_strength(bad));
+    KEPT(rope, status::error_disabled, "field", rope.read_f64(field::strength));
+    KEPT(rope, status::error_unsupported, "STRAIN", rope.write_f64(field::strain, 0, 1, 0, 1, {0}));
+    KEPT(rope, status::error_unsupported, "field", rope.disable_field(field::strain));
+    OK(rope.set_strength(1e9));
+    KEPT(rope, status::error_unsupported, "STIFFNESS", rope.disable_field(field::stiffness));
+    KEPT(rope, status::error_range, "strand", rope.get_reaction(2, 0, two));
+    KEPT(rope, status::error_range, "node", rope.get_reaction(0, 6, two));
+    KEPT(rope, status::error_range, "count", rope.get_reaction(0, 0, span<double>(two, 1)));
     KEPT(rope, status::error_value, "along", rope.set_air(nan_value, 1));
     KEPT(rope, status::error_value, "across", rope.set_air(1, -1));
     KEPT(rope, status::error_value, "velocity", rope.set_wind({1, nan_value}));
@@ -189,6 +210,8 @@ void parallel_and_diverged() {
     OK(rope.set_method(method::forward_euler));
     OK(rope.impulse(0, 3, {1}));
     REFUSED(status::error_diverged, "", rope.step(100, 200));
+    KEPT(rope, status::error_diverged, "", rope.teleport(0, {}, {1}));
+    KEPT(rope, status::error_diverged, "", rope.set_end(end::first, node::posed));
     OK(rope.reset());
     OK(rope.step(0.001));
 }

@@ -52,6 +52,7 @@ template <class Call> contdyn::status status_of_call(const Call& call) { return 
 #define I(k) (number_argument(&call, k) != 0)
 #define E(type, k) static_cast<contdyn::type>(enum_argument(&call, k))
 #define A(k) doubles(array_argument(&call, k))
+#define P(k) A(k)
 #define F(k) floats(array_argument(&call, k))
 #define OUT
 #define CHAIN(name, ...) TRY(chain, name, o.chain->name(__VA_ARGS__))

@@ -106,6 +106,9 @@ class Node(IntEnum):
     DRIVEN = 2
     #: border nodes only: free, with the impedance sqrt(stiffness mass) that sends no echo back
     MATCHED = 3
+    #: infinite mass; each call of step moves it to where Field.TARGET is, evenly, and there it stays until Field.TARGET
+    #: is written again. Without that field as Node.DRIVEN
+    POSED = 4
 
 
 class Field(IntEnum):
@@ -136,6 +139,8 @@ class Field(IntEnum):
     REST_LENGTH = 22
     TENSION = 23
     WIND = 24
+    STRENGTH = 25
+    STRAIN = 26
 
 
 class End(IntEnum):
@@ -202,7 +207,8 @@ class BedRule(IntEnum):
 
 
 class FieldInfo(NamedTuple):
-    """One value per what, and for each component; always there; shown by view; only, per strand only in ropes."""
+    """One value per what, and for each component; always there; shown by view; only in ropes; per strand only in ropes;
+    not to be written."""
 
     per: Tuple[str, ...]
     components: bool
@@ -210,46 +216,49 @@ class FieldInfo(NamedTuple):
     viewable: bool
     ropes: bool
     own_in_ropes: bool
+    read_only: bool
 
 
 FIELDS: Dict[str, Dict[int, FieldInfo]] = {
     "chain": {
-        Field.POSITION: FieldInfo(("strand", "node"), True, True, True, False, False),
-        Field.VELOCITY: FieldInfo(("strand", "node"), True, True, True, False, False),
-        Field.FORCE: FieldInfo(("strand", "node"), True, False, True, False, False),
-        Field.TARGET: FieldInfo(("strand", "node"), True, False, True, False, False),
-        Field.MASS: FieldInfo(("strand", "node"), False, False, False, False, True),
-        Field.STIFFNESS: FieldInfo(("strand", "spring"), False, False, False, False, True),
-        Field.BEND: FieldInfo(("node",), False, False, False, False, False),
-        Field.PIN: FieldInfo(("strand", "node"), False, True, False, False, True),
-        Field.REST_LENGTH: FieldInfo(("strand", "spring"), False, False, False, True, False),
-        Field.TENSION: FieldInfo(("strand", "spring"), False, True, False, True, False),
-        Field.WIND: FieldInfo(("strand", "node"), True, False, False, True, False),
+        Field.POSITION: FieldInfo(("strand", "node"), True, True, True, False, False, False),
+        Field.VELOCITY: FieldInfo(("strand", "node"), True, True, True, False, False, False),
+        Field.FORCE: FieldInfo(("strand", "node"), True, False, True, False, False, False),
+        Field.TARGET: FieldInfo(("strand", "node"), True, False, True, False, False, False),
+        Field.MASS: FieldInfo(("strand", "node"), False, False, False, False, True, False),
+        Field.STIFFNESS: FieldInfo(("strand", "spring"), False, False, False, False, True, False),
+        Field.BEND: FieldInfo(("node",), False, False, False, False, False, False),
+        Field.PIN: FieldInfo(("strand", "node"), False, True, False, False, True, False),
+        Field.REST_LENGTH: FieldInfo(("strand", "spring"), False, False, False, True, False, False),
+        Field.TENSION: FieldInfo(("strand", "spring"), False, True, False, True, False, False),
+        Field.WIND: FieldInfo(("strand", "node"), True, False, False, True, False, False),
+        Field.STRENGTH: FieldInfo(("strand", "spring"), False, False, False, True, False, False),
+        Field.STRAIN: FieldInfo(("strand", "spring"), False, True, False, True, False, True),
     },
     "membrane": {
-        Field.POSITION: FieldInfo(("node",), True, True, True, False, False),
-        Field.VELOCITY: FieldInfo(("node",), True, True, True, False, False),
-        Field.FORCE: FieldInfo(("node",), True, False, True, False, False),
-        Field.TARGET: FieldInfo(("node",), True, False, True, False, False),
-        Field.MASS: FieldInfo(("node",), False, False, False, False, False),
-        Field.STIFFNESS_U: FieldInfo(("spring",), False, False, False, False, False),
-        Field.STIFFNESS_V: FieldInfo(("spring",), False, False, False, False, False),
-        Field.PIN: FieldInfo(("node",), False, False, False, False, False),
-        Field.MASK: FieldInfo(("node",), False, False, False, False, False),
+        Field.POSITION: FieldInfo(("node",), True, True, True, False, False, False),
+        Field.VELOCITY: FieldInfo(("node",), True, True, True, False, False, False),
+        Field.FORCE: FieldInfo(("node",), True, False, True, False, False, False),
+        Field.TARGET: FieldInfo(("node",), True, False, True, False, False, False),
+        Field.MASS: FieldInfo(("node",), False, False, False, False, False, False),
+        Field.STIFFNESS_U: FieldInfo(("spring",), False, False, False, False, False, False),
+        Field.STIFFNESS_V: FieldInfo(("spring",), False, False, False, False, False, False),
+        Field.PIN: FieldInfo(("node",), False, False, False, False, False, False),
+        Field.MASK: FieldInfo(("node",), False, False, False, False, False, False),
     },
     "water": {
-        Field.DEPTH: FieldInfo(("cell",), False, True, True, False, False),
-        Field.BED: FieldInfo(("cell",), False, True, True, False, False),
-        Field.SURFACE: FieldInfo(("cell",), False, True, False, False, False),
-        Field.VELOCITY_X: FieldInfo(("x-face",), False, True, True, False, False),
-        Field.VELOCITY_Y: FieldInfo(("y-face",), False, True, True, False, False),
-        Field.SOURCE: FieldInfo(("cell",), False, False, True, False, False),
-        Field.PRESSURE: FieldInfo(("cell",), False, False, True, False, False),
-        Field.FORCE_X: FieldInfo(("x-face",), False, False, True, False, False),
-        Field.FORCE_Y: FieldInfo(("y-face",), False, False, True, False, False),
-        Field.MASK: FieldInfo(("cell",), False, False, False, False, False),
-        Field.WALL_X: FieldInfo(("x-face",), False, False, False, False, False),
-        Field.WALL_Y: FieldInfo(("y-face",), False, False, False, False, False),
+        Field.DEPTH: FieldInfo(("cell",), False, True, True, False, False, False),
+        Field.BED: FieldInfo(("cell",), False, True, True, False, False, False),
+        Field.SURFACE: FieldInfo(("cell",), False, True, False, False, False, False),
+        Field.VELOCITY_X: FieldInfo(("x-face",), False, True, True, False, False, False),
+        Field.VELOCITY_Y: FieldInfo(("y-face",), False, True, True, False, False, False),
+        Field.SOURCE: FieldInfo(("cell",), False, False, True, False, False, False),
+        Field.PRESSURE: FieldInfo(("cell",), False, False, True, False, False, False),
+        Field.FORCE_X: FieldInfo(("x-face",), False, False, True, False, False, False),
+        Field.FORCE_Y: FieldInfo(("y-face",), False, False, True, False, False, False),
+        Field.MASK: FieldInfo(("cell",), False, False, False, False, False, False),
+        Field.WALL_X: FieldInfo(("x-face",), False, False, False, False, False, False),
+        Field.WALL_Y: FieldInfo(("y-face",), False, False, False, False, False, False),
     },
 }
 
@@ -344,6 +353,10 @@ FUNCTIONS: Dict[str, str] = {
     "cd_chain_get_rest_length": "status: chain handle, out_length double*",
     "cd_chain_set_push": "status: chain handle, push int",
     "cd_chain_get_push": "status: chain handle, out_push int*",
+    "cd_chain_set_strength": "status: chain handle, strength double",
+    "cd_chain_get_strength": "status: chain handle, out_strength double*",
+    "cd_chain_get_broken": "status: chain handle, out_springs size*",
+    "cd_chain_get_reaction": "status: chain handle, strand size, node size, out_force pointer, count size",
     "cd_chain_set_air": "status: chain handle, along double, across double",
     "cd_chain_get_air": "status: chain handle, out_along double*, out_across double*",
     "cd_chain_set_wind": "status: chain handle, velocity pointer, count size",
@@ -364,6 +377,7 @@ FUNCTIONS: Dict[str, str] = {
     "cd_chain_view": ("status: chain handle, field int, out_data pointer*, out_strand_stride size*, out_node_stride "
                       "size*, out_component_stride size*"),
     "cd_chain_impulse": "status: chain handle, strand size, node size, impulse pointer, count size",
+    "cd_chain_teleport": "status: chain handle, strand size, rotation pointer, offset pointer, count size",
     "cd_chain_attach": ("status: chain handle, strand size, node size, stiffness double, damping double, target "
                         "pointer, count size"),
     "cd_chain_detach": "status: chain handle, strand size, node size",
@@ -436,6 +450,7 @@ FUNCTIONS: Dict[str, str] = {
     "cd_membrane_view": ("status: membrane handle, field int, out_data pointer*, out_u_stride size*, out_v_stride "
                          "size*, out_component_stride size*"),
     "cd_membrane_impulse": "status: membrane handle, u double, v double, radius double, impulse pointer, count size",
+    "cd_membrane_teleport": "status: membrane handle, rotation pointer, offset pointer, count size",
     "cd_membrane_attach": ("status: membrane handle, u size, v size, stiffness double, damping double, target pointer, "
                            "count size"),
     "cd_membrane_detach": "status: membrane handle, u size, v size",

@@ -1,8 +1,8 @@
 """What chain and membrane have in common: nodes with mass, joined by springs."""
 from typing import NamedTuple, Optional, Sequence, Tuple
 
-from ._api import Field, MassRule
-from ._arrays import Values, row
+from ._api import Field, MassRule, Precision
+from ._arrays import Values, dense, row
 from ._object import Object
 from ._properties import Reading, ReadingPerComponent, Setting, SettingPerComponent, State
 
@@ -70,7 +70,8 @@ class Body(Object):
     position = State(Field.POSITION, "Positions [m], shown without a copy; assigned, they are written.")
     velocity = State(Field.VELOCITY, "Velocities [m/s], likewise. Those of pinned nodes are 0 and stay so.")
     force = State(Field.FORCE, "Forces [N], likewise, once enable_field(Field.FORCE) has been called.")
-    target = State(Field.TARGET, "Where attach pulls to [m], likewise, once a node is attached.")
+    target = State(Field.TARGET, "Where attach pulls to and Node.POSED goes [m], likewise, once a node is attached or "
+                                 "an end or edge is posed.")
 
     def _attach(self, node: Tuple[int, ...], stiffness: float, damping: float, target: Optional[Values]) -> None:
         if target is None:
@@ -78,6 +79,14 @@ class Body(Object):
         else:
             numbers = row(target)
             self._call("attach", *node, stiffness, damping, numbers.address, numbers.length)
+
+    def _teleport(self, strand: Tuple[int, ...], rotation: Optional[Values], offset: Values) -> None:
+        moved = row(offset)
+        if rotation is None:
+            self._call("teleport", *strand, None, moved.address, moved.length)
+            return
+        turned = dense(rotation, (moved.length, moved.length), Precision.FLOAT64)
+        self._call("teleport", *strand, turned.address, moved.address, moved.length)
 
     def _attachment(self, node: Sequence[int]) -> Attachment:
         return Attachment(*self._get("get_attachment", *node))

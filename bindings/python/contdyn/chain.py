@@ -1,4 +1,5 @@
 """A chain of nodes joined by springs: massive spring, rope, hair, spline."""
+from ctypes import c_double
 from typing import Any, List, NamedTuple, Optional, Tuple
 
 from . import _arrays
@@ -29,7 +30,7 @@ class Chain(Body, kind="chain"):
 
     Arrays of positions, velocities, forces and targets have the shape (strands, nodes, components); those of masses,
     bends and pins (nodes,); of stiffnesses (springs,), in a ring one more. Strands of ropes share but the bends: masses
-    and pins are (strands, nodes), stiffnesses, rest lengths and tensions (strands, springs).
+    and pins are (strands, nodes); stiffnesses, rest lengths, tensions, strengths and strains (strands, springs).
 
     Rest length is zero, unless rest_length makes the chain a rope: a free chain draws together, and one stretched
     evenly is held by its ends. A new chain lies with every node at the origin, at rest and free, mass 1, stiffness 1,
@@ -56,7 +57,8 @@ class Chain(Body, kind="chain"):
     ring = Setting(bool, "Whether the last node is joined to the first; needs 3 nodes. Totals are dealt out anew.")
 
     def set_end(self, end: End, kind: Node) -> None:
-        """What holds an end of every strand: the same as writing Field.PIN there. Node.MATCHED sends no echo back."""
+        """What holds an end of every strand: the same as writing Field.PIN there. Node.MATCHED sends no echo back;
+        Node.POSED switches Field.TARGET on, and each call of step moves the nodes to what is written there."""
         self._call("set_end", end, kind)
 
     def get_end(self, end: End) -> Node:
@@ -69,9 +71,14 @@ class Chain(Body, kind="chain"):
                                  "none. A chain with a rest length is a rope: its 1 to 3 components are directions of "
                                  "space, its springs pull along themselves once they are longer than their length, and "
                                  "it steps by Method.IMPLICIT with lambda in [1/2, 1], without bend, ring, matched end "
-                                 "and stiffness damping. It has the fields Field.TENSION and, to be switched on, "
-                                 "Field.REST_LENGTH and Field.WIND; it may have air and wind.")
+                                 "and stiffness damping. It has the fields Field.TENSION and Field.STRAIN and, to be "
+                                 "switched on, Field.REST_LENGTH, Field.STRENGTH and Field.WIND; it may have air and "
+                                 "wind, and its springs may break.")
     push = Setting(bool, "Whether springs that are shorter than their length push; default False: they are slack.")
+    strength = Setting(float, "The tension at which a spring of a rope breaks [N]; default math.inf: none does. A step "
+                              "cuts at most one spring of each strand, the one most beyond its strength. "
+                              "Field.STRENGTH has one for each spring; writing Field.STIFFNESS mends a spring.")
+    broken = Reading(int, "How many springs broke in the last call of step.")
     air = SettingOfSeveral(Resistance, "Resistance of the air per length of a rope [N s/m^2]: (along, across) it; "
                                        "default 0. Implicit: bounded at any dt.")
     wind = SettingPerComponent("Velocity of that air [m/s], one number per component; default 0. Field.WIND has one "
@@ -79,6 +86,13 @@ class Chain(Body, kind="chain"):
     tolerance = SettingOfSeveral(Tolerance, "When a rope's step is content: (tolerance, most_iterations); the "
                                             "tolerance is a fraction of the springs' lengths.")
     convergence = Reading(Convergence, "What the last call of step did with a rope: (iterations, residual).")
+
+    def get_reaction(self, strand: int, node: int) -> Tuple[float, ...]:
+        """The force [N] with which the springs of a rope pull at a node, one number per component: of a held node, what
+        the rope does to whatever holds it."""
+        force = (c_double * self._components)()
+        self._call("get_reaction", strand, node, force, len(force))
+        return tuple(force)
 
     # ---- fields -----------------------------------------------------------------------------------------------------
 
@@ -138,9 +152,17 @@ class Chain(Body, kind="chain"):
     # ---- acting on it -----------------------------------------------------------------------------------------------
 
     def impulse(self, strand: int, node: int, impulse: Values) -> None:
-        """Adds impulse [N s], one number per component, to a node; a pinned or driven one takes none."""
+        """Adds impulse [N s], one number per component, to a node; a held one takes none."""
         numbers = row(impulse)
         self._call("impulse", strand, node, numbers.address, numbers.length)
+
+    def teleport(self, strand: int, rotation: Optional[Values], offset: Values) -> None:
+        """Moves a strand as a whole, as if it had always been there: every position and target x becomes
+        rotation x + offset, every velocity v becomes rotation v; tensions stay.
+
+        rotation: shape (components, components), orthogonal to 1e-6; None: none. offset [m]: one number per component.
+        """
+        self._teleport((strand,), rotation, offset)
 
     # strand: one of a rope; 0 stands for all strands of another chain, which share such things.
 

@@ -76,7 +76,8 @@ class Membrane(Body, Sheet, kind="membrane"):
                             "Whether the last nodes (along_u, along_v) are joined to the first; needs 3 nodes.")
 
     def set_edge(self, edge: Edge, kind: Node) -> None:
-        """What holds an edge; a corner is pinned if either of its edges is, else driven if either is."""
+        """What holds an edge; a corner is pinned if either of its edges is, else driven, else posed if either is.
+        Node.POSED switches Field.TARGET on, and each call of step moves the nodes to what is written there."""
         self._call("set_edge", edge, kind)
 
     def get_edge(self, edge: Edge) -> Node:
@@ -127,6 +128,14 @@ class Membrane(Body, Sheet, kind="membrane"):
         """
         numbers = row(impulse)
         self._call("impulse", u, v, radius, numbers.address, numbers.length)
+
+    def teleport(self, rotation: Optional[Values], offset: Values) -> None:
+        """Moves the sheet as a whole, as if it had always been there: every position and target x becomes
+        rotation x + offset, every velocity v becomes rotation v.
+
+        rotation: shape (components, components), orthogonal to 1e-6; None: none. offset [m]: one number per component.
+        """
+        self._teleport((), rotation, offset)
 
     def attach(self, u: int, v: int, stiffness: float, damping: float, target: Optional[Values] = None) -> None:
         """Ties node (u, v) to its target by a spring of `stiffness` [N/m] and `damping` [N s/m], both >= 0.

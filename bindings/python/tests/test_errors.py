@@ -43,6 +43,11 @@ def make_rigid(chain):
     chain.rest_length, chain.stiffness = 1, INF
 
 
+def make_fragile(chain):
+    chain.rest_length, chain.strength = 1, 1e9
+    chain.enable_field(Field.STRENGTH)
+
+
 def setting(name, value):
     return lambda chain: setattr(chain, name, value)
 
@@ -76,7 +81,8 @@ CASES = [
     ("set_gravity", "VALUE", setting("gravity", (0, NAN, 0)), "nan"),
     ("set_gravity", "RANGE", setting("gravity", (0, 1)), "2"),
     ("set_end", "ENUM", lambda c: c.set_end(2, Node.FREE), "end is 2"),
-    ("set_end", "ENUM", lambda c: c.set_end(End.LAST, 4), "kind is 4"),
+    ("set_end", "ENUM", lambda c: c.set_end(End.LAST, 5), "kind is 5"),
+    ("set_end", "MEMORY", hungry(lambda c: c.set_end(End.LAST, Node.POSED)), "memory"),
     ("set_end", "UNSUPPORTED", (setting("ring", True), lambda c: c.set_end(End.LAST, Node.MATCHED)), "ring"),
     ("get_end", "ENUM", lambda c: c.get_end(-1), "end is -1"),
     ("set_ring", "VALUE", setting("ring", 2), "ring is 2"),
@@ -89,6 +95,12 @@ CASES = [
     ("set_rest_length", "UNSUPPORTED", (make_rigid, setting("rest_length", 0)), "infinite"),
     ("set_rest_length", "MEMORY", hungry(make_rope), "memory"),
     ("set_push", "VALUE", setting("push", 2), "push is 2"),
+    *(("set_strength", "VALUE", (make_rope, setting("strength", x)), "strength is") for x in (NAN, -INF, -1, 0, 1e300)),
+    ("set_strength", "UNSUPPORTED", setting("strength", 1), "only ropes"),
+    ("set_strength", "MEMORY", hungry(setting("strength", 1), make_rope), "memory"),
+    ("get_reaction", "RANGE", (make_rope, lambda c: c.get_reaction(2, 0)), "strand is 2"),
+    ("get_reaction", "RANGE", (make_rope, lambda c: c.get_reaction(0, 6)), "node is 6"),
+    ("get_reaction", "UNSUPPORTED", lambda c: c.get_reaction(0, 0), "only ropes"),
     *(("set_air", "VALUE", (make_rope, setting("air", (x, 1))), "along is") for x in BAD_NUMBERS),
     ("set_air", "VALUE", (make_rope, setting("air", (1, -1))), "across is -1"),
     ("set_air", "UNSUPPORTED", setting("air", (1, 1)), "ropes"),
@@ -105,6 +117,10 @@ CASES = [
     ("disable_field", "ENUM", lambda c: c.disable_field(99), "field is 99"),
     ("disable_field", "UNSUPPORTED", lambda c: c.disable_field(Field.PIN), "CD_PIN"),
     ("disable_field", "UNSUPPORTED", (make_rope, lambda c: c.disable_field(Field.TENSION)), "CD_TENSION"),
+    ("disable_field", "UNSUPPORTED", (make_rope, lambda c: c.disable_field(Field.STRAIN)), "CD_STRAIN"),
+    ("disable_field", "UNSUPPORTED", (make_fragile, lambda c: c.disable_field(Field.STIFFNESS)), "CD_STIFFNESS"),
+    ("write_f64", "UNSUPPORTED", (make_rope, lambda c: c.write(Field.STRAIN, 0)), "CD_STRAIN"),
+    ("write_f64", "VALUE", (make_fragile, lambda c: c.write(Field.STRENGTH, [0], 0, 1, 0, 1)), r"values\[0\] is 0"),
     ("write_f64", "ENUM", lambda c: c.write(Field.DEPTH, 1), "field"),
     ("write_f64", "DISABLED", lambda c: c.write(Field.FORCE, 1), "CD_FORCE"),
     ("write_f64", "RANGE", lambda c: c.write(Field.POSITION, 1, first=5, n=2), r"\[5, 7\) of 6"),
@@ -128,6 +144,12 @@ CASES = [
     ("impulse", "RANGE", lambda c: c.impulse(0, 6, (0, 0, 0)), "node is 6"),
     ("impulse", "RANGE", lambda c: c.impulse(0, 0, (0, 0)), "2"),
     ("impulse", "VALUE", lambda c: c.impulse(0, 0, (0, INF, 0)), "inf"),
+    ("teleport", "RANGE", lambda c: c.teleport(2, None, (0, 0, 0)), "strand is 2"),
+    ("teleport", "RANGE", lambda c: c.teleport(0, None, (0, 0)), "2"),
+    ("teleport", "RANGE", lambda c: c.teleport(0, [[1, 0], [0, 1]], (0, 0, 0)), r"\(2, 2\)"),
+    ("teleport", "VALUE", lambda c: c.teleport(0, None, (0, NAN, 0)), "nan"),
+    ("teleport", "VALUE", lambda c: c.teleport(0, [[1, 0, 0], [0, 1, 0], [0, 1, 1]], (0, 0, 0)), "rotation"),
+    ("teleport", "VALUE", lambda c: c.teleport(0, 1, (0, 0, 0)), "rotation"),
     ("attach", "RANGE", lambda c: c.attach(0, 6, 1, 1), "node is 6"),
     ("attach", "RANGE", lambda c: c.attach(0, 0, 1, 1, (1, 2)), "2"),
     ("attach", "VALUE", lambda c: c.attach(0, 0, -1, 1), "stiffness is -1"),
@@ -202,6 +224,8 @@ class Errors(unittest.TestCase):
 
     def test_every_error_that_the_header_lists_is_here(self):
         tried = {(function, error) for function, error, _, _ in CASES} | {("step", "DIVERGED"), ("load", "MEMORY"),
+                                                                         ("set_end", "DIVERGED"),
+                                                                         ("teleport", "DIVERGED"),
                                                                          ("copy_state", "MEMORY"),
                                                                          ("step", "TOLERANCE")}
         for shorts, error in listed():
@@ -218,8 +242,10 @@ class Errors(unittest.TestCase):
         self.assertIsInstance(caught.exception, ArithmeticError)
         self.assertEqual(chain.steps, 103)
         chain.read(Field.POSITION)
-        with self.assertRaises(contdyn.DivergedError):
-            chain.step(0.01)
+        for use in (lambda: chain.step(0.01), lambda: chain.teleport(0, None, (1, 1, 1)),
+                    lambda: chain.set_end(End.LAST, Node.POSED)):
+            with self.assertRaises(contdyn.DivergedError):
+                use()
         chain.reset()
         chain.step(0.01)
 

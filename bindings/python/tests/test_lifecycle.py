@@ -18,7 +18,9 @@ ARGUMENTS = {
 }
 ARGUMENTS_OF = {
     ("chain", "impulse"): (0, 0, [0] * 3), ("membrane", "impulse"): (0, 0, 0, [0] * 3),
-    ("water", "impulse"): (0, 0, 1, 0, 0), ("chain", "attach"): (0, 0, 1, 0), ("membrane", "attach"): (0, 0, 1, 0),
+    ("water", "impulse"): (0, 0, 1, 0, 0), ("chain", "get_reaction"): (0, 0),
+    ("chain", "teleport"): (0, None, [0] * 3), ("membrane", "teleport"): (None, [0] * 3),
+    ("chain", "attach"): (0, 0, 1, 0), ("membrane", "attach"): (0, 0, 1, 0),
     ("chain", "detach"): (0, 0), ("membrane", "detach"): (0, 0), ("chain", "get_attachment"): (0, 0),
     ("membrane", "get_attachment"): (0, 0), ("chain", "sample"): (0, [0]), ("membrane", "sample"): ([0, 0],),
     ("water", "sample"): ([0, 0],), ("membrane", "write_vertices"): (bytearray(480), 24, 0, 12),

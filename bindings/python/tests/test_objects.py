@@ -23,7 +23,7 @@ class Everyone(unittest.TestCase):
                 "gravity": (1.0, 2.0, 3.0)}
         own = {
             Chain: {**body, "stiffness": 3.0, "ring": True, "rest_length": 2.0, "push": True, "tolerance": (1e-4, 7),
-                    "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0)},
+                    "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0), "strength": 5.0},
             Membrane: {**body, "stiffness": (3.0, 4.0), "ring": (True, False), "solver": Solver.COUPLED,
                        "tolerance": (1e-4, 7), "pressure": 0.5},
             Water: {"momentum": Momentum.ADVECTED, "first": 1, "gravity": 1.5, "density": 900.0, "manning": 0.03,
@@ -33,8 +33,8 @@ class Everyone(unittest.TestCase):
             for name, value in {**shared, **own[kind]}.items():
                 with self.subTest(kind.__name__, parameter=name):
                     made = make(kind)
-                    if name in ("air", "wind"):
-                        made.rest_length = 1  # only ropes feel it
+                    if name in ("air", "wind", "strength"):
+                        made.rest_length = 1  # only ropes have it
                     self.assertNotEqual(getattr(made, name), value)
                     setattr(made, name, value)
                     self.assertEqual(getattr(made, name), value)
@@ -167,6 +167,71 @@ class Chains(unittest.TestCase):
         slope = math.sqrt(0.5)  # as much wind as weight
         close(self, rope.position[0, 4].tolist(), (slope, 0, -slope), 6)
         close(self, rope.position[1, 4].tolist(), (0, 0, -1), 6)
+
+    def test_a_rope_breaks_where_it_bears_too_much(self):
+        rope = Chain(2, 4, 3)
+        rope.position = [[[0, 0, -i / 4] for i in range(5)]] * 2
+        rope.rest_length, rope.stiffness, rope.gravity = 1, 1e5, (0, 0, -10)
+        rope.set_end(End.FIRST, Node.PINNED)
+        rope.lambda_ = 1
+        rope.step(0.1, 50)
+        self.assertEqual(rope.broken, 0)
+        close(self, rope.get_reaction(0, 0), (0, 0, -8), 6)  # what hangs at it
+        close(self, rope.get_reaction(1, 4), (0, 0, 2), 6)
+        strains = rope.read(Field.STRAIN)
+        self.assertEqual(strains.shape, (2, 4))
+        close(self, strains[1].tolist(), [t / 1e5 for t in (8, 6, 4, 2)], 9)
+        rope.strength = 100
+        rope.enable_field(Field.STRENGTH)
+        self.assertEqual(rope.read(Field.STRENGTH).tolist(), [[100] * 4] * 2)
+        rope.write(Field.STRENGTH, [[7, 5, 100, 100]], 1, 1)
+        rope.step(1 / 60)
+        self.assertEqual(rope.broken, 1)  # of two that bear too much
+        self.assertEqual(rope.read(Field.STIFFNESS).tolist(), [[4e5] * 4, [4e5, 0, 4e5, 4e5]])
+        rope.step(1 / 60)
+        self.assertEqual(rope.broken, 0)
+
+    def test_a_posed_end_goes_to_its_target(self):
+        for kind, hold in ((Chain, lambda made: made.set_end(End.FIRST, Node.POSED)),
+                           (Membrane, lambda made: made.set_edge(Edge.U_FIRST, Node.POSED))):
+            made = make(kind)
+            made.gravity = (0, -10, 0)
+            hold(made)
+            made.write(Field.TARGET, [1, 2, 3], 0, 1, 0, 1) if kind is Chain else made.write(
+                Field.TARGET, [1, 2, 3], 0, 0, 1, 1)
+            made.step(0.1, 4)
+            close(self, made.position[0, 0].tolist(), (1, 2, 3))
+            made.step(0.1)
+            close(self, made.position[0, 0].tolist(), (1, 2, 3))
+        chain = make(Chain)
+        chain.set_end(End.LAST, Node.POSED)
+        self.assertIs(chain.get_end(End.LAST), Node.POSED)
+        self.assertEqual(chain.target.tolist(), chain.position.tolist())
+
+    def test_teleport(self):
+        chain = moving(Chain)
+        before, speeds = chain.position.tolist(), chain.velocity.tolist()
+        chain.teleport(1, [[0, -1, 0], [1, 0, 0], [0, 0, 1]], (10, 20, 30))
+        for node in range(6):
+            x, y, z = before[1][node]
+            close(self, chain.position[1, node].tolist(), (10 - y, 20 + x, 30 + z))
+            x, y, z = speeds[1][node]
+            close(self, chain.velocity[1, node].tolist(), (-y, x, z))
+        self.assertEqual(chain.position[0].tolist(), before[0])
+        chain.teleport(0, None, (1, 2, 3))
+        close(self, chain.position[0, 5].tolist(), [x + dx for x, dx in zip(before[0][5], (1, 2, 3))])
+        self.assertEqual(chain.velocity[0].tolist(), speeds[0])
+        chain.teleport(0, [1, 0, 0, 0, 1, 0, 0, 0, 1], array("d", [0, 0, 0]))  # in one row
+        sheet = moving(Membrane)
+        before = sheet.position.tolist()
+        sheet.teleport([[0, 0, 1], [0, 1, 0], [-1, 0, 0]], (0, 0, 5))
+        for v in range(4):
+            for u in range(5):
+                x, y, z = before[v][u]
+                close(self, sheet.position[v, u].tolist(), (z, y, 5 - x))
+        sheet.teleport(None, (0, 1, -5))
+        x, y, z = before[3][4]
+        close(self, sheet.position[3, 4].tolist(), (z, y + 1, -x))
 
     def test_links_that_push_do_not_go_slack(self):
         for push, length in ((False, 0.8), (True, 1)):

@@ -72,9 +72,9 @@ class Shown(unittest.TestCase):
             self.assertEqual(getattr(made, field.name.lower()).tolist(), numbers)
 
     def test_fields_without_a_view_say_so(self):
-        for kind, field in ((Chain, Field.PIN), (Chain, Field.TENSION), (Water, Field.SURFACE)):
+        for kind, field in ((Chain, Field.PIN), (Chain, Field.TENSION), (Chain, Field.STRAIN), (Water, Field.SURFACE)):
             made = make(kind)
-            if field == Field.TENSION:
+            if field in (Field.TENSION, Field.STRAIN):
                 made.rest_length = 1
             with self.assertRaises(contdyn.UnsupportedError):
                 made.view(field)
@@ -161,11 +161,13 @@ class Lasting(unittest.TestCase):
                     lambda m: setattr(m, "bend", 0.1), lambda m: setattr(m, "ring", True),
                     lambda m: setattr(m, "ring", False), lambda m: setattr(m, "bend", 0),
                     lambda m: m.disable_field(Field.BEND), lambda m: setattr(m, "rest_length", 9),
-                    lambda m: m.enable_field(Field.REST_LENGTH),
+                    lambda m: m.enable_field(Field.REST_LENGTH), lambda m: m.enable_field(Field.STRENGTH),
+                    lambda m: m.set_end(0, Node.POSED), lambda m: m.teleport(0, None, (1, 2, 3)),
                     lambda m: setattr(m, "rest_length", 0)],
             Membrane: [lambda m: m.attach(1, 1, 2, 3), lambda m: m.detach(1, 1), lambda m: setattr(m, "bend", 0.1),
                        lambda m: setattr(m, "ring", (True, False)), lambda m: setattr(m, "solver", Solver.COUPLED),
                        lambda m: setattr(m, "pressure", 0.1), lambda m: m.set_edge(2, Node.MATCHED),
+                       lambda m: m.set_edge(3, Node.POSED), lambda m: m.teleport(None, (1, 2, 3)),
                        lambda m: setattr(m, "solver", Solver.ALTERNATING)],
             Water: [lambda m: setattr(m, "momentum", Momentum.ADVECTED), lambda m: m.add_source(1, 0.5, 1, 0.1),
                     lambda m: setattr(m, "momentum", Momentum.LINEAR)],

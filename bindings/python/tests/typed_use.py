@@ -18,9 +18,13 @@ def use() -> float:
         error: float = rope.convergence.residual + rope.tolerance.tolerance
         rope.air, rope.wind = (0.1, 1), (0, 0, 2)
         across: float = rope.air.across
+        rope.strength = 100
+        rope.teleport(0, None, (0, 0, 1))
+        pull: float = rope.get_reaction(0, 0)[2] + rope.broken
     with Membrane(4, 4, 1) as drum:
         drum.stiffness = 20, 20
-        drum.set_edge(Edge.U_FIRST, Node.PINNED)
+        drum.set_edge(Edge.U_FIRST, Node.POSED)
+        drum.teleport([[1]], [0.5])
         along_u: float = drum.stiffness.along_u
     pool = Water(4, 4, 1, 1, contdyn.Precision.FLOAT32)
     pool.depth = 0.5

@@ -86,7 +86,8 @@ enum class node : std::int32_t {
     free = CD_NODE_FREE,
     pinned = CD_NODE_PINNED,
     driven = CD_NODE_DRIVEN,
-    matched = CD_NODE_MATCHED
+    matched = CD_NODE_MATCHED,
+    posed = CD_NODE_POSED
 };
 
 // Per-node and per-spring data.
@@ -115,7 +116,9 @@ enum class field : std::int32_t {
     wall_y = CD_WALL_Y,
     rest_length = CD_REST_LENGTH,
     tension = CD_TENSION,
-    wind = CD_WIND
+    wind = CD_WIND,
+    strength = CD_STRENGTH,
+    strain = CD_STRAIN
 };
 
 // The two ends of a chain.
@@ -335,6 +338,12 @@ inline double number_at(const void* data, std::size_t offset, precision stored) 
     return stored == precision::float32 ? *static_cast<const float*>(at) : *static_cast<const double*>(at);
 }
 
+// Whether a matrix, where there is one, has as many rows and columns as a vector has numbers.
+inline bool is_square(span<const double> matrix, span<const double> vector) {
+    const std::size_t n = vector.size();
+    return matrix.size() == 0 || (n != 0 && matrix.size() % n == 0 && matrix.size() / n == n);
+}
+
 // A whole field, as reads and writes take it: first and number of strands and nodes, or firsts and numbers along u and
 // v or x and y; how many values that are; and why it is not known.
 struct block {
@@ -535,6 +544,16 @@ public:
     outcome<> set_push(bool push) { return call(cd_chain_set_push, push); }
     outcome<bool> get_push() const { return value<bool>(cd_chain_get_push); }
 
+    // The tension at which a spring breaks [N], INFINITY: none does; how many did in the last call of step.
+    outcome<> set_strength(double strength) { return call(cd_chain_set_strength, strength); }
+    outcome<double> get_strength() const { return value<double>(cd_chain_get_strength); }
+    outcome<std::size_t> get_broken() const { return value<std::size_t>(cd_chain_get_broken); }
+
+    // The force [N] with which the springs of a rope pull at a node, force[component].
+    outcome<> get_reaction(std::size_t strand, std::size_t node, span<double> force) const {
+        return call(cd_chain_get_reaction, strand, node, force.data(), force.size());
+    }
+
     // Resistance of the air per length of a rope [N s/m^2]; its velocity [m/s], velocity[component].
     outcome<> set_air(double along, double across) { return call(cd_chain_set_air, along, across); }
     outcome<resistance> get_air() const {
@@ -614,6 +633,15 @@ public:
         return call(cd_chain_impulse, strand, node, newton_seconds.data(), newton_seconds.size());
     }
 
+    // Moves a strand as a whole: positions and targets to rotation[row][column] x + offset[component], and velocities
+    // along. An empty rotation is none.
+    outcome<> teleport(std::size_t strand, span<const double> rotation, span<const double> offset) {
+        if (!detail::is_square(rotation, offset))
+            return detail::done(CD_ERROR_RANGE, "chain::teleport: rotation is no matrix of the size of offset");
+        return call(cd_chain_teleport, strand, rotation.size() ? rotation.data() : nullptr, offset.data(),
+                    offset.size());
+    }
+
     // Here and below the strand of a rope, or 0 for all strands of another chain, which share such things.
     // Ties a node to its target[component], or to where it is, by a spring [N/m] with damping [N s/m].
     outcome<> attach(std::size_t strand, std::size_t node, double stiffness, double damping,
@@ -683,7 +711,8 @@ private:
         if (s == CD_OK) s = cd_chain_get_ring(handle_, &ring);
         const bool each =
             f == field::position || f == field::velocity || f == field::force || f == field::target || f == field::wind;
-        const bool of_springs = f == field::stiffness || f == field::rest_length || f == field::tension;
+        const bool of_springs = f == field::stiffness || f == field::rest_length || f == field::tension ||
+                                f == field::strength || f == field::strain;
         const std::size_t items = springs + (!of_springs || ring != 0);
         double length = 0;
         if (s == CD_OK) s = cd_chain_get_rest_length(handle_, &length);
@@ -870,6 +899,14 @@ public:
     // Adds newton_seconds[component], spread over the nodes less than `radius` springs from the place (u, v).
     outcome<> impulse(double u, double v, double radius, span<const double> newton_seconds) {
         return call(cd_membrane_impulse, u, v, radius, newton_seconds.data(), newton_seconds.size());
+    }
+
+    // Moves the sheet as a whole: positions and targets to rotation[row][column] x + offset[component], and velocities
+    // along. An empty rotation is none.
+    outcome<> teleport(span<const double> rotation, span<const double> offset) {
+        if (!detail::is_square(rotation, offset))
+            return detail::done(CD_ERROR_RANGE, "membrane::teleport: rotation is no matrix of the size of offset");
+        return call(cd_membrane_teleport, rotation.size() ? rotation.data() : nullptr, offset.data(), offset.size());
     }
 
     // Ties a node to its target[component], or to where it is, by a spring [N/m] with damping [N s/m].
