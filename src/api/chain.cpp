@@ -44,21 +44,6 @@ cd_status cd_chain_set_stiffness(cd_chain* chain, double stiffness) {
     return CD_OK;
 }
 
-cd_status cd_chain_set_end(cd_chain* chain, cd_end end, cd_node kind) {
-    CD_OPEN(chain, c);
-    CD_CHECK(is_enum(__func__, "end", end, CD_END_LAST));
-    CD_CHECK(is_enum(__func__, "kind", kind, CD_NODE_POSED));
-    if (kind == CD_NODE_MATCHED && c.ring)
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "kind is 3, matched: a ring has no end");
-    const bool new_target = kind == CD_NODE_POSED && !c.target;
-    if (new_target) CD_CHECK(shared::enable_field(__func__, c, CD_TARGET));
-    const double value = kind;
-    cd_status status = CD_OK;
-    for (size_t strand = 0; strand < own_strands(c) && status == CD_OK; ++strand)
-        status = cd_chain_write_f64(chain, CD_PIN, strand, 1, end == CD_END_FIRST ? 0 : c.springs, 1, &value, 1);
-    return status != CD_OK && new_target ? (shared::switch_field(__func__, c, CD_TARGET, false), status) : status;
-}
-
 cd_status cd_chain_get_end(const cd_chain* chain, cd_end end, cd_node* out_kind) {
     CD_OPEN(chain, c);
     CD_CHECK(is_enum(__func__, "end", end, CD_END_LAST));

@@ -56,9 +56,9 @@ static int tear_down(void** state) {
 static void no_number_is_taken_for_a_field(void** state) {
     (void)state;
     static const cd_field none[] = {-1, 8,  9,  10, 11, 12, 13, 14,        15,       16,
-                                    17, 18, 19, 20, 21, 25, 77, INT32_MAX, INT32_MIN};
+                                    17, 18, 19, 20, 21, 27, 77, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < COUNT(none); ++i) {
-        const char* text = text_of("field|%d|must be 0 to 7 or 22 to 24", none[i]);
+        const char* text = text_of("field|%d|must be 0 to 7 or 22 to 26", none[i]);
         for (int with_lengths = 0; with_lengths <= 1; ++with_lengths) {
             cd_chain* c = with_lengths ? rope : chain;
             refuses(c, cd_chain_enable_field(c, none[i]), CD_ERROR_ENUM, text);
@@ -71,7 +71,7 @@ static void no_number_is_taken_for_a_field(void** state) {
 
 static void only_ropes_have_the_fields_of_ropes(void** state) {
     (void)state;
-    for (cd_field f = CD_REST_LENGTH; f <= CD_WIND; ++f) {
+    for (cd_field f = CD_REST_LENGTH; f <= CD_STRAIN; ++f) {
         const char* text = text_of("field|%d|rest length", f);
         refuses(chain, cd_chain_enable_field(chain, f), CD_ERROR_UNSUPPORTED, text);
         refuses_transfers(chain, f, 0, 1, 0, 1, 1, CD_ERROR_UNSUPPORTED, text);
@@ -88,6 +88,15 @@ static void only_ropes_have_the_fields_of_ropes(void** state) {
     ok(cd_chain_disable_field(rope, CD_WIND));
     refuses_transfers(rope, CD_WIND, 0, 1, 0, 1, COMPONENTS, CD_ERROR_DISABLED, "field|24|CD_WIND");
     ok(cd_chain_enable_field(rope, CD_WIND));
+    const double strain[2] = {0.5, 0.5};
+    refuses(rope, cd_chain_write_f64(rope, CD_STRAIN, 0, 1, 0, 2, strain, 2), CD_ERROR_UNSUPPORTED, "26|CD_STRAIN|read");
+    refuses(rope, cd_chain_disable_field(rope, CD_STRAIN), CD_ERROR_UNSUPPORTED, "field|26|CD_STRAIN");
+    refuses(rope, cd_chain_disable_field(rope, CD_STIFFNESS), CD_ERROR_UNSUPPORTED, "field|4|CD_STIFFNESS");
+    ok(cd_chain_disable_field(rope, CD_STRENGTH));
+    refuses_transfers(rope, CD_STRENGTH, 0, 1, 0, 1, 1, CD_ERROR_DISABLED, "field|25|CD_STRENGTH");
+    ok(cd_chain_disable_field(rope, CD_STIFFNESS));
+    ok(cd_chain_enable_field(rope, CD_STRENGTH));
+    ok(cd_chain_read_f64(rope, CD_STIFFNESS, 0, 1, 0, 1, out.number, 1));
 }
 
 static void a_field_that_is_off_is_said_to_be_disabled(void** state) {
@@ -154,7 +163,7 @@ static void fields_that_the_strands_share_have_strand_0_only(void** state) {
 
 static void no_spring_beyond_the_end_of_a_rope_is_taken(void** state) {
     (void)state;
-    static const cd_field fields[] = {CD_STIFFNESS, CD_REST_LENGTH, CD_TENSION};
+    static const cd_field fields[] = {CD_STIFFNESS, CD_REST_LENGTH, CD_TENSION, CD_STRENGTH};
     for (size_t k = 0; k < COUNT(fields); ++k) {
         const cd_field f = fields[k];
         const size_t all = STRANDS, most = SIZE_MAX;
@@ -189,11 +198,13 @@ static const struct {
     {CD_STIFFNESS, -0.5, "-0.5"},  {CD_STIFFNESS, -INFINITY, "-inf"}, {CD_BEND, NAN, "nan"},
     {CD_BEND, -0.5, "-0.5"},       {CD_BEND, -INFINITY, "-inf"},    {CD_BEND, INFINITY, "inf"},
     {CD_PIN, NAN, "nan"},
-    {CD_PIN, 0.5, "0.5"},          {CD_PIN, -1, "-1"},              {CD_PIN, 4, "4"},
+    {CD_PIN, 0.5, "0.5"},          {CD_PIN, -1, "-1"},              {CD_PIN, 5, "5"},
     {CD_PIN, 1e30, "1e+30"},       {CD_PIN, INFINITY, "inf"},       {CD_PIN, CD_NODE_MATCHED, "3"},
     {CD_REST_LENGTH, NAN, "nan"},  {CD_REST_LENGTH, 0, "0"},        {CD_REST_LENGTH, INFINITY, "inf"},
     {CD_REST_LENGTH, -0.5, "-0.5"}, {CD_TENSION, NAN, "nan"},       {CD_TENSION, INFINITY, "inf"},
     {CD_TENSION, -INFINITY, "-inf"}, {CD_WIND, NAN, "nan"},         {CD_WIND, INFINITY, "inf"},
+    {CD_STRENGTH, NAN, "nan"},     {CD_STRENGTH, 0, "0"},          {CD_STRENGTH, -0.5, "-0.5"},
+    {CD_STRENGTH, -INFINITY, "-inf"},
 };
 
 static void lengths_beyond_their_range_are_refused(void** state) {
@@ -228,7 +239,8 @@ static void a_bad_value_is_found_before_anything_is_written(void** state) {
         float floats[3 * COMPONENTS];
         for (size_t j = 0; j < 3 * each; ++j) {
             double good = field == CD_MASS || field == CD_STIFFNESS ? 0.75 : field == CD_BEND ? 0.25 : 0;
-            if (field == CD_POSITION || field == CD_VELOCITY || field == CD_REST_LENGTH) good = 0.125;
+            if (field == CD_POSITION || field == CD_VELOCITY || field == CD_REST_LENGTH || field == CD_STRENGTH)
+                good = 0.125;
             doubles[j] = j == each ? bad_values[i].value : good;
             floats[j] = (float)doubles[j];
         }

@@ -90,6 +90,9 @@ static void the_extremes_of_the_header_are_taken(void** state) {
     ok(cd_chain_set_stiffness(c, 1));
     ok(cd_chain_set_air(c, 1e60, 0));
     ok(cd_chain_set_air(c, 0, 1e60));
+    ok(cd_chain_set_strength(c, 1e60));
+    ok(cd_chain_set_strength(c, 1e-60));
+    ok(cd_chain_set_strength(c, INFINITY));
     ok(cd_chain_set_rest_length(c, 0));
     cd_chain_destroy(c);
 }
@@ -145,6 +148,64 @@ static void only_ropes_feel_air_of_numbers_in_the_range(void** state) {
     cd_chain_destroy(c);
 }
 
+static void only_ropes_break_at_strengths_in_the_range(void** state) {
+    (void)state;
+    static const struct bad_number no_number[] = {{NAN, "nan"}, {-INFINITY, "-inf"}, {0, "0"}, {9e-61, "9e-61"}};
+    double strength, force[3] = {7, 7, 7};
+    cd_chain* c = scene_chain(2, 5, 3, CD_FLOAT64);
+    refuses(c, cd_chain_set_strength(c, 1), CD_ERROR_UNSUPPORTED, "break|rest length");
+    refuses(c, cd_chain_get_reaction(c, 0, 0, force, 3), CD_ERROR_UNSUPPORTED, "tensions|rest length");
+    ok(cd_chain_set_rest_length(c, 1));
+    refuses_each(c, cd_chain_set_strength(c, bad), "strength", no_number);
+    refuses_each(c, cd_chain_set_strength(c, bad), "strength", negative);
+    refuses_each(c, cd_chain_set_strength(c, bad), "strength", too_large);
+    refuses(c, cd_chain_get_reaction(c, 2, 0, force, 3), CD_ERROR_RANGE, name_and_size("strand", 2));
+    refuses(c, cd_chain_get_reaction(c, 0, 6, force, 3), CD_ERROR_RANGE, name_and_size("node", 6));
+    refuses(c, cd_chain_get_reaction(c, 0, 0, force, 2), CD_ERROR_RANGE, name_and_size("count", 2));
+    assert_true(force[0] == 7 && force[1] == 7 && force[2] == 7);
+    ok(cd_chain_set_strength(c, 4));
+    ok(cd_chain_enable_field(c, CD_STRENGTH));
+    assert_true(scene_get(c, CD_STRENGTH, 3) == 4);
+    scene_set(c, CD_STRENGTH, 3, INFINITY);
+    ok(cd_chain_set_strength(c, 5)); /* writes the field anew */
+    assert_true(scene_get(c, CD_STRENGTH, 3) == 5);
+    ok(cd_chain_disable_field(c, CD_STRENGTH));
+    refuses(c, cd_chain_disable_field(c, CD_STIFFNESS), CD_ERROR_UNSUPPORTED, "CD_STIFFNESS");
+    ok(cd_chain_set_rest_length(c, 0)); /* switches all of it off */
+    ok(cd_chain_disable_field(c, CD_STIFFNESS));
+    ok(cd_chain_set_rest_length(c, 1));
+    ok(cd_chain_get_strength(c, &strength));
+    assert_true(isinf(strength));
+    cd_chain_destroy(c);
+}
+
+/* Turns and shifts of what cannot be reached, or is no turn. */
+static void nothing_moves_that_cannot_be_teleported(void** state) {
+    (void)state;
+    const double offset[COMPONENTS] = {1, -1}, turn[4] = {0.6, -0.8, 0.8, 0.6};
+    const double skew[4] = {0.6, -0.8, 0.8, 0.600002}, larger[4] = {1.000001, 0, 0, 1};
+    for (size_t at = 0; at < COMPONENTS; ++at)
+        for (size_t i = 0; i < COUNT(not_finite); ++i) {
+            double numbers[4] = {1, 0, 0, 1};
+            numbers[at] = not_finite[i].value;
+            const char* shown = not_finite[i].shown;
+            refuses(chain, cd_chain_teleport(chain, 1, NULL, numbers, COMPONENTS), CD_ERROR_VALUE,
+                    text_of("offset|[%zu]|%s", at, shown));
+            refuses(chain, cd_chain_teleport(chain, 1, numbers, offset, COMPONENTS), CD_ERROR_VALUE,
+                    text_of("rotation|[%zu]|%s", at, shown));
+        }
+    refuses(chain, cd_chain_teleport(chain, 1, skew, offset, COMPONENTS), CD_ERROR_VALUE, "rotation|orthogonal|rows 0 and 1");
+    refuses(chain, cd_chain_teleport(chain, 1, larger, offset, COMPONENTS), CD_ERROR_VALUE, "rotation|orthogonal|rows 0 and 0");
+    refuses(chain, cd_chain_teleport(chain, 99, turn, offset, COMPONENTS), CD_ERROR_RANGE, name_and_size("strand", 99));
+    refuses(chain, cd_chain_teleport(chain, 1, turn, offset, 3), CD_ERROR_RANGE, name_and_size("count", 3));
+    cd_chain* c = scene_chain(1, 2, 2, CD_FLOAT32);
+    const double far[6] = {3e38, 0, -3e38, 3e38, 1, 1}, further[2] = {1e38, 0}, nowhere[2] = {0, 0};
+    scene_write(c, CD_POSITION, far);
+    refuses(c, cd_chain_teleport(c, 0, NULL, further, 2), CD_ERROR_VALUE, "finite");
+    refuses(c, cd_chain_teleport(c, 0, turn, nowhere, 2), CD_ERROR_VALUE, "finite");
+    cd_chain_destroy(c);
+}
+
 static void no_array_takes_what_is_not_finite(void** state) {
     (void)state;
     for (size_t at = 0; at < COMPONENTS; ++at) {
@@ -169,7 +230,7 @@ static void no_array_takes_what_is_not_finite(void** state) {
 
 static void no_number_is_taken_for_an_enumerator(void** state) {
     (void)state;
-    static const int32_t none[] = {-1, 4, 99, INT32_MAX, INT32_MIN};
+    static const int32_t none[] = {-1, 5, 99, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < COUNT(none); ++i) {
         const int bad = none[i];
         refuses(chain, cd_chain_create(1, 1, 1, bad, NULL, &out.chain), CD_ERROR_ENUM, text_of("precision|%d", bad));
@@ -184,6 +245,8 @@ static void no_number_is_taken_for_an_enumerator(void** state) {
     }
     refuses(chain, cd_chain_create(1, 1, 1, 2, NULL, &out.chain), CD_ERROR_ENUM, "precision|2");
     refuses(chain, cd_chain_set_mass_rule(chain, 2), CD_ERROR_ENUM, "rule|2");
+    refuses(chain, cd_chain_set_method(chain, 4), CD_ERROR_ENUM, "method|4");
+    refuses(chain, cd_chain_set_kernels(chain, 3), CD_ERROR_ENUM, "kernels|3");
     refuses(chain, cd_chain_set_end(chain, 2, CD_NODE_FREE), CD_ERROR_ENUM, "end|2");
     refuses(chain, cd_chain_get_end(chain, 2, &out.i32), CD_ERROR_ENUM, "end|2");
     refuses(chain, cd_chain_set_ring(chain, 2), CD_ERROR_VALUE, "ring|2");
@@ -312,6 +375,8 @@ int main(void) {
         cmocka_unit_test(the_extremes_of_the_header_are_taken),
         cmocka_unit_test(a_rope_takes_no_other_stiffness_outside_the_range),
         cmocka_unit_test(only_ropes_feel_air_of_numbers_in_the_range),
+        cmocka_unit_test(only_ropes_break_at_strengths_in_the_range),
+        cmocka_unit_test(nothing_moves_that_cannot_be_teleported),
         cmocka_unit_test(no_array_takes_what_is_not_finite),
         cmocka_unit_test(no_number_is_taken_for_an_enumerator),
         cmocka_unit_test(no_shape_is_made_that_cannot_be),

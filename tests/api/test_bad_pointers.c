@@ -73,6 +73,10 @@ static void only_a_living_chain_is_taken_for_one(void** state) {
     refuses_handles(cd_chain_get_rest_length, out.number);
     refuses_handles(cd_chain_set_push, 1);
     refuses_handles(cd_chain_get_push, &out.i32);
+    refuses_handles(cd_chain_set_strength, 1);
+    refuses_handles(cd_chain_get_strength, out.number);
+    refuses_handles(cd_chain_get_broken, out.size);
+    refuses_handles(cd_chain_get_reaction, 0, 0, out.number, COMPONENTS);
     refuses_handles(cd_chain_set_air, 1, 1);
     refuses_handles(cd_chain_get_air, out.number, out.number + 1);
     refuses_handles(cd_chain_set_wind, numbers, COMPONENTS);
@@ -88,6 +92,7 @@ static void only_a_living_chain_is_taken_for_one(void** state) {
     refuses_handles(cd_chain_read_f64, CD_POSITION, 0, 1, 0, 1, out.number, COMPONENTS);
     refuses_handles(cd_chain_view, CD_POSITION, &out.pointer, &out.size[0], &out.size[1], &out.size[2]);
     refuses_handles(cd_chain_impulse, 0, 2, numbers, COMPONENTS);
+    refuses_handles(cd_chain_teleport, 0, NULL, numbers, COMPONENTS);
     refuses_handles(cd_chain_attach, 0, 2, 1.0, 1.0, numbers, COMPONENTS);
     refuses_handles(cd_chain_detach, 0, 3);
     refuses_handles(cd_chain_get_attachment, 0, 3, &out.number[0], &out.number[1]);
@@ -141,6 +146,13 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(chain, cd_chain_get_ring(chain, NULL), CD_ERROR_NULL, "out_ring");
     refuses(chain, cd_chain_get_rest_length(chain, NULL), CD_ERROR_NULL, "out_length");
     refuses(chain, cd_chain_get_push(chain, NULL), CD_ERROR_NULL, "out_push");
+    cd_chain* rope = scene_chain(1, 1, COMPONENTS, CD_FLOAT32);
+    ok(cd_chain_set_rest_length(rope, 1));
+    refuses(rope, cd_chain_get_reaction(rope, 0, 0, NULL, COMPONENTS), CD_ERROR_NULL, "out_force");
+    cd_chain_destroy(rope);
+    refuses(chain, cd_chain_get_strength(chain, NULL), CD_ERROR_NULL, "out_strength");
+    refuses(chain, cd_chain_get_broken(chain, NULL), CD_ERROR_NULL, "out_springs");
+    refuses(chain, cd_chain_teleport(chain, 0, NULL, NULL, COMPONENTS), CD_ERROR_NULL, "offset");
     refuses(chain, cd_chain_get_air(chain, NULL, out.number), CD_ERROR_NULL, "out_along");
     refuses(chain, cd_chain_get_air(chain, out.number, NULL), CD_ERROR_NULL, "out_across");
     refuses(chain, cd_chain_set_wind(chain, NULL, COMPONENTS), CD_ERROR_NULL, "velocity");
@@ -184,7 +196,7 @@ static const char* const nullable[] = {
     "cd_chain_get_shape out_springs",    "cd_chain_get_shape out_components", "cd_chain_get_shape out_precision",
     "cd_chain_set_parallel parallel",    "cd_chain_attach target",          "cd_chain_get_energy out_kinetic",
     "cd_chain_get_energy out_elastic",   "cd_chain_get_energy out_gravity",   "cd_chain_get_convergence out_iterations",
-    "cd_chain_get_convergence out_residual",
+    "cd_chain_get_convergence out_residual", "cd_chain_teleport rotation",
 };
 
 static void what_may_be_null_is_taken_as_null(void** state) {
@@ -196,6 +208,7 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     ok(cd_chain_get_energy(other, NULL, NULL, NULL));
     ok(cd_chain_get_convergence(other, NULL, NULL));
     ok(cd_chain_attach(other, 0, 0, 1, 1, target, COMPONENTS));
+    ok(cd_chain_teleport(other, 0, NULL, target, COMPONENTS));
     ok(cd_chain_attach(other, 0, 1, 1, 1, NULL, COMPONENTS));
     ok(cd_chain_attach(other, 0, 1, 1, 1, NULL, 0)); /* then count means nothing */
     ok(cd_chain_attach(other, 0, 1, 1, 1, NULL, SIZE_MAX));

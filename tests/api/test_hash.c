@@ -41,7 +41,16 @@ static void end_pinned(cd_chain* c) { ok(cd_chain_set_end(c, CD_END_LAST, CD_NOD
 static void end_driven(cd_chain* c) { ok(cd_chain_set_end(c, CD_END_LAST, CD_NODE_DRIVEN)); }
 static void no_force(cd_chain* c) { ok(cd_chain_disable_field(c, CD_FORCE)); }
 static void no_mass(cd_chain* c) { ok(cd_chain_disable_field(c, CD_MASS)); }
-static void no_stiffness(cd_chain* c) { ok(cd_chain_disable_field(c, CD_STIFFNESS)); }
+static void no_stiffness(cd_chain* c) {
+    if (scene_own_strands(c) > 1) ok(cd_chain_disable_field(c, CD_STRENGTH)); /* a rope's */
+    ok(cd_chain_disable_field(c, CD_STIFFNESS));
+}
+static void end_posed(cd_chain* c) { ok(cd_chain_set_end(c, CD_END_LAST, CD_NODE_POSED)); }
+static void shifted(cd_chain* c) { ok(cd_chain_teleport(c, 1, NULL, gravity[0], COMPONENTS)); }
+static void turned(cd_chain* c) {
+    const double turn[4] = {0, 1, -1, 0};
+    ok(cd_chain_teleport(c, 1, turn, gravity[0], COMPONENTS));
+}
 static void no_bend(cd_chain* c) { ok(cd_chain_disable_field(c, CD_BEND)); }
 static void no_target(cd_chain* c) { ok(cd_chain_disable_field(c, CD_TARGET)); }
 static void attach_stiffness(cd_chain* c) { ok(cd_chain_attach(c, 0, 3, 26, 0.25, NULL, COMPONENTS)); }
@@ -65,7 +74,10 @@ static void tolerance(cd_chain* c) { ok(cd_chain_set_tolerance(c, 1e-8, 100)); }
 static void most_iterations(cd_chain* c) { ok(cd_chain_set_tolerance(c, 1e-9, 101)); }
 static void push(cd_chain* c) { ok(cd_chain_set_push(c, 1)); }
 static void length(cd_chain* c) { ok(cd_chain_set_rest_length(c, 2)); }
+static void strength(cd_chain* c) { ok(cd_chain_set_strength(c, 1e4)); }
+static void no_strengths(cd_chain* c) { ok(cd_chain_disable_field(c, CD_STRENGTH)); }
 static void no_length(cd_chain* c) { /* strands must agree in what they will share */
+    ok(cd_chain_disable_field(c, CD_STRENGTH));
     for (cd_field field = CD_MASS; field <= CD_TARGET; ++field)
         if (field != CD_PIN) ok(cd_chain_disable_field(c, field));
     for (size_t i = 0; i < scene_nodes(c); ++i) scene_set(c, CD_PIN, i, CD_NODE_FREE);
@@ -100,13 +112,14 @@ static void (*const rope_changes[])(cd_chain*) = {
     mass,      stiffness,       bend,    drag,     damping,   no_force,     no_mass,   no_stiffness,
     no_target, detach,          impulse, cut,      weld,      step,         longer_step, two_steps, reset,
     air_along, air_across,      wind_0,  wind_last, no_winds, pin_in_one_strand, mass_in_one_strand, cut_in_one_strand,
-    attach_in_one_strand};
+    attach_in_one_strand, strength, no_strengths, end_posed, shifted, turned};
 
 static void (*const changes[])(cd_chain*) = {
     lambda,    method_1,  method_2, method_3, mass,       mass_rule,        stiffness,      bend,          drag,
     damping,   gravity_0, gravity_1, gravity_2, end_free, end_pinned,       end_driven,     no_force,      no_mass,
     no_stiffness, no_bend, no_target, attach_stiffness,   attach_damping,   attach_target,  attach_another, detach,
-    impulse,   cut,       weld,     step,     longer_step, two_steps,       reset,          ring};
+    impulse,   cut,       weld,     step,     longer_step, two_steps,       reset,          ring,          end_posed,
+    shifted,   turned};
 
 static void every_change_gives_another_hash(void** state) {
     (void)state;
@@ -142,10 +155,11 @@ static void every_number_of_every_field_is_in_the_hash(void** state) {
         const cd_precision precision = k % 2;
         cd_chain* chain = k < 2 ? everything(precision) : with_lengths(precision);
         for (size_t node = 0; node < NODES; ++node) scene_set(chain, CD_PIN, node, CD_NODE_FREE); /* all may move */
-        ok(cd_chain_disable_field(chain, CD_STIFFNESS));
-        ok(cd_chain_enable_field(chain, CD_STIFFNESS));
+        no_stiffness(chain);
+        ok(cd_chain_enable_field(chain, k < 2 ? CD_STIFFNESS : CD_STRENGTH));
+        if (k >= 2) ok(cd_chain_set_strength(chain, 100)); /* numbers to change */
         const uint64_t before = hash_of(chain);
-        for (cd_field field = CD_POSITION; field <= (k < 2 ? CD_TARGET : CD_WIND); ++field) {
+        for (cd_field field = CD_POSITION; field <= (k < 2 ? CD_TARGET : CD_STRENGTH); ++field) {
             if ((k >= 2 && field == CD_BEND) || (field > CD_TARGET && field < CD_REST_LENGTH)) continue;
             double values[ALL];
             const size_t count = scene_field_count(chain, field);

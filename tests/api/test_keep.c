@@ -87,7 +87,11 @@ static void assert_same_in_all_that_can_be_read(const cd_chain* a, const cd_chai
     ok(cd_chain_get_steps(b, &steps_b));
     assert_same_bits(enums_a, enums_b, 4);
     assert_int_equal(steps_a, steps_b);
-    for (cd_field field = CD_POSITION; field <= CD_WIND; ++field) {
+    double strengths[2];
+    ok(cd_chain_get_strength(a, &strengths[0]));
+    ok(cd_chain_get_strength(b, &strengths[1]));
+    assert_same_bits(&strengths[0], &strengths[1], 1);
+    for (cd_field field = CD_POSITION; field <= CD_STRAIN; ++field) {
         if (field > CD_TARGET && field < CD_REST_LENGTH) continue;
         double x[STRANDS * (SPRINGS + 1) * COMPONENTS], y[STRANDS * (SPRINGS + 1) * COMPONENTS];
         const size_t strands = scene_field_strands(a, field), items = scene_field_items(a, field);
@@ -248,6 +252,8 @@ static void what_is_set_for_ropes_is_kept_at_the_ends_of_every_range(void** stat
             ok(cd_chain_set_air(chain, i == 3 ? 1e60 : 0, i == 4 ? 1e60 : 1e-300));
             ok(cd_chain_set_wind(chain, wind, COMPONENTS));
             if (i != 3) ok(cd_chain_enable_field(chain, CD_WIND));
+            if (i != 4) ok(cd_chain_set_strength(chain, i == 3 ? 1e-60 : 1e60));
+            if (i == 4) ok(cd_chain_enable_field(chain, CD_STRENGTH));
         }
         struct blob blob = save(chain);
         ok(cd_chain_load(fresh, blob.bytes, blob.size));
@@ -279,7 +285,16 @@ static void what_is_as_in_a_new_chain_takes_no_bytes(void** state) {
     ok(cd_chain_set_air(chain, 0, 1));
     ok(cd_chain_save_size(chain, &after));
     assert_true(after > during);
+    ok(cd_chain_set_strength(chain, INFINITY)); /* is none */
+    ok(cd_chain_set_air(chain, 0, 0));
+    ok(cd_chain_save_size(chain, &after));
+    assert_int_equal(after, during);
+    ok(cd_chain_set_strength(chain, 1));
+    ok(cd_chain_disable_field(chain, CD_REST_LENGTH)); /* is off */
+    ok(cd_chain_save_size(chain, &after));
+    assert_true(after > during);
     ok(cd_chain_set_rest_length(chain, -0.0)); /* is 0 */
+    ok(cd_chain_disable_field(chain, CD_STIFFNESS));
     ok(cd_chain_save_size(chain, &after));
     assert_int_equal(after, before);
     assert_int_equal(hash_of(chain), hash);

@@ -71,6 +71,12 @@ static void a_new_chain_has_the_defaults_of_the_header(void** state) {
         ring = -1;
         ok(cd_chain_get_push(chain, &ring));
         assert_int_equal(ring, 0);
+        number = 0;
+        ok(cd_chain_get_strength(chain, &number));
+        assert_true(isinf(number));
+        size_t broken = 9;
+        ok(cd_chain_get_broken(chain, &broken));
+        assert_int_equal(broken, 0);
         double air[2] = {1, 1};
         ok(cd_chain_get_air(chain, &air[0], &air[1]));
         assert_true(air[0] == 0 && air[1] == 0);
@@ -107,7 +113,7 @@ static void a_new_chain_lies_at_rest_at_the_origin_and_holds_nothing_optional(vo
     }
     for (size_t i = 0; i < COUNT(optional); ++i)
         refuses(chain, cd_chain_read_f64(chain, optional[i], 0, 1, 0, 1, out.number, 3), CD_ERROR_DISABLED, "field");
-    for (cd_field field = CD_REST_LENGTH; field <= CD_WIND; ++field)
+    for (cd_field field = CD_REST_LENGTH; field <= CD_STRAIN; ++field)
         refuses(chain, cd_chain_read_f64(chain, field, 0, 1, 0, 1, out.number, 1), CD_ERROR_UNSUPPORTED, "field");
     double kinetic = 1, elastic = 1, gravity = 1, momentum[3] = {1, 1, 1}, damping = 1;
     ok(cd_chain_get_energy(chain, &kinetic, &elastic, &gravity));

@@ -108,13 +108,19 @@ static void no_array_takes_what_is_not_finite(void** state) {
     (void)state;
     for (size_t at = 0; at < COMPONENTS; ++at) {
         for (size_t i = 0; i < COUNT(not_finite); ++i) {
-            double numbers[COMPONENTS] = {0.5, 0.5, 0.5};
+            double numbers[2 * COMPONENTS] = {0.5, 0.5, 0.5};
             numbers[at] = not_finite[i].value;
             const char* shown = not_finite[i].shown;
             refuses(m, cd_membrane_set_gravity(m, numbers, COMPONENTS), CD_ERROR_VALUE,
                     text_of("gravity|[%zu]|%s", at, shown));
             refuses(m, cd_membrane_impulse(m, 1, 2, 1.5, numbers, COMPONENTS), CD_ERROR_VALUE,
                     text_of("impulse|[%zu]|%s", at, shown));
+            const double turn[9] = {1, 0, 0, 0, at == 1 ? numbers[1] : 1, 0, 0, 0, at == 2 ? numbers[2] : 1};
+            refuses(m, cd_membrane_teleport(m, NULL, numbers, COMPONENTS), CD_ERROR_VALUE,
+                    text_of("offset|[%zu]|%s", at, shown));
+            if (at > 0)
+                refuses(m, cd_membrane_teleport(m, turn, numbers + COMPONENTS, COMPONENTS), CD_ERROR_VALUE,
+                        text_of("rotation|[%zu]|%s", 4 * at, shown));
             refuses(m, cd_membrane_attach(m, 2, 1, 1, 1, numbers, COMPONENTS), CD_ERROR_VALUE,
                     text_of("target|[%zu]|%s", at, shown));
         }
@@ -146,7 +152,7 @@ static void an_impulse_too_strong_for_the_precision_changes_nothing(void** state
 
 static void no_number_is_taken_for_an_enumerator(void** state) {
     (void)state;
-    static const int32_t none[] = {-1, 4, 99, INT32_MAX, INT32_MIN};
+    static const int32_t none[] = {-1, 5, 99, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < COUNT(none); ++i) {
         const int bad = none[i];
         refuses(m, cd_membrane_create(1, 1, 1, bad, NULL, &out.membrane), CD_ERROR_ENUM, text_of("precision|%d", bad));
@@ -162,6 +168,8 @@ static void no_number_is_taken_for_an_enumerator(void** state) {
     }
     refuses(m, cd_membrane_create(1, 1, 1, 2, NULL, &out.membrane), CD_ERROR_ENUM, "precision|2");
     refuses(m, cd_membrane_set_mass_rule(m, 2), CD_ERROR_ENUM, "rule|2");
+    refuses(m, cd_membrane_set_method(m, 4), CD_ERROR_ENUM, "method|4");
+    refuses(m, cd_membrane_set_edge(m, 4, CD_NODE_FREE), CD_ERROR_ENUM, "edge|4");
     refuses(m, cd_membrane_set_solver(m, 2), CD_ERROR_ENUM, "solver|2");
     refuses(m, cd_membrane_set_ring(m, 1, 2), CD_ERROR_VALUE, "along_v|2");
 }
@@ -230,6 +238,7 @@ static void no_buffer_of_another_length_is_taken(void** state) {
         refuses(m, cd_membrane_set_gravity(m, numbers, count), CD_ERROR_RANGE, text);
         refuses(m, cd_membrane_get_gravity(m, out.number, count), CD_ERROR_RANGE, text);
         refuses(m, cd_membrane_impulse(m, 0, 2, 1, numbers, count), CD_ERROR_RANGE, text);
+        refuses(m, cd_membrane_teleport(m, NULL, numbers, count), CD_ERROR_RANGE, text);
         refuses(m, cd_membrane_attach(m, 2, 1, 1, 1, numbers, count), CD_ERROR_RANGE, text);
         refuses(m, cd_membrane_get_momentum(m, out.number, count), CD_ERROR_RANGE, text);
         refuses(m, cd_membrane_sample(m, numbers, 2, out.number, count), CD_ERROR_RANGE,

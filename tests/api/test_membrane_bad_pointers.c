@@ -83,6 +83,7 @@ static void only_a_living_membrane_is_taken_for_one(void** state) {
     refuses_handles(cd_membrane_read_f64, CD_POSITION, 0, 0, 1, 1, out.number, COMPONENTS);
     refuses_handles(cd_membrane_view, CD_POSITION, &out.pointer, &out.size[0], &out.size[1], &out.size[2]);
     refuses_handles(cd_membrane_impulse, 1.0, 2.0, 1.5, numbers, COMPONENTS);
+    refuses_handles(cd_membrane_teleport, NULL, numbers, COMPONENTS);
     refuses_handles(cd_membrane_attach, 2, 3, 1.0, 1.0, numbers, COMPONENTS);
     refuses_handles(cd_membrane_detach, 3, 2);
     refuses_handles(cd_membrane_get_attachment, 3, 2, &out.number[0], &out.number[1]);
@@ -164,6 +165,7 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(m, cd_membrane_view(m, CD_POSITION, data, stride, NULL, stride), CD_ERROR_NULL, "out_v_stride");
     refuses(m, cd_membrane_view(m, CD_POSITION, data, stride, stride, NULL), CD_ERROR_NULL, "out_component_stride");
     refuses(m, cd_membrane_impulse(m, 1, 2, 1, NULL, COMPONENTS), CD_ERROR_NULL, "impulse");
+    refuses(m, cd_membrane_teleport(m, NULL, NULL, COMPONENTS), CD_ERROR_NULL, "offset");
     refuses(m, cd_membrane_get_attachment(m, 3, 2, NULL, out.number), CD_ERROR_NULL, "out_stiffness");
     refuses(m, cd_membrane_get_attachment(m, 3, 2, out.number, NULL), CD_ERROR_NULL, "out_damping");
     refuses(m, cd_membrane_stable_dt(m, NULL), CD_ERROR_NULL, "out_dt");
@@ -195,6 +197,7 @@ static const char* const nullable[] = {
     "cd_membrane_get_convergence out_residual",
     "cd_membrane_set_parallel parallel",
     "cd_membrane_attach target",
+    "cd_membrane_teleport rotation",
     "cd_membrane_get_energy out_kinetic",
     "cd_membrane_get_energy out_elastic",
     "cd_membrane_get_energy out_gravity",
@@ -215,6 +218,7 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     ok(cd_membrane_set_parallel(other, NULL));
     ok(cd_membrane_get_energy(other, NULL, NULL, NULL));
     ok(cd_membrane_attach(other, 0, 1, 1, 1, target, 2));
+    ok(cd_membrane_teleport(other, NULL, target, 2));
     ok(cd_membrane_attach(other, 1, 0, 1, 1, NULL, 2));
     ok(cd_membrane_attach(other, 1, 0, 1, 1, NULL, SIZE_MAX)); /* then count means nothing */
     ok(cd_membrane_sample(other, NULL, 0, NULL, 0));

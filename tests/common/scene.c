@@ -46,7 +46,7 @@ static int is_per_strand(cd_field field) {
 }
 
 static int is_per_spring(cd_field field) {
-    return field == CD_STIFFNESS || field == CD_REST_LENGTH || field == CD_TENSION;
+    return field == CD_STIFFNESS || (field >= CD_REST_LENGTH && field != CD_WIND);
 }
 
 size_t scene_own_strands(const cd_chain* chain) {
@@ -304,6 +304,7 @@ void scene_lengths(cd_chain* chain) {
     }
     ok(cd_chain_set_air(chain, 0.03, 0.8));
     scatter(chain, CD_WIND, 2, 19);
+    vary(chain, CD_STRENGTH, 1000, 20);
 }
 
 void scene_links(cd_chain* chain) {

@@ -83,6 +83,20 @@ template <class Scene, class Pick> void write_part(const Scene& scene, typename 
 
 // ---- chains ---------------------------------------------------------------------------------------------------------
 
+// A turn from one component towards the next.
+struct Turn {
+    double rotation[16] = {};
+
+    Turn(Random& random, size_t components) {
+        const size_t a = random.below(components), b = (a + 1) % components;
+        const double angle = random.uniform(-4, 4);
+        for (size_t i = 0; i < components; ++i) rotation[i * components + i] = 1;
+        if (a == b) return;
+        rotation[a * components + a] = rotation[b * components + b] = cos(angle);
+        rotation[a * components + b] = -sin(angle), rotation[b * components + a] = sin(angle);
+    }
+};
+
 struct ChainScene {
     using Handle = cd_chain;
     static constexpr const char* name = "chain";
@@ -115,7 +129,7 @@ struct ChainScene {
     }
     size_t numbers() const { return strands * nodes * components; }
     Size size_of(const Handle* chain, cd_field field) const {
-        const bool of_springs = field == CD_STIFFNESS || field == CD_REST_LENGTH || field == CD_TENSION;
+        const bool of_springs = field == CD_STIFFNESS || (field >= CD_REST_LENGTH && field != CD_WIND);
         const bool of_strands =
             field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET || field == CD_WIND;
         return {of_strands ? strands : field == CD_BEND ? 1 : own_strands(chain), of_springs ? springs(chain) : nodes,
@@ -162,6 +176,10 @@ struct ChainScene {
         double error = 0;
         returned += cd_chain_get_convergence(chain, &iterations, &error);
         returned += double(iterations), returned += error;
+        double force[4] = {};
+        returned += cd_chain_get_broken(chain, &iterations);
+        returned += cd_chain_get_reaction(chain, strands - 1, nodes / 2, force, components);
+        returned += double(iterations), returned += force[0];
     }
 
     // Implicit steps of all lengths; steps that may grow only where they are short.
@@ -201,7 +219,7 @@ inline void ChainScene::become_rope(Handle* chain, Random& random, Returned& ret
 
 // What only ropes have. A hard one that ends short of its tolerance steps to the same bits, too.
 inline void ChainScene::act_on_rope(Handle* chain, Random& random, Returned& returned) const {
-    switch (random.below(11)) {
+    switch (random.below(13)) {
     case 0:
     case 1:
     case 8: return become_rope(chain, random, returned);
@@ -239,6 +257,17 @@ inline void ChainScene::act_on_rope(Handle* chain, Random& random, Returned& ret
         if (random.chance(0.3)) returned += cd_chain_disable_field(chain, CD_WIND);
         else returned += cd_chain_enable_field(chain, CD_WIND);
         return write_numbers(chain, CD_WIND, random, returned);
+    case 11:
+        returned += cd_chain_set_strength(chain, random.chance(0.5) ? double(INFINITY) : random.decades(-1, 4));
+        break;
+    case 12:
+        if (random.chance(0.3)) {
+            returned += cd_chain_disable_field(chain, CD_STRENGTH);
+            break;
+        }
+        returned += cd_chain_enable_field(chain, CD_STRENGTH);
+        return write_part(*this, chain, CD_STRENGTH, random, returned,
+                          [&] { return random.chance(0.5) ? double(INFINITY) : random.decades(-1, 4); });
     default: return write_part(*this, chain, CD_TENSION, random, returned, [&] { return random.decades(-3, 3); });
     }
 }
@@ -251,7 +280,12 @@ inline void ChainScene::act(Handle* chain, Random& random, Returned& returned) c
     const auto number = [&] { return size * random.uniform(-1, 1); };
     double vector[4];
     for (double& x : vector) x = number();
-    switch (random.below(20)) {
+    switch (random.below(21)) {
+    case 20: {
+        const size_t strand = random.below(strands);
+        returned += cd_chain_teleport(chain, strand, Turn(random, components).rotation, vector, components);
+        break;
+    }
     case 0: return write_numbers(chain, CD_POSITION, random, returned);
     case 1: return write_numbers(chain, CD_VELOCITY, random, returned);
     case 2: returned += cd_chain_disable_field(chain, field); break;
@@ -266,7 +300,7 @@ inline void ChainScene::act(Handle* chain, Random& random, Returned& returned) c
         });
     case 6:
         return write_part(*this, chain, CD_PIN, random, returned,
-                          [&] { return random.chance(0.1) ? 1 + double(random.below(2)) : 0; });
+                          [&] { return random.chance(0.1) ? random.any_of({1, 2, CD_NODE_POSED}) : 0; });
     case 7: returned += cd_chain_set_mass(chain, random.decades(-1, 1)); break;
     case 8: returned += cd_chain_set_stiffness(chain, random.chance(0.1) ? 0 : random.decades(-1, 4)); break;
     case 9: returned += cd_chain_set_bend(chain, random.chance(0.5) ? 0 : random.decades(-5, -1)); break;
@@ -276,7 +310,7 @@ inline void ChainScene::act(Handle* chain, Random& random, Returned& returned) c
     case 13: returned += cd_chain_set_ring(chain, int32_t(random.below(2))); break;
     case 14: {
         const cd_end end = cd_end(random.below(2));
-        returned += cd_chain_set_end(chain, end, cd_node(random.below(4)));
+        returned += cd_chain_set_end(chain, end, cd_node(random.below(5)));
         break;
     }
     case 15: returned += cd_chain_set_mass_rule(chain, cd_mass_rule(random.below(2))); break;
@@ -371,7 +405,10 @@ inline void MembraneScene::act(Handle* membrane, Random& random, Returned& retur
     const cd_field field = optional[random.below(7)];
     double vector[4];
     for (double& x : vector) x = size * random.uniform(-1, 1);
-    switch (random.below(21)) {
+    switch (random.below(22)) {
+    case 20:
+        returned += cd_membrane_teleport(membrane, Turn(random, components).rotation, vector, components);
+        break;
     case 0: return write_numbers(membrane, CD_POSITION, random, returned);
     case 1: return write_numbers(membrane, CD_VELOCITY, random, returned);
     case 2: returned += cd_membrane_disable_field(membrane, field); break;
@@ -381,7 +418,7 @@ inline void MembraneScene::act(Handle* membrane, Random& random, Returned& retur
         returned += cd_membrane_enable_field(membrane, field);
         if (field == CD_FORCE || field == CD_TARGET) return write_numbers(membrane, field, random, returned);
         return write_part(*this, membrane, field, random, returned, [&] {
-            if (field == CD_PIN) return random.chance(0.1) ? 1 + double(random.below(2)) : 0;
+            if (field == CD_PIN) return random.chance(0.1) ? random.any_of({1, 2, CD_NODE_POSED}) : 0;
             if (field == CD_MASK) return double(random.chance(0.9));
             return field != CD_MASS && random.chance(0.1) ? 0 : random.decades(-2, 2);
         });
@@ -403,7 +440,7 @@ inline void MembraneScene::act(Handle* membrane, Random& random, Returned& retur
     case 13:
     case 14: {
         const cd_edge edge = cd_edge(random.below(4));
-        returned += cd_membrane_set_edge(membrane, edge, cd_node(random.below(4)));
+        returned += cd_membrane_set_edge(membrane, edge, cd_node(random.below(5)));
         break;
     }
     case 15: returned += cd_membrane_set_mass_rule(membrane, cd_mass_rule(random.below(2))); break;

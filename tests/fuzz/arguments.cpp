@@ -50,7 +50,7 @@ static double pick_value(cd_field field, double size, bool at_rest) {
     case CD_STIFFNESS_U:
     case CD_STIFFNESS_V: return chance(0.1) ? 0 : decades(-2, 3);
     case CD_BEND: return chance(0.1) ? 0 : decades(-3, 2);
-    case CD_PIN: return chance(0.9) ? 0 : double(below(chance(0.1) ? 5 : 3));
+    case CD_PIN: return chance(0.9) ? 0 : chance(0.25) ? double(CD_NODE_POSED) : double(below(chance(0.1) ? 6 : 3));
     case CD_MASK: return chance(0.85) ? 1 : 0;
     case CD_WALL_X:
     case CD_WALL_Y: return chance(0.9) ? 0 : 1;
@@ -60,6 +60,7 @@ static double pick_value(cd_field field, double size, bool at_rest) {
     case CD_SOURCE: return uniform(-0.1, 0.1);
     case CD_PRESSURE: return uniform(-1000, 1000);
     case CD_REST_LENGTH: return decades(-3, 0);
+    case CD_STRENGTH: return chance(0.3) ? double(INFINITY) : decades(-1, 5);
     case CD_TENSION: return at_rest ? 0 : chance(0.9) ? decades(-2, 3) : uniform(-size, size);
     case CD_VELOCITY:
     case CD_VELOCITY_X:

@@ -116,6 +116,24 @@ template <class Api> typename Body<Api>::Impulse Body<Api>::pick_impulse() const
     return impulse;
 }
 
+template <class Api> typename Body<Api>::Move Body<Api>::pick_move() const {
+    Move move = {};
+    for (double& x : move.offset) x = chance(run.bad) ? wild_number() : chance(0.5) ? 0 : uniform(-1, 1);
+    move.moderate = true;
+    for (double x : move.offset) move.moderate &= fabs(x) <= 1;
+    const size_t n = components, a = below(n), b = (a + 1) % n;
+    const double c = cos(uniform(-4, 4)), s = sqrt(1 - c * c);
+    for (size_t i = 0; i < n; ++i) move.rotation[i * n + i] = 1;
+    if (a != b) {
+        move.rotation[a * n + a] = move.rotation[b * n + b] = c;
+        move.rotation[a * n + b] = -s, move.rotation[b * n + a] = s;
+    }
+    if (chance(run.bad)) move.rotation[below(n * n)] += wild_number();
+    move.turns = chance(0.7);
+    move.count = pick_count(n);
+    return move;
+}
+
 template class Body<ChainApi>;
 template class Body<MembraneApi>;
 

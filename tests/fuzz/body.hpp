@@ -44,6 +44,14 @@ protected:
         size_t count;
     };
     Impulse pick_impulse() const;
+    // Where to teleport to: without a turn, or turned from one component towards the next.
+    struct Move {
+        double offset[4], rotation[16];
+        bool turns, moderate; // moderate: no offset beyond 1
+        size_t count;
+        const double* turn() const { return turns ? rotation : nullptr; }
+    };
+    Move pick_move() const;
 
 private:
     double energy_before = 0, room_before = 0;

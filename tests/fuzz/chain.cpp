@@ -39,7 +39,9 @@ bool Chain::extent(cd_field field, Extent& out) const {
     case CD_PIN: out = {own_strands(), springs + 1, 1}; return true;
     case CD_STIFFNESS: out = {own_strands(), springs_now(), 1}; return true;
     case CD_REST_LENGTH: out = {strands, springs_now(), 1}; return is_rope();
-    case CD_TENSION: out = {strands, springs_now(), 1}; return is_rope();
+    case CD_TENSION:
+    case CD_STRENGTH:
+    case CD_STRAIN: out = {strands, springs_now(), 1}; return is_rope();
     default: return false;
     }
 }
@@ -59,7 +61,7 @@ void Chain::check_state() {
     const Doubles pin = all_of(CD_PIN), v = all_of(CD_VELOCITY), k = is_rope() ? Doubles() : all_of(CD_STIFFNESS);
     const size_t n = springs + 1;
     const auto velocity = [&](size_t strand, size_t node) { return &v[(strand * n + node) * components]; };
-    const auto is_held = [&](size_t node) { return pin[node] == CD_NODE_PINNED || pin[node] == CD_NODE_DRIVEN; };
+    const auto is_held = [&](size_t node) { return pin[node] != CD_NODE_FREE && pin[node] != CD_NODE_MATCHED; };
     for (size_t strand = 0; strand < strands; ++strand)
         for (size_t i = 0; i < n; ++i) {
             const double* const here = velocity(strand, i);
@@ -135,7 +137,7 @@ bool Chain::is_driven() const {
     for (double force : all_of(CD_FORCE))
         if (force != 0) return true;
     for (double pin : all_of(CD_PIN))
-        if (pin == CD_NODE_DRIVEN) return true;
+        if (pin == CD_NODE_DRIVEN || pin == CD_NODE_POSED) return true;
     double wind[4] = {};
     cd_chain_get_wind(first(), wind, components);
     for (double v : wind)
@@ -148,7 +150,7 @@ bool Chain::is_driven() const {
 // ---- calls ---------------------------------------------------------------------------------------------------------
 
 void Chain::act_by_kind() {
-    switch (below(is_rope() || likes_lengths ? 35 : 24)) {
+    switch (below(is_rope() || likes_lengths ? 38 : 25)) {
     case 0: set_number("set_mass", cd_chain_set_mass, pick_number(-2, 3), {1e-3, 1e4}); break;
     case 1: set_stiffness(); break;
     case 2: set_number("set_bend", cd_chain_set_bend, chance(0.3) ? 0 : pick_number(-6, 1), {0, 1e2}, 0); break;
@@ -175,17 +177,20 @@ void Chain::act_by_kind() {
     case 20: get_shape(); break;
     case 21: get_end(); break;
     case 22: get_parameter(); break;
-    case 23:
+    case 23: teleport(); break;
     case 24:
     case 25:
-    case 26: set_rest_length(); break;
-    case 27: set_enum("set_push", cd_chain_set_push, 1, kNoMemory); break;
-    case 28:
-    case 29: set_tolerance(); break;
-    case 30: get_tolerance(); break;
-    case 31: set_air(); break;
-    case 32: set_wind(); break;
-    case 33: get_air(); break;
+    case 26:
+    case 27: set_rest_length(); break;
+    case 28: set_enum("set_push", cd_chain_set_push, 1, kNoMemory); break;
+    case 29:
+    case 30: set_tolerance(); break;
+    case 31: get_tolerance(); break;
+    case 32: set_air(); break;
+    case 33: set_wind(); break;
+    case 34: get_air(); break;
+    case 35: set_strength(); break;
+    case 36: get_reaction(); break;
     default: get_convergence();
     }
 }
@@ -198,8 +203,8 @@ void Chain::set_stiffness() {
 
 void Chain::set_end() {
     const cd_end end = pick_enum(CD_END_LAST);
-    const cd_node kind = pick_enum(CD_NODE_MATCHED);
-    both(text("set_end %d %d", int(end), int(kind)), kNoMemory,
+    const cd_node kind = pick_enum(CD_NODE_POSED);
+    both(text("set_end %d %d", int(end), int(kind)), kind == CD_NODE_POSED ? 0u : unsigned(kNoMemory),
          [&](cd_chain* chain, int) { return cd_chain_set_end(chain, end, kind); });
 }
 
@@ -217,6 +222,16 @@ void Chain::impulse() {
         both(text("impulse %zu %zu, %.17g.., count %zu", strand, node, push.size[0], push.count), kNoMemory,
              [&](cd_chain* chain, int) { return cd_chain_impulse(chain, strand, node, push.size, push.count); });
     if (status == CD_OK && !run.sane) past.moderate = false;
+}
+
+void Chain::teleport() {
+    const size_t strand = pick_index(strands);
+    const Move move = pick_move();
+    const cd_status status = both(text("teleport %zu, by %.17g.., count %zu", strand, move.offset[0], move.count),
+                                  kNoMemory, [&](cd_chain* chain, int) {
+                                      return cd_chain_teleport(chain, strand, move.turn(), move.offset, move.count);
+                                  });
+    if (status == CD_OK && !(move.moderate && run.sane)) past.moderate = false;
 }
 
 void Chain::attach() {
@@ -276,7 +291,8 @@ void Chain::get_shape() {
 }
 
 void Chain::get_parameter() {
-    switch (below(9)) {
+    switch (below(10)) {
+    case 9: get("get_strength", cd_chain_get_strength); break;
     case 0: get("get_mass", cd_chain_get_mass); break;
     case 1: get("get_mass_rule", cd_chain_get_mass_rule); break;
     case 2: get("get_stiffness", cd_chain_get_stiffness); break;

@@ -38,6 +38,7 @@ private:
 
     size_t springs_now() const; // a ring has one more
     void impulse();
+    void teleport();
     void attach();
     void detach();
     void get_attachment();
@@ -67,6 +68,8 @@ private:
     void get_air();
     void set_wind();
     void get_convergence();
+    void set_strength();
+    void get_reaction();
     void check_rope(const Step& step);
     void check_lengths(double tolerance, double dt);
     double force_on_nodes(double dt) const;

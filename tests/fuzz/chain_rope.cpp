@@ -156,7 +156,7 @@ void Chain::check_rope(const Step& s) {
 void Chain::check_lengths(double tolerance, double dt) {
     const Doubles length = lengths(), k = stiffnesses(), tension = all_of(CD_TENSION), now = lengths_now();
     const Doubles pin = all_of(CD_PIN);
-    const auto is_held = [](double kind) { return kind == CD_NODE_PINNED || kind == CD_NODE_DRIVEN; };
+    const auto is_held = [](double kind) { return kind != CD_NODE_FREE; };
     int32_t push = 0;
     size_t iterations = 0, most = 0;
     cd_chain_get_push(first(), &push);
@@ -302,6 +302,29 @@ void Chain::set_wind() {
         both(text("set_wind %.17g %.17g %.17g, count %zu%s", wind[0], wind[1], wind[2], count, null ? ", null" : ""),
              kNoMemory, [&](cd_chain* chain, int) { return cd_chain_set_wind(chain, null ? nullptr : wind, count); });
     if (status == CD_OK && !moderate) past.moderate = false;
+}
+
+void Chain::set_strength() {
+    const double strength = chance(0.4) ? double(INFINITY) : pick_number(-2, 5);
+    const cd_status status = both(text("set_strength %.17g", strength), 0,
+                                  [&](cd_chain* chain, int) { return cd_chain_set_strength(chain, strength); });
+    if (status == CD_OK && !is_rope()) problem("set_strength: no rope, but it is taken");
+    if (status == CD_OK && strength < HUGE_VAL && all_of(CD_STIFFNESS).empty())
+        problem("set_strength: springs may break, but have no stiffness of their own");
+}
+
+void Chain::get_reaction() {
+    const size_t strand = pick_index(strands), node = pick_index(springs + 1), count = pick_count(components);
+    double force[2][4] = {};
+    const cd_status status = both("get_reaction", kReads, [&](cd_chain* chain, int which) {
+        return cd_chain_get_reaction(chain, strand, node, force[which], count);
+    });
+    must_agree("get_reaction", force[0], force[1], 4);
+    double most = 0;
+    for (double t : all_of(CD_TENSION)) most += fabs(t);
+    for (double f : force[0])
+        if (status == CD_OK && past.moderate && !past.crafted && is_finite() && !(fabs(f) <= 1.01 * most))
+            problem("get_reaction tells %g, tensions are %g together", f, most);
 }
 
 // The twin may be a copy that has not stepped yet: they need not agree.

@@ -121,11 +121,11 @@ bool Membrane::is_driven() const {
     for (double force : all_of(CD_FORCE))
         if (force != 0) return true;
     for (double pin : all_of(CD_PIN))
-        if (pin == CD_NODE_DRIVEN) return true;
+        if (pin == CD_NODE_DRIVEN || pin == CD_NODE_POSED) return true;
     for (cd_edge edge = CD_EDGE_U_FIRST; edge <= CD_EDGE_V_LAST; ++edge) {
         cd_node kind = CD_NODE_FREE;
         cd_membrane_get_edge(first(), edge, &kind);
-        if (kind == CD_NODE_DRIVEN) return true;
+        if (kind == CD_NODE_DRIVEN || kind == CD_NODE_POSED) return true;
     }
     return false;
 }
@@ -140,7 +140,7 @@ bool Membrane::keeps_its_energy() const {
 // ---- setters -------------------------------------------------------------------------------------------------------
 
 void Membrane::act_by_kind() {
-    switch (below(29)) {
+    switch (below(30)) {
     case 0: set_number("set_mass", cd_membrane_set_mass, pick_number(-2, 3), {1e-3, 1e4}); break;
     case 1:
     case 2: set_stiffness(); break;
@@ -174,6 +174,7 @@ void Membrane::act_by_kind() {
     case 25: get_convergence(); break;
     case 26: get_shape(); break;
     case 27: chance(0.5) ? get_edge() : get_attachment(); break;
+    case 28: teleport(); break;
     default: get_parameter();
     }
 }
@@ -188,7 +189,7 @@ void Membrane::set_stiffness() {
 
 void Membrane::set_edge() {
     const cd_edge edge = pick_enum(CD_EDGE_V_LAST);
-    const cd_node kind = pick_enum(CD_NODE_MATCHED);
+    const cd_node kind = pick_enum(CD_NODE_POSED);
     both(text("set_edge %d %d", int(edge), int(kind)), 0,
          [&](cd_membrane* membrane, int) { return cd_membrane_set_edge(membrane, edge, kind); });
 }
@@ -216,6 +217,15 @@ void Membrane::impulse() {
         kNoMemory,
         [&](cd_membrane* membrane, int) { return cd_membrane_impulse(membrane, u, v, radius, push.size, push.count); });
     if (status == CD_OK && !run.sane) past.moderate = false;
+}
+
+void Membrane::teleport() {
+    const Move move = pick_move();
+    const cd_status status = both(text("teleport by %.17g.., count %zu", move.offset[0], move.count), kNoMemory,
+                                  [&](cd_membrane* membrane, int) {
+                                      return cd_membrane_teleport(membrane, move.turn(), move.offset, move.count);
+                                  });
+    if (status == CD_OK && !(move.moderate && run.sane)) past.moderate = false;
 }
 
 void Membrane::attach() {

@@ -39,6 +39,7 @@ private:
     void set_ring();
     void set_tolerance();
     void impulse();
+    void teleport();
     void attach();
     void detach();
     void get_attachment();

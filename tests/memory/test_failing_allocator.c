@@ -43,6 +43,11 @@ static cd_status push(cd_chain* c) { return cd_chain_set_push(c, 1); }
 static cd_status air(cd_chain* c) { return cd_chain_set_air(c, 0.1, 0.2); }
 static cd_status winds(cd_chain* c) { return cd_chain_enable_field(c, CD_WIND); }
 static cd_status no_winds(cd_chain* c) { return cd_chain_disable_field(c, CD_WIND); }
+static cd_status strength(cd_chain* c) { return cd_chain_set_strength(c, 1e6); }
+static cd_status strengths(cd_chain* c) { return cd_chain_enable_field(c, CD_STRENGTH); }
+static cd_status no_strengths(cd_chain* c) { return cd_chain_disable_field(c, CD_STRENGTH); }
+static cd_status pose_end(cd_chain* c) { return cd_chain_set_end(c, CD_END_FIRST, CD_NODE_POSED); }
+static cd_status strain(cd_chain* c) { return cd_chain_enable_field(c, CD_STRAIN); }
 static cd_status tolerance(cd_chain* c) { return cd_chain_set_tolerance(c, 1e-7, 50); }
 static cd_status load_rope(cd_chain* c) { return cd_chain_load(c, rope_bytes, rope_size); }
 static cd_status copy_rope(cd_chain* c) { return cd_chain_copy_state(c, rope); }
@@ -83,6 +88,11 @@ static const struct call {
              {"set_air", air, 0},
              {"enable wind", winds, 0},
              {"disable wind", no_winds, 0},
+             {"set_strength", strength, 0},
+             {"enable strength", strengths, 0},
+             {"disable strength", no_strengths, 0},
+             {"enable strain", strain, 1},
+             {"pose an end", pose_end, 0},
              {"load rope", load_rope, 0},
              {"copy rope", copy_rope, 0},
              {"step", step, 1},
@@ -284,11 +294,12 @@ static void the_memory_told_is_the_memory_held(void** state) {
                 go_on(chain, 2);
                 assert_accounts_for(chain, &heap);
             }
-            for (cd_field field = CD_POSITION; field <= CD_WIND; ++field) {
+            for (cd_field field = CD_POSITION; field <= CD_STRAIN; ++field) {
                 if (!has_field(field, is_rope)) continue;
                 ok(cd_chain_enable_field(chain, field));
                 assert_accounts_for(chain, &heap);
             }
+            if (is_rope) ok(cd_chain_disable_field(chain, CD_STRENGTH));
             for (cd_field field = CD_FORCE; field <= CD_REST_LENGTH; ++field) {
                 if (has_field(field, is_rope) && field != CD_PIN) ok(cd_chain_disable_field(chain, field));
                 assert_accounts_for(chain, &heap);

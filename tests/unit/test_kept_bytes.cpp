@@ -60,7 +60,7 @@ struct ChainCalls {
                 ok(cd_chain_read_f64(chain, CD_VELOCITY, strand, 1, i, 1, here, 2));
                 ok(cd_chain_read_f64(chain, CD_VELOCITY, strand, 1, (i + 1) % 6, 1, next, 2));
                 const bool welded = i < springs && std::isinf(stiffness[i]);
-                const auto is_held = [&](size_t k) { return pin[k] == CD_NODE_PINNED || pin[k] == CD_NODE_DRIVEN; };
+                const auto is_held = [&](size_t k) { return pin[k] != CD_NODE_FREE && pin[k] != CD_NODE_MATCHED; };
                 good &= pin[i] != CD_NODE_PINNED || (here[0] == 0 && here[1] == 0);
                 good &= !welded || memcmp(here, next, sizeof here) == 0 || std::isnan(here[0]) || std::isnan(here[1]);
                 good &= !welded || !is_held(i) || !is_held((i + 1) % 6);
@@ -79,7 +79,8 @@ struct RopeCalls : ChainCalls {
         ok(cd_chain_set_tolerance(chain, 1e-4, 7));
         ok(cd_chain_set_air(chain, 0.25, 2));
         ok(cd_chain_set_wind(chain, gravity, 2));
-        for (cd_field field : {CD_MASS, CD_STIFFNESS, CD_FORCE, CD_REST_LENGTH, CD_WIND})
+        ok(cd_chain_set_strength(chain, 1e9));
+        for (cd_field field : {CD_MASS, CD_STIFFNESS, CD_FORCE, CD_REST_LENGTH, CD_WIND, CD_STRENGTH})
             ok(cd_chain_enable_field(chain, field));
         ok(cd_chain_set_gravity(chain, gravity, 2));
         ok(cd_chain_write_f64(chain, CD_PIN, 0, 1, 0, 2, pins, 2)); // at both ends of a spring of fixed length
@@ -110,7 +111,13 @@ struct RopeCalls : ChainCalls {
         ok(cd_chain_get_air(chain, &air[0], &air[1]));
         ok(cd_chain_get_wind(chain, wind, 2));
         for (int k = 0; k < 2; ++k) good &= air[k] >= 0 && air[k] <= 1e60 && std::isfinite(wind[k]);
-        return good;
+        double strength;
+        ok(cd_chain_get_strength(chain, &strength));
+        good &= strength >= 1e-60 && (strength <= 1e60 || std::isinf(strength));
+        const cd_status breaks = cd_chain_read_f64(chain, CD_STRENGTH, 0, 2, 0, springs, tension, 2 * springs);
+        for (size_t i = 0; i < 2 * springs && breaks == CD_OK; ++i) good &= tension[i] > 0;
+        const bool can_break = breaks == CD_OK || !std::isinf(strength);
+        return good && (!can_break || cd_chain_read_f64(chain, CD_STIFFNESS, 0, 2, 0, springs, tension, 2 * springs) == CD_OK);
     }
 };
 
