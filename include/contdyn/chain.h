@@ -108,7 +108,7 @@ CD_API cd_status cd_chain_get_gravity(const cd_chain* chain, double* out_gravity
 
 /* What holds an end: the same as writing the field CD_PIN at the first or last node of every strand; the getter tells
  * that of the first strand. Pinning stops the node; driving leaves its velocity, which is then written through
- * CD_VELOCITY; posing switches CD_TARGET on, through which the next position is then written.
+ * CD_VELOCITY; posing switches CD_TARGET on and sets the end's target to where it is: write the next one there.
  * Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED on a ring; CD_ERROR_DIVERGED for
  * CD_NODE_POSED where the state is not finite. */
 CD_API cd_status cd_chain_set_end(cd_chain* chain, cd_end end, cd_node kind);
@@ -137,12 +137,12 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
  * cd_chain_step says CD_ERROR_UNSUPPORTED. */
 
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
- * where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has its
- * own pins, masses, stiffnesses, rest lengths and attachments, at first those that they shared. Length 0 switches
- * CD_TENSION off, and CD_REST_LENGTH, strength, air and wind too.
- * Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
- * CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build without ropes, and for 0 where strands differ in what
- * they would share, or an infinite stiffness would weld all springs or two held nodes. */
+ * where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
+ * its own pins, masses, stiffnesses, rest lengths and attachments, at first those that they shared. Length 0 switches
+ * CD_TENSION off, and CD_REST_LENGTH, strength, air and wind too. Reeled in or paid out a little every step, it is a
+ * winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build
+ * without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all
+ * springs or two held nodes. */
 CD_API cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
 
@@ -151,15 +151,15 @@ CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_len
 CD_API cd_status cd_chain_set_push(cd_chain* chain, int32_t push);
 CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
 
-/* The tension at which a spring breaks [N], 1e-60 to 1e60, or INFINITY, the default: springs hold. A rope's step ends by
- * cutting, of each strand, the spring whose tension is most beyond its strength: its stiffness and tension become 0, and
- * the next step shows what the others bear. Mend it by writing CD_STIFFNESS, which a finite strength switches on for as
- * long as there is one. The field CD_STRENGTH has one for each spring.
+/* The tension at which a spring breaks [N], 1e-60 to 1e60, or INFINITY, the default: springs hold. A rope's step ends
+ * by cutting, of each strand, the spring whose tension is most beyond its strength: its stiffness and tension become
+ * 0, and the next step shows what the others bear. Mend it by writing CD_STIFFNESS, which a finite strength switches
+ * on and keeps on. The field CD_STRENGTH has one for each spring.
  * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
 CD_API cd_status cd_chain_set_strength(cd_chain* chain, double strength);
 CD_API cd_status cd_chain_get_strength(const cd_chain* chain, double* out_strength);
 
-/* How many springs broke in the last call of cd_chain_step: those whose CD_STIFFNESS became 0. */
+/* How many springs broke in the last call of cd_chain_step that made steps: those whose CD_STIFFNESS became 0. */
 CD_API cd_status cd_chain_get_broken(const cd_chain* chain, size_t* out_springs);
 
 /* The force [N], one number per component, with which the springs of a rope pull at a node: of a held node, what the
@@ -169,10 +169,10 @@ CD_API cd_status cd_chain_get_reaction(const cd_chain* chain, size_t strand, siz
                                        size_t count);
 
 /* Resistance of the air, per length of a rope [N s/m^2], in [0, 1e60], default 0: a piece of length s whose velocity
- * through the air is w, w_t along the rope and w_n across it, is pushed by -s (along w_t + across w_n). Implicit, so that
- * it only takes energy, as seen from the air, at any dt; the rope's direction is the one that it would have lambda dt
- * after the step began. A node bears half of its two springs' rest lengths; cut springs feel no air. A round rope of
- * diameter d has about across = 0.6 density d |w_n|, and `along` some hundredth of that.
+ * through the air is w, w_t along the rope and w_n across it, is pushed by -s (along w_t + across w_n). Implicit, so
+ * that it only takes energy, as seen from the air, at any dt; the rope's direction is the one that it would have
+ * lambda dt after the step began. A node bears half of its two springs' rest lengths; cut springs feel no air. A round
+ * rope of diameter d has about across = 0.6 density d |w_n|, and `along` some hundredth of that.
  * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
 CD_API cd_status cd_chain_set_air(cd_chain* chain, double along, double across);
 CD_API cd_status cd_chain_get_air(const cd_chain* chain, double* out_along, double* out_across);
@@ -213,7 +213,7 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  *  CD_STRENGTH   strand, spring   N       1e-60 to 1e60, or INFINITY; of ropes only: see cd_chain_set_strength
  *  CD_STRAIN     strand, spring   -       of ropes, to read only: length now over rest length, less 1; -1 and more
  * (strand): per strand in ropes, shared by the strands of other chains.
- * Nodes joined by welded springs make a group, which may hold one pinned or driven node: more is CD_ERROR_UNSUPPORTED.
+ * Nodes joined by welded springs make a group, which may hold one held node: more is CD_ERROR_UNSUPPORTED.
  * Position, velocity and pin are always there, tension and strain in ropes. The others cost memory and time only once
  * they are switched on. */
 
@@ -253,7 +253,7 @@ CD_API cd_status cd_chain_view(const cd_chain* chain, cd_field field, const void
 /* ---- acting on it ------------------------------------------------------------------------------------------------ */
 
 /* Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in a welded group
- * by impulse / the group's mass; a pinned or driven node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE. */
+ * by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE. */
 CD_API cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const double* impulse, size_t count);
 
 /* Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
@@ -276,10 +276,10 @@ CD_API cd_status cd_chain_get_attachment(const cd_chain* chain, size_t strand, s
 
 /* Cuts a spring (stiffness 0) of a rope's strand, or with strand 0 of every strand of another chain; or welds it
  * (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that momentum is
- * kept, and their offset stays as it is. Welding to a pinned or driven node gives that node's velocity. A cut or welded
+ * kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or welded
  * spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is not cut with the spring:
  * write CD_BEND. In a rope welding fixes the spring's length only.
- * Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two pinned or driven nodes. */
+ * Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held nodes. */
 CD_API cd_status cd_chain_cut(cd_chain* chain, size_t strand, size_t spring);
 CD_API cd_status cd_chain_weld(cd_chain* chain, size_t strand, size_t spring);
 

@@ -162,11 +162,11 @@ CD_API cd_status cd_membrane_get_gravity(const cd_membrane* membrane, double* ou
 CD_API cd_status cd_membrane_set_pressure(cd_membrane* membrane, double pressure);
 CD_API cd_status cd_membrane_get_pressure(const cd_membrane* membrane, double* out_pressure);
 
-/* What holds an edge; a corner is pinned if either of its edges is, else driven, else posed if either is. Pinning stops
- * the nodes; driving leaves their velocity, which is then written through CD_VELOCITY; posing switches CD_TARGET on,
- * through which the next positions are then written. CD_NODE_MATCHED leaves the edge free, with the impedance that
- * sends no echo back to a wave that runs straight at it. Where CD_PIN is switched on, all but matched are written to it along
- * the edge. The getter tells what was set last, whatever was written to CD_PIN since.
+/* What holds an edge; a corner is pinned if either of its edges is, else driven, else posed if either is. Pinning
+ * stops the nodes; driving leaves their velocity, which is then written through CD_VELOCITY; posing switches CD_TARGET
+ * on and sets the edge's targets to where it is: write the next ones there. CD_NODE_MATCHED leaves the edge free, with
+ * the impedance that sends no echo back to a wave that runs straight at it. Where CD_PIN is switched on, all but
+ * matched are written to it along the edge. The getter tells what was set last, whatever was written to CD_PIN since.
  * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED in the direction of a ring; CD_ERROR_MEMORY;
  * CD_ERROR_DIVERGED for CD_NODE_POSED where the state is not finite. */
 CD_API cd_status cd_membrane_set_edge(cd_membrane* membrane, cd_edge edge, cd_node kind);

@@ -110,7 +110,7 @@ static cd_status can_lose_lengths(const char* function, const Chain& c) {
             [&](size_t i) { return held(c, own_place(c, 0, i)); }))
         return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function,
-                "length is 0: a group of welded nodes would hold two pinned or driven ones");
+                "length is 0: a group of welded nodes would hold two held ones");
 }
 
 cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
@@ -157,10 +157,10 @@ cd_status cd_chain_set_strength(cd_chain* chain, double strength) {
 
 cd_status cd_chain_get_reaction(const cd_chain* chain, size_t strand, size_t node, double* out_force, size_t count) {
     CD_OPEN(chain, c);
-    CD_CHECK(is_rope(__func__, c, "only ropes have tensions"));
     CD_CHECK(is_index(__func__, "strand", strand, c.strands));
     CD_CHECK(is_index(__func__, "node", node, c.nodes));
     CD_NOT_NULL(out_force);
+    CD_CHECK(is_rope(__func__, c, "only ropes have tensions"));
     CD_CHECK(is_count(__func__, "count", count, c.components));
     reaction(c, strand, node, out_force);
     return CD_OK;

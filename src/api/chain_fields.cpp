@@ -62,7 +62,7 @@ struct Part {
             c.nodes, c.ring != 0, [&](size_t i) { return isinf(new_value(CD_STIFFNESS, i, stiffness_of(c, i))); },
             [&](size_t i) { return holds(new_value(CD_PIN, i, c.pin[i])); });
         if (sound) return CD_OK;
-        return fail(CD_ERROR_UNSUPPORTED, function, "a group of welded nodes would hold two pinned or driven ones");
+        return fail(CD_ERROR_UNSUPPORTED, function, "a group of welded nodes would hold two held ones");
     }
 
     double get(const Chain& c, const Place& p) const {
@@ -165,13 +165,20 @@ cd_status cd_chain_set_end(cd_chain* chain, cd_end end, cd_node kind) {
     CD_CHECK(is_enum(__func__, "kind", kind, CD_NODE_POSED));
     if (kind == CD_NODE_MATCHED && c.ring)
         return fail(CD_ERROR_UNSUPPORTED, __func__, "kind is 3, matched: a ring has no end");
-    const bool new_target = kind == CD_NODE_POSED && !c.target;
-    if (new_target) CD_CHECK(shared::enable_field(__func__, c, CD_TARGET));
+    const bool posed = kind == CD_NODE_POSED, new_target = posed && !c.target;
+    if (posed) CD_CHECK(shared::is_finite(__func__, c)); // the target is the present position
+    if (new_target) CD_CHECK(shared::switch_field(__func__, c, CD_TARGET, true));
+    const size_t node = end == CD_END_FIRST ? 0 : c.springs;
     const double value = kind;
     cd_status status = CD_OK;
     for (size_t strand = 0; strand < own_strands(c) && status == CD_OK; ++strand)
-        status = write_part(__func__, c, Part{CD_PIN, strand, 1, end == CD_END_FIRST ? 0 : c.springs, 1}, &value, 1);
+        status = write_part(__func__, c, Part{CD_PIN, strand, 1, node, 1}, &value, 1);
     if (status != CD_OK && new_target) shared::switch_field(__func__, c, CD_TARGET, false);
+    for (size_t strand = 0; strand < c.strands && posed && status == CD_OK; ++strand)
+        for (size_t k = 0; k < c.components; ++k) {
+            const size_t at = place(c, strand, node, k);
+            set_number(c, c.target, at, get_number(c, c.position, at));
+        }
     return status;
 }
 
@@ -229,7 +236,7 @@ cd_status cd_chain_weld(cd_chain* chain, size_t strand, size_t spring) {
     if (!has_lengths(c) && !groups_are_sound(
                                c.nodes, c.ring != 0, [&](size_t i) { return i == spring || welded(c, i); },
                                [&](size_t i) { return held(c, i); }))
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "spring %zu would join two pinned or driven nodes", spring);
+        return fail(CD_ERROR_UNSUPPORTED, __func__, "spring %zu would join two held nodes", spring);
     CD_CHECK(shared::switch_field(__func__, c, CD_STIFFNESS, true));
     c.spring_stiffness[own_place(c, strand, spring)] = double(INFINITY);
     c.prepared_dt = 0;

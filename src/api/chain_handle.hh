@@ -17,9 +17,8 @@ inline cd_status is_field(const char* function, const Chain&, cd_field field) {
     if (is_of_ropes(field) || (field >= 0 && field <= CD_TARGET)) return CD_OK;
     return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 7 or 22 to 26", int(field));
 }
-inline bool is_always_on(const Chain& c, cd_field field) {
-    return field == CD_POSITION || field == CD_VELOCITY || field == CD_PIN || field == CD_TENSION ||
-           field == CD_STRAIN || (field == CD_STIFFNESS && can_break(c));
+inline bool is_always_on(const Chain&, cd_field field) {
+    return field == CD_POSITION || field == CD_VELOCITY || field == CD_PIN || field == CD_TENSION || field == CD_STRAIN;
 }
 inline void switch_own(Features& wanted, cd_field field, bool on) {
     if (field == CD_STIFFNESS) wanted.spring_stiffness = on;
@@ -47,6 +46,11 @@ inline cd_status enable_field(const char* function, Chain& c, cd_field field) {
     CD_CHECK(is_field(function, c, field));
     CD_CHECK(has_length(function, c, field));
     return enable_field<Chain>(function, c, field);
+}
+inline cd_status disable_field(const char* function, Chain& c, cd_field field) {
+    const bool breaks = field == CD_STIFFNESS && can_break(c);
+    return breaks ? fail(CD_ERROR_UNSUPPORTED, function, "field 4, CD_STIFFNESS: springs that may break need it")
+                  : disable_field<Chain>(function, c, field);
 }
 inline cd_status tell_stable_dt(const char* function, const Chain& c, double* out) {
     CD_CHECK(not_null(function, "out_dt", out));

@@ -203,6 +203,11 @@ bool set_edge(Membrane& m, cd_edge edge, cd_node kind) {
         const size_t u = i % m.columns, v = i / m.columns;
         if (on_edge(m, edge, u, v)) m.pin[i] = uint8_t(kind_by_edges(m, m.edge, u, v));
     }
+    for (size_t i = 0; i < m.nodes && kind == CD_NODE_POSED; ++i) {
+        const size_t u = i % m.columns, v = i / m.columns;
+        for (size_t k = 0; k < m.components && on_edge(m, edge, u, v); ++k)
+            set_number(m, m.target, place(m, u, v, k), get_number(m, m.position, place(m, u, v, k)));
+    }
     stop_nodes(m);
     m.prepared_dt = 0;
     return true;

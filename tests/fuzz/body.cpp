@@ -30,6 +30,7 @@ template <class Api> void Body<Api>::before_step(double dt) {
 template <class Api> void Body<Api>::after_step(const Step& s) {
     const Past& past = this->past;
     if (!run.sane || !past.moderate || past.crafted || !isfinite(energy_before) || this->is_driven()) return;
+    if (s.size_before == HUGE_VAL) return; // no steps are made from what is not finite, if only of a held node
     cd_method method = CD_METHOD_IMPLICIT;
     double lambda = 0;
     Api::get_method(this->first(), &method);
