@@ -197,6 +197,13 @@ CD_API cd_status cd_chain_get_tolerance(const cd_chain* chain, double* out_toler
  * may be null. */
 CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_iterations, double* out_residual);
 
+CD_API cd_status cd_chain_set_colliders(cd_chain* chain, size_t count);
+CD_API cd_status cd_chain_set_plane(cd_chain* chain, size_t index, const double* point, const double* normal,
+                                    size_t count, double friction);
+CD_API cd_status cd_chain_set_capsule(cd_chain* chain, size_t index, const double* first, const double* last,
+                                      size_t count, double radius, double friction);
+CD_API cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, const double* velocity, size_t count);
+
 /* ---- fields -------------------------------------------------------------------------------------------------------
  *  field         per              unit    values
  *  CD_POSITION   strand, node     m       finite

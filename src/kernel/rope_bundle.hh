@@ -23,6 +23,11 @@ constexpr double kMostCompliance = 0x1.fffffffffffffp1023; // of what is not cut
 // Tensions this small, over the mean force on the nodes, are rounding.
 constexpr double kRounding = 1e-14;
 
+// How far the friction of what slides may be off, over friction times push.
+constexpr double kFrictionError = 1e-2;
+// A direction is held if a node yields this much along it, over what it would alone.
+constexpr double kNoYield = 1e-12;
+
 // N strands.
 template <int N> struct RopeBundle {
     using L = Lanes<N>;
@@ -43,6 +48,16 @@ template <int N> struct RopeBundle {
     struct InAir {
         V way;
         Resisted along, side, normal;
+    };
+    // Of a node and a collider.
+    struct Contact {
+        V normal;
+        L gap;                    // at the end of the step, by the guess
+        L on, sticks;             // 1 where it touches, and where friction holds it
+        V slip;                   // the impulse of friction where it slides
+        L push;                   // impulses of the last elimination
+        V friction;
+        Resisted pressed, across[2];
     };
     // Of spring i from node i to node i + 1.
     struct Spring {
@@ -65,6 +80,7 @@ template <int N> struct RopeBundle {
     Node* const nodes;
     Spring* const springs;
     InAir* const in_air;        // if there is air
+    Contact* const contacts;    // of node after node, with each collider
     size_t first, count;        // strands
     L lambda, per_lambda, open; // open: 1 where a strand is still to be solved
     L iterations{}, reached{}, failed{};
@@ -192,6 +208,21 @@ template <int N> struct RopeBundle {
         phi = phi + (n.side.wished - dot(n.side.by, phi)) * to.side;
         return phi + (n.along.wished - dot(n.along.by, phi)) * to.way;
     }
+
+    // ---- what it touches, in rope_contact.hh ------------------------------------------------------------------------
+
+    bool has_contacts() const { return stage.collider_count > 0; }
+    static V velocity_of(const Collider& c) {
+        return {L::splat(c.velocity[0]), L::splat(c.velocity[1]), L::splat(c.velocity[2])};
+    }
+    L length_at(size_t i) const;
+    void look_at_gap(const Collider& to, V x, Contact& contact) const;
+    L touch(size_t i, bool first);
+    L touches() const;
+    void forget_overlaps();
+    void press(size_t i, M& mobility, V& y);
+    void hold(L on, L least, V n, L speed, M& mobility, V& y, Resisted& held);
+    V pressed(size_t i, V phi);
 
     // ---- the start of a step ----------------------------------------------------------------------------------------
 
@@ -348,6 +379,7 @@ template <int N> struct RopeBundle {
         V y = nodes[0].b;
         const bool resists = has_air();
         if (resists) resist(0, mobility, y);
+        if (has_contacts()) press(0, mobility, y);
         nodes[0].c = mobility, nodes[0].y = y;
         for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
             const Spring& s = springs[i];
@@ -373,6 +405,7 @@ template <int N> struct RopeBundle {
                 y = select(fixed, node.b, y);
             }
             if (resists) resist(i + 1, mobility, y);
+            if (has_contacts()) press(i + 1, mobility, y);
             node.c = mobility;
             node.y = y;
         }
@@ -380,6 +413,7 @@ template <int N> struct RopeBundle {
         for (size_t i = ropes.nodes; i-- > 0;) {
             Node& node = nodes[i];
             node.next = node.y + node.c * phi;
+            if (has_contacts()) phi = pressed(i, phi);
             if (i == 0) break;
             Spring& s = springs[i - 1];
             if (resists) phi = resisted(i, phi);

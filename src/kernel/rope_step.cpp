@@ -1,5 +1,5 @@
 // Steps of strands whose springs have a length: Newton's method, and what stands behind it.
-#include "kernel/rope_bundle.hh"
+#include "kernel/rope_contact.hh"
 
 namespace cd {
 namespace CD_ISA {
@@ -21,6 +21,7 @@ constexpr double kInside = 0.95;     // how much of the way to a tension or gap 
 template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L weight, bool first) {
     Seen seen;
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, barrier, interior, seen);
+    for (size_t i = 0; i < ropes.nodes && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, first));
     const L worth = larger(seen.worth, larger(weight, least_worth));
     const L wrong = larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths);
     const L error = select(worth, larger(seen.error, wrong / worth), seen.error) + seen.probe;
@@ -125,12 +126,20 @@ template <int N> void RopeBundle<N>::step_inside(L barrier) {
 
 // ---- the end of a step ----------------------------------------------------------------------------------------------
 
+// 1 for the strands that touch something.
+template <int N> Lanes<N> RopeBundle<N>::touches() const {
+    L any{};
+    for (size_t k = 0; k < ropes.nodes * stage.collider_count; ++k) any = larger(any, contacts[k].on);
+    return any;
+}
+
 template <int N> void RopeBundle<N>::solve() {
     lambda = L::splat(stage.lambda);
     open = one();
     prepare();
     begin();
     newton(kMostNewton);
+    if (has_contacts() && stage.lambda < 1) failed = larger(failed, touches());
     if (!try_again()) return;
     if (stage.lambda < 1) {
         lambda = select(open, one(), lambda);
@@ -146,7 +155,7 @@ template <int N> void RopeBundle<N>::solve() {
 }
 // Opens the strands that failed, and remembers what they reached; whether there is any to go on with.
 template <int N> bool RopeBundle<N>::try_again() {
-    open = open + failed;
+    open = larger(open, failed);
     failed = L{};
     if (!any_positive(open)) return false;
     const L better = best - reached;
@@ -230,6 +239,20 @@ template <int N> void RopeBundle<N>::settle() {
     }
 }
 
+// What lay inside a collider before the step comes out of it, but is not thrown.
+template <int N> void RopeBundle<N>::forget_overlaps() {
+    for (size_t i = 0; i < ropes.nodes; ++i)
+        for (size_t k = 0; k < stage.collider_count; ++k) {
+            Contact& c = contacts[i * stage.collider_count + k];
+            if (!any_positive(c.on)) continue;
+            const V u = velocity_of(stage.colliders[k]);
+            Contact before = c;
+            look_at_gap(stage.colliders[k], load(ropes.position, i) + L::splat(stage.dt) * u, before);
+            const L out = c.on * positive(L{} - before.gap) * L::splat(1 / stage.dt);
+            nodes[i].next = nodes[i].next - out * c.normal;
+        }
+}
+
 template <int N> RopeResult RopeBundle<N>::step() {
     solve();
     RopeResult result;
@@ -241,6 +264,7 @@ template <int N> RopeResult RopeBundle<N>::step() {
         n.next = v + (one() / lambda) * (n.w - v);
     }
     if (stage.lambda < 1) settle();
+    if (has_contacts()) forget_overlaps();
     const bool wide = ropes.position.is_float64;
     const L to_overflow = L::splat(wide ? Limits<double>::to_overflow : Limits<float>::to_overflow);
     const auto look_at = [&](L a) { bad = bad + 0.0 * (to_overflow * a); };
@@ -272,7 +296,9 @@ template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopePar
     auto* const springs = reinterpret_cast<typename Here::Spring*>(nodes + ropes.nodes);
     static_assert(sizeof(typename Here::InAir) == kAirScratch * N * sizeof(double));
     auto* const in_air = reinterpret_cast<typename Here::InAir*>(springs + ropes.nodes);
-    Here bundle{ropes, c, stage, nodes, springs, in_air, first, count, {}, {}, {}};
+    static_assert(sizeof(typename Here::Contact) == kContactScratch * N * sizeof(double));
+    auto* const contacts = reinterpret_cast<typename Here::Contact*>(in_air + (stage.has_air() ? ropes.nodes : 0));
+    Here bundle{ropes, c, stage, nodes, springs, in_air, contacts, first, count, {}, {}, {}};
     return bundle.step();
 }
 

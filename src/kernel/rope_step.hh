@@ -54,6 +54,17 @@ struct RopeParameters {
     double drag;                                // [1/s]
 };
 
+// What ropes do not go through, where it is at the start of a call of step.
+struct Collider {
+    enum Shape { kNone, kPlane, kCapsule };
+
+    double shape;
+    double point[3]; // of the plane, or the capsule's first end [m]
+    double way[3];   // the plane's outward normal, of length 1, or from the capsule's first end to its last [m]
+    double radius, friction;
+    double velocity[3]; // [m/s]
+};
+
 struct RopeStage {
     double dt, lambda;
     double gravity[3];
@@ -61,6 +72,9 @@ struct RopeStage {
     bool push;                     // springs push as well
     double tolerance;              // of the length that a spring should have, over its rest length
     size_t most_iterations;
+    const Collider* colliders;
+    size_t collider_count;
+    double time_before; // since the start of the call
 
     bool has_air() const { return along > 0 || across > 0; }
 };
@@ -79,7 +93,7 @@ struct RopeResult {
 
 // The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand,
 // without air and beyond that with it; a call with one strand needs no more than that strand's.
-constexpr size_t kRopeStrands = 8, kRopeScratch = 55, kAirScratch = 15;
+constexpr size_t kRopeStrands = 8, kRopeScratch = 55, kAirScratch = 15, kContactScratch = 25;
 
 namespace CD_ISA {
 

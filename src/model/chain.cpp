@@ -63,7 +63,8 @@ Features features(const Chain& c) {
             bool(c.spring_length),
             c.air.resists(),
             bool(c.wind),
-            bool(c.spring_strength)};
+            bool(c.spring_strength),
+            c.colliders.count / kColliderNumbers};
 }
 
 namespace {
@@ -76,7 +77,7 @@ struct Needs {
 // How many rows of one number per node the sweeps read (chain_step.cpp hands them out), and how many they leave between
 // their two ways.
 Needs needs_of(const Chain& c, const Features& f) {
-    if (f.length) return {rope_coefficients(c), rope_scratch(c, f.air), 0};
+    if (f.length) return {rope_coefficients(c, f.colliders), rope_scratch(c, f.air, f.colliders), 0};
     const bool bends = f.bend || f.node_bend, rod = bends || f.ring;
     const size_t gains = 2 + size_t(f.force) + size_t(f.target), stages = f.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
     if (is_explicit(f.method)) return {(gains + 2 + size_t(bends)) * row_length(c), 0, 0};
@@ -101,17 +102,19 @@ bool set_features(Chain& c, const Features& wanted) {
     Change<double> tension{c.tension, wanted.length ? springs * c.strands : 0};
     Change<double> strength{c.spring_strength, wanted.spring_strength ? springs * own : 0};
     Change<char> wind{c.wind, wanted.wind ? c.position.count : 0};
+    Change<double> colliders{c.colliders, wanted.colliders * kColliderNumbers};
     Change<double> ring_response{c.ring_response, needs.ring_response};
 
     const auto all = [&](auto f) {
         return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(length) && f(tension) && f(strength) && f(wind) &&
-               f(ring_response);
+               f(colliders) && f(ring_response);
     };
     if (wanted.method == c.method && wanted.ring == (c.ring != 0) && keep_all(all)) return true;
     if (!take_all(c.memory, all)) return false;
     pin.spread(c.nodes), body.attach_stiffness.spread(c.nodes), body.attach_damping.spread(c.nodes);
     const bool has_mass = body.mass.spread(c.nodes);
     const bool has_stiffness = wanted.ring == (c.ring != 0) && stiffness.spread(springs);
+    for (size_t i = 0; i < colliders.fresh.count; ++i) colliders.fresh[i] = i < c.colliders.count ? c.colliders[i] : 0;
     put_all(c.memory, all);
     c.ring = wanted.ring;
     c.method = wanted.method;

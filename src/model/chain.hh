@@ -8,6 +8,8 @@ namespace cd {
 
 constexpr uint64_t kMostIterations = 10000; // of a rope's step
 
+constexpr size_t kColliderNumbers = 12;
+
 // Of chains whose springs have a length: see chain_rope.cpp.
 struct RopeSettings {
     double length = 0; // [m], of a strand; 0: springs have none
@@ -15,11 +17,14 @@ struct RopeSettings {
     double tolerance = 1e-6;
     uint64_t most_iterations = 200;
     double strength = INFINITY; // [N]
+    double thickness = 0;       // [m]
+    uint64_t colliders = 0;
 
     bool breaks() const { return strength < INFINITY; }
     bool operator==(const RopeSettings& o) const {
         return length == o.length && push == o.push && tolerance == o.tolerance &&
-               most_iterations == o.most_iterations && strength == o.strength;
+               most_iterations == o.most_iterations && strength == o.strength && thickness == o.thickness &&
+               colliders == o.colliders;
     }
 };
 
@@ -52,6 +57,7 @@ struct Chain : Body, ChainSettings {
     // fields of its own, per spring and per node; pin is always there
     Array<double> spring_stiffness, node_bend, spring_length, spring_strength;
     Array<double> tension; // with lengths, per spring and strand: state
+    Array<double> colliders; // kernel/rope_step.hh's Collider, one after the other
     Array<char> wind;      // laid out like the positions
 
     // what steps need, none of it state: see chain_step.cpp
@@ -69,7 +75,7 @@ struct Chain : Body, ChainSettings {
         f(c.pin...), f(c.node_mass...), f(c.spring_stiffness...), f(c.node_bend...), f(c.spring_length...);
         f(c.spring_strength...);
         f(c.attach_stiffness...), f(c.attach_damping...), f(c.position...), f(c.velocity...), f(c.force...);
-        f(c.target...), f(c.tension...), f(c.wind...);
+        f(c.target...), f(c.tension...), f(c.wind...), f(c.colliders...);
     }
     template <class F> static void each_array(F f, Chain& c) {
         each_field(f, c);
@@ -141,6 +147,7 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
 
 struct Features : BodyFeatures {
     bool spring_stiffness, node_bend, ring, length, spring_length, air, wind, spring_strength;
+    size_t colliders;
 };
 Features features(const Chain& c);
 
@@ -197,8 +204,8 @@ double stable_dt(const Chain& c); // chain_limit.cpp
 // Why such a chain can't make its next step, or null.
 const char* what_ropes_lack(const Chain& c);
 // Of strands that are stepped at once: the doubles of scratch; and of the coefficients.
-size_t rope_scratch(const Chain& c, bool air);
-size_t rope_coefficients(const Chain& c);
+size_t rope_scratch(const Chain& c, bool air, size_t colliders);
+size_t rope_coefficients(const Chain& c, size_t colliders);
 // As step_chain; leaves `iterations`, `residual` and `broken`.
 uint64_t step_ropes(Chain& c, double dt, size_t count);
 // Positions, velocities, tensions and time back to 0.

@@ -42,7 +42,8 @@ struct ChainKeep {
                 s.on(CD_REST_LENGTH),
                 s.own.air.resists(),
                 s.on(CD_WIND),
-                s.on(CD_STRENGTH)};
+                s.on(CD_STRENGTH),
+                0};
     }
 
     template <class W> static void walk_settings(W& w, Settings& s) {

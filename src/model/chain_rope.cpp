@@ -13,8 +13,9 @@ constexpr size_t kMostTasks = 16;
 
 size_t groups_of(const Chain& c) { return (c.strands + kRopeStrands - 1) / kRopeStrands; }
 size_t tasks_of(const Chain& c) { return groups_of(c) < kMostTasks ? groups_of(c) : kMostTasks; }
-size_t scratch_of_task(const Chain& c, bool air) {
-    return c.nodes * (kRopeScratch + (air ? kAirScratch : 0)) * (c.strands > 1 ? kRopeStrands : 1);
+size_t scratch_of_task(const Chain& c, bool air, size_t colliders) {
+    const size_t of_node = kRopeScratch + (air ? kAirScratch : 0) + colliders * kContactScratch;
+    return c.nodes * of_node * (c.strands > 1 ? kRopeStrands : 1);
 }
 
 RopeParameters parameters_of(Chain& c, bool changed) {
@@ -32,6 +33,20 @@ RopeParameters parameters_of(Chain& c, bool changed) {
             own(c.spring_stiffness, one + 1, 0),
             {c.pin.data, c.strands, 1},
             c.drag};
+}
+
+// As the kernels take them, thicker by the ropes' thickness.
+const Collider* colliders_of(Chain& c) {
+    static_assert(sizeof(Collider) == kColliderNumbers * sizeof(double));
+    Collider* const out = reinterpret_cast<Collider*>(c.coefficients.data + c.nodes + 3);
+    memcpy(static_cast<void*>(out), c.colliders.data, c.colliders.bytes());
+    for (size_t i = 0; i < c.colliders.count / kColliderNumbers; ++i) out[i].radius += c.rope.thickness;
+    return out;
+}
+void move_colliders(Chain& c, double seconds) {
+    Collider* const all = reinterpret_cast<Collider*>(c.colliders.data);
+    for (size_t i = 0; i < c.colliders.count / kColliderNumbers; ++i)
+        for (size_t k = 0; k < 3; ++k) all[i].point[k] += seconds * all[i].velocity[k];
 }
 
 // Cuts, of each of these strands, the spring whose tension is most beyond its strength; tells how many.
@@ -66,8 +81,10 @@ const char* what_ropes_lack(const Chain& c) {
     return nullptr;
 }
 
-size_t rope_coefficients(const Chain& c) { return c.nodes + 3; }
-size_t rope_scratch(const Chain& c, bool air) { return tasks_of(c) * scratch_of_task(c, air); }
+size_t rope_coefficients(const Chain& c, size_t colliders) { return c.nodes + 3 + colliders * kColliderNumbers; }
+size_t rope_scratch(const Chain& c, bool air, size_t colliders) {
+    return tasks_of(c) * scratch_of_task(c, air, colliders);
+}
 
 void clear_state(Chain& c) {
     clear_state(static_cast<Body&>(c));
@@ -88,19 +105,24 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                              {c.air.wind[0], c.air.wind[1], c.air.wind[2]},
                              c.rope.push != 0,
                              c.rope.tolerance,
-                             size_t(c.rope.most_iterations)};
+                             size_t(c.rope.most_iterations),
+                             colliders_of(c),
+                             c.colliders.count / kColliderNumbers,
+                             0};
     RopeResult results[kMostTasks];
     uint64_t bad[kMostTasks];
     size_t broken[kMostTasks] = {};
     const size_t groups = groups_of(c), tasks = tasks_of(c);
     auto task = [&](size_t t) {
-        double* const scratch = c.scratch.data + t * scratch_of_task(c, stage.has_air());
+        RopeStage now = stage;
+        double* const scratch = c.scratch.data + t * scratch_of_task(c, stage.has_air(), stage.collider_count);
         bad[t] = UINT64_MAX;
         for (size_t g = t * groups / tasks; g < (t + 1) * groups / tasks; ++g) {
             const size_t first = g * kRopeStrands, left = c.strands - first,
                          strands = left < kRopeStrands ? left : kRopeStrands;
             for (size_t s = 0; s < count; ++s) {
-                const RopeResult result = c.kernels->rope_step(ropes, parameters, stage, scratch, first, strands);
+                now.time_before = dt * double(s);
+                const RopeResult result = c.kernels->rope_step(ropes, parameters, now, scratch, first, strands);
                 results[t].add(result);
                 if (!result.finite && s < bad[t]) bad[t] = s;
                 if (can_break(c)) broken[t] += break_springs(c, first, strands);
@@ -108,6 +130,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
         }
     };
     parallel_for(c.parallel, tasks, task);
+    move_colliders(c, dt * double(count));
     uint64_t first_bad = UINT64_MAX;
     for (size_t t = 0; t < tasks; ++t) {
         if (bad[t] < first_bad) first_bad = bad[t];
