@@ -26,7 +26,7 @@ constexpr double kRounding = 1e-14;
 // How far the friction of what slides may be off, over friction times push.
 constexpr double kFrictionError = 1e-2;
 // A direction is held if a node yields this much along it, over what it would alone.
-constexpr double kNoYield = 1e-12;
+constexpr double kNoYield = 1e-12, kStickSpeed = 1e-3;
 
 // N strands.
 template <int N> struct RopeBundle {
@@ -218,10 +218,12 @@ template <int N> struct RopeBundle {
     L length_at(size_t i) const;
     void look_at_gap(const Collider& to, V x, Contact& contact) const;
     L touch(size_t i, bool first);
+    void set_friction(const Collider& to, size_t i, Contact& c) const;
     L touches() const;
     void forget_overlaps();
     void press(size_t i, M& mobility, V& y);
-    void hold(L on, L least, V n, L speed, M& mobility, V& y, Resisted& held);
+    L weight_of_all{};
+    void hold(L k, V n, L speed, M& mobility, V& y, Resisted& held);
     V pressed(size_t i, V phi);
 
     // ---- the start of a step ----------------------------------------------------------------------------------------
@@ -265,6 +267,8 @@ template <int N> struct RopeBundle {
     void begin() {
         begin_alone();
         for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].w = select(open, load(ropes.velocity, i), nodes[i].w);
+        weight_of_all = L{};
+        for (size_t i = 0; i < ropes.nodes; ++i) weight_of_all = weight_of_all + 1e4 * nodes[i].ground;
         L forces{}, lengths{}; // on the nodes, and of the springs
         for (size_t i = 0; i < ropes.nodes; ++i) forces = forces + impulse_on(i);
         for (size_t i = 0; i + 1 < ropes.nodes; ++i) lengths = lengths + springs[i].length;
