@@ -26,7 +26,7 @@ constexpr double kRounding = 1e-14;
 // How far the friction of what slides may be off, over friction times push.
 constexpr double kFrictionError = 1e-2;
 // A direction is held if a node yields this much along it, over what it would alone.
-constexpr double kNoYield = 1e-12, kStickSpeed = 1e-3;
+constexpr double kNoYield = 1e-12, kStickSpeed = 1e-4;
 
 // N strands.
 template <int N> struct RopeBundle {
