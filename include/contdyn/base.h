@@ -113,6 +113,10 @@ enum {
                             stays until CD_TARGET is written again. Without that field as CD_NODE_DRIVEN */
 };
 
+/* What a collider of ropes is. */
+typedef int32_t cd_shape;
+enum { CD_SHAPE_NONE = 0, CD_SHAPE_PLANE = 1, CD_SHAPE_CAPSULE = 2 };
+
 /* Per-node and per-spring data; which object has which is in its own header. */
 typedef int32_t cd_field;
 enum {

@@ -139,7 +139,7 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
  * where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
  * its own pins, masses, stiffnesses, rest lengths and attachments, at first those that they shared. Length 0 switches
- * CD_TENSION off, and CD_REST_LENGTH, strength, air and wind too. Reeled in or paid out a little every step, it is a
+ * CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little every step, it is a
  * winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build
  * without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all
  * springs or two held nodes. */
@@ -197,12 +197,50 @@ CD_API cd_status cd_chain_get_tolerance(const cd_chain* chain, double* out_toler
  * may be null. */
 CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_iterations, double* out_residual);
 
+/* ---- what ropes touch ----------------------------------------------------------------------------------------------- */
+/* The nodes of a rope stay outside of colliders, numbered 0 to count - 1, which all strands meet: half spaces and
+ * capsules, spheres among them, each with a velocity and a friction of its own. A step keeps nodes out to the tolerance
+ * and takes no energy from nothing; what falls on a collider does not bounce, and what comes to rest stays. A strand
+ * that touches something makes that step with lambda = 1. A node that lies inside, because it was put there, comes out
+ * within a step and is not thrown. Nodes collide, the springs between them do not, nor do ropes with each other. No node
+ * passes through a collider that it meets more slowly than one radius a step.
+ * Friction is Coulomb's, of the push of each node, to 1%; below 1e-4 m/s it falls with the speed, so that what it holds
+ * creeps at less than that. Time grows with the colliders, by some tenth of the rope's own for each of them.
+ * Errors of all that set: CD_ERROR_UNSUPPORTED of a chain that is no rope; CD_ERROR_RANGE for an index beyond the
+ * colliders, or a count that is not the number of components; CD_ERROR_VALUE. */
+
+/* How many colliders there are, 0 to 4096, default 0: new ones are CD_SHAPE_NONE, those that stay keep what they are.
+ * Rest length 0 takes them away. Errors: CD_ERROR_MEMORY. */
 CD_API cd_status cd_chain_set_colliders(cd_chain* chain, size_t count);
+CD_API cd_status cd_chain_get_colliders(const cd_chain* chain, size_t* out_count);
+
+/* Makes a collider the half space behind the plane through `point` [m] that `normal`, of any length but 0, points out
+ * of; one number per component each, at most 1e60 in size. friction, 0 to 1e60, is Coulomb's coefficient. */
 CD_API cd_status cd_chain_set_plane(cd_chain* chain, size_t index, const double* point, const double* normal,
                                     size_t count, double friction);
+
+/* Makes a collider all that is less than `radius` [m], 1e-60 to 1e60, away from the line between two ends: a sphere
+ * where they are the same. */
 CD_API cd_status cd_chain_set_capsule(cd_chain* chain, size_t index, const double* first, const double* last,
                                       size_t count, double radius, double friction);
+
+/* Makes a collider CD_SHAPE_NONE: nothing touches it. */
+CD_API cd_status cd_chain_remove_collider(cd_chain* chain, size_t index);
+
+/* Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move it, and it carries
+ * what it touches along. Its place is where it is between the calls of cd_chain_step. */
 CD_API cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, const double* velocity, size_t count);
+
+/* What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends; of
+ * what is none, zeros. One number per component in each array. Each output may be null.
+ * Errors: CD_ERROR_RANGE for an index or a count. */
+CD_API cd_status cd_chain_get_collider(const cd_chain* chain, size_t index, cd_shape* out_shape, double* out_first,
+                                       double* out_second, double* out_velocity, size_t count, double* out_radius,
+                                       double* out_friction);
+
+/* How thick ropes are, as a radius [m] in [0, 1e60], default 0: nodes stay this far outside of colliders. */
+CD_API cd_status cd_chain_set_thickness(cd_chain* chain, double radius);
+CD_API cd_status cd_chain_get_thickness(const cd_chain* chain, double* out_radius);
 
 /* ---- fields -------------------------------------------------------------------------------------------------------
  *  field         per              unit    values

@@ -109,8 +109,7 @@ static cd_status can_lose_lengths(const char* function, const Chain& c) {
             c.nodes, c.ring != 0, [&](size_t i) { return is_rigid(c, own_place(c, 0, i)); },
             [&](size_t i) { return held(c, own_place(c, 0, i)); }))
         return CD_OK;
-    return fail(CD_ERROR_UNSUPPORTED, function,
-                "length is 0: a group of welded nodes would hold two held ones");
+    return fail(CD_ERROR_UNSUPPORTED, function, "length is 0: a group of welded nodes would hold two held ones");
 }
 
 cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
@@ -125,8 +124,9 @@ cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
     Features wanted = features(c);
     wanted.length = length > 0;
     if (length == 0) wanted.spring_length = wanted.air = wanted.wind = wanted.spring_strength = false;
+    if (length == 0) wanted.colliders = 0;
     CD_CHECK(shared::change_features(__func__, c, wanted));
-    if (length == 0) c.air = {}, c.rope.strength = INFINITY;
+    if (length == 0) c.air = {}, c.rope.strength = INFINITY, c.rope.thickness = 0;
     c.rope.length = length > 0 ? length : 0; // not -0
     c.prepared_dt = 0;
     fill_uniform(c, CD_REST_LENGTH);
@@ -139,10 +139,6 @@ cd_status cd_chain_set_push(cd_chain* chain, int32_t push) {
     if (push != 0 && push != 1) return fail(CD_ERROR_VALUE, __func__, "push is %d, must be 0 or 1", int(push));
     c.rope.push = push;
     return CD_OK;
-}
-
-static cd_status is_rope(const char* function, const Chain& c, const char* lack) {
-    return has_lengths(c) ? CD_OK : fail(CD_ERROR_UNSUPPORTED, function, "%s: the rest length is 0", lack);
 }
 
 cd_status cd_chain_set_strength(cd_chain* chain, double strength) {

@@ -263,29 +263,3 @@ cd_status cd_chain_sample(const cd_chain* chain, size_t strand, const double* at
     }
     return CD_OK;
 }
-
-cd_status cd_chain_set_colliders(cd_chain* chain, size_t count) {
-    CD_OPEN(chain, c);
-    Features wanted = features(c);
-    wanted.colliders = count;
-    return shared::change_features(__func__, c, wanted);
-}
-cd_status cd_chain_set_plane(cd_chain* chain, size_t index, const double* point, const double* normal, size_t count, double friction) {
-    CD_OPEN(chain, c);
-    double* const to = c.colliders.data + index * kColliderNumbers;
-    to[0] = 1, to[7] = 0, to[8] = friction;
-    for (size_t k = 0; k < count; ++k) to[1 + k] = point[k], to[4 + k] = normal[k];
-    return CD_OK;
-}
-cd_status cd_chain_set_capsule(cd_chain* chain, size_t index, const double* first, const double* last, size_t count, double radius, double friction) {
-    CD_OPEN(chain, c);
-    double* const to = c.colliders.data + index * kColliderNumbers;
-    to[0] = 2, to[7] = radius, to[8] = friction;
-    for (size_t k = 0; k < count; ++k) to[1 + k] = first[k], to[4 + k] = last[k] - first[k];
-    return CD_OK;
-}
-cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, const double* velocity, size_t count) {
-    CD_OPEN(chain, c);
-    for (size_t k = 0; k < count; ++k) c.colliders[index * kColliderNumbers + 9 + k] = velocity[k];
-    return CD_OK;
-}

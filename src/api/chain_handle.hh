@@ -32,6 +32,9 @@ inline cd_status has_length(const char* function, const Chain& c, cd_field field
     if (has_lengths(c) || !is_of_ropes(field)) return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s: the rest length is 0", int(field), field_name(field));
 }
+inline cd_status is_rope(const char* function, const Chain& c, const char* lack) {
+    return has_lengths(c) ? CD_OK : fail(CD_ERROR_UNSUPPORTED, function, "%s: the rest length is 0", lack);
+}
 // How many strands have one of their own.
 inline size_t strands_of(const Chain& c, cd_field field) {
     return is_state(field) ? c.strands : field == CD_BEND ? 1 : own_strands(c);

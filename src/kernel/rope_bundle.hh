@@ -52,10 +52,10 @@ template <int N> struct RopeBundle {
     // Of a node and a collider.
     struct Contact {
         V normal;
-        L gap;                    // at the end of the step, by the guess
-        L on, sticks;             // 1 where it touches, and where friction holds it
-        V slip;                   // the impulse of friction where it slides
-        L push;                   // impulses of the last elimination
+        L gap;        // at the end of the step, by the guess
+        L on, sticks; // 1 where it touches, and where friction holds it
+        V slip;       // the impulse of friction where it slides
+        L push;       // impulses of the last elimination
         V friction;
         Resisted pressed, across[2];
     };

@@ -56,9 +56,7 @@ struct RopeParameters {
 
 // What ropes do not go through, where it is at the start of a call of step.
 struct Collider {
-    enum Shape { kNone, kPlane, kCapsule };
-
-    double shape;
+    double shape;    // a cd_shape
     double point[3]; // of the plane, or the capsule's first end [m]
     double way[3];   // the plane's outward normal, of length 1, or from the capsule's first end to its last [m]
     double radius, friction;

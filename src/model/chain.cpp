@@ -64,7 +64,7 @@ Features features(const Chain& c) {
             c.air.resists(),
             bool(c.wind),
             bool(c.spring_strength),
-            c.colliders.count / kColliderNumbers};
+            collider_count(c)};
 }
 
 namespace {

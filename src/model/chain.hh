@@ -2,13 +2,15 @@
 #pragma once
 
 #include "contdyn/chain.h"
+#include "kernel/rope_step.hh"
 #include "model/body.hh"
 
 namespace cd {
 
 constexpr uint64_t kMostIterations = 10000; // of a rope's step
 
-constexpr size_t kColliderNumbers = 12;
+constexpr size_t kMostColliders = 4096;
+constexpr size_t kColliderNumbers = sizeof(Collider) / sizeof(double);
 
 // Of chains whose springs have a length: see chain_rope.cpp.
 struct RopeSettings {
@@ -18,13 +20,11 @@ struct RopeSettings {
     uint64_t most_iterations = 200;
     double strength = INFINITY; // [N]
     double thickness = 0;       // [m]
-    uint64_t colliders = 0;
 
     bool breaks() const { return strength < INFINITY; }
     bool operator==(const RopeSettings& o) const {
         return length == o.length && push == o.push && tolerance == o.tolerance &&
-               most_iterations == o.most_iterations && strength == o.strength && thickness == o.thickness &&
-               colliders == o.colliders;
+               most_iterations == o.most_iterations && strength == o.strength && thickness == o.thickness;
     }
 };
 
@@ -45,6 +45,7 @@ struct ChainSettings {
     double stiffness, bend;
     RopeSettings rope;
     AirSettings air;
+    uint64_t colliders_kept; // how many; for keeping only
 };
 
 // Shared by the strands: all but the fields of strand, node and component. In ropes every strand has its own pins,
@@ -56,9 +57,9 @@ struct Chain : Body, ChainSettings {
 
     // fields of its own, per spring and per node; pin is always there
     Array<double> spring_stiffness, node_bend, spring_length, spring_strength;
-    Array<double> tension; // with lengths, per spring and strand: state
-    Array<double> colliders; // kernel/rope_step.hh's Collider, one after the other
-    Array<char> wind;      // laid out like the positions
+    Array<double> tension;   // with lengths, per spring and strand: state
+    Array<double> colliders; // each a Collider
+    Array<char> wind;        // laid out like the positions
 
     // what steps need, none of it state: see chain_step.cpp
     Array<double> ring_response;
@@ -131,6 +132,8 @@ inline double strength_of(const Chain& c, size_t at) {
     return c.spring_strength ? c.spring_strength[at] : c.rope.strength;
 }
 inline bool can_break(const Chain& c) { return c.spring_strength || c.rope.breaks(); }
+inline size_t collider_count(const Chain& c) { return c.colliders.count / kColliderNumbers; }
+inline Collider& collider(const Chain& c, size_t index) { return reinterpret_cast<Collider*>(c.colliders.data)[index]; }
 double bend_of(const Chain& c, size_t node); // 0 at the ends of an open chain
 bool has_bend(const Chain& c);
 // An infinite stiffness welds the nodes of a spring that has no length; one that has it keeps it.

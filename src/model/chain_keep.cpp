@@ -9,8 +9,9 @@ namespace {
 struct ChainKeep {
     using Object = Chain;
     using Settings = KeptSettings<ChainSettings>;
-    // Among the bits of fields: the settings of ropes follow, those of air, and the strength.
-    static constexpr uint32_t kOfRopes = 1u << 31, kOfAir = 1u << 30, kOfStrength = 1u << 29;
+    // Among the bits of fields: the settings of ropes follow, those of air, the strength, and what
+    // ropes touch.
+    static constexpr uint32_t kOfRopes = 1u << 31, kOfAir = 1u << 30, kOfStrength = 1u << 29, kOfContacts = 1u << 28;
     static constexpr Kind kind = {1, "chain", {"strands", "springs"}};
 
     static Shape shape_of(const Chain& c) { return {{c.strands, c.springs}, c.components, c.precision}; }
@@ -25,6 +26,8 @@ struct ChainKeep {
         if (!(c.rope == RopeSettings())) s.fields |= kOfRopes;
         if (!(c.air == AirSettings())) s.fields |= kOfAir;
         if (c.rope.breaks()) s.fields |= kOfStrength;
+        s.own.colliders_kept = collider_count(c);
+        if (s.own.colliders_kept > 0 || c.rope.thickness > 0) s.fields |= kOfContacts;
         return s;
     }
 
@@ -43,7 +46,7 @@ struct ChainKeep {
                 s.own.air.resists(),
                 s.on(CD_WIND),
                 s.on(CD_STRENGTH),
-                0};
+                size_t(s.own.colliders_kept)};
     }
 
     template <class W> static void walk_settings(W& w, Settings& s) {
@@ -57,17 +60,18 @@ struct ChainKeep {
             walk(w, air.wind[0]), walk(w, air.wind[1]), walk(w, air.wind[2]);
         }
         if (s.fields & kOfStrength) walk(w, rope.strength);
+        if (s.fields & kOfContacts) walk(w, s.own.colliders_kept), walk(w, rope.thickness);
     }
     template <class W> static void walk_choices(W& w, ChainSettings& s) { walk(w, s.ring); }
     template <class W> static void walk_numbers(W& w, ChainSettings& s) { walk(w, s.stiffness), walk(w, s.bend); }
 
     static bool valid(const Chain& c, const Settings& s) {
         const uint32_t optional = 1u << CD_MASS | 1u << CD_STIFFNESS | 1u << CD_BEND | 1u << CD_FORCE | 1u << CD_TARGET;
-        const uint32_t of_ropes =
-            s.fields & (kOfRopes | kOfAir | kOfStrength | 1u << CD_REST_LENGTH | 1u << CD_WIND | 1u << CD_STRENGTH);
+        const uint32_t of_ropes = s.fields & (kOfRopes | kOfAir | kOfStrength | kOfContacts | 1u << CD_REST_LENGTH |
+                                              1u << CD_WIND | 1u << CD_STRENGTH);
         return valid_body(s) && (s.fields & ~(optional | of_ropes)) == 0 &&
                (s.own.ring == 0 || (s.own.ring == 1 && c.nodes >= 3)) && valid_parameter(s.own.bend) &&
-               valid_rope(c, s.own.rope, of_ropes) && valid_air(c, s) && valid_strength(s) &&
+               valid_rope(c, s.own.rope, of_ropes) && valid_air(c, s) && valid_strength(s) && valid_contacts(s) &&
                (valid_parameter(s.own.stiffness) || valid_infinite(s.own.stiffness, s.own.rope.length));
     }
 
@@ -80,6 +84,21 @@ struct ChainKeep {
         return (has_length || (rope.length == 0 && fields == kOfRopes)) && (rope.push == 0 || rope.push == 1) &&
                rope.tolerance >= kLeastTolerance && rope.tolerance <= kMostTolerance && rope.most_iterations >= 1 &&
                rope.most_iterations <= kMostIterations;
+    }
+
+    static bool valid_contacts(const Settings& s) {
+        const double thickness = s.own.rope.thickness;
+        const bool any = s.own.colliders_kept > 0 || thickness > 0;
+        return any == ((s.fields & kOfContacts) != 0) && s.own.colliders_kept <= kMostColliders &&
+               valid_parameter(thickness);
+    }
+    static bool valid_collider_number(double number, size_t at) {
+        switch (at % kColliderNumbers) {
+        case 0: return number == CD_SHAPE_NONE || number == CD_SHAPE_PLANE || number == CD_SHAPE_CAPSULE;
+        case offsetof(Collider, radius) / sizeof(double):
+        case offsetof(Collider, friction) / sizeof(double): return valid_parameter(number);
+        default: return isfinite(number) != 0;
+        }
     }
 
     // What may break has stiffnesses of its own.
@@ -122,6 +141,7 @@ struct ChainKeep {
             if (s.on(CD_WIND))
                 check.numbers<decltype(zero)>(c.nodes * c.lines, [](double v, size_t) { return isfinite(v) != 0; });
         });
+        check.numbers<double>(size_t(s.own.colliders_kept) * kColliderNumbers, valid_collider_number);
         if (!check.all_good()) return false;
         return rope ? pinned_rest(c, pin, velocity) : nodes_are_held(c, s.own.ring != 0, pin, stiffness, velocity);
     }

@@ -37,16 +37,13 @@ RopeParameters parameters_of(Chain& c, bool changed) {
 
 // As the kernels take them, thicker by the ropes' thickness.
 const Collider* colliders_of(Chain& c) {
-    static_assert(sizeof(Collider) == kColliderNumbers * sizeof(double));
     Collider* const out = reinterpret_cast<Collider*>(c.coefficients.data + c.nodes + 3);
-    memcpy(static_cast<void*>(out), c.colliders.data, c.colliders.bytes());
-    for (size_t i = 0; i < c.colliders.count / kColliderNumbers; ++i) out[i].radius += c.rope.thickness;
+    for (size_t i = 0; i < collider_count(c); ++i) out[i] = collider(c, i), out[i].radius += c.rope.thickness;
     return out;
 }
 void move_colliders(Chain& c, double seconds) {
-    Collider* const all = reinterpret_cast<Collider*>(c.colliders.data);
-    for (size_t i = 0; i < c.colliders.count / kColliderNumbers; ++i)
-        for (size_t k = 0; k < 3; ++k) all[i].point[k] += seconds * all[i].velocity[k];
+    for (size_t i = 0; i < collider_count(c); ++i)
+        for (size_t k = 0; k < 3; ++k) collider(c, i).point[k] += seconds * collider(c, i).velocity[k];
 }
 
 // Cuts, of each of these strands, the spring whose tension is most beyond its strength; tells how many.
@@ -107,7 +104,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                              c.rope.tolerance,
                              size_t(c.rope.most_iterations),
                              colliders_of(c),
-                             c.colliders.count / kColliderNumbers,
+                             collider_count(c),
                              0};
     RopeResult results[kMostTasks];
     uint64_t bad[kMostTasks];
