@@ -2,7 +2,6 @@
 #pragma once
 
 #include "contdyn/chain.h"
-#include "kernel/rope_step.hh"
 #include "model/body.hh"
 
 namespace cd {
