@@ -5,8 +5,6 @@ using namespace cd;
 
 namespace {
 
-constexpr size_t kMostColliders = cd::kMostColliders;
-
 cd_status is_collider(const char* function, const Chain& c, size_t index, size_t count) {
     CD_CHECK(is_rope(function, c, "only ropes touch things"));
     CD_CHECK(is_index(function, "index", index, collider_count(c)));
