@@ -23,11 +23,6 @@ constexpr double kMostCompliance = 0x1.fffffffffffffp1023; // of what is not cut
 // Tensions this small, over the mean force on the nodes, are rounding.
 constexpr double kRounding = 1e-14;
 
-// How far the friction of what slides may be off, over friction times push.
-constexpr double kFrictionError = 1e-2;
-// A direction is held if a node yields this much along it, over what it would alone.
-constexpr double kNoYield = 1e-12, kStickSpeed = 1e-4;
-
 // N strands.
 template <int N> struct RopeBundle {
     using L = Lanes<N>;
@@ -49,14 +44,12 @@ template <int N> struct RopeBundle {
         V way;
         Resisted along, side, normal;
     };
-    // Of a node and a collider.
+    // Of a node and a collider: see rope_contact.hh.
     struct Contact {
-        V normal;
-        L gap;        // at the end of the step, by the guess
-        L on, sticks; // 1 where it touches, and where friction holds it
-        V slip;       // the impulse of friction where it slides
-        L push;       // impulses of the last elimination
-        V friction;
+        V acting, normal; // n0 and n1
+        L before, gap;    // how far outside it is when the step begins, and by the guess when it ends [m]
+        L on, push;       // 1 where it touches; the impulse that keeps it out
+        L friction;       // as a resistance [kg]
         Resisted pressed, across[2];
     };
     // Of spring i from node i to node i + 1.
@@ -85,6 +78,7 @@ template <int N> struct RopeBundle {
     L lambda, per_lambda, open; // open: 1 where a strand is still to be solved
     L iterations{}, reached{}, failed{};
     L best = L::splat(INFINITY), best_lambda{}; // the least error that was reached, and its lambda
+    L heavy{};                                  // the mass of the strand, if it may touch something
     L apart{};                                  // the error of springs between held nodes
     L least_worth{};                            // what tensions times lengths are at least, as errors count
 
@@ -166,12 +160,13 @@ template <int N> struct RopeBundle {
         const V side = (one() / root(dot(off, off))) * off;
         return {way, side, cross(way, side)};
     }
-    // Of a node with this mobility, and y where it would go by itself: both once the air resists it along the unit
-    // vector n, by an impulse k (n . wind - n . w), which is resisted.wished - resisted.by . phi.
-    static void resist(L k, V n, V wind, M& mobility, V& y, Resisted& resisted) {
-        const V right = mobility * n, left = transposed_times(mobility, n);
+    // Of a node with this mobility, and y where it would go by itself: both once something resists it, along the unit
+    // vector n as it moves and along `acting` as it pushes back, by an impulse k (n . u - n . w), which is
+    // resisted.wished - resisted.by . phi.
+    static void resist(L k, V n, V acting, V u, M& mobility, V& y, Resisted& resisted) {
+        const V right = mobility * acting, left = transposed_times(mobility, n);
         const L share = k / (one() + k * dot(n, right));
-        resisted = {share * dot(n, wind - y), share * left};
+        resisted = {share * dot(n, u - y), share * left};
         y = y + resisted.wished * right;
         mobility.x = mobility.x - right.x * resisted.by;
         mobility.y = mobility.y - right.y * resisted.by;
@@ -196,9 +191,9 @@ template <int N> struct RopeBundle {
         const L along = free * resistance(i, stage.along), across = free * resistance(i, stage.across);
         const V u = wind(i);
         const Axes to = axes(n.way);
-        resist(along, to.way, u, mobility, y, n.along);
-        resist(across, to.side, u, mobility, y, n.side);
-        resist(across, to.normal, u, mobility, y, n.normal);
+        resist(along, to.way, to.way, u, mobility, y, n.along);
+        resist(across, to.side, to.side, u, mobility, y, n.side);
+        resist(across, to.normal, to.normal, u, mobility, y, n.normal);
     }
     // What is left of the impulse phi from the right, at node i.
     V resisted(size_t i, V phi) const {
@@ -216,15 +211,14 @@ template <int N> struct RopeBundle {
         return {L::splat(c.velocity[0]), L::splat(c.velocity[1]), L::splat(c.velocity[2])};
     }
     L length_at(size_t i) const;
-    void look_at_gap(const Collider& to, V x, Contact& contact) const;
-    L touch(size_t i, bool first);
+    void look_at_gap(const Collider& to, V x, double time, V& normal, L& gap) const;
+    L leaving(size_t i, const Contact& c) const;
     void set_friction(const Collider& to, size_t i, Contact& c) const;
+    L touch(size_t i, bool first);
     L touches() const;
-    void forget_overlaps();
     void press(size_t i, M& mobility, V& y);
-    L weight_of_all{};
-    void hold(L k, V n, L speed, M& mobility, V& y, Resisted& held);
     V pressed(size_t i, V phi);
+    void forget_overlaps();
 
     // ---- the start of a step ----------------------------------------------------------------------------------------
 
@@ -267,8 +261,8 @@ template <int N> struct RopeBundle {
     void begin() {
         begin_alone();
         for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].w = select(open, load(ropes.velocity, i), nodes[i].w);
-        weight_of_all = L{};
-        for (size_t i = 0; i < ropes.nodes; ++i) weight_of_all = weight_of_all + 1e4 * nodes[i].ground;
+        heavy = L{};
+        for (size_t i = 0; i < ropes.nodes && has_contacts(); ++i) heavy = heavy + nodes[i].ground;
         L forces{}, lengths{}; // on the nodes, and of the springs
         for (size_t i = 0; i < ropes.nodes; ++i) forces = forces + impulse_on(i);
         for (size_t i = 0; i + 1 < ropes.nodes; ++i) lengths = lengths + springs[i].length;

@@ -1,7 +1,10 @@
 // What nodes of ropes touch. A node that would be inside a collider at the end of the step is kept out by an impulse
-// along the normal, which only pushes; friction holds it there, or, where that would take more than its share of the
-// push, resists its motion by just that share. Which of these holds is found by the iterations, as which springs are
-// taut is; each takes its part of the node's mobility within the elimination, as the air does.
+// that only pushes, and friction resists its motion along the surface. Both are stiff resistances within the
+// elimination, as the air's are; which nodes touch, and how friction depends on push and speed, the iterations find.
+//
+// The push acts along the normal n0 that the collider has where the step finds the node. From there all of a convex
+// body lies behind n0, so that n0 . (x1 - x0) <= 0: what does not move takes energy and gives none. Along the normal n1
+// at the end of the step, which tells what keeps the node out, it would give some wherever a node slides round a body.
 #pragma once
 
 #include "kernel/rope_bundle.hh"
@@ -9,26 +12,28 @@
 namespace cd {
 namespace CD_ISA {
 
-// Of a collider, where it is at the end of the step, and of a place x there: how far outside it lies, and the way out.
-template <int N> void RopeBundle<N>::look_at_gap(const Collider& to, V x, Contact& contact) const {
-    const double moved = stage.time_before + stage.dt;
-    const auto at = [&](const double* point) {
-        return V{L::splat(point[0] + moved * to.velocity[0]), L::splat(point[1] + moved * to.velocity[1]),
-                 L::splat(point[2] + moved * to.velocity[2])};
-    };
-    const V way{L::splat(to.way[0]), L::splat(to.way[1]), L::splat(to.way[2])}, from = x - at(to.point);
+// How stiff contacts are, over the mass of the strand: the push that is known already makes up for the rest.
+constexpr double kContactStiffness = 1e4;
+// Below this speed [m/s] friction falls with the speed.
+constexpr double kStickSpeed = 1e-4;
+// How far friction may be off, over what it should be.
+constexpr double kFrictionError = 1e-2;
+
+// Of a place x and a collider that has moved for this time: the way out of it, and how far outside x lies.
+template <int N> void RopeBundle<N>::look_at_gap(const Collider& to, V x, double time, V& normal, L& gap) const {
+    const auto at = [&](int k) { return L::splat(to.point[k] + time * to.velocity[k]); };
+    const V way{L::splat(to.way[0]), L::splat(to.way[1]), L::splat(to.way[2])}, from = x - V{at(0), at(1), at(2)};
+    const L radius = L::splat(to.radius);
     if (to.shape == CD_SHAPE_PLANE) {
-        contact.normal = way;
-        contact.gap = dot(way, from) - L::splat(to.radius);
+        normal = way, gap = dot(way, from) - radius;
         return;
     }
-    const double square = to.way[0] * to.way[0] + to.way[1] * to.way[1] + to.way[2] * to.way[2];
-    const L along = square > 0 ? smaller(positive(L::splat(1 / square) * dot(way, from)), one()) : L{};
+    const double square = (to.way[0] * to.way[0] + to.way[1] * to.way[1]) + to.way[2] * to.way[2];
+    const L along = square > 0 ? smaller(positive((1 / square) * dot(way, from)), one()) : L{};
     const V off = from - along * way;
     const L distance = root(dot(off, off));
-    contact.normal =
-        direction(off, distance - L::splat(kNoDirection * to.radius), one() / distance, axes(V{one(), L{}, L{}}).side);
-    contact.gap = distance - L::splat(to.radius);
+    normal = direction(off, distance - kNoDirection * radius, one() / distance, V{one(), L{}, L{}});
+    gap = distance - radius;
 }
 
 // The longer of the springs at node i, by which the tolerance is counted.
@@ -37,85 +42,92 @@ template <int N> Lanes<N> RopeBundle<N>::length_at(size_t i) const {
     return larger(left, right);
 }
 
-// The resistance of friction by the guess.
+// The speed at which node i would leave the collider, if nothing but the guess's gap made it.
+template <int N> Lanes<N> RopeBundle<N>::leaving(size_t i, const Contact& c) const {
+    return dot(c.normal, nodes[i].w) - (1 / stage.dt) * c.gap;
+}
+
+// Coulomb's friction by the guess, as a resistance.
 template <int N> void RopeBundle<N>::set_friction(const Collider& to, size_t i, Contact& c) const {
     const V slip = nodes[i].w - velocity_of(to), across = slip - dot(c.normal, slip) * c.normal;
     const L speed = root(dot(across, across)) + L::splat(kStickSpeed);
-    c.sticks = select(c.on, (to.friction * positive(c.push)) / speed, L{});
+    c.friction = select(c.on, (to.friction * positive(c.push)) / speed, L{});
 }
 
-// Looks at what node i touches by the guess; tells its error, and 1 where what holds it is to be solved for anew.
+// Looks at what node i touches by the guess; tells its error, 1 where other contacts or frictions are to be solved for.
 // first: nothing has been solved yet.
 template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, bool first) {
-    const V w = nodes[i].w, x = load(ropes.position, i) + L::splat(stage.dt) * w;
-    const L room = stage.tolerance * length_at(i), free = opposite(held(i));
+    const V before = load(ropes.position, i), x = before + L::splat(stage.dt) * nodes[i].w;
+    const L length = length_at(i), room = stage.tolerance * length, free = opposite(held(i));
     L error{};
     for (size_t k = 0; k < stage.collider_count; ++k) {
         const Collider& to = stage.colliders[k];
+        if (to.shape == CD_SHAPE_NONE) continue;
         Contact& c = contacts[i * stage.collider_count + k];
-        const L was = c.on;
-        look_at_gap(to, x, c);
-        const L inside = select(room + c.gap, L{}, one()); // deeper than the tolerance
+        if (first) look_at_gap(to, before, stage.time_before, c.acting, c.before);
+        look_at_gap(to, x, stage.time_before + stage.dt, c.normal, c.gap);
+        const L was = c.on, used = c.friction;
         if (first) {
             c.on = free * select(room - c.gap, one(), L{});
-            const L leaves = dot(c.normal, w) - L::splat(1 / stage.dt) * c.gap;
-            c.push = c.on * (nodes[i].ground * positive(leaves - dot(c.normal, nodes[i].b)));
-            c.sticks = L{};
+            c.push = c.on * (nodes[i].ground * positive(leaving(i, c) - dot(c.normal, nodes[i].b)));
             set_friction(to, i, c);
             continue;
         }
-        c.on = free * larger(was * select(c.push, one(), L{}), inside);
-        const L used = c.sticks;
+        const L inside = free * select(room + c.gap, L{}, one()); // deeper than the tolerance
+        c.on = larger(was * select(c.push, one(), L{}), inside);
         set_friction(to, i, c);
-        const L wrong = select(size_of(used - c.sticks) - kFrictionError * c.sticks, one(), L{});
-        const L changed = free * larger(inside * opposite(was), was * opposite(c.on));
-        error = larger(error, larger(changed, c.on * wrong));
-        error = larger(error, free * select(c.on, size_of(positive(L{} - c.gap)) / length_at(i), L{}));
+        const L changed = larger(inside * opposite(was), was * opposite(c.on));
+        const L other = c.on * select(size_of(used - c.friction) - kFrictionError * c.friction, one(), L{});
+        const L depth = free * positive(L{} - c.gap) / length;
+        error = larger(error, larger(larger(changed, other), depth));
     }
     return error;
 }
 
+// 1 for the strands that touch something.
+template <int N> Lanes<N> RopeBundle<N>::touches() const {
+    L any{};
+    for (size_t i = 0; i < ropes.nodes; ++i)
+        for (size_t k = 0; k < stage.collider_count; ++k)
+            if (stage.colliders[k].shape != CD_SHAPE_NONE) any = larger(any, contacts[i * stage.collider_count + k].on);
+    return any;
+}
+
+// Keeps node i out of what it touches: of its mobility, and of y where it would go by itself.
 template <int N> void RopeBundle<N>::press(size_t i, M& mobility, V& y) {
     for (size_t k = 0; k < stage.collider_count; ++k) {
         Contact& c = contacts[i * stage.collider_count + k];
-        c.pressed = c.across[0] = c.across[1] = Resisted{};
-        if (!any_positive(c.on)) continue;
+        if (stage.colliders[k].shape == CD_SHAPE_NONE || !any_positive(c.on)) continue;
         const Axes to = axes(c.normal);
-        const V w = nodes[i].w, u = velocity_of(stage.colliders[k]);
-        const L leaves = dot(to.way, w) - L::splat(1 / stage.dt) * c.gap;
-        hold(c.on * weight_of_all, to.way, leaves + c.push / weight_of_all, mobility, y, c.pressed);
-        const V ways[2] = {to.side, to.normal};
-        for (int a = 0; a < 2; ++a) hold(c.sticks, ways[a], dot(ways[a], u), mobility, y, c.across[a]);
+        const V u = velocity_of(stage.colliders[k]);
+        const L stiffness = kContactStiffness * heavy, speed = leaving(i, c) + c.push / stiffness;
+        resist(c.on * stiffness, to.way, c.acting, speed * to.way, mobility, y, c.pressed);
+        resist(c.friction, to.side, to.side, u, mobility, y, c.across[0]);
+        resist(c.friction, to.normal, to.normal, u, mobility, y, c.across[1]);
     }
-}
-// Keeps n . w at `speed` in the lanes where `on` is 1, by an impulse that is held.wished - held.by . phi.
-template <int N> void RopeBundle<N>::hold(L k, V n, L speed, M& mobility, V& y, Resisted& held) {
-    const V right = mobility * n, left = transposed_times(mobility, n);
-    const L share = k / (one() + k * dot(n, right));
-    held = {share * (speed - dot(n, y)), share * left};
-    y = y + held.wished * right;
-    mobility.x = mobility.x - right.x * held.by;
-    mobility.y = mobility.y - right.y * held.by;
-    mobility.z = mobility.z - right.z * held.by;
 }
 // What is left of the impulse phi from the right, at node i.
 template <int N> Vector<N> RopeBundle<N>::pressed(size_t i, V phi) {
     for (size_t k = stage.collider_count; k-- > 0;) {
         Contact& c = contacts[i * stage.collider_count + k];
-        if (!any_positive(c.on)) {
-            c.push = L{}, c.friction = V{};
-            continue;
-        }
+        if (stage.colliders[k].shape == CD_SHAPE_NONE || !any_positive(c.on)) continue;
         const Axes to = axes(c.normal);
-        const L other = c.across[1].wished - dot(c.across[1].by, phi);
-        phi = phi + other * to.normal;
-        const L side = c.across[0].wished - dot(c.across[0].by, phi);
-        phi = phi + side * to.side;
-        c.push = c.pressed.wished - dot(c.pressed.by, phi);
-        phi = phi + c.push * to.way;
-        c.friction = side * to.side + other * to.normal;
+        phi = phi + (c.across[1].wished - dot(c.across[1].by, phi)) * to.normal;
+        phi = phi + (c.across[0].wished - dot(c.across[0].by, phi)) * to.side;
+        c.push = c.on * (c.pressed.wished - dot(c.pressed.by, phi));
+        phi = phi + c.push * c.acting;
     }
     return phi;
+}
+
+// What lay inside a collider before the step comes out of it, but is not thrown.
+template <int N> void RopeBundle<N>::forget_overlaps() {
+    for (size_t i = 0; i < ropes.nodes; ++i)
+        for (size_t k = 0; k < stage.collider_count; ++k) {
+            const Contact& c = contacts[i * stage.collider_count + k];
+            if (stage.colliders[k].shape == CD_SHAPE_NONE) continue;
+            nodes[i].next = nodes[i].next - ((1 / stage.dt) * (c.on * positive(L{} - c.before))) * c.normal;
+        }
 }
 
 } // namespace CD_ISA

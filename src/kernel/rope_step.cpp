@@ -126,13 +126,6 @@ template <int N> void RopeBundle<N>::step_inside(L barrier) {
 
 // ---- the end of a step ----------------------------------------------------------------------------------------------
 
-// 1 for the strands that touch something.
-template <int N> Lanes<N> RopeBundle<N>::touches() const {
-    L any{};
-    for (size_t k = 0; k < ropes.nodes * stage.collider_count; ++k) any = larger(any, contacts[k].on);
-    return any;
-}
-
 template <int N> void RopeBundle<N>::solve() {
     lambda = L::splat(stage.lambda);
     open = one();
@@ -237,20 +230,6 @@ template <int N> void RopeBundle<N>::settle() {
         nodes[i + 1].next = nodes[i + 1].next - (right * after) * along;
         right = left;
     }
-}
-
-// What lay inside a collider before the step comes out of it, but is not thrown.
-template <int N> void RopeBundle<N>::forget_overlaps() {
-    for (size_t i = 0; i < ropes.nodes; ++i)
-        for (size_t k = 0; k < stage.collider_count; ++k) {
-            Contact& c = contacts[i * stage.collider_count + k];
-            if (!any_positive(c.on)) continue;
-            const V u = velocity_of(stage.colliders[k]);
-            Contact before = c;
-            look_at_gap(stage.colliders[k], load(ropes.position, i) + L::splat(stage.dt) * u, before);
-            const L out = c.on * positive(L{} - before.gap) * L::splat(1 / stage.dt);
-            nodes[i].next = nodes[i].next - out * c.normal;
-        }
 }
 
 template <int N> RopeResult RopeBundle<N>::step() {

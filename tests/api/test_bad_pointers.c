@@ -84,6 +84,16 @@ static void only_a_living_chain_is_taken_for_one(void** state) {
     refuses_handles(cd_chain_set_tolerance, 1e-3, 10);
     refuses_handles(cd_chain_get_tolerance, out.number, out.size);
     refuses_handles(cd_chain_get_convergence, out.size, out.number);
+    refuses_handles(cd_chain_set_colliders, 1);
+    refuses_handles(cd_chain_get_colliders, out.size);
+    refuses_handles(cd_chain_set_plane, 0, numbers, numbers, COMPONENTS, 0.5);
+    refuses_handles(cd_chain_set_capsule, 0, numbers, numbers, COMPONENTS, 1, 0.5);
+    refuses_handles(cd_chain_remove_collider, 0);
+    refuses_handles(cd_chain_set_collider_velocity, 0, numbers, COMPONENTS);
+    refuses_handles(cd_chain_get_collider, 0, &out.i32, out.number, out.number + 3, out.number + 6, COMPONENTS,
+                    out.number + 9, out.number + 10);
+    refuses_handles(cd_chain_set_thickness, 0.5);
+    refuses_handles(cd_chain_get_thickness, out.number);
     refuses_handles(cd_chain_enable_field, CD_FORCE);
     refuses_handles(cd_chain_disable_field, CD_FORCE);
     refuses_handles(cd_chain_write_f32, CD_POSITION, 0, 1, 0, 1, singles, COMPONENTS);
@@ -149,9 +159,17 @@ static void no_other_pointer_may_be_null(void** state) {
     cd_chain* rope = scene_chain(1, 1, COMPONENTS, CD_FLOAT32);
     ok(cd_chain_set_rest_length(rope, 1));
     refuses(rope, cd_chain_get_reaction(rope, 0, 0, NULL, COMPONENTS), CD_ERROR_NULL, "out_force");
+    ok(cd_chain_set_colliders(rope, 1));
+    refuses(rope, cd_chain_set_plane(rope, 0, NULL, numbers, COMPONENTS, 0.5), CD_ERROR_NULL, "point");
+    refuses(rope, cd_chain_set_plane(rope, 0, numbers, NULL, COMPONENTS, 0.5), CD_ERROR_NULL, "normal");
+    refuses(rope, cd_chain_set_capsule(rope, 0, NULL, numbers, COMPONENTS, 1, 0.5), CD_ERROR_NULL, "first");
+    refuses(rope, cd_chain_set_capsule(rope, 0, numbers, NULL, COMPONENTS, 1, 0.5), CD_ERROR_NULL, "last");
+    refuses(rope, cd_chain_set_collider_velocity(rope, 0, NULL, COMPONENTS), CD_ERROR_NULL, "velocity");
     cd_chain_destroy(rope);
     refuses(chain, cd_chain_get_strength(chain, NULL), CD_ERROR_NULL, "out_strength");
     refuses(chain, cd_chain_get_broken(chain, NULL), CD_ERROR_NULL, "out_springs");
+    refuses(chain, cd_chain_get_colliders(chain, NULL), CD_ERROR_NULL, "out_count");
+    refuses(chain, cd_chain_get_thickness(chain, NULL), CD_ERROR_NULL, "out_radius");
     refuses(chain, cd_chain_teleport(chain, 0, NULL, NULL, COMPONENTS), CD_ERROR_NULL, "offset");
     refuses(chain, cd_chain_get_air(chain, NULL, out.number), CD_ERROR_NULL, "out_along");
     refuses(chain, cd_chain_get_air(chain, out.number, NULL), CD_ERROR_NULL, "out_across");
@@ -196,7 +214,9 @@ static const char* const nullable[] = {
     "cd_chain_get_shape out_springs",    "cd_chain_get_shape out_components", "cd_chain_get_shape out_precision",
     "cd_chain_set_parallel parallel",    "cd_chain_attach target",          "cd_chain_get_energy out_kinetic",
     "cd_chain_get_energy out_elastic",   "cd_chain_get_energy out_gravity",   "cd_chain_get_convergence out_iterations",
-    "cd_chain_get_convergence out_residual", "cd_chain_teleport rotation",
+    "cd_chain_get_convergence out_residual", "cd_chain_teleport rotation",  "cd_chain_get_collider out_shape",
+    "cd_chain_get_collider out_first",   "cd_chain_get_collider out_second", "cd_chain_get_collider out_velocity",
+    "cd_chain_get_collider out_radius",  "cd_chain_get_collider out_friction",
 };
 
 static void what_may_be_null_is_taken_as_null(void** state) {
@@ -212,6 +232,9 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     ok(cd_chain_attach(other, 0, 1, 1, 1, NULL, COMPONENTS));
     ok(cd_chain_attach(other, 0, 1, 1, 1, NULL, 0)); /* then count means nothing */
     ok(cd_chain_attach(other, 0, 1, 1, 1, NULL, SIZE_MAX));
+    ok(cd_chain_set_rest_length(other, 1));
+    ok(cd_chain_set_colliders(other, 1));
+    ok(cd_chain_get_collider(other, 0, NULL, NULL, NULL, NULL, COMPONENTS, NULL, NULL));
     cd_chain_destroy(other);
     cd_chain_destroy(NULL);
 }

@@ -36,6 +36,12 @@ static void length(cd_chain* chain) { ok(cd_chain_set_rest_length(chain, 2)); }
 static void spring_length(cd_chain* chain) { scene_set(chain, CD_REST_LENGTH, 2, 0.2); }
 static void rigid(cd_chain* chain) { ok(cd_chain_set_stiffness(chain, INFINITY)); }
 static void push(cd_chain* chain) { ok(cd_chain_set_push(chain, 1)); }
+static void thickness(cd_chain* chain) { ok(cd_chain_set_thickness(chain, 0.002)); }
+static void plane(cd_chain* chain) {
+    const double low[3] = {-0.5, 0, 0}, up[3] = {1, 0, 0};
+    ok(cd_chain_set_plane(chain, 2, low, up, COMPONENTS, 0.5));
+}
+static void no_plane(cd_chain* chain) { ok(cd_chain_remove_collider(chain, 0)); }
 static void tolerance(cd_chain* chain) { ok(cd_chain_set_tolerance(chain, 1e-6, 50)); }
 
 static const struct change {
@@ -62,7 +68,9 @@ static const struct change rope_changes[] = {
     {"cut", cut},             {"weld", weld},
     {"rest length", length},  {"spring length", spring_length},
     {"infinite stiffness", rigid},
-    {"push", push},           {"tolerance", tolerance}};
+    {"push", push},           {"tolerance", tolerance},
+    {"thickness", thickness}, {"plane", plane},
+    {"no plane", no_plane}};
 
 static cd_chain* with_lengths(struct heap* heap) {
     const cd_allocator allocator = heap_allocator(heap);
@@ -201,6 +209,80 @@ static void lengths_take_memory_and_give_it_back(void** state) {
     allocations = heap.allocations;
     ok(cd_chain_disable_field(chain, CD_REST_LENGTH));
     assert_int_equal(heap.allocations, allocations);
+    cd_chain_destroy(chain);
+    heap_free(&heap);
+}
+
+static void set_colliders(cd_chain* chain) {
+    const double place[3] = {1, 2, 3}, way[3] = {0, 0, 2}, velocity[3] = {4, 5, 6};
+    ok(cd_chain_set_plane(chain, 0, place, way, 3, 0.5));
+    ok(cd_chain_set_capsule(chain, 1, place, way, 3, 0.25, 0.75));
+    ok(cd_chain_set_collider_velocity(chain, 1, velocity, 3));
+}
+static void assert_has_these_colliders(const cd_chain* chain, size_t count) {
+    cd_shape shape;
+    double first[3], second[3], velocity[3], radius, friction;
+    size_t all;
+    ok(cd_chain_get_colliders(chain, &all));
+    assert_int_equal(all, count);
+    for (size_t i = 0; i < count; ++i) {
+        ok(cd_chain_get_collider(chain, i, &shape, first, second, velocity, 3, &radius, &friction));
+        const bool capsule = i == 1, some = i <= 1;
+        assert_int_equal(shape, i == 0 ? CD_SHAPE_PLANE : capsule ? CD_SHAPE_CAPSULE : CD_SHAPE_NONE);
+        assert_true(first[0] == some && first[1] == 2 * some && first[2] == 3 * some);
+        assert_true(second[0] == 0 && second[1] == 0 && second[2] == (capsule ? 2 : some));
+        assert_true(velocity[0] == 4 * capsule && velocity[1] == 5 * capsule && velocity[2] == 6 * capsule);
+        assert_true(radius == 0.25 * capsule && friction == (capsule ? 0.75 : 0.5 * some));
+    }
+}
+
+/* Colliders take memory for what they are and for scratch, keep what they are, and give it back. */
+static void colliders_take_memory_and_give_it_back(void** state) {
+    (void)state;
+    enum { MANY = 5, LONG = 99 };
+    struct heap heap = {0};
+    const cd_allocator allocator = heap_allocator(&heap);
+    cd_chain* chain = scene_chain_from(&allocator, MANY, LONG, 3, CD_FLOAT32);
+    const size_t plain = heap.live_bytes;
+    ok(cd_chain_set_rest_length(chain, 2));
+    const size_t rope = heap.live_bytes;
+    ok(cd_chain_set_colliders(chain, 2));
+    const size_t two = heap.live_bytes;
+    assert_true(two > rope && two < rope + 2 * 8 * (LONG + 1) * 32 * sizeof(double));
+    size_t allocations = heap.allocations;
+    set_colliders(chain);
+    ok(cd_chain_set_colliders(chain, 2));
+    ok(cd_chain_set_thickness(chain, 0.125));
+    assert_int_equal(heap.allocations, allocations);
+    ok(cd_chain_set_colliders(chain, 5));
+    assert_has_these_colliders(chain, 5);
+    assert_true(heap.live_bytes > two);
+    ok(cd_chain_set_colliders(chain, 1));
+    assert_has_these_colliders(chain, 1);
+    ok(cd_chain_set_colliders(chain, 2)); /* the second is a new one */
+    ok(cd_chain_remove_collider(chain, 0));
+    for (size_t i = 0; i < 2; ++i) {
+        cd_shape shape;
+        double numbers[3 * 3 + 2];
+        ok(cd_chain_get_collider(chain, i, &shape, numbers, numbers + 3, numbers + 6, 3, numbers + 9, numbers + 10));
+        assert_int_equal(shape, CD_SHAPE_NONE);
+        for (size_t k = 0; k < COUNT(numbers); ++k) assert_true(numbers[k] == 0);
+    }
+    assert_int_equal(heap.live_bytes, two);
+    set_colliders(chain);
+    scene_lay_out(chain, 0.01);
+    allocations = heap.allocations;
+    heap_fail(&heap, 1, true);
+    const cd_status status = cd_chain_step(chain, 0.01, 3);
+    if (status != CD_ERROR_TOLERANCE) ok(status);
+    heap_fail(&heap, 0, false);
+    assert_int_equal(heap.allocations, allocations);
+    assert_int_equal(heap.live_bytes, two);
+    ok(cd_chain_set_colliders(chain, 0));
+    assert_int_equal(heap.live_bytes, rope);
+    ok(cd_chain_set_colliders(chain, 4096));
+    ok(cd_chain_set_rest_length(chain, 0));
+    assert_int_equal(heap.live_bytes, plain);
     cd_chain_destroy(chain);
     heap_free(&heap);
 }
@@ -355,6 +437,7 @@ int main(void) {
         cmocka_unit_test(each_change_costs_one_factorization_at_the_next_step_and_no_memory),
         cmocka_unit_test(no_change_of_a_rope_costs_memory_or_a_factorization),
         cmocka_unit_test(lengths_take_memory_and_give_it_back),
+        cmocka_unit_test(colliders_take_memory_and_give_it_back),
         cmocka_unit_test(a_rope_takes_no_more_scratch_than_its_tasks),
         cmocka_unit_test(a_change_of_method_costs_one_factorization_and_no_memory_in_the_step),
         cmocka_unit_test(each_change_of_dt_costs_one_factorization),

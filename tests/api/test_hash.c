@@ -75,6 +75,40 @@ static void most_iterations(cd_chain* c) { ok(cd_chain_set_tolerance(c, 1e-9, 10
 static void push(cd_chain* c) { ok(cd_chain_set_push(c, 1)); }
 static void length(cd_chain* c) { ok(cd_chain_set_rest_length(c, 2)); }
 static void strength(cd_chain* c) { ok(cd_chain_set_strength(c, 1e4)); }
+static const double low[COMPONENTS] = {-3, -3}, lower[COMPONENTS] = {-3, -4}, left[COMPONENTS] = {-0.5, 0};
+static void thickness(cd_chain* c) { ok(cd_chain_set_thickness(c, 0.005)); }
+static void no_colliders(cd_chain* c) { ok(cd_chain_set_colliders(c, 0)); }
+static void collider_less(cd_chain* c) { ok(cd_chain_set_colliders(c, 3)); }
+static void collider_more(cd_chain* c) { ok(cd_chain_set_colliders(c, 5)); }
+static void no_plane(cd_chain* c) { ok(cd_chain_remove_collider(c, 0)); }
+static void no_capsule(cd_chain* c) { ok(cd_chain_remove_collider(c, 1)); }
+static void plane(cd_chain* c) { ok(cd_chain_set_plane(c, 2, low, gravity[1], COMPONENTS, 0)); }
+static void plane_lower(cd_chain* c) { ok(cd_chain_set_plane(c, 2, lower, gravity[1], COMPONENTS, 0)); }
+static void plane_turned(cd_chain* c) { ok(cd_chain_set_plane(c, 2, low, gravity[2], COMPONENTS, 0)); }
+static void plane_rough(cd_chain* c) { ok(cd_chain_set_plane(c, 2, low, gravity[1], COMPONENTS, 0.5)); }
+static void capsule(cd_chain* c) { ok(cd_chain_set_capsule(c, 2, low, left, COMPONENTS, 0.25, 0)); }
+static void capsule_back(cd_chain* c) { ok(cd_chain_set_capsule(c, 2, left, low, COMPONENTS, 0.25, 0)); }
+static void capsule_longer(cd_chain* c) { ok(cd_chain_set_capsule(c, 2, lower, left, COMPONENTS, 0.25, 0)); }
+static void capsule_thicker(cd_chain* c) { ok(cd_chain_set_capsule(c, 2, low, left, COMPONENTS, 0.26, 0)); }
+static void capsule_rough(cd_chain* c) { ok(cd_chain_set_capsule(c, 2, low, left, COMPONENTS, 0.25, 0.5)); }
+static void sphere(cd_chain* c) { ok(cd_chain_set_capsule(c, 2, low, low, COMPONENTS, 0.25, 0)); }
+static void another_plane(cd_chain* c) { ok(cd_chain_set_plane(c, 3, low, gravity[1], COMPONENTS, 0)); }
+static void plane_moves(cd_chain* c) { ok(cd_chain_set_collider_velocity(c, 0, gravity[0], COMPONENTS)); }
+static void capsule_moves(cd_chain* c) { ok(cd_chain_set_collider_velocity(c, 1, gravity[0], COMPONENTS)); }
+static void capsule_falls(cd_chain* c) { ok(cd_chain_set_collider_velocity(c, 1, gravity[1], COMPONENTS)); }
+static void capsule_moves_on(cd_chain* c) {
+    capsule_moves(c);
+    step(c);
+}
+static void distant_plane_moves_on(cd_chain* c) {
+    another_plane(c);
+    ok(cd_chain_set_collider_velocity(c, 3, gravity[0], COMPONENTS));
+    step(c);
+}
+static void distant_plane_and_a_step(cd_chain* c) {
+    another_plane(c);
+    step(c);
+}
 static void no_strengths(cd_chain* c) { ok(cd_chain_disable_field(c, CD_STRENGTH)); }
 static void no_length(cd_chain* c) { /* strands must agree in what they will share */
     ok(cd_chain_disable_field(c, CD_STRENGTH));
@@ -112,7 +146,10 @@ static void (*const rope_changes[])(cd_chain*) = {
     mass,      stiffness,       bend,    drag,     damping,   no_force,     no_mass,   no_stiffness,
     no_target, detach,          impulse, cut,      weld,      step,         longer_step, two_steps, reset,
     air_along, air_across,      wind_0,  wind_last, no_winds, pin_in_one_strand, mass_in_one_strand, cut_in_one_strand,
-    attach_in_one_strand, strength, no_strengths, end_posed, shifted, turned};
+    attach_in_one_strand, strength, no_strengths, end_posed, shifted, turned, thickness, no_colliders, collider_less,
+    collider_more, no_plane, no_capsule, plane, plane_lower, plane_turned, plane_rough, capsule, capsule_back,
+    capsule_longer, capsule_thicker, capsule_rough, sphere, another_plane, plane_moves, capsule_moves, capsule_falls,
+    capsule_moves_on, distant_plane_moves_on, distant_plane_and_a_step};
 
 static void (*const changes[])(cd_chain*) = {
     lambda,    method_1,  method_2, method_3, mass,       mass_rule,        stiffness,      bend,          drag,

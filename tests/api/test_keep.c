@@ -91,6 +91,23 @@ static void assert_same_in_all_that_can_be_read(const cd_chain* a, const cd_chai
     ok(cd_chain_get_strength(a, &strengths[0]));
     ok(cd_chain_get_strength(b, &strengths[1]));
     assert_same_bits(&strengths[0], &strengths[1], 1);
+    size_t colliders[2];
+    double thickness[2];
+    ok(cd_chain_get_thickness(a, &thickness[0]));
+    ok(cd_chain_get_thickness(b, &thickness[1]));
+    assert_same_bits(&thickness[0], &thickness[1], 1);
+    ok(cd_chain_get_colliders(a, &colliders[0]));
+    ok(cd_chain_get_colliders(b, &colliders[1]));
+    assert_int_equal(colliders[0], colliders[1]);
+    for (size_t i = 0; i < colliders[0]; ++i) {
+        cd_shape shape[2];
+        double told[2][3 * COMPONENTS + 2];
+        for (int k = 0; k < 2; ++k)
+            ok(cd_chain_get_collider(k ? b : a, i, &shape[k], told[k], told[k] + COMPONENTS, told[k] + 2 * COMPONENTS,
+                                     COMPONENTS, told[k] + 3 * COMPONENTS, told[k] + 3 * COMPONENTS + 1));
+        assert_int_equal(shape[0], shape[1]);
+        assert_same_bits(told[0], told[1], COUNT(told[0]));
+    }
     for (cd_field field = CD_POSITION; field <= CD_STRAIN; ++field) {
         if (field > CD_TARGET && field < CD_REST_LENGTH) continue;
         double x[STRANDS * (SPRINGS + 1) * COMPONENTS], y[STRANDS * (SPRINGS + 1) * COMPONENTS];
@@ -254,6 +271,12 @@ static void what_is_set_for_ropes_is_kept_at_the_ends_of_every_range(void** stat
             if (i != 3) ok(cd_chain_enable_field(chain, CD_WIND));
             if (i != 4) ok(cd_chain_set_strength(chain, i == 3 ? 1e-60 : 1e60));
             if (i == 4) ok(cd_chain_enable_field(chain, CD_STRENGTH));
+            const double far[COMPONENTS] = {1e60, -1e60, 1e60}, near[COMPONENTS] = {-1e60, 5e-324, -0.0};
+            if (i != 2) ok(cd_chain_set_thickness(chain, i == 3 ? 1e60 : 5e-324));
+            if (i != 3) ok(cd_chain_set_colliders(chain, 4096)); /* and thickness without any in this */
+            if (i != 3) ok(cd_chain_set_plane(chain, 7, far, near, COMPONENTS, 1e60));
+            if (i != 3) ok(cd_chain_set_capsule(chain, 4095, far, near, COMPONENTS, i == 2 ? 1e60 : 1e-60, 0));
+            if (i != 3) ok(cd_chain_set_collider_velocity(chain, 4095, near, COMPONENTS));
         }
         struct blob blob = save(chain);
         ok(cd_chain_load(fresh, blob.bytes, blob.size));
@@ -293,6 +316,18 @@ static void what_is_as_in_a_new_chain_takes_no_bytes(void** state) {
     ok(cd_chain_disable_field(chain, CD_REST_LENGTH)); /* is off */
     ok(cd_chain_save_size(chain, &after));
     assert_true(after > during);
+    const size_t until_then = after;
+    ok(cd_chain_set_thickness(chain, -0.0)); /* is none */
+    ok(cd_chain_set_colliders(chain, 3));
+    ok(cd_chain_save_size(chain, &after));
+    assert_true(after > until_then);
+    ok(cd_chain_set_colliders(chain, 0));
+    ok(cd_chain_save_size(chain, &after));
+    assert_int_equal(after, until_then);
+    ok(cd_chain_set_thickness(chain, 0.5));
+    ok(cd_chain_save_size(chain, &after));
+    assert_true(after > until_then);
+    ok(cd_chain_set_colliders(chain, 2));
     ok(cd_chain_set_rest_length(chain, -0.0)); /* is 0 */
     ok(cd_chain_disable_field(chain, CD_STIFFNESS));
     ok(cd_chain_save_size(chain, &after));

@@ -77,6 +77,12 @@ static void a_new_chain_has_the_defaults_of_the_header(void** state) {
         size_t broken = 9;
         ok(cd_chain_get_broken(chain, &broken));
         assert_int_equal(broken, 0);
+        number = -1;
+        ok(cd_chain_get_thickness(chain, &number));
+        assert_true(number == 0);
+        size_t colliders = 9;
+        ok(cd_chain_get_colliders(chain, &colliders));
+        assert_int_equal(colliders, 0);
         double air[2] = {1, 1};
         ok(cd_chain_get_air(chain, &air[0], &air[1]));
         assert_true(air[0] == 0 && air[1] == 0);

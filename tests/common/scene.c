@@ -278,6 +278,20 @@ void scene_everything_ring(cd_chain* chain) {
     all_fields(chain);
 }
 
+/* A plane before the first nodes, a bar that moves between nodes 3 and 4 of all strands, a place that is free, and a
+ * ball that nodes lie in. */
+static void meet(cd_chain* chain) {
+    const size_t components = scene_components(chain);
+    const double edge[3] = {-0.02, 0.5, -0.25}, out_of[3] = {2, -0.25, 0.5}, ball[3] = {0.62, 0.01, 0.02};
+    const double first[3] = {0.35, -1, 0}, last[3] = {0.35, 40, 0.25}, slow[3] = {0.1, 0.02, -0.01};
+    ok(cd_chain_set_thickness(chain, 0.004));
+    ok(cd_chain_set_colliders(chain, 4));
+    ok(cd_chain_set_plane(chain, 0, edge, out_of, components, 0.5));
+    ok(cd_chain_set_capsule(chain, 1, first, last, components, 0.045, 0.25));
+    ok(cd_chain_set_collider_velocity(chain, 1, slow, components));
+    ok(cd_chain_set_capsule(chain, 3, ball, ball, components, 0.03, 1));
+}
+
 void scene_lengths(cd_chain* chain) {
     const size_t nodes = scene_nodes(chain);
     ok(cd_chain_set_mass(chain, 2));
@@ -305,6 +319,7 @@ void scene_lengths(cd_chain* chain) {
     ok(cd_chain_set_air(chain, 0.03, 0.8));
     scatter(chain, CD_WIND, 2, 19);
     vary(chain, CD_STRENGTH, 1000, 20);
+    meet(chain);
 }
 
 void scene_links(cd_chain* chain) {

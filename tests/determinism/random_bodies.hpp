@@ -155,6 +155,7 @@ struct ChainScene {
     }
     void become_rope(Handle* chain, Random& random, Returned& returned) const;
     void act_on_rope(Handle* chain, Random& random, Returned& returned) const;
+    void meet_things(Handle* chain, Random& random, Returned& returned) const;
     void write_numbers(Handle* chain, cd_field field, Random& random, Returned& returned) const {
         write_part(*this, chain, field, random, returned, [&] { return size * random.uniform(-1, 1); });
     }
@@ -180,6 +181,11 @@ struct ChainScene {
         returned += cd_chain_get_broken(chain, &iterations);
         returned += cd_chain_get_reaction(chain, strands - 1, nodes / 2, force, components);
         returned += double(iterations), returned += force[0];
+        returned += cd_chain_get_colliders(chain, &iterations);
+        for (size_t i = 0; i < iterations; ++i) {
+            returned += cd_chain_get_collider(chain, i, nullptr, force, nullptr, nullptr, components, nullptr, nullptr);
+            returned += force[0];
+        }
     }
 
     // Implicit steps of all lengths; steps that may grow only where they are short.
@@ -217,9 +223,37 @@ inline void ChainScene::become_rope(Handle* chain, Random& random, Returned& ret
     returned += cd_chain_set_rest_length(chain, length < 1e-60 ? 1e-60 : length);
 }
 
+// Planes and capsules near the nodes, some of which lie in them.
+inline void ChainScene::meet_things(Handle* chain, Random& random, Returned& returned) const {
+    size_t count = 0;
+    returned += cd_chain_get_colliders(chain, &count);
+    if (count == 0 || random.chance(0.2)) returned += cd_chain_set_colliders(chain, count = random.below(4));
+    const auto number = [&] { return size * random.uniform(-1.5, 1.5); };
+    double first[3], last[3], velocity[3], normal[3];
+    for (size_t k = 0; k < 3; ++k) {
+        first[k] = number(), last[k] = number(), velocity[k] = number();
+        normal[k] = random.uniform(-1, 1);
+    }
+    const double radius = size * random.decades(-2, 0), friction = random.chance(0.3) ? 0 : random.uniform(0, 2);
+    for (size_t index = 0; index < count; ++index) {
+        const size_t kind = random.below(8);
+        if (kind <= 1) returned += cd_chain_set_plane(chain, index, first, normal, components, friction);
+        else if (kind <= 4)
+            returned += cd_chain_set_capsule(chain, index, first, kind == 4 ? first : last, components,
+                                             radius < 1e-60 ? 1e-60 : radius, friction);
+        else if (kind == 5) returned += cd_chain_set_collider_velocity(chain, index, velocity, components);
+        else if (kind == 6) returned += cd_chain_remove_collider(chain, index);
+        for (size_t k = 0; k < 3; ++k) first[k] += radius, normal[k] += 0.25;
+    }
+    if (random.chance(0.3)) returned += cd_chain_set_thickness(chain, size * random.any_of({0, 0.001, 0.05}));
+}
+
 // What only ropes have. A hard one that ends short of its tolerance steps to the same bits, too.
 inline void ChainScene::act_on_rope(Handle* chain, Random& random, Returned& returned) const {
-    switch (random.below(13)) {
+    switch (random.below(16)) {
+    case 13:
+    case 14:
+    case 15: return meet_things(chain, random, returned);
     case 0:
     case 1:
     case 8: return become_rope(chain, random, returned);

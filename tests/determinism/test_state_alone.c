@@ -129,6 +129,22 @@ static void windy(cd_chain* c) {
     ok(cd_chain_set_air(c, 0.1, 1));
     ok(cd_chain_set_wind(c, wind, 3));
 }
+static void meeting(cd_chain* c) {
+    const double low[3] = {0.1, 0.2, -0.1}, up[3] = {0.5, 1, 0.25}, ball[3] = {0.5, 0.05, 0}, slow[3] = {0.25, 0, 0};
+    double length;
+    ok(cd_chain_get_rest_length(c, &length));
+    if (length == 0) return;
+    ok(cd_chain_set_thickness(c, 0.01));
+    ok(cd_chain_set_colliders(c, 3));
+    ok(cd_chain_set_plane(c, 0, low, up, 3, 0.5));
+    ok(cd_chain_set_capsule(c, 2, ball, ball, 3, 0.1, 0.25));
+    ok(cd_chain_set_collider_velocity(c, 2, slow, 3));
+}
+static void not_meeting(cd_chain* c) {
+    double length;
+    ok(cd_chain_get_rest_length(c, &length));
+    if (length > 0) ok(cd_chain_set_colliders(c, 1));
+}
 static void pinned(cd_chain* c) { ok(cd_chain_set_end(c, CD_END_FIRST, CD_NODE_PINNED)); }
 static void tied(cd_chain* c) {
     for (size_t strand = 0; strand < scene_own_strands(c); ++strand) ok(cd_chain_attach(c, strand, 5, 30, 1, NULL, 0));
@@ -136,7 +152,8 @@ static void tied(cd_chain* c) {
 static void less_implicit(cd_chain* c) { ok(cd_chain_set_lambda(c, 0.75)); }
 static void (*const chain_changes[])(cd_chain* c) = {lengths,    short_lengths, no_lengths, pushing, rigid, welds,
                                                      cuts,       tolerant,      own_masses, own_lengths,
-                                                     pinned,     tied,          less_implicit, windy};
+                                                     pinned,     tied,          less_implicit, windy,
+                                                     meeting,    not_meeting};
 
 /* A rope unless a change makes it none. */
 static cd_chain* strands(size_t count) {

@@ -48,6 +48,12 @@ static cd_status strengths(cd_chain* c) { return cd_chain_enable_field(c, CD_STR
 static cd_status no_strengths(cd_chain* c) { return cd_chain_disable_field(c, CD_STRENGTH); }
 static cd_status pose_end(cd_chain* c) { return cd_chain_set_end(c, CD_END_FIRST, CD_NODE_POSED); }
 static cd_status strain(cd_chain* c) { return cd_chain_enable_field(c, CD_STRAIN); }
+static cd_status one_collider(cd_chain* c) { return cd_chain_set_colliders(c, 1); }
+static cd_status colliders(cd_chain* c) { return cd_chain_set_colliders(c, 6); }
+static cd_status no_colliders(cd_chain* c) { return cd_chain_set_colliders(c, 0); }
+static cd_status ball(cd_chain* c) { return cd_chain_set_capsule(c, 0, target, target, COMPONENTS, 0.5, 1); }
+static cd_status no_ball(cd_chain* c) { return cd_chain_remove_collider(c, 0); }
+static cd_status thickness(cd_chain* c) { return cd_chain_set_thickness(c, 0.01); }
 static cd_status tolerance(cd_chain* c) { return cd_chain_set_tolerance(c, 1e-7, 50); }
 static cd_status load_rope(cd_chain* c) { return cd_chain_load(c, rope_bytes, rope_size); }
 static cd_status copy_rope(cd_chain* c) { return cd_chain_copy_state(c, rope); }
@@ -93,6 +99,12 @@ static const struct call {
              {"disable strength", no_strengths, 0},
              {"enable strain", strain, 1},
              {"pose an end", pose_end, 0},
+             {"set_colliders 1", one_collider, 0},
+             {"set_colliders 6", colliders, 0},
+             {"set_colliders 0", no_colliders, 0},
+             {"set_capsule", ball, 1},
+             {"remove_collider", no_ball, 1},
+             {"set_thickness", thickness, 1},
              {"load rope", load_rope, 0},
              {"copy rope", copy_rope, 0},
              {"step", step, 1},
@@ -299,6 +311,8 @@ static void the_memory_told_is_the_memory_held(void** state) {
                 ok(cd_chain_enable_field(chain, field));
                 assert_accounts_for(chain, &heap);
             }
+            if (is_rope) ok(cd_chain_set_colliders(chain, 9));
+            assert_accounts_for(chain, &heap);
             if (is_rope) ok(cd_chain_disable_field(chain, CD_STRENGTH));
             for (cd_field field = CD_FORCE; field <= CD_REST_LENGTH; ++field) {
                 if (has_field(field, is_rope) && field != CD_PIN) ok(cd_chain_disable_field(chain, field));

@@ -80,6 +80,11 @@ struct RopeCalls : ChainCalls {
         ok(cd_chain_set_air(chain, 0.25, 2));
         ok(cd_chain_set_wind(chain, gravity, 2));
         ok(cd_chain_set_strength(chain, 1e9));
+        ok(cd_chain_set_thickness(chain, 0.125));
+        ok(cd_chain_set_colliders(chain, 2));
+        ok(cd_chain_set_plane(chain, 0, gravity, gravity, 2, 0.5));
+        ok(cd_chain_set_capsule(chain, 1, gravity, pins, 2, 0.25, 1));
+        ok(cd_chain_set_collider_velocity(chain, 1, gravity, 2));
         for (cd_field field : {CD_MASS, CD_STIFFNESS, CD_FORCE, CD_REST_LENGTH, CD_WIND, CD_STRENGTH})
             ok(cd_chain_enable_field(chain, field));
         ok(cd_chain_set_gravity(chain, gravity, 2));
@@ -88,6 +93,23 @@ struct RopeCalls : ChainCalls {
         ok(cd_chain_cut(chain, 0, 0));
         const cd_status stepped = cd_chain_step(chain, 0.125, 3);
         assert_true(stepped == CD_OK || stepped == CD_ERROR_TOLERANCE);
+    }
+    static bool has_possible_colliders(const Handle* chain) {
+        size_t count = 0;
+        double thickness = -1;
+        ok(cd_chain_get_colliders(chain, &count));
+        ok(cd_chain_get_thickness(chain, &thickness));
+        bool good = count <= 4096 && thickness >= 0 && thickness <= 1e60;
+        for (size_t i = 0; i < count; ++i) {
+            cd_shape shape = -1;
+            double first[2], second[2], velocity[2], radius = -1, friction = -1;
+            ok(cd_chain_get_collider(chain, i, &shape, first, second, velocity, 2, &radius, &friction));
+            good &= shape >= CD_SHAPE_NONE && shape <= CD_SHAPE_CAPSULE && radius >= 0 && radius <= 1e60;
+            good &= friction >= 0 && friction <= 1e60;
+            for (int k = 0; k < 2; ++k)
+                good &= std::isfinite(first[k]) && std::isfinite(second[k]) && std::isfinite(velocity[k]);
+        }
+        return good;
     }
     static bool is_possible(const Handle* chain) {
         double length = 0, tolerance = 0, stiffness = 0, time;
@@ -116,6 +138,7 @@ struct RopeCalls : ChainCalls {
         good &= strength >= 1e-60 && (strength <= 1e60 || std::isinf(strength));
         const cd_status breaks = cd_chain_read_f64(chain, CD_STRENGTH, 0, 2, 0, springs, tension, 2 * springs);
         for (size_t i = 0; i < 2 * springs && breaks == CD_OK; ++i) good &= tension[i] > 0;
+        good &= has_possible_colliders(chain);
         const bool can_break = breaks == CD_OK || !std::isinf(strength);
         return good && (!can_break || cd_chain_read_f64(chain, CD_STIFFNESS, 0, 2, 0, springs, tension, 2 * springs) == CD_OK);
     }
