@@ -49,7 +49,7 @@ template <int N> struct RopeBundle {
         V acting, normal; // n0 and n1
         L before, gap;    // how far outside it is when the step begins, and by the guess when it ends [m]
         L on, push;       // 1 where it touches; the impulse that keeps it out
-        L friction;       // as a resistance [kg]
+        L grip, friction; // the push that friction is of, and friction as a resistance [kg]
         Resisted pressed, across[2];
     };
     // Of spring i from node i to node i + 1.
@@ -214,7 +214,7 @@ template <int N> struct RopeBundle {
     void look_at_gap(const Collider& to, V x, double time, V& normal, L& gap) const;
     L leaving(size_t i, const Contact& c) const;
     void set_friction(const Collider& to, size_t i, Contact& c) const;
-    L touch(size_t i, bool first);
+    L touch(size_t i, size_t iteration);
     L touches() const;
     void press(size_t i, M& mobility, V& y);
     V pressed(size_t i, V phi);
@@ -446,7 +446,7 @@ template <int N> struct RopeBundle {
         return root(dot(after, after));
     }
     L alone(size_t i) const { return select(held(i), L{}, one() / of(c.mass, i)); }
-    void linearize_all(L barrier, bool interior, L weight, bool first);
+    void linearize_all(L barrier, bool interior, L weight, size_t iteration);
     void newton(size_t most);
     void start_together();
     void interior(size_t most);

@@ -16,8 +16,9 @@ namespace CD_ISA {
 constexpr double kContactStiffness = 1e4;
 // Below this speed [m/s] friction falls with the speed.
 constexpr double kStickSpeed = 1e-4;
-// How far friction may be off, over what it should be.
+// How far friction may be off, over what it should be; from this iteration on it is that of the push found by then.
 constexpr double kFrictionError = 1e-2;
+constexpr size_t kGripIterations = 50;
 
 // Of a place x and a collider that has moved for this time: the way out of it, and how far outside x lies.
 template <int N> void RopeBundle<N>::look_at_gap(const Collider& to, V x, double time, V& normal, L& gap) const {
@@ -51,12 +52,12 @@ template <int N> Lanes<N> RopeBundle<N>::leaving(size_t i, const Contact& c) con
 template <int N> void RopeBundle<N>::set_friction(const Collider& to, size_t i, Contact& c) const {
     const V slip = nodes[i].w - velocity_of(to), across = slip - dot(c.normal, slip) * c.normal;
     const L speed = root(dot(across, across)) + L::splat(kStickSpeed);
-    c.friction = select(c.on, (to.friction * positive(c.push)) / speed, L{});
+    c.friction = select(c.on, (to.friction * positive(c.grip)) / speed, L{});
 }
 
 // Looks at what node i touches by the guess; tells its error, 1 where other contacts or frictions are to be solved for.
-// first: nothing has been solved yet.
-template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, bool first) {
+// iteration: how many came before, 0 where nothing has been solved yet.
+template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
     const V before = load(ropes.position, i), x = before + L::splat(stage.dt) * nodes[i].w;
     const L length = length_at(i), room = stage.tolerance * length, free = opposite(held(i));
     L error{};
@@ -64,17 +65,19 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, bool first) {
         const Collider& to = stage.colliders[k];
         if (to.shape == CD_SHAPE_NONE) continue;
         Contact& c = contacts[i * stage.collider_count + k];
-        if (first) look_at_gap(to, before, stage.time_before, c.acting, c.before);
+        if (iteration == 0) look_at_gap(to, before, stage.time_before, c.acting, c.before);
         look_at_gap(to, x, stage.time_before + stage.dt, c.normal, c.gap);
         const L was = c.on, used = c.friction;
-        if (first) {
+        if (iteration == 0) {
             c.on = free * select(room - c.gap, one(), L{});
             c.push = c.on * (nodes[i].ground * positive(leaving(i, c) - dot(c.normal, nodes[i].b)));
+            c.grip = c.push;
             set_friction(to, i, c);
             continue;
         }
         const L inside = free * select(room + c.gap, L{}, one()); // deeper than the tolerance
         c.on = larger(was * select(c.push, one(), L{}), inside);
+        if (iteration < kGripIterations) c.grip = c.push;
         set_friction(to, i, c);
         const L changed = larger(inside * opposite(was), was * opposite(c.on));
         const L other = c.on * select(size_of(used - c.friction) - kFrictionError * c.friction, one(), L{});

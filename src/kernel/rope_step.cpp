@@ -16,17 +16,17 @@ constexpr double kInside = 0.95;     // how much of the way to a tension or gap 
 
 // ---- the nonlinear system -------------------------------------------------------------------------------------------
 
-// Linearizes all springs; closes the strands that are solved, and those that have come to what is no number. first:
-// nothing has been solved yet. weight: what their tensions times lengths are at least, as errors count.
-template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L weight, bool first) {
+// Linearizes all springs; closes the strands that are solved, and those that have come to what is no number. iteration:
+// how many came before. weight: what their tensions times lengths are at least, as errors count.
+template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L weight, size_t iteration) {
     Seen seen;
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, barrier, interior, seen);
-    for (size_t i = 0; i < ropes.nodes && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, first));
+    for (size_t i = 0; i < ropes.nodes && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, iteration));
     const L worth = larger(seen.worth, larger(weight, least_worth));
     const L wrong = larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths);
     const L error = select(worth, larger(seen.error, wrong / worth), seen.error) + seen.probe;
     reached = select(open, error, reached);
-    if (first) return;
+    if (iteration == 0) return;
     const L solved = select(L::splat(stage.tolerance) - error, one(), L{});
     const L lost = one() - select(L::splat(kMostError) - error, one(), L{});
     failed = failed + open * lost;
@@ -36,7 +36,7 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
 // Newton's method with springs that are slack or taut.
 template <int N> void RopeBundle<N>::newton(size_t most) {
     for (size_t k = 0;; ++k) {
-        linearize_all(L{}, false, L{}, k == 0);
+        linearize_all(L{}, false, L{}, k);
         if (k == most || !any_positive(open)) return;
         eliminate();
         iterations = iterations + open;
@@ -95,7 +95,7 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
         for (size_t i = 0; i + 1 < ropes.nodes; ++i)
             sum = sum + select(springs[i].moves, springs[i].tension * springs[i].gap, L{});
         const L barrier = (kBarrierFall * share) * sum;
-        linearize_all(barrier, true, weight, k == 0);
+        linearize_all(barrier, true, weight, k);
         if (k == most || !any_positive(open)) return;
         eliminate();
         iterations = iterations + open;
