@@ -282,7 +282,7 @@ void scene_everything_ring(cd_chain* chain) {
  * ball that nodes lie in. */
 static void meet(cd_chain* chain) {
     const size_t components = scene_components(chain);
-    const double edge[3] = {-0.02, 0.5, -0.25}, out_of[3] = {2, -0.25, 0.5}, ball[3] = {0.62, 0.01, 0.02};
+    const double edge[3] = {-0.02, 0.5, -0.25}, out_of[3] = {2, 0, 0.5}, ball[3] = {0.62, 0.01, 0.02};
     const double first[3] = {0.35, -1, 0}, last[3] = {0.35, 40, 0.25}, slow[3] = {0.1, 0.02, -0.01};
     ok(cd_chain_set_thickness(chain, 0.004));
     ok(cd_chain_set_colliders(chain, 4));
