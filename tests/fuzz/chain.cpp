@@ -144,13 +144,15 @@ bool Chain::is_driven() const {
         if (v != 0) return true;
     for (double v : all_of(CD_WIND))
         if (v != 0) return true;
-    return false;
+    for (const Thing& thing : things())
+        if (moves(thing)) return true;
+    return began_inside;
 }
 
 // ---- calls ---------------------------------------------------------------------------------------------------------
 
 void Chain::act_by_kind() {
-    switch (below(is_rope() || likes_lengths ? 38 : 25)) {
+    switch (below(is_rope() || likes_lengths ? 48 : 25)) {
     case 0: set_number("set_mass", cd_chain_set_mass, pick_number(-2, 3), {1e-3, 1e4}); break;
     case 1: set_stiffness(); break;
     case 2: set_number("set_bend", cd_chain_set_bend, chance(0.3) ? 0 : pick_number(-6, 1), {0, 1e2}, 0); break;
@@ -191,6 +193,16 @@ void Chain::act_by_kind() {
     case 34: get_air(); break;
     case 35: set_strength(); break;
     case 36: get_reaction(); break;
+    case 37: set_colliders(); break;
+    case 38:
+    case 39: set_plane(); break;
+    case 40:
+    case 41:
+    case 42: set_capsule(); break;
+    case 43: remove_collider(); break;
+    case 44: set_collider_velocity(); break;
+    case 45: set_thickness(); break;
+    case 46: get_collider(); break;
     default: get_convergence();
     }
 }
@@ -291,8 +303,10 @@ void Chain::get_shape() {
 }
 
 void Chain::get_parameter() {
-    switch (below(10)) {
+    switch (below(12)) {
     case 9: get("get_strength", cd_chain_get_strength); break;
+    case 10: get("get_colliders", cd_chain_get_colliders); break;
+    case 11: get("get_thickness", cd_chain_get_thickness); break;
     case 0: get("get_mass", cd_chain_get_mass); break;
     case 1: get("get_mass_rule", cd_chain_get_mass_rule); break;
     case 2: get("get_stiffness", cd_chain_get_stiffness); break;

@@ -35,6 +35,8 @@ private:
     bool likes_lengths;       // this chain is a rope most of the time
     Doubles stretched;        // before the step, how much too long each spring of fixed length was
     double momentum_before[4], velocity_before, position_before, step_before;
+    double depth_before = 0;    // how deep the deepest node lay in a collider
+    bool began_inside = false; // and whether that was more than a step may leave
 
     size_t springs_now() const; // a ring has one more
     void impulse();
@@ -69,6 +71,32 @@ private:
     void set_wind();
     void get_convergence();
     void set_strength();
+    struct Thing { // a collider, as it is told
+        cd_shape shape;
+        double first[4], second[4], velocity[4], radius, friction;
+    };
+    std::vector<Thing> things() const;
+    static bool moves(const Thing& thing);
+    static bool same(const Thing& a, const Thing& b);
+    double depth_in(const Thing& thing, const double* x) const; // less than 0 outside
+    double deepest(const std::vector<Thing>& of) const;         // of all free nodes
+    double room_for_depth(const std::vector<Thing>& of) const;  // that a step may leave
+    double longest() const;
+    void set_colliders();
+    void set_plane();
+    void set_capsule();
+    void remove_collider();
+    void set_collider_velocity();
+    void set_thickness();
+    void get_collider();
+    struct Place {
+        double at[4];
+        bool moderate;
+        size_t count;
+    };
+    Place pick_place(double size) const;
+    size_t pick_collider() const;
+    void check_depth(const Step& step);
     void get_reaction();
     void check_rope(const Step& step);
     void check_lengths(double tolerance, double dt);

@@ -65,7 +65,77 @@ bool Chain::is_free() const {
         if (pin != CD_NODE_FREE) return false;
     double along = 0, across = 0;
     cd_chain_get_air(first(), &along, &across);
-    return drag + along + across == 0 && !is_driven() && all_of(CD_TARGET).empty();
+    return drag + along + across == 0 && !is_driven() && all_of(CD_TARGET).empty() && things().empty();
+}
+
+std::vector<Chain::Thing> Chain::things() const {
+    size_t count = 0;
+    cd_chain_get_colliders(first(), &count);
+    std::vector<Thing> all(count);
+    for (size_t i = 0; i < count; ++i) {
+        Thing& thing = all[i] = {};
+        cd_chain_get_collider(first(), i, &thing.shape, thing.first, thing.second, thing.velocity, components,
+                              &thing.radius, &thing.friction);
+    }
+    return all;
+}
+
+bool Chain::moves(const Thing& thing) {
+    for (double v : thing.velocity)
+        if (v != 0 && thing.shape != CD_SHAPE_NONE) return true;
+    return false;
+}
+
+bool Chain::same(const Thing& a, const Thing& b) {
+    bool same = a.shape == b.shape && a.radius == b.radius && a.friction == b.friction;
+    for (size_t c = 0; c < 4; ++c)
+        same &= a.first[c] == b.first[c] && a.second[c] == b.second[c] && a.velocity[c] == b.velocity[c];
+    return same;
+}
+
+double Chain::depth_in(const Thing& thing, const double* x) const {
+    double thickness = 0, along = 0, square = 0, away = 0;
+    cd_chain_get_thickness(first(), &thickness);
+    if (thing.shape == CD_SHAPE_NONE) return -HUGE_VAL;
+    if (thing.shape == CD_SHAPE_PLANE) {
+        for (size_t c = 0; c < components; ++c) away += (x[c] - thing.first[c]) * thing.second[c];
+        return thickness - away;
+    }
+    for (size_t c = 0; c < components; ++c) {
+        const double way = thing.second[c] - thing.first[c];
+        along += way * (x[c] - thing.first[c]), square += way * way;
+    }
+    const double share = square > 0 ? fmin(fmax(along / square, 0), 1) : 0;
+    for (size_t c = 0; c < components; ++c)
+        away += pow(x[c] - thing.first[c] - share * (thing.second[c] - thing.first[c]), 2);
+    return thing.radius + thickness - sqrt(away);
+}
+
+double Chain::deepest(const std::vector<Thing>& of) const {
+    if (of.empty() || !is_rope()) return 0;
+    const Doubles x = all_of(CD_POSITION), pin = all_of(CD_PIN);
+    double depth = 0;
+    for (size_t i = 0; i < nodes; ++i)
+        for (size_t k = 0; k < of.size() && pin[i] == CD_NODE_FREE; ++k)
+            depth = fmax(depth, depth_in(of[k], &x[i * components]));
+    return depth;
+}
+
+double Chain::longest() const {
+    double most = 0;
+    for (double length : lengths()) most = fmax(most, length);
+    return most;
+}
+
+double Chain::room_for_depth(const std::vector<Thing>& of) const {
+    double tolerance = 0, x = largest_of({CD_POSITION}), place = 0, thickness = 0;
+    size_t most = 0;
+    cd_chain_get_tolerance(first(), &tolerance, &most);
+    cd_chain_get_thickness(first(), &thickness);
+    for (const Thing& thing : of)
+        for (size_t c = 0; c < components; ++c)
+            place = fmax(place, fabs(thing.first[c]) + fabs(thing.second[c]) + thing.radius + thickness);
+    return 1.001 * tolerance * longest() + (precision == CD_FLOAT64 ? 1e-14 : 1e-6) * x + 1e-14 * (x + place);
 }
 
 // ---- what must hold ------------------------------------------------------------------------------------------------
@@ -73,6 +143,9 @@ bool Chain::is_free() const {
 void Chain::before_step(double dt) {
     Body<ChainApi>::before_step(dt);
     step_before = dt;
+    const std::vector<Thing> all = things();
+    depth_before = deepest(all);
+    began_inside = depth_before > room_for_depth(all);
     cd_chain_get_momentum(first(), momentum_before, components);
     velocity_before = largest_of({CD_VELOCITY});
     position_before = largest_of({CD_POSITION});
@@ -91,13 +164,18 @@ void Chain::before_step(double dt) {
 double Chain::force_on_nodes(double dt) const {
     const double x = fmax(largest_of({CD_POSITION}), position_before);
     const double v = fmax(largest_of({CD_VELOCITY}), velocity_before);
-    double along = 0, across = 0, wind[4] = {}, longest = 0, blows = largest_of({CD_WIND});
+    double along = 0, across = 0, wind[4] = {}, blows = largest_of({CD_WIND});
     cd_chain_get_air(first(), &along, &across);
     cd_chain_get_wind(first(), wind, components);
     for (double u : wind) blows = fmax(blows, fabs(u));
-    for (double length : lengths()) longest = fmax(longest, length);
-    return heaviest() * (v / dt + gravity()) + stiffest_tie() * (x + largest_of({CD_TARGET})) + largest_of({CD_FORCE}) +
-           2 * (along + across) * longest * blows + 1e-30;
+    double push = depth_before / dt / dt, rough = 0;
+    for (const Thing& thing : things()) {
+        for (double u : thing.velocity) push += fabs(u) / dt;
+        rough += thing.friction;
+    }
+    return (1 + rough) * heaviest() * (v / dt + gravity() + push) +
+           stiffest_tie() * (x + largest_of({CD_TARGET})) + largest_of({CD_FORCE}) +
+           2 * (along + across) * longest() * blows + 1e-30;
 }
 
 // What the tolerance is worth: tension times length, and the energy of a spring that is wrong by so much; after 8
@@ -112,6 +190,8 @@ double Chain::room_of_kind() const {
     cd_chain_get_convergence(first(), &iterations, nullptr);
     const Doubles length = lengths(), k = stiffnesses(), tension = all_of(CD_TENSION);
     const double force = iterations > 8 ? force_on_nodes(step_before) : 0;
+    if (depth_before > 0) // nodes come out of where they were within the tolerance
+        room += 4 * double(nodes) * (force_on_nodes(step_before) + largest_of({CD_TENSION})) * depth_before;
     for (size_t i = 0; i < tension.size(); ++i) {
         const double wrong = tolerance * length[i];
         room += 4 * fmax(fabs(tension[i]), force) * wrong + fabs(tension[i]) * stretched[i];
@@ -148,6 +228,7 @@ void Chain::check_rope(const Step& s) {
     if (!run.sane || !past.moderate || past.crafted) return;
     if (s.status != CD_OK) return;
     check_lengths(tolerance, s.dt);
+    if (!run.broken) check_depth(s);
     if (s.count == 1 && is_free() && !run.broken) check_momentum(s);
 }
 
@@ -180,6 +261,21 @@ void Chain::check_lengths(double tolerance, double dt) {
                 i % springs, i / springs, now[i], length[i], tension[i], k[i], over, room, largest_of({CD_TENSION}),
                 tolerance, iterations, most, dt);
     }
+}
+
+// Nodes that may move lie outside of all colliders, but for what the tolerance and rounding leave.
+void Chain::check_depth(const Step& s) {
+    const std::vector<Thing> all = things();
+    const double depth = deepest(all), room = room_for_depth(all);
+    double tolerance = 0;
+    size_t most = 0, iterations = 0;
+    cd_chain_get_convergence(first(), &iterations, nullptr);
+    cd_chain_get_tolerance(first(), &tolerance, &most);
+    if (depth > room)
+        problem(
+            "rope: a node ends %g deep in a collider, where %g would do, and began %g deep at most; %zu colliders, "
+            "tolerance %g, %zu iterations and %zu at most, dt %g, %zu steps",
+            depth, room, depth_before, all.size(), tolerance, iterations, most, s.dt, s.count);
 }
 
 // Nothing but gravity works on a free rope.
@@ -311,6 +407,134 @@ void Chain::set_strength() {
     if (status == CD_OK && !is_rope()) problem("set_strength: no rope, but it is taken");
     if (status == CD_OK && strength < HUGE_VAL && all_of(CD_STIFFNESS).empty())
         problem("set_strength: springs may break, but have no stiffness of their own");
+}
+
+void Chain::set_colliders() {
+    const size_t count = pick_index(5);
+    size_t before = 0, after = 0;
+    cd_chain_get_colliders(first(), &before);
+    const std::vector<Thing> was = things();
+    const cd_status status = both(text("set_colliders %zu", count), 0,
+                                  [&](cd_chain* chain, int) { return cd_chain_set_colliders(chain, count); });
+    cd_chain_get_colliders(first(), &after);
+    if (status == CD_OK && !is_rope()) return problem("set_colliders: no rope, but it is taken");
+    if (after != (status == CD_OK ? count : before)) return problem("set_colliders: %zu, not %zu", after, count);
+    const std::vector<Thing> now = things();
+    for (size_t i = 0; i < now.size(); ++i) {
+        if (!same(now[i], i < was.size() ? was[i] : Thing())) return problem("set_colliders: another collider %zu", i);
+    }
+}
+
+// Of the colliders there are, and sometimes of none.
+size_t Chain::pick_collider() const {
+    size_t count = 0;
+    cd_chain_get_colliders(first(), &count);
+    return count == 0 ? 0 : pick_index(count);
+}
+
+Chain::Place Chain::pick_place(double size) const {
+    Place place = {{}, true, pick_count(components)};
+    for (double& x : place.at) {
+        const bool wild = chance(run.bad * 0.5) || (!run.sane && chance(0.05));
+        x = wild ? wild_number() : chance(0.1) ? 0 : uniform(-size, size);
+        place.moderate &= fabs(x) < 1e3;
+    }
+    return place;
+}
+
+void Chain::set_plane() {
+    const size_t index = pick_collider();
+    const Place point = pick_place(decades(-2, 1)), normal = pick_place(1);
+    const double friction = chance(0.3) ? 0 : pick_number(-2, 1);
+    const bool null[2] = {pick_null(), pick_null()};
+    const size_t count = point.count;
+    const cd_status status =
+        both(text("set_plane %zu, %.17g %.17g %.17g, %.17g %.17g %.17g, count %zu, %.17g%s", index, point.at[0],
+                  point.at[1], point.at[2], normal.at[0], normal.at[1], normal.at[2], count, friction,
+                  null[0] || null[1] ? ", null" : ""),
+             kNoMemory, [&](cd_chain* chain, int) {
+                 return cd_chain_set_plane(chain, index, null[0] ? nullptr : point.at, null[1] ? nullptr : normal.at,
+                                           count, friction);
+             });
+    if (status == CD_OK && !(point.moderate && friction < 1e3)) past.moderate = false;
+    if (status != CD_OK || run.broken) return;
+    const Thing now = things()[index];
+    double square = 0;
+    for (double n : now.second) square += n * n;
+    if (now.shape != CD_SHAPE_PLANE) problem("set_plane: collider %zu is none", index);
+    else if (!(fabs(square - 1) < 1e-14)) problem("set_plane: a normal %g long", sqrt(square));
+}
+
+void Chain::set_capsule() {
+    const size_t index = pick_collider();
+    const double size = decades(-2, 1), radius = pick_number(-2, 0.5), friction = chance(0.3) ? 0 : pick_number(-2, 1);
+    const Place first_end = pick_place(size), last_end = chance(0.3) ? first_end : pick_place(size);
+    const bool null[2] = {pick_null(), pick_null()};
+    const size_t count = first_end.count;
+    const cd_status status =
+        both(text("set_capsule %zu, %.17g %.17g %.17g, %.17g %.17g %.17g, count %zu, %.17g, %.17g%s", index,
+                  first_end.at[0], first_end.at[1], first_end.at[2], last_end.at[0], last_end.at[1], last_end.at[2],
+                  count, radius, friction, null[0] || null[1] ? ", null" : ""),
+             kNoMemory, [&](cd_chain* chain, int) {
+                 return cd_chain_set_capsule(chain, index, null[0] ? nullptr : first_end.at,
+                                             null[1] ? nullptr : last_end.at, count, radius, friction);
+             });
+    const bool moderate = first_end.moderate && last_end.moderate && radius > 1e-3 && radius < 1e3 && friction < 1e3;
+    if (status == CD_OK && !moderate) past.moderate = false;
+    if (status == CD_OK && !run.broken && things()[index].shape != CD_SHAPE_CAPSULE)
+        problem("set_capsule: collider %zu is none", index);
+}
+
+void Chain::remove_collider() {
+    const size_t index = pick_collider();
+    const cd_status status = both(text("remove_collider %zu", index), kNoMemory, [&](cd_chain* chain, int) {
+        return cd_chain_remove_collider(chain, index);
+    });
+    if (status != CD_OK || run.broken) return;
+    if (!same(things()[index], Thing())) problem("remove_collider: collider %zu is still something", index);
+}
+
+void Chain::set_collider_velocity() {
+    const size_t index = pick_collider();
+    const Place velocity = pick_place(chance(0.2) ? 0 : decades(-2, 1));
+    const bool null = pick_null();
+    const cd_status status =
+        both(text("set_collider_velocity %zu, %.17g %.17g %.17g, count %zu%s", index, velocity.at[0], velocity.at[1],
+                  velocity.at[2], velocity.count, null ? ", null" : ""),
+             kNoMemory, [&](cd_chain* chain, int) {
+                 return cd_chain_set_collider_velocity(chain, index, null ? nullptr : velocity.at, velocity.count);
+             });
+    if (status == CD_OK && !velocity.moderate) past.moderate = false;
+}
+
+void Chain::set_thickness() {
+    const double radius = chance(0.3) ? 0 : pick_number(-4, 0);
+    const cd_status status = both(text("set_thickness %.17g", radius), kNoMemory,
+                                  [&](cd_chain* chain, int) { return cd_chain_set_thickness(chain, radius); });
+    if (status == CD_OK && !is_rope()) problem("set_thickness: no rope, but it is taken");
+    if (status == CD_OK && !(radius < 1e3)) past.moderate = false;
+}
+
+void Chain::get_collider() {
+    const size_t index = pick_collider(), count = pick_count(components);
+    Thing told[2] = {};
+    const bool some = chance(0.2);
+    const auto get = [&](cd_chain* chain, int which) {
+        Thing& out = told[which];
+        return cd_chain_get_collider(chain, index, some ? nullptr : &out.shape, some ? nullptr : out.first, out.second,
+                                     some ? nullptr : out.velocity, count, &out.radius, some ? nullptr : &out.friction);
+    };
+    const cd_status status = both(text("get_collider %zu, count %zu", index, count), kReads, get);
+    must_agree("get_collider", &told[0].shape, &told[1].shape);
+    must_agree("get_collider", told[0].first, told[1].first, 4);
+    must_agree("get_collider", told[0].second, told[1].second, 4);
+    must_agree("get_collider", told[0].velocity, told[1].velocity, 4);
+    must_agree("get_collider", &told[0].radius, &told[1].radius);
+    must_agree("get_collider", &told[0].friction, &told[1].friction);
+    size_t all = 0;
+    cd_chain_get_colliders(first(), &all);
+    if ((status == CD_OK) != (index < all && count == components))
+        problem("get_collider: %s of collider %zu of %zu, count %zu", cd_status_name(status), index, all, count);
 }
 
 void Chain::get_reaction() {
