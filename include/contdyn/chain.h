@@ -139,10 +139,10 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
  * where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
  * its own pins, masses, stiffnesses, rest lengths and attachments, at first those that they shared. Length 0 switches
- * CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little every step, it is a
- * winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build
- * without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all
- * springs or two held nodes. */
+ * CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little every
+ * step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring,
+ * in a build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness would
+ * weld all springs or two held nodes. */
 CD_API cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
 
@@ -197,17 +197,18 @@ CD_API cd_status cd_chain_get_tolerance(const cd_chain* chain, double* out_toler
  * may be null. */
 CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_iterations, double* out_residual);
 
-/* ---- what ropes touch ----------------------------------------------------------------------------------------------- */
-/* The nodes of a rope stay outside of colliders, numbered 0 to count - 1, which all strands meet: half spaces and
- * capsules, spheres among them, each with a velocity and a friction of its own. A step keeps nodes out to the tolerance
- * and takes no energy from nothing; what falls on a collider does not bounce, and what comes to rest stays. A strand
- * that touches something makes that step with lambda = 1. A node that lies inside, because it was put there, comes out
- * within a step and is not thrown. Nodes collide, the springs between them do not, nor do ropes with each other. No node
- * passes through a collider that it meets more slowly than one radius a step.
- * Friction is Coulomb's, of the push of each node, to 1%; below 1e-4 m/s it falls with the speed, so that what it holds
- * creeps at less than that. Time grows with the colliders, by some tenth of the rope's own for each of them.
- * Errors of all that set: CD_ERROR_UNSUPPORTED of a chain that is no rope; CD_ERROR_RANGE for an index beyond the
- * colliders, or a count that is not the number of components; CD_ERROR_VALUE. */
+/* ---- what ropes touch -------------------------------------------------------------------------------------------- */
+/* The nodes of a rope stay outside of colliders, numbered from 0, which all strands meet: half spaces, and capsules,
+ * spheres among them, each with a velocity and a friction of its own. A step that reaches its tolerance leaves no free
+ * node deeper inside than that, times the springs' length, and colliders at rest give no energy. What falls on one
+ * does not bounce; what comes to rest stays. A strand that touches something makes that step with lambda = 1. A node
+ * that lies inside when a step begins comes out of it, and is not thrown. Nodes collide; the springs between them do
+ * not, nor do ropes with each other. No node passes through a capsule that it meets by less than a radius a step.
+ * Where colliders overlap, a node may be caught between them: CD_ERROR_TOLERANCE. Friction is Coulomb's, of each
+ * node's push, to 1%; where 50 iterations do not settle it, of the push found by then. Below 1e-4 m/s it falls with
+ * the speed, so that what it holds creeps at less than that.
+ * Errors of all that set: CD_ERROR_UNSUPPORTED of a chain that is no rope; CD_ERROR_RANGE for an index that no collider
+ * has, or a count that is not the number of components; CD_ERROR_VALUE. */
 
 /* How many colliders there are, 0 to 4096, default 0: new ones are CD_SHAPE_NONE, those that stay keep what they are.
  * Rest length 0 takes them away. Errors: CD_ERROR_MEMORY. */
@@ -227,8 +228,8 @@ CD_API cd_status cd_chain_set_capsule(cd_chain* chain, size_t index, const doubl
 /* Makes a collider CD_SHAPE_NONE: nothing touches it. */
 CD_API cd_status cd_chain_remove_collider(cd_chain* chain, size_t index);
 
-/* Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move it, and it carries
- * what it touches along. Its place is where it is between the calls of cd_chain_step. */
+/* Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move it, and it
+ * carries what it touches along. Its place is where it is between the calls of cd_chain_step. */
 CD_API cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, const double* velocity, size_t count);
 
 /* What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends; of

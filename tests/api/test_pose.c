@@ -181,7 +181,7 @@ static void a_posed_edge_carries_the_sheet(void** state) {
     }
 }
 
-/* ---- teleport ----------------------------------------------------------------------------------------------------- */
+/* ---- teleport ---------------------------------------------------------------------------------------------------- */
 
 /* R x + shift of many vectors. */
 static void turned(const double* rotation, const double* shift, double* numbers, size_t count) {

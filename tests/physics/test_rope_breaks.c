@@ -137,7 +137,7 @@ static void no_energy_comes_of_breaking(void** state) {
     assert_true(all_broken > 500);
 }
 
-/* ---- what ropes pull with ----------------------------------------------------------------------------------------- */
+/* ---- what ropes pull with ---------------------------------------------------------------------------------------- */
 
 static void a_held_node_feels_the_weight_that_hangs_from_it(void** state) {
     (void)state;

@@ -26,8 +26,12 @@ static struct rope rope_of(size_t nodes, double length, double lambda, size_t co
     ok(cd_chain_set_colliders(r.chain, colliders));
     return r;
 }
-static void put(struct rope* r) { ok(cd_chain_write_f64(r->chain, CD_POSITION, 0, 1, 0, r->nodes, r->x[0], 3 * r->nodes)); }
-static void get(struct rope* r) { ok(cd_chain_read_f64(r->chain, CD_POSITION, 0, 1, 0, r->nodes, r->x[0], 3 * r->nodes)); }
+static void put(struct rope* r) {
+    ok(cd_chain_write_f64(r->chain, CD_POSITION, 0, 1, 0, r->nodes, r->x[0], 3 * r->nodes));
+}
+static void get(struct rope* r) {
+    ok(cd_chain_read_f64(r->chain, CD_POSITION, 0, 1, 0, r->nodes, r->x[0], 3 * r->nodes));
+}
 static void straight(struct rope* r, const double* start, const double* way) {
     for (size_t i = 0; i < r->nodes; ++i)
         for (int k = 0; k < 3; ++k) r->x[i][k] = start[k] + r->spacing * (double)i * way[k];
@@ -36,7 +40,8 @@ static void straight(struct rope* r, const double* start, const double* way) {
 static double speed_of(const struct rope* r) {
     double v[MOST][3], most = 0;
     ok(cd_chain_read_f64(r->chain, CD_VELOCITY, 0, 1, 0, r->nodes, v[0], 3 * r->nodes));
-    for (size_t i = 0; i < r->nodes; ++i) most = fmax(most, sqrt(v[i][0] * v[i][0] + v[i][1] * v[i][1] + v[i][2] * v[i][2]));
+    for (size_t i = 0; i < r->nodes; ++i)
+        most = fmax(most, sqrt(v[i][0] * v[i][0] + v[i][1] * v[i][1] + v[i][2] * v[i][2]));
     return most;
 }
 static double energy_of(const struct rope* r) {
@@ -60,7 +65,10 @@ static double deepest_in(struct rope* r) {
             if (shape == CD_SHAPE_PLANE)
                 for (int k = 0; k < 3; ++k) gap += b[k] * (r->x[i][k] - a[k]);
             else {
-                for (int k = 0; k < 3; ++k) along += (b[k] - a[k]) * (r->x[i][k] - a[k]), whole += (b[k] - a[k]) * (b[k] - a[k]);
+                for (int k = 0; k < 3; ++k) {
+                    along += (b[k] - a[k]) * (r->x[i][k] - a[k]);
+                    whole += (b[k] - a[k]) * (b[k] - a[k]);
+                }
                 along = whole > 0 ? fmin(fmax(along / whole, 0), 1) : 0;
                 for (int k = 0; k < 3; ++k) {
                     const double off = r->x[i][k] - a[k] - along * (b[k] - a[k]);
@@ -74,7 +82,7 @@ static double deepest_in(struct rope* r) {
     return deepest;
 }
 
-/* A rope laid straight up and down a slope of friction 1/2, or across it: it holds, or slides as a body does in steps of
+/* A rope laid straight down a slope of friction 1/2, or across it: it holds, or slides as a body does in steps of
  * lambda = 1: a t (t + dt) / 2. */
 static void a_slope_holds_or_lets_slide(void** state) {
     (void)state;
@@ -141,7 +149,8 @@ static void what_falls_comes_to_rest(void** state) {
         ok(cd_chain_set_plane(r.chain, 0, nowhere, up, 3, way < 4 ? 0.5 : 0.1));
         for (size_t i = 0; i < r.nodes; ++i) { /* upright, or slanting */
             const double t = (double)i * r.spacing * 0.99;
-            r.x[i][0] = 0.001 * sin(1.3 * (double)i) + (way < 2 ? 0 : 0.6 * t), r.x[i][2] = 0.001 * cos(0.7 * (double)i);
+            r.x[i][0] = 0.001 * sin(1.3 * (double)i) + (way < 2 ? 0 : 0.6 * t);
+            r.x[i][2] = 0.001 * cos(0.7 * (double)i);
             r.x[i][1] = 0.1 + (way < 2 ? t : 0.8 * t);
         }
         put(&r);
@@ -234,6 +243,21 @@ static void what_lay_inside_comes_out_and_is_not_thrown(void** state) {
     }
 }
 
+/* A held node stays where it is held, inside of a body too, and the rope comes out of it. */
+static void a_held_node_may_lie_inside(void** state) {
+    (void)state;
+    const double inside[3] = {0, -0.03, 0}, along[3] = {0.6, 0.8, 0};
+    struct rope r = rope_of(21, 1, 0.5, 1);
+    ok(cd_chain_set_end(r.chain, CD_END_FIRST, CD_NODE_PINNED));
+    ok(cd_chain_set_plane(r.chain, 0, nowhere, up, 3, 0.5));
+    straight(&r, inside, along);
+    for (int step = 0; step < 300; ++step) ok(cd_chain_step(r.chain, 1 / 60.0, 1));
+    get(&r);
+    assert_true(r.x[0][1] == -0.03);
+    for (size_t i = 1; i < r.nodes; ++i) assert_true(r.x[i][1] > -1e-6 * r.spacing);
+    cd_chain_destroy(r.chain);
+}
+
 /* Along one line, in steps of up to nine tenths of the radius, nothing comes through. */
 static void nothing_passes_that_is_slower_than_a_radius_a_step(void** state) {
     (void)state;
@@ -271,7 +295,8 @@ static void random_ropes_fall_on_random_bodies(void** state) {
     for (uint64_t number = 0; number < 120; ++number) {
         uint64_t seed = 77 + 13 * number;
         const size_t d = number % COUNT(dts);
-        struct rope r = rope_of(5 + number * 7 % 60, 1 + 4 * fabs(random_number(&seed)), number % 3 == 0 ? 0.5 : number % 3 == 1 ? 0.75 : 1, 3);
+        static const double lambdas[] = {0.5, 0.75, 1};
+        struct rope r = rope_of(5 + number * 7 % 60, 1 + 4 * fabs(random_number(&seed)), lambdas[number % 3], 3);
         double place[3] = {0, 1.5, 0}, way[3] = {random_number(&seed), random_number(&seed), random_number(&seed)};
         for (size_t i = 0; i < r.nodes; ++i) {
             double size = 0;
@@ -301,13 +326,15 @@ static void random_ropes_fall_on_random_bodies(void** state) {
             const double now = energy_of(&r);
             if (status == CD_OK) {
                 assert_true(deepest_in(&r) < 1e-6 * (1 + 1e-6));
-                if (!(now <= before + 1e-3)) fail_msg("rope %d: energy from %.9g to %.9g in step %d", (int)number, before, now, step);
+                if (!(now <= before + 1e-3))
+                    fail_msg("rope %d: energy from %.9g to %.9g in step %d", (int)number, before, now, step);
             }
             before = status == CD_OK ? now : INFINITY;
         }
         cd_chain_destroy(r.chain);
     }
-    for (size_t d = 0; d < COUNT(dts); ++d) print_message("dt %g: %d of %d steps missed\n", dts[d], missed[d], steps[d]);
+    for (size_t d = 0; d < COUNT(dts); ++d)
+        print_message("dt %g: %d of %d steps missed\n", dts[d], missed[d], steps[d]);
     assert_true(missed[0] == 0 && missed[1] < steps[1] / 20 && missed[2] < steps[2] / 20 && missed[3] < steps[3] / 20);
 }
 
@@ -319,6 +346,7 @@ int main(void) {
         cmocka_unit_test(bodies_are_not_entered_and_give_no_energy),
         cmocka_unit_test(colliders_that_move_take_ropes_along),
         cmocka_unit_test(what_lay_inside_comes_out_and_is_not_thrown),
+        cmocka_unit_test(a_held_node_may_lie_inside),
         cmocka_unit_test(nothing_passes_that_is_slower_than_a_radius_a_step),
         cmocka_unit_test(random_ropes_fall_on_random_bodies),
     };

@@ -139,6 +139,24 @@ RULES = {
         "rope_bundle.hh", " * opposite(held(i) * held(i + 1));", ";", ["stability_ropes"]),
     "and count for no error": (
         "rope_bundle.hh", "rest(i), here = here.in(s.moves);", "rest(i);", ["stability_ropes", "determinism_parallel"]),
+    "pushes act along the normal at the start": (
+        "rope_contact.hh", "        const L was = c.on, used = c.friction;",
+        "        c.acting = c.normal;\n        const L was = c.on, used = c.friction;", ["physics_rope_contact"]),
+    "what lay inside is not thrown": (
+        "rope_step.cpp", "    if (has_contacts()) forget_overlaps();", "", ["physics_rope_contact"]),
+    "what touches steps with lambda = 1": (
+        "rope_step.cpp", "    if (has_contacts() && stage.lambda < 1) failed = larger(failed, touches());", "",
+        ["physics_rope_contact"]),
+    "the push that is known makes up for the rest": (
+        "rope_contact.hh", " + c.push / stiffness", "", ["physics_rope_contact"]),
+    "friction that does not settle is of the push found by then": (
+        "rope_contact.hh", "kGripIterations = 50;", "kGripIterations = 10000;", ["physics_rope_contact"]),
+    "friction is right to 1%": (
+        "rope_contact.hh", "kFrictionError = 1e-2;", "kFrictionError = 1e2;", ["physics_rope_contact"]),
+    "and sticks below a speed": (
+        "rope_contact.hh", "kStickSpeed = 1e-4;", "kStickSpeed = 1e-2;", ["physics_rope_contact"]),
+    "held nodes touch nothing": (
+        "rope_contact.hh", "free = opposite(held(i));", "free = one();", ["physics_rope_contact"]),
 }
 
 
