@@ -10,6 +10,7 @@ Chain::Chain() {
     springs = chance(0.25) ? below(4) : chance(0.5) ? below(40) : below(200);
     components = 1 + below(4);
     likes_lengths = chance(0.6);
+    likes_things = likes_lengths && chance(0.5);
     nodes = strands * (springs + 1);
     precision = cd_precision(below(2));
     trace(text("chain_create %zu strands, %zu springs, %zu components, precision %d", strands, springs, components,

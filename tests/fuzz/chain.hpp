@@ -33,6 +33,7 @@ private:
     size_t strands, springs;
     bool ended_short = false; // the last step missed its tolerance
     bool likes_lengths;       // this chain is a rope most of the time
+    bool likes_things;        // and meets colliders then
     Doubles stretched;        // before the step, how much too long each spring of fixed length was
     double momentum_before[4], velocity_before, position_before, step_before;
     double depth_before = 0;    // how deep the deepest node lay in a collider

@@ -313,6 +313,10 @@ void Chain::check_momentum(const Step& s) {
 void Chain::act() {
     if (is_rope() && lacks_something() && chance(0.4)) return get_ready();
     if (likes_lengths && !is_rope() && chance(0.1)) return set_rest_length();
+    if (likes_things && is_rope() && chance(0.12)) {
+        if (things().empty()) return set_colliders();
+        return chance(0.4) ? set_plane() : set_capsule();
+    }
     Body<ChainApi>::act();
 }
 
