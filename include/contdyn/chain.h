@@ -233,7 +233,7 @@ CD_API cd_status cd_chain_remove_collider(cd_chain* chain, size_t index);
 CD_API cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, const double* velocity, size_t count);
 
 /* What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends; of
- * what is none, zeros. One number per component in each array. Each output may be null.
+ * what is none, zeros, but for its velocity. One number per component in each array. Each output may be null.
  * Errors: CD_ERROR_RANGE for an index or a count. */
 CD_API cd_status cd_chain_get_collider(const cd_chain* chain, size_t index, cd_shape* out_shape, double* out_first,
                                        double* out_second, double* out_velocity, size_t count, double* out_radius,

@@ -50,7 +50,7 @@ cd_status cd_chain_set_plane(cd_chain* chain, size_t index, const double* point,
     if (!(largest > 0)) return fail(CD_ERROR_VALUE, __func__, "normal is 0: it has no direction");
     for (size_t k = 0; k < count; ++k) square += (normal[k] / largest) * (normal[k] / largest);
     Collider& to = collider(c, index);
-    to.shape = CD_SHAPE_PLANE, to.radius = 0, to.friction = friction;
+    to.shape = CD_SHAPE_PLANE, to.radius = 0, to.friction = friction, to.since = c.clock.time();
     for (size_t k = 0; k < count; ++k) to.point[k] = point[k], to.way[k] = normal[k] / largest / sqrt(square);
     return CD_OK;
 }
@@ -64,7 +64,7 @@ cd_status cd_chain_set_capsule(cd_chain* chain, size_t index, const double* firs
     CD_CHECK(in_range(__func__, "radius", radius, kLeastMass, kMost));
     CD_CHECK(in_range(__func__, "friction", friction, 0, kMost));
     Collider& to = collider(c, index);
-    to.shape = CD_SHAPE_CAPSULE, to.radius = radius, to.friction = friction;
+    to.shape = CD_SHAPE_CAPSULE, to.radius = radius, to.friction = friction, to.since = c.clock.time();
     for (size_t k = 0; k < count; ++k) to.point[k] = first[k], to.way[k] = last[k] - first[k];
     return CD_OK;
 }
@@ -80,7 +80,10 @@ cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, const do
     CD_OPEN(chain, c);
     CD_CHECK(is_collider(__func__, c, index, count));
     CD_CHECK(is_vector(__func__, "velocity", velocity, count));
-    for (size_t k = 0; k < count; ++k) collider(c, index).velocity[k] = velocity[k];
+    Collider& to = collider(c, index);
+    const double now = c.clock.time();
+    for (size_t k = 0; k < count; ++k) to.point[k] = to.place(int(k), now), to.velocity[k] = velocity[k];
+    to.since = now;
     return CD_OK;
 }
 
@@ -88,12 +91,13 @@ cd_status cd_chain_get_collider(const cd_chain* chain, size_t index, cd_shape* o
                                 double* out_second, double* out_velocity, size_t count, double* out_radius,
                                 double* out_friction) {
     CD_OPEN(chain, c);
-    CD_CHECK(is_collider(__func__, c, index, count));
+    CD_CHECK(is_index(__func__, "index", index, collider_count(c)));
+    CD_CHECK(is_count(__func__, "count", count, c.components));
     const Collider& of = collider(c, index);
-    const bool capsule = of.shape == CD_SHAPE_CAPSULE;
     for (size_t k = 0; k < count; ++k) {
-        if (out_first) out_first[k] = of.point[k];
-        if (out_second) out_second[k] = of.way[k] + (capsule ? of.point[k] : 0);
+        const double place = of.shape == CD_SHAPE_NONE ? 0 : of.place(int(k), c.clock.time());
+        if (out_first) out_first[k] = place;
+        if (out_second) out_second[k] = of.way[k] + (of.shape == CD_SHAPE_CAPSULE ? place : 0);
         if (out_velocity) out_velocity[k] = of.velocity[k];
     }
     if (out_shape) *out_shape = cd_shape(of.shape);

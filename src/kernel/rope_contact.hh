@@ -20,9 +20,9 @@ constexpr double kStickSpeed = 1e-4;
 constexpr double kFrictionError = 1e-2;
 constexpr size_t kGripIterations = 50;
 
-// Of a place x and a collider that has moved for this time: the way out of it, and how far outside x lies.
+// Of a place x and a collider at this time: the way out of it, and how far outside x lies.
 template <int N> void RopeBundle<N>::look_at_gap(const Collider& to, V x, double time, V& normal, L& gap) const {
-    const auto at = [&](int k) { return L::splat(to.point[k] + time * to.velocity[k]); };
+    const auto at = [&](int k) { return L::splat(to.place(k, time)); };
     const V way{L::splat(to.way[0]), L::splat(to.way[1]), L::splat(to.way[2])}, from = x - V{at(0), at(1), at(2)};
     const L radius = L::splat(to.radius);
     if (to.shape == CD_SHAPE_PLANE) {
@@ -66,17 +66,19 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
         if (to.shape == CD_SHAPE_NONE) continue;
         Contact& c = contacts[i * stage.collider_count + k];
         if (iteration == 0) look_at_gap(to, before, stage.time_before, c.acting, c.before);
-        look_at_gap(to, x, stage.time_before + stage.dt, c.normal, c.gap);
+        look_at_gap(to, x, stage.time_after, c.normal, c.gap);
         const L was = c.on, used = c.friction;
         if (iteration == 0) {
-            c.on = free * select(room - c.gap, one(), L{});
-            c.push = c.on * (nodes[i].ground * positive(leaving(i, c) - dot(c.normal, nodes[i].b)));
+            const L alone = nodes[i].ground * positive(leaving(i, c) - dot(c.normal, nodes[i].b));
+            c.on = select(open, free * select(room - c.gap, one(), L{}), c.on);
+            c.push = select(open, c.on * alone, c.push);
             c.grip = c.push;
             set_friction(to, i, c);
             continue;
         }
         const L inside = free * select(room + c.gap, L{}, one()); // deeper than the tolerance
-        c.on = larger(was * select(c.push, one(), L{}), inside);
+        c.on = select(open, larger(was * select(c.push, one(), L{}), inside), c.on);
+        c.push = select(open, was * c.push, c.push);
         if (iteration < kGripIterations) c.grip = c.push;
         set_friction(to, i, c);
         const L changed = larger(inside * opposite(was), was * opposite(c.on));
@@ -117,8 +119,9 @@ template <int N> Vector<N> RopeBundle<N>::pressed(size_t i, V phi) {
         const Axes to = axes(c.normal);
         phi = phi + (c.across[1].wished - dot(c.across[1].by, phi)) * to.normal;
         phi = phi + (c.across[0].wished - dot(c.across[0].by, phi)) * to.side;
-        c.push = c.on * (c.pressed.wished - dot(c.pressed.by, phi));
-        phi = phi + c.push * c.acting;
+        const L push = c.on * (c.pressed.wished - dot(c.pressed.by, phi));
+        c.push = select(open, push, c.push);
+        phi = phi + push * c.acting;
     }
     return phi;
 }

@@ -54,13 +54,16 @@ struct RopeParameters {
     double drag;                                // [1/s]
 };
 
-// What ropes do not go through, where it is at the start of a call of step.
+// What ropes do not go through.
 struct Collider {
     double shape;    // a cd_shape
     double point[3]; // of the plane, or the capsule's first end [m]
     double way[3];   // the plane's outward normal, of length 1, or from the capsule's first end to its last [m]
     double radius, friction;
     double velocity[3]; // [m/s]
+    double since;       // the time at which it was there [s]
+
+    double place(int k, double time) const { return point[k] + (time - since) * velocity[k]; }
 };
 
 struct RopeStage {
@@ -72,7 +75,7 @@ struct RopeStage {
     size_t most_iterations;
     const Collider* colliders;
     size_t collider_count;
-    double time_before; // since the start of the call
+    double time_before, time_after; // of the step [s]
 
     bool has_air() const { return along > 0 || across > 0; }
 };

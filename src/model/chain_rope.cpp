@@ -41,11 +41,6 @@ const Collider* colliders_of(Chain& c) {
     for (size_t i = 0; i < collider_count(c); ++i) out[i] = collider(c, i), out[i].radius += c.rope.thickness;
     return out;
 }
-void move_colliders(Chain& c, double seconds) {
-    for (size_t i = 0; i < collider_count(c); ++i)
-        for (size_t k = 0; k < 3; ++k) collider(c, i).point[k] += seconds * collider(c, i).velocity[k];
-}
-
 // Cuts, of each of these strands, the spring whose tension is most beyond its strength; tells how many.
 size_t break_springs(Chain& c, size_t first, size_t strands) {
     size_t broken = 0;
@@ -83,7 +78,18 @@ size_t rope_scratch(const Chain& c, bool air, size_t colliders) {
     return tasks_of(c) * scratch_of_task(c, air, colliders);
 }
 
+// Colliders stay where they are when time begins anew.
+static void stop_clocks(Chain& c) {
+    const double now = c.clock.time();
+    for (size_t i = 0; i < collider_count(c); ++i) {
+        Collider& of = collider(c, i);
+        for (int k = 0; k < 3; ++k) of.point[k] = of.place(k, now);
+        of.since = 0;
+    }
+}
+
 void clear_state(Chain& c) {
+    stop_clocks(c);
     clear_state(static_cast<Body&>(c));
     if (c.tension) memset(c.tension.data, 0, c.tension.bytes());
 }
@@ -105,6 +111,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                              size_t(c.rope.most_iterations),
                              colliders_of(c),
                              collider_count(c),
+                             0,
                              0};
     RopeResult results[kMostTasks];
     uint64_t bad[kMostTasks];
@@ -118,7 +125,9 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
             const size_t first = g * kRopeStrands, left = c.strands - first,
                          strands = left < kRopeStrands ? left : kRopeStrands;
             for (size_t s = 0; s < count; ++s) {
-                now.time_before = dt * double(s);
+                Clock clock = c.clock;
+                clock.advance(dt, s), now.time_before = clock.time();
+                clock.advance(dt, 1), now.time_after = clock.time();
                 const RopeResult result = c.kernels->rope_step(ropes, parameters, now, scratch, first, strands);
                 results[t].add(result);
                 if (!result.finite && s < bad[t]) bad[t] = s;
@@ -127,7 +136,6 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
         }
     };
     parallel_for(c.parallel, tasks, task);
-    move_colliders(c, dt * double(count));
     uint64_t first_bad = UINT64_MAX;
     for (size_t t = 0; t < tasks; ++t) {
         if (bad[t] < first_bad) first_bad = bad[t];
