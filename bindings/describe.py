@@ -39,6 +39,10 @@ EACH_MAY_BE_NULL = re.compile(r"each\s+(output\s+)?may\s+be\s+null", re.IGNORECA
 # Arrays that hold more than one number for each place that their length counts, or have no length after them: the
 # parameter that counts, and how many numbers there are for each that it counts, or the parameter that says how many.
 LENGTHS = {
+    ("cd_chain_set_plane", "point"): ("count", 1),
+    ("cd_chain_set_capsule", "first"): ("count", 1),
+    ("cd_chain_get_collider", "out_first"): ("count", 1),
+    ("cd_chain_get_collider", "out_second"): ("count", 1),
     ("cd_chain_teleport", "rotation"): ("count", "count"),
     ("cd_membrane_teleport", "rotation"): ("count", "count"),
     ("cd_membrane_sample", "at"): ("n", 2),

@@ -201,6 +201,29 @@ void ropes() {
     CHECK(GET(rope.get_convergence()).iterations == 0 && GET(rope.get_convergence()).residual == 0);
 }
 
+// What ropes touch.
+void colliders() {
+    chain rope = GET(chain::create(1, 4, 2, precision::float64));
+    OK(rope.set_rest_length(1));
+    OK(rope.set_gravity({0, -10}));
+    OK(rope.write_f64(field::position, 0, 1, 0, 5, {0, 0.1, 0.25, 0.1, 0.5, 0.1, 0.75, 0.1, 1, 0.1}));
+    CHECK(GET(rope.get_colliders()) == 0 && GET(rope.get_thickness()) == 0);
+    OK(rope.set_colliders(2));
+    OK(rope.set_thickness(0.0625));
+    CHECK(GET(rope.get_colliders()) == 2 && GET(rope.get_thickness()) == 0.0625);
+    OK(rope.set_plane(0, {0, -1}, {0, 5}, 0.5));
+    OK(rope.set_capsule(1, {7, 8}, {9, 8}, 0.25));
+    OK(rope.set_collider_velocity(0, {0.5, 0}));
+    OK(rope.step(0.01, 200));
+    const collider plane = GET(rope.get_collider(0)), capsule = GET(rope.get_collider(1));
+    CHECK(plane.kind == contdyn::shape::plane && near(plane.first[0], 1) && plane.second[1] == 1);
+    CHECK(plane.velocity[0] == 0.5 && plane.friction == 0.5);
+    CHECK(capsule.kind == contdyn::shape::capsule && capsule.second[0] == 9 && capsule.radius == 0.25);
+    for (std::size_t i = 1; i < 10; i += 2) CHECK(std::fabs(GET(rope.read_f64(field::position))[i] + 0.9375) < 1e-6);
+    OK(rope.remove_collider(1));
+    CHECK(GET(rope.get_collider(1)).kind == contdyn::shape::none);
+}
+
 // A strand and a sheet that are led, then put elsewhere; turned by a quarter where there is a rotation.
 void posed() {
     chain rope = GET(chain::create(2, 2, 2, precision::float64));
@@ -434,6 +457,7 @@ int main() {
     CHECK(std::string(status_name(status::error_value)) == "CD_ERROR_VALUE");
     chains();
     ropes();
+    colliders();
     posed();
     membranes();
     waters();

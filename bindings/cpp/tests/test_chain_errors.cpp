@@ -123,6 +123,8 @@ void lengths() {
     KEPT(rope, status::error_unsupported, "air", rope.set_air(0, 1));
     KEPT(rope, status::error_unsupported, "air", rope.set_wind({1, 1}));
     KEPT(rope, status::error_unsupported, "break", rope.set_strength(1));
+    KEPT(rope, status::error_unsupported, "touch", rope.set_colliders(1));
+    KEPT(rope, status::error_unsupported, "touch", rope.set_thickness(1));
     double two[2];
     KEPT(rope, status::error_unsupported, "tensions", rope.get_reaction(0, 0, two));
     for (field f : {field::rest_length, field::tension, field::strength, field::strain}) {
@@ -152,6 +154,18 @@ void lengths() {
     KEPT(rope, status::error_range, "strand", rope.get_reaction(2, 0, two));
     KEPT(rope, status::error_range, "node", rope.get_reaction(0, 6, two));
     KEPT(rope, status::error_range, "count", rope.get_reaction(0, 0, span<double>(two, 1)));
+    KEPT(rope, status::error_value, "count", rope.set_colliders(4097));
+    KEPT(rope, status::error_range, "index", rope.set_plane(0, {0, 0}, {0, 1}));
+    KEPT(rope, status::error_range, "index", rope.get_collider(0));
+    OK(rope.set_colliders(1));
+    KEPT(rope, status::error_value, "normal", rope.set_plane(0, {0, 0}, {0, 0}));
+    KEPT(rope, status::error_value, "friction", rope.set_plane(0, {0, 0}, {0, 1}, -1));
+    KEPT(rope, status::error_range, "chain::set_plane", rope.set_plane(0, {0}, {0, 1}));
+    KEPT(rope, status::error_range, "chain::set_capsule", rope.set_capsule(0, {0}, {0, 1}, 1));
+    KEPT(rope, status::error_value, "radius", rope.set_capsule(0, {0, 0}, {0, 1}, 0));
+    KEPT(rope, status::error_value, "velocity", rope.set_collider_velocity(0, {0, nan_value}));
+    KEPT(rope, status::error_value, "radius", rope.set_thickness(-1));
+    KEPT(rope, status::error_range, "index", rope.remove_collider(1));
     KEPT(rope, status::error_value, "along", rope.set_air(nan_value, 1));
     KEPT(rope, status::error_value, "across", rope.set_air(1, -1));
     KEPT(rope, status::error_value, "velocity", rope.set_wind({1, nan_value}));

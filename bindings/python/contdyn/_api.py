@@ -111,6 +111,14 @@ class Node(IntEnum):
     POSED = 4
 
 
+class Shape(IntEnum):
+    """What a collider of ropes is."""
+
+    NONE = 0
+    PLANE = 1
+    CAPSULE = 2
+
+
 class Field(IntEnum):
     """Per-node and per-spring data; which object has which is in its own header."""
 
@@ -364,6 +372,18 @@ FUNCTIONS: Dict[str, str] = {
     "cd_chain_set_tolerance": "status: chain handle, tolerance double, most_iterations size",
     "cd_chain_get_tolerance": "status: chain handle, out_tolerance double*, out_most_iterations size*",
     "cd_chain_get_convergence": "status: chain handle, out_iterations size*, out_residual double*",
+    "cd_chain_set_colliders": "status: chain handle, count size",
+    "cd_chain_get_colliders": "status: chain handle, out_count size*",
+    "cd_chain_set_plane": ("status: chain handle, index size, point pointer, normal pointer, count size, friction "
+                           "double"),
+    "cd_chain_set_capsule": ("status: chain handle, index size, first pointer, last pointer, count size, radius "
+                             "double, friction double"),
+    "cd_chain_remove_collider": "status: chain handle, index size",
+    "cd_chain_set_collider_velocity": "status: chain handle, index size, velocity pointer, count size",
+    "cd_chain_get_collider": ("status: chain handle, index size, out_shape int*, out_first pointer, out_second "
+                              "pointer, out_velocity pointer, count size, out_radius double*, out_friction double*"),
+    "cd_chain_set_thickness": "status: chain handle, radius double",
+    "cd_chain_get_thickness": "status: chain handle, out_radius double*",
     "cd_chain_enable_field": "status: chain handle, field int",
     "cd_chain_disable_field": "status: chain handle, field int",
     "cd_chain_write_f32": ("status: chain handle, field int, first_strand size, strands size, first size, n size, "

@@ -48,6 +48,10 @@ def make_fragile(chain):
     chain.enable_field(Field.STRENGTH)
 
 
+def make_solid(chain):
+    chain.rest_length, chain.colliders = 1, 1
+
+
 def setting(name, value):
     return lambda chain: setattr(chain, name, value)
 
@@ -98,6 +102,18 @@ CASES = [
     *(("set_strength", "VALUE", (make_rope, setting("strength", x)), "strength is") for x in (NAN, -INF, -1, 0, 1e300)),
     ("set_strength", "UNSUPPORTED", setting("strength", 1), "only ropes"),
     ("set_strength", "MEMORY", hungry(setting("strength", 1), make_rope), "memory"),
+    ("set_colliders", "VALUE", (make_rope, setting("colliders", 4097)), "count is 4097"),
+    ("set_colliders", "UNSUPPORTED", setting("colliders", 1), "only ropes"),
+    ("set_colliders", "MEMORY", hungry(setting("colliders", 1), make_rope), "memory"),
+    ("set_plane", "RANGE", (make_rope, lambda c: c.set_plane(0, (0, 0, 0), (0, 1, 0))), "index is 0"),
+    ("set_plane", "VALUE", (make_solid, lambda c: c.set_plane(0, (0, 0, 0), (0, 0, 0))), "normal"),
+    ("set_plane", "RANGE", (make_solid, lambda c: c.set_plane(0, (0, 0), (0, 0))), "count is 2"),
+    ("set_capsule", "VALUE", (make_solid, lambda c: c.set_capsule(0, (0, 0, 0), (0, NAN, 0), 1)), "nan"),
+    ("set_capsule", "VALUE", (make_solid, lambda c: c.set_capsule(0, (0, 0, 0), (0, 1, 0), 0)), "radius is 0"),
+    ("set_collider_velocity", "VALUE", (make_solid, lambda c: c.set_collider_velocity(0, (0, NAN, 0))), "nan"),
+    ("remove_collider", "RANGE", (make_solid, lambda c: c.remove_collider(1)), "index is 1"),
+    ("get_collider", "RANGE", (make_solid, lambda c: c.get_collider(1)), "index is 1"),
+    ("set_thickness", "VALUE", (make_rope, setting("thickness", -1)), "radius is -1"),
     ("get_reaction", "RANGE", (make_rope, lambda c: c.get_reaction(2, 0)), "strand is 2"),
     ("get_reaction", "RANGE", (make_rope, lambda c: c.get_reaction(0, 6)), "node is 6"),
     ("get_reaction", "UNSUPPORTED", lambda c: c.get_reaction(0, 0), "only ropes"),

@@ -19,6 +19,9 @@ ARGUMENTS = {
 ARGUMENTS_OF = {
     ("chain", "impulse"): (0, 0, [0] * 3), ("membrane", "impulse"): (0, 0, 0, [0] * 3),
     ("water", "impulse"): (0, 0, 1, 0, 0), ("chain", "get_reaction"): (0, 0),
+    ("chain", "set_plane"): (0, [0] * 3, [0] * 3), ("chain", "set_capsule"): (0, [0] * 3, [0] * 3, 1),
+    ("chain", "remove_collider"): (0,), ("chain", "get_collider"): (0,),
+    ("chain", "set_collider_velocity"): (0, [0] * 3),
     ("chain", "teleport"): (0, None, [0] * 3), ("membrane", "teleport"): (None, [0] * 3),
     ("chain", "attach"): (0, 0, 1, 0), ("membrane", "attach"): (0, 0, 1, 0),
     ("chain", "detach"): (0, 0), ("membrane", "detach"): (0, 0), ("chain", "get_attachment"): (0, 0),

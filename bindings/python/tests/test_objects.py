@@ -5,7 +5,7 @@ from array import array
 
 import contdyn
 from contdyn import (BedRule, Border, Chain, Edge, End, Field, MassRule, Membrane, Method, Momentum, Node, Precision,
-                     Side, Solver, Water)
+                     Shape, Side, Solver, Water)
 
 from support import KINDS, make, moving
 
@@ -23,7 +23,8 @@ class Everyone(unittest.TestCase):
                 "gravity": (1.0, 2.0, 3.0)}
         own = {
             Chain: {**body, "stiffness": 3.0, "ring": True, "rest_length": 2.0, "push": True, "tolerance": (1e-4, 7),
-                    "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0), "strength": 5.0},
+                    "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0), "strength": 5.0, "colliders": 3,
+                    "thickness": 0.25},
             Membrane: {**body, "stiffness": (3.0, 4.0), "ring": (True, False), "solver": Solver.COUPLED,
                        "tolerance": (1e-4, 7), "pressure": 0.5},
             Water: {"momentum": Momentum.ADVECTED, "first": 1, "gravity": 1.5, "density": 900.0, "manning": 0.03,
@@ -33,7 +34,7 @@ class Everyone(unittest.TestCase):
             for name, value in {**shared, **own[kind]}.items():
                 with self.subTest(kind.__name__, parameter=name):
                     made = make(kind)
-                    if name in ("air", "wind", "strength"):
+                    if name in ("air", "wind", "strength", "colliders", "thickness"):
                         made.rest_length = 1  # only ropes have it
                     self.assertNotEqual(getattr(made, name), value)
                     setattr(made, name, value)
@@ -190,6 +191,24 @@ class Chains(unittest.TestCase):
         self.assertEqual(rope.read(Field.STIFFNESS).tolist(), [[4e5] * 4, [4e5, 0, 4e5, 4e5]])
         rope.step(1 / 60)
         self.assertEqual(rope.broken, 0)
+
+    def test_a_rope_rests_on_what_it_touches(self):
+        rope = Chain(1, 4, 3)
+        rope.position = [[[i / 4, 0.5, 0] for i in range(5)]]
+        rope.rest_length, rope.stiffness, rope.gravity = 1, math.inf, (0, -10, 0)
+        rope.colliders, rope.thickness = 2, 0.125
+        rope.set_plane(0, (0, -1, 0), (0, 2, 0), 0.5)
+        rope.set_capsule(1, (3, 0, 0), (4, 0, 0), 0.5)
+        rope.set_collider_velocity(0, (0, 0, 0.25))
+        rope.step(1 / 60, 120)
+        for node in range(5):
+            self.assertAlmostEqual(rope.position[0, node, 1], -0.875, 5)
+        plane = rope.get_collider(0)
+        self.assertEqual((plane.shape, plane.second, plane.friction), (Shape.PLANE, (0, 1, 0), 0.5))
+        close(self, plane.first, (0, -1, 0.5))
+        self.assertEqual(rope.get_collider(1), (Shape.CAPSULE, (3, 0, 0), (4, 0, 0), (0, 0, 0), 0.5, 0))
+        rope.remove_collider(1)
+        self.assertIs(rope.get_collider(1).shape, Shape.NONE)
 
     def test_a_posed_end_goes_to_its_target(self):
         for kind, hold in ((Chain, lambda made: made.set_end(End.FIRST, Node.POSED)),

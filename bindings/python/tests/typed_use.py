@@ -20,6 +20,9 @@ def use() -> float:
         across: float = rope.air.across
         rope.strength = 100
         rope.teleport(0, None, (0, 0, 1))
+        rope.colliders, rope.thickness = 1, 0.01
+        rope.set_plane(0, (0, 0, -2), (0, 0, 1), 0.5)
+        depth: float = rope.get_collider(0).first[2] + rope.thickness
         pull: float = rope.get_reaction(0, 0)[2] + rope.broken
     with Membrane(4, 4, 1) as drum:
         drum.stiffness = 20, 20

@@ -90,6 +90,9 @@ enum class node : std::int32_t {
     posed = CD_NODE_POSED
 };
 
+// What a collider of ropes is.
+enum class shape : std::int32_t { none = CD_SHAPE_NONE, plane = CD_SHAPE_PLANE, capsule = CD_SHAPE_CAPSULE };
+
 // Per-node and per-spring data.
 enum class field : std::int32_t {
     position = CD_POSITION,
@@ -440,6 +443,11 @@ struct convergence {
 struct resistance {
     double along, across;
 };
+struct collider {
+    shape kind;
+    double first[4], second[4], velocity[4]; // of a plane its point and its normal, of a capsule its ends
+    double radius, friction;
+};
 
 // ---- chain ----------------------------------------------------------------------------------------------------------
 
@@ -553,6 +561,38 @@ public:
     outcome<> get_reaction(std::size_t strand, std::size_t node, span<double> force) const {
         return call(cd_chain_get_reaction, strand, node, force.data(), force.size());
     }
+
+    // What the nodes of a rope stay outside of; first, second and velocity of get_collider have a number per component.
+    outcome<> set_colliders(std::size_t count) { return call(cd_chain_set_colliders, count); }
+    outcome<std::size_t> get_colliders() const { return value<std::size_t>(cd_chain_get_colliders); }
+    outcome<> set_plane(std::size_t index, span<const double> point, span<const double> normal, double friction = 0) {
+        if (point.size() != normal.size())
+            return detail::done(CD_ERROR_RANGE, "chain::set_plane: point and normal differ in size");
+        return call(cd_chain_set_plane, index, point.data(), normal.data(), normal.size(), friction);
+    }
+    outcome<> set_capsule(std::size_t index, span<const double> first, span<const double> last, double radius,
+                          double friction = 0) {
+        if (first.size() != last.size())
+            return detail::done(CD_ERROR_RANGE, "chain::set_capsule: first and last differ in size");
+        return call(cd_chain_set_capsule, index, first.data(), last.data(), last.size(), radius, friction);
+    }
+    outcome<> remove_collider(std::size_t index) { return call(cd_chain_remove_collider, index); }
+    outcome<> set_collider_velocity(std::size_t index, span<const double> velocity) {
+        return call(cd_chain_set_collider_velocity, index, velocity.data(), velocity.size());
+    }
+    outcome<collider> get_collider(std::size_t index) const {
+        collider out{};
+        cd_shape kind = 0;
+        std::size_t components = 0;
+        cd_status s = cd_chain_get_shape(handle_, nullptr, nullptr, &components, nullptr);
+        if (s == CD_OK)
+            s = cd_chain_get_collider(handle_, index, &kind, out.first, out.second, out.velocity,
+                                      components, &out.radius, &out.friction);
+        out.kind = static_cast<contdyn::shape>(kind);
+        return detail::got(s, out);
+    }
+    outcome<> set_thickness(double radius) { return call(cd_chain_set_thickness, radius); }
+    outcome<double> get_thickness() const { return value<double>(cd_chain_get_thickness); }
 
     // Resistance of the air per length of a rope [N s/m^2]; its velocity [m/s], velocity[component].
     outcome<> set_air(double along, double across) { return call(cd_chain_set_air, along, across); }
