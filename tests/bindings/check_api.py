@@ -133,10 +133,11 @@ def nulls(library):
             values, kept = arguments(library, function, handle, other, saved_state(library, kind, other))
             call = getattr(library.dll, function["name"])
             status = call(*values)
-            if status == UNSUPPORTED and kind == "chain":
+            if status in (UNSUPPORTED, RANGE) and kind == "chain":
                 library.dll.cd_chain_set_rest_length(handle, 1.0)  # some functions are of ropes only
+                library.dll.cd_chain_set_colliders(handle, 2)
                 status = call(*values)
-            if function["short"] not in ("disable_field", "get_volume"):
+            if function["short"] not in ("disable_field", "get_volume", "set_plane"):  # the last: a normal of zeros
                 check(status in (OK, UNSUPPORTED), f"{function['name']}: {library.dll.cd_error_message()}: are the "
                                                    "arguments made up here wrong?")
             values[i] = None

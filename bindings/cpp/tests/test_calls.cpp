@@ -215,13 +215,15 @@ void colliders() {
     OK(rope.set_capsule(1, {7, 8}, {9, 8}, 0.25));
     OK(rope.set_collider_velocity(0, {0.5, 0}));
     OK(rope.step(0.01, 200));
-    const collider plane = GET(rope.get_collider(0)), capsule = GET(rope.get_collider(1));
-    CHECK(plane.kind == contdyn::shape::plane && near(plane.first[0], 1) && plane.second[1] == 1);
-    CHECK(plane.velocity[0] == 0.5 && plane.friction == 0.5);
-    CHECK(capsule.kind == contdyn::shape::capsule && capsule.second[0] == 9 && capsule.radius == 0.25);
+    std::array<double, 2> first{}, second{}, velocity{};
+    const collider plane = GET(rope.get_collider(0, first, second, velocity));
+    CHECK(plane.shape == contdyn::shape::plane && plane.friction == 0.5);
+    CHECK(near(first[0], 1) && second[1] == 1 && velocity[0] == 0.5);
+    const collider capsule = GET(rope.get_collider(1, first, second, velocity));
+    CHECK(capsule.shape == contdyn::shape::capsule && second[0] == 9 && capsule.radius == 0.25);
     for (std::size_t i = 1; i < 10; i += 2) CHECK(std::fabs(GET(rope.read_f64(field::position))[i] + 0.9375) < 1e-6);
     OK(rope.remove_collider(1));
-    CHECK(GET(rope.get_collider(1)).kind == contdyn::shape::none);
+    CHECK(GET(rope.get_collider(1, first, second, velocity)).shape == contdyn::shape::none);
 }
 
 // A strand and a sheet that are led, then put elsewhere; turned by a quarter where there is a rotation.

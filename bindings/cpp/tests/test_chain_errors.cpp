@@ -156,8 +156,9 @@ void lengths() {
     KEPT(rope, status::error_range, "count", rope.get_reaction(0, 0, span<double>(two, 1)));
     KEPT(rope, status::error_value, "count", rope.set_colliders(4097));
     KEPT(rope, status::error_range, "index", rope.set_plane(0, {0, 0}, {0, 1}));
-    KEPT(rope, status::error_range, "index", rope.get_collider(0));
+    KEPT(rope, status::error_range, "index", rope.get_collider(0, two, two, two));
     OK(rope.set_colliders(1));
+    KEPT(rope, status::error_range, "count", rope.get_collider(0, {}, two, two));
     KEPT(rope, status::error_value, "normal", rope.set_plane(0, {0, 0}, {0, 0}));
     KEPT(rope, status::error_value, "friction", rope.set_plane(0, {0, 0}, {0, 1}, -1));
     KEPT(rope, status::error_range, "chain::set_plane", rope.set_plane(0, {0}, {0, 1}));

@@ -145,7 +145,7 @@ CASES = [
     ("write_f64", "RANGE", lambda c: c.write(Field.POSITION, 1, first=-1), "-1"),
     ("write_f64", "VALUE", lambda c: c.write(Field.POSITION, [0, 1, NAN], 0, 1, 0, 1), r"values\[2\] is"),
     ("write_f64", "VALUE", lambda c: c.write(Field.PIN, 5), r"values\[0\] is 5"),
-    ("write_f64", "UNSUPPORTED", (lambda c: c.weld(0, 2), pin_two), "pinned or driven"),
+    ("write_f64", "UNSUPPORTED", (lambda c: c.weld(0, 2), pin_two), "held"),
     ("write_f64", "VALUE", (make_rope, lambda c: c.write(Field.TENSION, NAN)), r"values\[0\] is"),
     ("write_f64", "RANGE", (make_rope, lambda c: c.write(Field.TENSION, 1, first=5, n=1)), "of 5"),
     ("read_f64", "ENUM", lambda c: c.read(-5), "field is -5"),
@@ -178,7 +178,7 @@ CASES = [
     ("cut", "MEMORY", hungry(lambda c: c.cut(0, 0)), "memory"),
     ("weld", "RANGE", lambda c: c.weld(0, 5), "spring is 5"),
     ("weld", "MEMORY", hungry(lambda c: c.weld(0, 0)), "memory"),
-    ("weld", "UNSUPPORTED", (pin_two, lambda c: c.weld(0, 2)), "pinned or driven"),
+    ("weld", "UNSUPPORTED", (pin_two, lambda c: c.weld(0, 2)), "held"),
     *(("step", "VALUE", lambda c, x=x: c.step(x), "dt is") for x in (0, -1, NAN, INF, 1e31, 1e-31)),
     *(("step", "UNSUPPORTED", (lambda c, change=change: (make_rope(c), change(c)), lambda c: c.step(0.01)), "length")
       for change in (setting("method", Method.SYMPLECTIC_EULER), setting("lambda_", 0.4), setting("bend", 1.0),

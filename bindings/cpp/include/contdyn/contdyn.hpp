@@ -444,8 +444,7 @@ struct resistance {
     double along, across;
 };
 struct collider {
-    shape kind;
-    double first[4], second[4], velocity[4]; // of a plane its point and its normal, of a capsule its ends
+    contdyn::shape shape;
     double radius, friction;
 };
 
@@ -562,7 +561,8 @@ public:
         return call(cd_chain_get_reaction, strand, node, force.data(), force.size());
     }
 
-    // What the nodes of a rope stay outside of; first, second and velocity of get_collider have a number per component.
+    // What the nodes of a rope stay outside of; of a plane first is its point and second its normal, of a capsule its two
+    // ends, each with a number per component.
     outcome<> set_colliders(std::size_t count) { return call(cd_chain_set_colliders, count); }
     outcome<std::size_t> get_colliders() const { return value<std::size_t>(cd_chain_get_colliders); }
     outcome<> set_plane(std::size_t index, span<const double> point, span<const double> normal, double friction = 0) {
@@ -580,15 +580,15 @@ public:
     outcome<> set_collider_velocity(std::size_t index, span<const double> velocity) {
         return call(cd_chain_set_collider_velocity, index, velocity.data(), velocity.size());
     }
-    outcome<collider> get_collider(std::size_t index) const {
+    outcome<collider> get_collider(std::size_t index, span<double> first, span<double> second,
+                                   span<double> velocity) const {
         collider out{};
         cd_shape kind = 0;
-        std::size_t components = 0;
-        cd_status s = cd_chain_get_shape(handle_, nullptr, nullptr, &components, nullptr);
-        if (s == CD_OK)
-            s = cd_chain_get_collider(handle_, index, &kind, out.first, out.second, out.velocity,
-                                      components, &out.radius, &out.friction);
-        out.kind = static_cast<contdyn::shape>(kind);
+        const bool fit = first.size() == velocity.size() && second.size() == velocity.size();
+        const std::size_t count = fit ? velocity.size() : static_cast<std::size_t>(-1); // refused
+        const cd_status s = cd_chain_get_collider(handle_, index, &kind, first.data(), second.data(), velocity.data(),
+                                                  count, &out.radius, &out.friction);
+        out.shape = static_cast<contdyn::shape>(kind);
         return detail::got(s, out);
     }
     outcome<> set_thickness(double radius) { return call(cd_chain_set_thickness, radius); }
