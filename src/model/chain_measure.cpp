@@ -91,7 +91,7 @@ void momentum(const Chain& c, double* out) {
 static double vector_of(const Chain& c, size_t strand, size_t spring, double* out) {
     double largest = 0, square = 0;
     for (size_t k = 0; k < c.components; ++k) {
-        out[k] = get_number(c, c.position, place(c, strand, spring + 1, k)) -
+        out[k] = get_number(c, c.position, place(c, strand, spring + 1 < c.nodes ? spring + 1 : 0, k)) -
                  get_number(c, c.position, place(c, strand, spring, k));
         largest = fmax(largest, fabs(out[k]));
     }
@@ -112,8 +112,8 @@ void reaction(const Chain& c, size_t strand, size_t node, double* out) {
         const double tension = sign * c.tension[own_place(c, strand, spring)];
         for (size_t k = 0; k < c.components && length > 0; ++k) out[k] += tension * (vector[k] / length);
     };
-    if (node > 0) pull(node - 1, -1);
-    if (node < c.springs) pull(node, 1);
+    if (node > 0 || c.ring) pull(node > 0 ? node - 1 : c.springs, -1);
+    if (node < springs_in_all(c)) pull(node, 1);
 }
 
 } // namespace cd

@@ -201,6 +201,21 @@ static void reactions_and_strains_of_odd_springs(void** state) {
     assert_true(strain[0] == -1);
     assert_near(strain[1], 5e200, 1e-15, 0);
     cd_chain_destroy(c);
+
+    const double triangle[3][2] = {{0, 0}, {3, 0}, {3, 4}}, tensions[3] = {1, 2, 5}; /* of a ring */
+    double strains[3];
+    ok(cd_chain_create(1, 2, 2, CD_FLOAT64, NULL, &c));
+    ok(cd_chain_set_ring(c, 1));
+    ok(cd_chain_set_rest_length(c, 3));
+    ok(cd_chain_write_f64(c, CD_POSITION, 0, 1, 0, 3, triangle[0], 6));
+    ok(cd_chain_write_f64(c, CD_TENSION, 0, 1, 0, 3, tensions, 3));
+    ok(cd_chain_read_f64(c, CD_STRAIN, 0, 1, 0, 3, strains, 3));
+    assert_true(strains[0] == 2 && strains[1] == 3 && strains[2] == 4);
+    ok(cd_chain_get_reaction(c, 0, 0, f, 2));
+    assert_near(f[0], 1 + 3, 1e-15, 0), assert_near(f[1], 4, 1e-15, 0);
+    ok(cd_chain_get_reaction(c, 0, 2, f, 2));
+    assert_near(f[0], -3, 1e-15, 0), assert_near(f[1], -2 - 4, 1e-15, 0);
+    cd_chain_destroy(c);
 }
 
 int main(void) {
