@@ -13,9 +13,12 @@ constexpr size_t kMostTasks = 16;
 
 size_t groups_of(const Chain& c) { return (c.strands + kRopeStrands - 1) / kRopeStrands; }
 size_t tasks_of(const Chain& c) { return groups_of(c) < kMostTasks ? groups_of(c) : kMostTasks; }
-size_t scratch_of_task(const Chain& c, bool air, size_t colliders) {
+size_t scratch_of_node(const Chain& c, bool air, size_t colliders) {
     const size_t of_node = kRopeScratch + (air ? kAirScratch : 0) + colliders * kContactScratch;
-    return c.nodes * of_node * (c.strands > 1 ? kRopeStrands : 1);
+    return of_node * (c.strands > 1 ? kRopeStrands : 1);
+}
+size_t scratch_of_task(const Chain& c, bool air, size_t colliders) {
+    return c.nodes * scratch_of_node(c, air, colliders);
 }
 
 RopeParameters parameters_of(Chain& c, bool changed) {
@@ -75,7 +78,9 @@ const char* what_ropes_lack(const Chain& c) {
 
 size_t rope_coefficients(const Chain& c, size_t colliders) { return c.nodes + 3 + colliders * kColliderNumbers; }
 size_t rope_scratch(const Chain& c, bool air, size_t colliders) {
-    return tasks_of(c) * scratch_of_task(c, air, colliders);
+    size_t numbers;
+    const bool fits = multiply(tasks_of(c) * c.nodes, scratch_of_node(c, air, colliders), numbers);
+    return fits ? numbers : SIZE_MAX; // more than there is
 }
 
 // Colliders stay where they are when time begins anew.
