@@ -92,12 +92,14 @@ struct ChainKeep {
         return any == ((s.fields & kOfContacts) != 0) && s.own.colliders_kept <= kMostColliders &&
                valid_parameter(thickness);
     }
+    static constexpr double kFarthest = 1e200; // places and velocities: of any time the products are finite
     static bool valid_collider_number(double number, size_t at) {
         switch (at % kColliderNumbers) {
         case 0: return number == CD_SHAPE_NONE || number == CD_SHAPE_PLANE || number == CD_SHAPE_CAPSULE;
         case offsetof(Collider, radius) / sizeof(double):
         case offsetof(Collider, friction) / sizeof(double): return valid_parameter(number);
-        default: return isfinite(number) != 0;
+        case offsetof(Collider, since) / sizeof(double): return number >= 0 && number <= kMost;
+        default: return fabs(number) <= kFarthest;
         }
     }
 

@@ -474,45 +474,6 @@ static void another_shape_or_precision_is_a_mismatch(void** state) {
     cd_chain_destroy(source);
 }
 
-static void goes_back_to_the_start_and_keeps_the_rest(size_t scene) {
-    cd_chain* chain = scene_of(scene, CD_FLOAT64, CD_METHOD_IMPLICIT);
-    cd_chain* same = scene_of(scene, CD_FLOAT64, CD_METHOD_IMPLICIT);
-    double x[STRANDS * (SPRINGS + 1) * COMPONENTS], time;
-    uint64_t steps;
-    ok(cd_chain_reset(chain));
-    ok(cd_chain_get_time(chain, &time));
-    ok(cd_chain_get_steps(chain, &steps));
-    assert_true(time == 0);
-    assert_int_equal(steps, 0);
-    for (cd_field field = CD_POSITION; field <= CD_VELOCITY; ++field) {
-        scene_read(chain, field, x);
-        for (size_t i = 0; i < COUNT(x); ++i) assert_true(x[i] == 0);
-    }
-    if (is_rope(scene)) {
-        scene_read(chain, CD_TENSION, x);
-        for (size_t i = 0; i < scene_field_count(chain, CD_TENSION); ++i) assert_true(x[i] == 0);
-    }
-    /* what it keeps is all that a fresh chain set up alike has: put the same zeros there by hand */
-    memset(x, 0, sizeof x);
-    scene_write(same, CD_POSITION, x);
-    scene_write(same, CD_VELOCITY, x);
-    if (is_rope(scene)) scene_write(same, CD_TENSION, x);
-    double far[STRANDS * (SPRINGS + 1) * COMPONENTS], near[STRANDS * (SPRINGS + 1) * COMPONENTS];
-    ok(cd_chain_step(chain, 0.001, 40));
-    ok(cd_chain_step(same, 0.001, 40));
-    scene_read(chain, CD_POSITION, far);
-    scene_read(same, CD_POSITION, near);
-    assert_same_bits(far, near, COUNT(far));
-    cd_chain_destroy(chain);
-    cd_chain_destroy(same);
-}
-
-static void reset_goes_back_to_the_start_and_keeps_the_rest(void** state) {
-    (void)state;
-    goes_back_to_the_start_and_keeps_the_rest(8);
-    goes_back_to_the_start_and_keeps_the_rest(SCENES);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_loaded_chain_goes_on_bit_for_bit),
@@ -527,7 +488,6 @@ int main(void) {
         cmocka_unit_test(no_other_length_is_loaded),
         cmocka_unit_test(foreign_bytes_are_refused),
         cmocka_unit_test(another_shape_or_precision_is_a_mismatch),
-        cmocka_unit_test(reset_goes_back_to_the_start_and_keeps_the_rest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -160,7 +160,7 @@ static const struct {
     {CD_STIFFNESS_U, NAN, "nan"},       {CD_STIFFNESS_U, -0.5, "-0.5"},        {CD_STIFFNESS_U, INFINITY, "inf"},
     {CD_STIFFNESS_V, NAN, "nan"},       {CD_STIFFNESS_V, -0.5, "-0.5"},        {CD_STIFFNESS_V, INFINITY, "inf"},
     {CD_STIFFNESS_V, 1e61, "1e+61"},    {CD_PIN, NAN, "nan"},                  {CD_PIN, 0.5, "0.5"},
-    {CD_PIN, -1, "-1"},                 {CD_PIN, 4, "4"},                      {CD_PIN, 1e30, "1e+30"},
+    {CD_PIN, -1, "-1"},                 {CD_PIN, 5, "5"},                      {CD_PIN, 1e30, "1e+30"},
     {CD_PIN, CD_NODE_MATCHED, "3"},     {CD_MASK, NAN, "nan"},                 {CD_MASK, 0.5, "0.5"},
     {CD_MASK, 2, "2"},                  {CD_MASK, -1, "-1"},                   {CD_MASK, 256, "256"},
 };

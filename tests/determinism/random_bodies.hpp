@@ -440,9 +440,7 @@ inline void MembraneScene::act(Handle* membrane, Random& random, Returned& retur
     double vector[4];
     for (double& x : vector) x = size * random.uniform(-1, 1);
     switch (random.below(22)) {
-    case 20:
-        returned += cd_membrane_teleport(membrane, Turn(random, components).rotation, vector, components);
-        break;
+    case 20: returned += cd_membrane_teleport(membrane, Turn(random, components).rotation, vector, components); break;
     case 0: return write_numbers(membrane, CD_POSITION, random, returned);
     case 1: return write_numbers(membrane, CD_VELOCITY, random, returned);
     case 2: returned += cd_membrane_disable_field(membrane, field); break;
