@@ -46,7 +46,8 @@ cd_status cd_chain_set_plane(cd_chain* chain, size_t index, const double* point,
     CD_CHECK(is_vector(__func__, "normal", normal, count));
     CD_CHECK(in_range(__func__, "friction", friction, 0, kMost));
     double largest = 0, square = 0;
-    for (size_t k = 0; k < count; ++k) largest = fmax(largest, fabs(normal[k]));
+    for (size_t k = 0; k < count; ++k)
+        if (fabs(normal[k]) > largest) largest = fabs(normal[k]);
     if (!(largest > 0)) return fail(CD_ERROR_VALUE, __func__, "normal is 0: it has no direction");
     for (size_t k = 0; k < count; ++k) square += (normal[k] / largest) * (normal[k] / largest);
     Collider& to = collider(c, index);

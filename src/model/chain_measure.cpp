@@ -93,7 +93,7 @@ static double vector_of(const Chain& c, size_t strand, size_t spring, double* ou
     for (size_t k = 0; k < c.components; ++k) {
         out[k] = get_number(c, c.position, place(c, strand, spring + 1 < c.nodes ? spring + 1 : 0, k)) -
                  get_number(c, c.position, place(c, strand, spring, k));
-        largest = fmax(largest, fabs(out[k]));
+        if (fabs(out[k]) > largest) largest = fabs(out[k]);
     }
     for (size_t k = 0; k < c.components && largest > 0; ++k) square += (out[k] / largest) * (out[k] / largest);
     return largest * sqrt(square);
