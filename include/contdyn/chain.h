@@ -225,16 +225,16 @@ CD_API cd_status cd_chain_set_plane(cd_chain* chain, size_t index, const double*
 CD_API cd_status cd_chain_set_capsule(cd_chain* chain, size_t index, const double* first, const double* last,
                                       size_t count, double radius, double friction);
 
-/* Makes a collider CD_SHAPE_NONE: nothing touches it. */
+/* Makes a collider CD_SHAPE_NONE, at rest: nothing touches it. */
 CD_API cd_status cd_chain_remove_collider(cd_chain* chain, size_t index);
 
 /* Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move it, and it
- * carries what it touches along. Its place is where it is between the calls of cd_chain_step. */
+ * carries what it touches along. It keeps its velocity when it is made another plane or capsule. */
 CD_API cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, const double* velocity, size_t count);
 
 /* What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends; of
  * what is none, zeros, but for its velocity. One number per component in each array. Each output may be null.
- * Errors: CD_ERROR_RANGE for an index or a count. */
+ * Errors: CD_ERROR_RANGE for an index that no collider has, or a count that is not the number of components. */
 CD_API cd_status cd_chain_get_collider(const cd_chain* chain, size_t index, cd_shape* out_shape, double* out_first,
                                        double* out_second, double* out_velocity, size_t count, double* out_radius,
                                        double* out_friction);

@@ -14,7 +14,7 @@ namespace CD_ISA {
 
 // How stiff contacts are, over the mass of the strand: the push that is known already makes up for the rest.
 constexpr double kContactStiffness = 1e4;
-// Below this speed [m/s] friction falls with the speed.
+// At the speed v friction is that of Coulomb times v / (v + this) [m/s].
 constexpr double kStickSpeed = 1e-4;
 // How far friction may be off, over what it should be; from this iteration on it is that of the push found by then.
 constexpr double kFrictionError = 1e-2;
@@ -63,7 +63,6 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
     L error{};
     for (size_t k = 0; k < stage.collider_count; ++k) {
         const Collider& to = stage.colliders[k];
-        if (to.shape == CD_SHAPE_NONE) continue;
         Contact& c = contacts[i * stage.collider_count + k];
         if (iteration == 0) look_at_gap(to, before, stage.time_before, c.acting, c.before);
         look_at_gap(to, x, stage.time_after, c.normal, c.gap);
@@ -92,9 +91,7 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
 // 1 for the strands that touch something.
 template <int N> Lanes<N> RopeBundle<N>::touches() const {
     L any{};
-    for (size_t i = 0; i < ropes.nodes; ++i)
-        for (size_t k = 0; k < stage.collider_count; ++k)
-            if (stage.colliders[k].shape != CD_SHAPE_NONE) any = larger(any, contacts[i * stage.collider_count + k].on);
+    for (size_t k = 0; k < ropes.nodes * stage.collider_count; ++k) any = larger(any, contacts[k].on);
     return any;
 }
 
@@ -102,7 +99,7 @@ template <int N> Lanes<N> RopeBundle<N>::touches() const {
 template <int N> void RopeBundle<N>::press(size_t i, M& mobility, V& y) {
     for (size_t k = 0; k < stage.collider_count; ++k) {
         Contact& c = contacts[i * stage.collider_count + k];
-        if (stage.colliders[k].shape == CD_SHAPE_NONE || !any_positive(c.on)) continue;
+        if (!any_positive(c.on)) continue;
         const Axes to = axes(c.normal);
         const V u = velocity_of(stage.colliders[k]);
         const L stiffness = kContactStiffness * heavy, speed = leaving(i, c) + c.push / stiffness;
@@ -115,7 +112,7 @@ template <int N> void RopeBundle<N>::press(size_t i, M& mobility, V& y) {
 template <int N> Vector<N> RopeBundle<N>::pressed(size_t i, V phi) {
     for (size_t k = stage.collider_count; k-- > 0;) {
         Contact& c = contacts[i * stage.collider_count + k];
-        if (stage.colliders[k].shape == CD_SHAPE_NONE || !any_positive(c.on)) continue;
+        if (!any_positive(c.on)) continue;
         const Axes to = axes(c.normal);
         phi = phi + (c.across[1].wished - dot(c.across[1].by, phi)) * to.normal;
         phi = phi + (c.across[0].wished - dot(c.across[0].by, phi)) * to.side;
@@ -131,7 +128,6 @@ template <int N> void RopeBundle<N>::forget_overlaps() {
     for (size_t i = 0; i < ropes.nodes; ++i)
         for (size_t k = 0; k < stage.collider_count; ++k) {
             const Contact& c = contacts[i * stage.collider_count + k];
-            if (stage.colliders[k].shape == CD_SHAPE_NONE) continue;
             nodes[i].next = nodes[i].next - ((1 / stage.dt) * (c.on * positive(L{} - c.before))) * c.normal;
         }
 }

@@ -56,7 +56,7 @@ struct RopeParameters {
 
 // What ropes do not go through.
 struct Collider {
-    double shape;    // a cd_shape
+    double shape;    // a cd_shape; the kernels get none that is CD_SHAPE_NONE
     double point[3]; // of the plane, or the capsule's first end [m]
     double way[3];   // the plane's outward normal, of length 1, or from the capsule's first end to its last [m]
     double radius, friction;

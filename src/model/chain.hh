@@ -44,7 +44,6 @@ struct ChainSettings {
     double stiffness, bend;
     RopeSettings rope;
     AirSettings air;
-    uint64_t colliders_kept; // how many; for keeping only
 };
 
 // Shared by the strands: all but the fields of strand, node and component. In ropes every strand has its own pins,

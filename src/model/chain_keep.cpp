@@ -6,18 +6,21 @@ namespace cd {
 
 namespace {
 
+struct KeptChain : ChainSettings {
+    uint64_t colliders; // how many
+};
+
 struct ChainKeep {
     using Object = Chain;
-    using Settings = KeptSettings<ChainSettings>;
-    // Among the bits of fields: the settings of ropes follow, those of air, the strength, and what
-    // ropes touch.
+    using Settings = KeptSettings<KeptChain>;
+    // Among the bits of fields: the settings of ropes follow, those of air, the strength, and what ropes touch.
     static constexpr uint32_t kOfRopes = 1u << 31, kOfAir = 1u << 30, kOfStrength = 1u << 29, kOfContacts = 1u << 28;
     static constexpr Kind kind = {1, "chain", {"strands", "springs"}};
 
     static Shape shape_of(const Chain& c) { return {{c.strands, c.springs}, c.components, c.precision}; }
 
     static Settings settings_of(const Chain& c) {
-        Settings s{keep_body(c), c};
+        Settings s{keep_body(c), {c, collider_count(c)}};
         if (c.spring_stiffness) s.fields |= 1u << CD_STIFFNESS;
         if (c.node_bend) s.fields |= 1u << CD_BEND;
         if (c.spring_length) s.fields |= 1u << CD_REST_LENGTH;
@@ -26,8 +29,7 @@ struct ChainKeep {
         if (!(c.rope == RopeSettings())) s.fields |= kOfRopes;
         if (!(c.air == AirSettings())) s.fields |= kOfAir;
         if (c.rope.breaks()) s.fields |= kOfStrength;
-        s.own.colliders_kept = collider_count(c);
-        if (s.own.colliders_kept > 0 || c.rope.thickness > 0) s.fields |= kOfContacts;
+        if (s.own.colliders > 0 || c.rope.thickness > 0) s.fields |= kOfContacts;
         return s;
     }
 
@@ -46,7 +48,7 @@ struct ChainKeep {
                 s.own.air.resists(),
                 s.on(CD_WIND),
                 s.on(CD_STRENGTH),
-                size_t(s.own.colliders_kept)};
+                size_t(s.own.colliders)};
     }
 
     template <class W> static void walk_settings(W& w, Settings& s) {
@@ -60,7 +62,7 @@ struct ChainKeep {
             walk(w, air.wind[0]), walk(w, air.wind[1]), walk(w, air.wind[2]);
         }
         if (s.fields & kOfStrength) walk(w, rope.strength);
-        if (s.fields & kOfContacts) walk(w, s.own.colliders_kept), walk(w, rope.thickness);
+        if (s.fields & kOfContacts) walk(w, s.own.colliders), walk(w, rope.thickness);
     }
     template <class W> static void walk_choices(W& w, ChainSettings& s) { walk(w, s.ring); }
     template <class W> static void walk_numbers(W& w, ChainSettings& s) { walk(w, s.stiffness), walk(w, s.bend); }
@@ -88,8 +90,8 @@ struct ChainKeep {
 
     static bool valid_contacts(const Settings& s) {
         const double thickness = s.own.rope.thickness;
-        const bool any = s.own.colliders_kept > 0 || thickness > 0;
-        return any == ((s.fields & kOfContacts) != 0) && s.own.colliders_kept <= kMostColliders &&
+        const bool any = s.own.colliders > 0 || thickness > 0;
+        return any == ((s.fields & kOfContacts) != 0) && s.own.colliders <= kMostColliders &&
                valid_parameter(thickness);
     }
     static constexpr double kFarthest = 1e200; // places and velocities: of any time the products are finite
@@ -143,7 +145,7 @@ struct ChainKeep {
             if (s.on(CD_WIND))
                 check.numbers<decltype(zero)>(c.nodes * c.lines, [](double v, size_t) { return isfinite(v) != 0; });
         });
-        check.numbers<double>(size_t(s.own.colliders_kept) * kColliderNumbers, valid_collider_number);
+        check.numbers<double>(size_t(s.own.colliders) * kColliderNumbers, valid_collider_number);
         if (!check.all_good()) return false;
         return rope ? pinned_rest(c, pin, velocity) : nodes_are_held(c, s.own.ring != 0, pin, stiffness, velocity);
     }

@@ -38,12 +38,17 @@ RopeParameters parameters_of(Chain& c, bool changed) {
             c.drag};
 }
 
-// As the kernels take them, thicker by the ropes' thickness.
-const Collider* colliders_of(Chain& c) {
-    Collider* const out = reinterpret_cast<Collider*>(c.coefficients.data + c.nodes + 3);
-    for (size_t i = 0; i < collider_count(c); ++i) out[i] = collider(c, i), out[i].radius += c.rope.thickness;
-    return out;
+// Those that are not CD_SHAPE_NONE, thicker by the ropes' thickness, among the coefficients; tells how many.
+size_t gather_colliders(const Chain& c, Collider* out) {
+    size_t count = 0;
+    for (size_t i = 0; i < collider_count(c); ++i) {
+        if (collider(c, i).shape == CD_SHAPE_NONE) continue;
+        out[count] = collider(c, i);
+        out[count++].radius += c.rope.thickness;
+    }
+    return count;
 }
+
 // Cuts, of each of these strands, the spring whose tension is most beyond its strength; tells how many.
 size_t break_springs(Chain& c, size_t first, size_t strands) {
     size_t broken = 0;
@@ -105,6 +110,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
     const auto state = [&](const Array<char>& array) { return StateNumbers{array.data, c.precision == CD_FLOAT64}; };
     const Ropes ropes = {c.nodes,           c.strands,      c.components,    c.pitch,       state(c.position),
                          state(c.velocity), state(c.force), state(c.target), state(c.wind), c.tension.data};
+    Collider* const colliders = reinterpret_cast<Collider*>(c.coefficients.data + c.nodes + 3);
     const RopeStage stage = {dt,
                              c.lambda,
                              {c.gravity[0], c.gravity[1], c.gravity[2]},
@@ -114,8 +120,8 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                              c.rope.push != 0,
                              c.rope.tolerance,
                              size_t(c.rope.most_iterations),
-                             colliders_of(c),
-                             collider_count(c),
+                             colliders,
+                             gather_colliders(c, colliders),
                              0,
                              0};
     RopeResult results[kMostTasks];

@@ -48,7 +48,8 @@ SHAPES = {"chain": (2, 4, COMPONENTS, 1, None), "membrane": (4, 5, COMPONENTS, 1
 # Arguments with which every call succeeds; what is not here is 1.
 VALUES = {"lambda": 0.5, "tolerance": 0.01, "dt": 0.01, "strand": 0, "index_size": 4, "stride": 64,
           "position_offset": 0, "normal_offset": 12, "depth_offset": 24, "first": 0, "first_strand": 0, "first_u": 0,
-          "first_v": 0, "first_x": 0, "first_y": 0, "along_u": 1, "along_v": 1, "height": 0.1, "skip_dry": 0}
+          "first_v": 0, "first_x": 0, "first_y": 0, "along_u": 1, "along_v": 1, "height": 0.1, "skip_dry": 0,
+          "index": 0}
 IDENTITY = [float(row == column) for row in range(COMPONENTS) for column in range(COMPONENTS)]
 ROOM = 1 << 16
 
@@ -104,7 +105,7 @@ def arguments(library, function, handle, other, saved):
             value = ctypes.create_string_buffer(saved, len(saved))
         elif role == "callbacks":
             value = None
-        elif p["name"] == "rotation":
+        elif p["name"] in ("rotation", "normal"):  # a normal has the first numbers of these
             value = (ctypes.c_double * len(IDENTITY))(*IDENTITY)
         elif role != "length":
             value = ctypes.create_string_buffer(ROOM)
@@ -133,11 +134,11 @@ def nulls(library):
             values, kept = arguments(library, function, handle, other, saved_state(library, kind, other))
             call = getattr(library.dll, function["name"])
             status = call(*values)
-            if status in (UNSUPPORTED, RANGE) and kind == "chain":
-                library.dll.cd_chain_set_rest_length(handle, 1.0)  # some functions are of ropes only
-                library.dll.cd_chain_set_colliders(handle, 2)
+            if status in (UNSUPPORTED, RANGE) and kind == "chain":  # some are of ropes, and of colliders, only
+                library.dll.cd_chain_set_rest_length(handle, 1.0)
+                library.dll.cd_chain_set_colliders(handle, 1)
                 status = call(*values)
-            if function["short"] not in ("disable_field", "get_volume", "set_plane"):  # the last: a normal of zeros
+            if function["short"] not in ("disable_field", "get_volume"):
                 check(status in (OK, UNSUPPORTED), f"{function['name']}: {library.dll.cd_error_message()}: are the "
                                                    "arguments made up here wrong?")
             values[i] = None

@@ -561,8 +561,9 @@ public:
         return call(cd_chain_get_reaction, strand, node, force.data(), force.size());
     }
 
-    // What the nodes of a rope stay outside of; of a plane first is its point and second its normal, of a capsule its
-    // two ends, each with a number per component.
+    // What the nodes of a rope stay outside of. Places, radius and thickness are in metres, velocities in metres a
+    // second, each array with a number per component. Of a plane get_collider tells its point first, then its normal;
+    // of a capsule its two ends.
     outcome<> set_colliders(std::size_t count) { return call(cd_chain_set_colliders, count); }
     outcome<std::size_t> get_colliders() const { return value<std::size_t>(cd_chain_get_colliders); }
     outcome<> set_plane(std::size_t index, span<const double> point, span<const double> normal, double friction = 0) {
