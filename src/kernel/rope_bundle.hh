@@ -47,10 +47,14 @@ template <int N> struct RopeBundle {
     // Of a node and a collider: see rope_contact.hh.
     struct Contact {
         V acting, normal; // n0 and n1
+        V slip;           // the velocity along the surface about which friction is linearized
         L before, gap;    // how far outside it is when the step begins, and by the guess when it ends [m]
         L on, push;       // 1 where it touches; the impulse that keeps it out
-        L grip, friction; // the push that friction is of, and friction as a resistance [kg]
-        Resisted pressed, across[2];
+        L grip;           // the push that friction is of
+        // Friction, linearized: against the slip as much per push, and a resistance [kg] to what is not a wished speed;
+        // across the slip a resistance.
+        L follows, along, wished, across;
+        Resisted pressed, rubbed[2];
     };
     // Of spring i from node i to node i + 1.
     struct Spring {
@@ -79,6 +83,7 @@ template <int N> struct RopeBundle {
     L iterations{}, reached{}, failed{};
     L best = L::splat(INFINITY), best_lambda{}; // the least error that was reached, and its lambda
     L heavy{};                                  // the mass of the strand, if it may touch something
+    bool newtonian = true;                      // while Newton's method is at work
     L apart{};                                  // the error of springs between held nodes
     L least_worth{};                            // what tensions times lengths are at least, as errors count
 
@@ -213,7 +218,9 @@ template <int N> struct RopeBundle {
     L length_at(size_t i) const;
     void look_at_gap(const Collider& to, V x, double time, V& normal, L& gap) const;
     L leaving(size_t i, const Contact& c) const;
-    void set_friction(const Collider& to, size_t i, Contact& c) const;
+    V slip_at(const Collider& to, size_t i, const Contact& c) const;
+    static Axes surface_axes(V normal, V slip);
+    void set_friction(double friction, L slip, Contact& c) const;
     __attribute__((noinline)) L touch(size_t i, size_t iteration);
     L touches() const;
     __attribute__((noinline)) void press(size_t i, M& mobility, V& y);

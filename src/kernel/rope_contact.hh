@@ -5,6 +5,11 @@
 // The push acts along the normal n0 that the collider has where the step finds the node. From there all of a convex
 // body lies behind n0, so that n0 . (x1 - x0) <= 0: what does not move takes energy and gives none. Along the normal n1
 // at the end of the step, which tells what keeps the node out, it would give some wherever a node slides round a body.
+//
+// Friction is -mu p s / (|s| + e), of the push p and the slip s, the velocity along the surface. Newton's method takes
+// it with both derivatives, about the slip of the guess; about none where the guess's slip has turned round: from there
+// it goes up to the root of this concave function of |s| without passing it. The interior point, whose steps are parts
+// of steps, takes it as a resistance mu p / (|s| + e) by the guess, which needs more iterations and no luck.
 #pragma once
 
 #include "kernel/rope_bundle.hh"
@@ -14,9 +19,9 @@ namespace CD_ISA {
 
 // How stiff contacts are, over the mass of the strand: the push that is known already makes up for the rest.
 constexpr double kContactStiffness = 1e4;
-// At the speed v friction is that of Coulomb times v / (v + this) [m/s].
+// At the speed v friction is that of Coulomb times v / (v + this) [m/s]: e above.
 constexpr double kStickSpeed = 1e-4;
-// How far friction may be off, over what it should be; from this iteration on it is that of the push found by then.
+// How far friction may be off, over mu p; from this iteration of the interior point on p is the push found by then.
 constexpr double kFrictionError = 1e-2;
 constexpr size_t kGripIterations = 50;
 
@@ -48,11 +53,17 @@ template <int N> Lanes<N> RopeBundle<N>::leaving(size_t i, const Contact& c) con
     return dot(c.normal, nodes[i].w) - (1 / stage.dt) * c.gap;
 }
 
-// Coulomb's friction by the guess, as a resistance.
-template <int N> void RopeBundle<N>::set_friction(const Collider& to, size_t i, Contact& c) const {
-    const V slip = nodes[i].w - velocity_of(to), across = slip - dot(c.normal, slip) * c.normal;
-    const L speed = root(dot(across, across)) + L::splat(kStickSpeed);
-    c.friction = select(c.on, (to.friction * positive(c.grip)) / speed, L{});
+// The velocity of node i along the surface, by the guess.
+template <int N> Vector<N> RopeBundle<N>::slip_at(const Collider& to, size_t i, const Contact& c) const {
+    const V u = nodes[i].w - velocity_of(to);
+    return u - dot(c.normal, u) * c.normal;
+}
+
+// The normal, the way of the slip and what is across both.
+template <int N> typename RopeBundle<N>::Axes RopeBundle<N>::surface_axes(V normal, V slip) {
+    const L speed = root(dot(slip, slip));
+    const V side = direction(slip, speed - L::splat(kNoDirection * kStickSpeed), one() / speed, axes(normal).side);
+    return {normal, side, cross(normal, side)};
 }
 
 // Looks at what node i touches by the guess; tells its error, 1 where other contacts or frictions are to be solved for.
@@ -64,24 +75,32 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
     for (size_t k = 0; k < stage.collider_count; ++k) {
         const Collider& to = stage.colliders[k];
         Contact& c = contacts[i * stage.collider_count + k];
-        if (iteration == 0) look_at_gap(to, before, stage.time_before, c.acting, c.before);
-        look_at_gap(to, x, stage.time_after, c.normal, c.gap);
-        const L was = c.on, used = c.friction;
         if (iteration == 0) {
+            look_at_gap(to, before, stage.time_before, c.acting, c.before);
+            look_at_gap(to, x, stage.time_after, c.normal, c.gap);
             const L alone = nodes[i].ground * positive(leaving(i, c) - dot(c.normal, nodes[i].b));
             c.on = select(open, free * select(room - c.gap, one(), L{}), c.on);
-            c.push = select(open, c.on * alone, c.push);
-            c.grip = c.push;
-            set_friction(to, i, c);
+            c.grip = c.push = select(open, c.on * alone, c.push);
+            c.slip = select(open, slip_at(to, i, c), c.slip);
+            c.follows = c.along = c.wished = c.across = L{};
             continue;
         }
-        const L inside = free * select(room + c.gap, L{}, one()); // deeper than the tolerance
+        const V normal = c.normal;
+        look_at_gap(to, x, stage.time_after, c.normal, c.gap);
+        const L was = c.on, inside = free * select(room + c.gap, L{}, one()); // deeper than the tolerance
+        if (!any_positive(was + inside)) continue;
         c.on = select(open, larger(was * select(c.push, one(), L{}), inside), c.on);
         c.push = select(open, was * c.push, c.push);
-        if (iteration < kGripIterations) c.grip = c.push;
-        set_friction(to, i, c);
+        c.grip = newtonian || iteration < kGripIterations ? c.push : was * c.grip;
         const L changed = larger(inside * opposite(was), was * opposite(c.on));
-        const L other = c.on * select(size_of(used - c.friction) - kFrictionError * c.friction, one(), L{});
+        const V slip = slip_at(to, i, c), side = surface_axes(normal, c.slip).side; // that of the last elimination
+        const L most = to.friction * positive(c.grip), along = dot(side, slip);
+        const L solved_for = c.follows * c.push + c.along * (along - c.wished);
+        const V wrong = (most / (root(dot(slip, slip)) + L::splat(kStickSpeed))) * slip -
+                        (solved_for * side + c.across * (slip - along * side));
+        const L other = c.on * select(root(dot(wrong, wrong)) - kFrictionError * most, one(), L{});
+        const L turned = newtonian ? L{} - was * dot(slip, c.slip) : L{};
+        c.slip = select(open, select(turned, V{}, slip), c.slip);
         const L depth = free * positive(L{} - c.gap) / length;
         error = larger(error, larger(larger(changed, other), depth));
     }
@@ -100,25 +119,33 @@ template <int N> void RopeBundle<N>::press(size_t i, M& mobility, V& y) {
     for (size_t k = 0; k < stage.collider_count; ++k) {
         Contact& c = contacts[i * stage.collider_count + k];
         if (!any_positive(c.on)) continue;
-        const Axes to = axes(c.normal);
+        const Axes to = surface_axes(c.normal, c.slip);
+        set_friction(stage.colliders[k].friction, dot(to.side, c.slip), c);
         const V u = velocity_of(stage.colliders[k]);
-        const L stiffness = kContactStiffness * heavy, speed = leaving(i, c) + c.push / stiffness;
-        resist(c.on * stiffness, to.way, c.acting, speed * to.way, mobility, y, c.pressed);
-        resist(c.friction, to.side, to.side, u, mobility, y, c.across[0]);
-        resist(c.friction, to.normal, to.normal, u, mobility, y, c.across[1]);
+        const L stiffness = kContactStiffness * heavy, out = leaving(i, c) + c.push / stiffness;
+        resist(c.on * stiffness, to.way, c.acting - c.follows * to.side, out * to.way, mobility, y, c.pressed);
+        resist(c.along, to.side, to.side, u + c.wished * to.side, mobility, y, c.rubbed[0]);
+        resist(c.across, to.normal, to.normal, u, mobility, y, c.rubbed[1]);
     }
+}
+// Linearizes friction about a slip of this size.
+template <int N> void RopeBundle<N>::set_friction(double friction, L slip, Contact& c) const {
+    const L sticks = L::splat(kStickSpeed), speed = slip + sticks;
+    c.across = c.along = (friction * c.on) * positive(c.grip) / speed;
+    c.follows = c.wished = L{};
+    if (newtonian) c.along = c.along * (sticks / speed), c.follows = friction * slip / speed, c.wished = slip;
 }
 // What is left of the impulse phi from the right, at node i.
 template <int N> Vector<N> RopeBundle<N>::pressed(size_t i, V phi) {
     for (size_t k = stage.collider_count; k-- > 0;) {
         Contact& c = contacts[i * stage.collider_count + k];
         if (!any_positive(c.on)) continue;
-        const Axes to = axes(c.normal);
-        phi = phi + (c.across[1].wished - dot(c.across[1].by, phi)) * to.normal;
-        phi = phi + (c.across[0].wished - dot(c.across[0].by, phi)) * to.side;
+        const Axes to = surface_axes(c.normal, c.slip);
+        phi = phi + (c.rubbed[1].wished - dot(c.rubbed[1].by, phi)) * to.normal;
+        phi = phi + (c.rubbed[0].wished - dot(c.rubbed[0].by, phi)) * to.side;
         const L push = c.on * (c.pressed.wished - dot(c.pressed.by, phi));
         c.push = select(open, push, c.push);
-        phi = phi + push * c.acting;
+        phi = phi + push * (c.acting - c.follows * to.side);
     }
     return phi;
 }

@@ -26,6 +26,11 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
     const L wrong = larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths);
     const L error = select(worth, larger(seen.error, wrong / worth), seen.error) + seen.probe;
     reached = select(open, error, reached);
+    if (has_contacts() && stage.lambda < 1) { // what touches takes lambda = 1
+        const L touched = open * select(one() - lambda, touches(), L{});
+        failed = failed + touched, open = open - touched;
+        reached = select(touched, L::splat(INFINITY), reached);
+    }
     if (iteration == 0) return;
     const L solved = select(L::splat(stage.tolerance) - error, one(), L{});
     const L lost = one() - select(L::splat(kMostError) - error, one(), L{});
@@ -70,6 +75,7 @@ template <int N> void RopeBundle<N>::start_together() {
 // Of ropes that only pull, a step of lambda = 1 minimizes a convex function: a primal-dual interior point, in which
 // T gap = barrier for every spring, finds it from anywhere.
 template <int N> void RopeBundle<N>::interior(size_t most) {
+    newtonian = false;
     begin();
     L force{}, mass{}, driven{}, pulled{};
     for (size_t i = 0; i < ropes.nodes; ++i) {
@@ -132,7 +138,6 @@ template <int N> void RopeBundle<N>::solve() {
     prepare();
     begin();
     newton(kMostNewton);
-    if (has_contacts() && stage.lambda < 1) failed = larger(failed, touches());
     if (!try_again()) return;
     if (stage.lambda < 1) {
         lambda = select(open, one(), lambda);

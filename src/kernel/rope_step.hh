@@ -94,7 +94,7 @@ struct RopeResult {
 
 // The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand,
 // without air and beyond that with it; a call with one strand needs no more than that strand's.
-constexpr size_t kRopeStrands = 8, kRopeScratch = 55, kAirScratch = 15, kContactScratch = 24;
+constexpr size_t kRopeStrands = 8, kRopeScratch = 55, kAirScratch = 15, kContactScratch = 30;
 
 namespace CD_ISA {
 

@@ -297,7 +297,7 @@ void scene_lengths(cd_chain* chain) {
     ok(cd_chain_set_mass(chain, 2));
     ok(cd_chain_set_mass_rule(chain, CD_MASS_HALF_ENDS));
     ok(cd_chain_set_rest_length(chain, 0.1 * (double)scene_springs(chain)));
-    ok(cd_chain_set_tolerance(chain, 1e-9, 100));
+    ok(cd_chain_set_tolerance(chain, 1e-9, 200));
     ok(cd_chain_set_drag(chain, 0.2));
     ok(cd_chain_set_lambda(chain, 0.625));
     set_gravity(chain, -9.81);

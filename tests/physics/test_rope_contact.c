@@ -49,6 +49,13 @@ static double energy_of(const struct rope* r) {
     ok(cd_chain_get_energy(r->chain, &e[0], &e[1], &e[2]));
     return e[0] + e[1] + e[2];
 }
+/* Tells how many iterations it took. */
+static size_t step(const struct rope* r, double dt) {
+    size_t iterations;
+    ok(cd_chain_step(r->chain, dt, 1));
+    ok(cd_chain_get_convergence(r->chain, &iterations, NULL));
+    return iterations;
+}
 /* How deep the deepest node is in any collider, over the springs' length. */
 static double deepest_in(struct rope* r) {
     size_t count;
@@ -114,7 +121,7 @@ static void a_capstan_holds_what_it_should(void** state) {
     for (size_t f = 0; f < COUNT(frictions); ++f)
         for (int slips = 0; slips <= 1; ++slips) {
             const double radius = 0.5, pi = acos(-1), grip = exp(frictions[f] * pi), light = 10;
-            const double heavy = light * pow(grip, slips ? 1.1 : 0.9), seconds = 0.5, dt = 1 / 120.0;
+            const double heavy = light * pow(grip, slips ? 1.1 : 0.9), seconds = 0.5, dt = seconds / 60;
             const double a[3] = {0, 0, -5}, b[3] = {0, 0, 5};
             struct rope r = rope_of(MOST, 6, 1, 1);
             ok(cd_chain_set_mass(r.chain, 1e-3));
@@ -129,7 +136,9 @@ static void a_capstan_holds_what_it_should(void** state) {
             ok(cd_chain_write_f64(r.chain, CD_MASS, 0, 1, MOST - 1, 1, &heavy, 1));
             ok(cd_chain_set_capsule(r.chain, 0, a, b, 3, radius, frictions[f]));
             const double before = r.x[MOST - 1][1];
-            for (double t = 0; t < seconds - dt / 2; t += dt) ok(cd_chain_step(r.chain, dt, 1));
+            size_t iterations = 0;
+            for (int k = 0; k < 60; ++k) iterations += step(&r, dt);
+            assert_true(iterations < (slips ? 60 * 25 : 60 * 4));
             get(&r);
             const double sunk = before - r.x[MOST - 1][1];
             const double fall = 0.5 * 9.81 * seconds * seconds * (heavy - light * grip) / (heavy + light * grip);
@@ -180,13 +189,15 @@ static void bodies_are_not_entered_and_give_no_energy(void** state) {
         ok(cd_chain_set_plane(r.chain, 1, floor, up, 3, 0.5));
         straight(&r, start, along);
         double before = INFINITY;
-        for (double t = 0; t < 3; t += dt) {
-            ok(cd_chain_step(r.chain, dt, 1));
+        size_t iterations = 0, steps = 0;
+        for (double t = 0; t < 3; t += dt, ++steps) {
+            iterations += step(&r, dt);
             assert_true(deepest_in(&r) < 1e-6);
             const double now = energy_of(&r);
             if (!(now <= before + 1e-4)) fail_msg("energy from %.9g to %.9g at %g", before, now, t);
             before = now;
         }
+        assert_true(iterations < (way % 2 ? 10 : 7) * steps);
         cd_chain_destroy(r.chain);
     }
 }
@@ -286,8 +297,8 @@ static void nothing_passes_that_is_slower_than_a_radius_a_step(void** state) {
     }
 }
 
-/* Random crumpled ropes among a floor and two capsules that may overlap: solved but for few steps, never deeper than
- * the tolerance where they are, and no energy from nothing. */
+/* Random crumpled ropes among a floor and two capsules that may overlap: solved but for few steps of 0.1 s and more,
+ * never deeper than the tolerance where they are, and no energy from nothing. */
 static void random_ropes_fall_on_random_bodies(void** state) {
     (void)state;
     static const double dts[] = {1 / 600.0, 1 / 60.0, 0.1, 1};
@@ -335,7 +346,7 @@ static void random_ropes_fall_on_random_bodies(void** state) {
     }
     for (size_t d = 0; d < COUNT(dts); ++d)
         print_message("dt %g: %d of %d steps missed\n", dts[d], missed[d], steps[d]);
-    assert_true(missed[0] == 0 && missed[1] < steps[1] / 20 && missed[2] < steps[2] / 20 && missed[3] < steps[3] / 20);
+    assert_true(missed[0] == 0 && missed[1] == 0 && missed[2] < steps[2] / 100 && missed[3] < steps[3] / 100);
 }
 
 int main(void) {

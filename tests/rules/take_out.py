@@ -140,15 +140,22 @@ RULES = {
     "and count for no error": (
         "rope_bundle.hh", "rest(i), here = here.in(s.moves);", "rest(i);", ["stability_ropes", "determinism_parallel"]),
     "pushes act along the normal at the start": (
-        "rope_contact.hh", "        const L was = c.on, used = c.friction;",
-        "        c.acting = c.normal;\n        const L was = c.on, used = c.friction;", ["physics_rope_contact"]),
+        "rope_contact.hh", "        const L changed =", "        c.acting = c.normal;\n        const L changed =",
+        ["physics_rope_contact"]),
     "what lay inside is not thrown": (
         "rope_step.cpp", "    if (has_contacts()) forget_overlaps();", "", ["physics_rope_contact"]),
     "what touches steps with lambda = 1": (
-        "rope_step.cpp", "    if (has_contacts() && stage.lambda < 1) failed = larger(failed, touches());", "",
-        ["physics_rope_contact"]),
+        "rope_step.cpp", "if (has_contacts() && stage.lambda < 1)", "if (false)", ["physics_rope_contact"]),
+    "and was no solution before": (
+        "rope_step.cpp", "reached = select(touched, L::splat(INFINITY), reached);", "", ["physics_rope_contact"]),
     "the push that is known makes up for the rest": (
         "rope_contact.hh", " + c.push / stiffness", "", ["physics_rope_contact"]),
+    "Newton's method knows how friction depends on the slip": (
+        "rope_contact.hh", "c.along = c.along * (sticks / speed), ", "", ["physics_rope_contact"]),
+    "and on the push": (
+        "rope_contact.hh", "c.follows = friction * slip / speed, ", "", ["physics_rope_contact"]),
+    "about no slip where that turns round": (
+        "rope_contact.hh", "newtonian ? L{} - was * dot(slip, c.slip) : L{}", "L{}", ["physics_rope_contact"]),
     "friction that does not settle is of the push found by then": (
         "rope_contact.hh", "kGripIterations = 50;", "kGripIterations = 10000;", ["physics_rope_contact"]),
     "friction is right to 1%": (
