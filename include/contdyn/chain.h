@@ -205,8 +205,8 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  * that lies inside when a step begins comes out of it, and is not thrown. Nodes collide; the springs between them do
  * not, nor do ropes with each other. No node passes through a capsule that it meets by less than a radius a step.
  * Where colliders overlap, a node may be caught between them: CD_ERROR_TOLERANCE. Friction is Coulomb's, of each
- * node's push, times v / (v + 1e-4 m/s) at the speed v, to 1%; where 50 iterations do not settle it, of the push found
- * by then. So what it holds creeps: at half of what it bears by 1e-4 m/s.
+ * node's push, times v / (v + 1e-4 m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the
+ * push that 50 iterations found. So what it holds creeps: at half of what it bears by 1e-4 m/s.
  * Errors of all that set: CD_ERROR_UNSUPPORTED of a chain that is no rope; CD_ERROR_RANGE for an index that no collider
  * has, or a count that is not the number of components; CD_ERROR_VALUE. */
 
