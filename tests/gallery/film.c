@@ -1,0 +1,55 @@
+#include "film.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+int film_create(film* made, size_t lines, size_t points, size_t frames, double seconds) {
+    const film empty = {lines, points, frames, seconds, calloc(2 * lines * points * (frames + 1), sizeof(double))};
+    *made = empty;
+    return made->at != NULL;
+}
+
+void film_destroy(film* gone) { free(gone->at); }
+
+static double* place(const film* of, size_t frame, size_t line, size_t point) {
+    return of->at + 2 * ((frame * of->lines + line) * of->points + point);
+}
+
+void film_set(film* of, size_t frame, size_t line, size_t point, double x, double y) {
+    double* const at = place(of, frame, line, point);
+    at[0] = x, at[1] = y;
+}
+
+double film_jump(const film* of) {
+    const double *first = place(of, 0, 0, 0), *last = place(of, of->frames, 0, 0);
+    double most = 0;
+    for (size_t i = 0; i < of->lines * of->points; ++i)
+        most = fmax(most, hypot(last[2 * i] - first[2 * i], last[2 * i + 1] - first[2 * i + 1]));
+    return most;
+}
+
+/* Points after the first one relative to the one before: shorter. */
+static void write_line(const film* of, FILE* out, size_t frame, size_t line) {
+    long x = 0, y = 0;
+    for (size_t i = 0; i < of->points; ++i) {
+        const double* const at = place(of, frame, line, i);
+        const long next_x = lround(at[0]), next_y = lround(at[1]);
+        if (i == 0) fprintf(out, "M%ld %ldl", next_x, next_y);
+        else fprintf(out, "%s%ld %ld", i > 1 ? " " : "", next_x - x, next_y - y);
+        x = next_x, y = next_y;
+    }
+}
+
+void film_write(const film* of, FILE* out, const char* kind) {
+    for (size_t line = 0; line < of->lines; ++line) {
+        fprintf(out, "<path class=\"%s\" d=\"", kind);
+        write_line(of, out, 0, line);
+        fprintf(out, "\"><animate attributeName=\"d\" dur=\"%gs\" repeatCount=\"indefinite\" values=\"", of->seconds);
+        for (size_t frame = 0; frame < of->frames; ++frame) {
+            write_line(of, out, frame, line);
+            fputs(";\n", out);
+        }
+        write_line(of, out, 0, line);
+        fputs("\"/></path>\n", out);
+    }
+}
