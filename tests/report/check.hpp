@@ -11,7 +11,7 @@ using Row = std::map<std::string, std::string>;
 using Checks = std::map<std::string, std::function<void()>>;
 
 extern std::string first, second;  // the folders of the two runs
-extern std::string readme;         // the README's path
+extern std::string source;         // the project's folder
 extern int failures;
 
 void expect(bool good, const std::string& what);

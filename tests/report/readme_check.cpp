@@ -1,5 +1,6 @@
-// Every figure of the README is one that the report printed. In its section Figures, a number in a table's cell behind
-// the first one, or in bold in the prose, is a figure. A comment below names their keys, in their order:
+// Every figure of README.md and of tests/report/README.md is one that the report printed. In the section Figures, a
+// number in a table's cell behind the first one, or in bold in the prose, is a figure. A comment below names their keys,
+// in their order:
 //
 //     | lake beside a dry bank: volume gained | 7e-16 | 7.4% |
 //
@@ -8,7 +9,7 @@
 //     =water.lake.textbook_gained
 //     -->
 //
-// =key  the same on every machine and in the short form: compared, to the digits that the README gives
+// =key  the same on every machine and in the short form: compared, to the digits that stand there
 // ~key  the same on every machine, of the standard run alone: compared if that is the run looked at
 // key   a time, or a ratio of times: it must have been printed
 // @key  likewise, of the standard run alone
@@ -18,7 +19,7 @@
 
 #include "check.hpp"
 
-std::string readme;
+std::string source;
 
 namespace {
 
@@ -69,9 +70,9 @@ std::string figures_of(const std::string& line) {
     return text;
 }
 
-// The figures and the keys of the section, each in their order.
-void read_section(std::vector<Number>& figures, std::vector<std::string>& keys) {
-    std::istringstream text(read(readme));
+// The figures and the keys of a file's section, each in their order.
+void read_section(const std::string& file, std::vector<Number>& figures, std::vector<std::string>& keys) {
+    std::istringstream text(read(source + "/" + file));
     bool inside = false, comment = false, body = false;
     for (std::string line; std::getline(text, line);) {
         if (line.rfind("## ", 0) == 0) inside = line == "## Figures";
@@ -97,7 +98,7 @@ void every_readme_figure_is_printed() {
     const bool standard = printed.count("report.standard") > 0;
     std::vector<Number> figures;
     std::vector<std::string> keys;
-    read_section(figures, keys);
+    for (const char* file : {"README.md", "tests/report/README.md"}) read_section(file, figures, keys);
     expect(figures.size() == keys.size(), "figures without a key");
     std::size_t compared = 0;
     for (std::size_t i = 0; i < std::min(figures.size(), keys.size()); ++i) {
@@ -106,13 +107,13 @@ void every_readme_figure_is_printed() {
         const std::string key = exact || standards ? keys[i].substr(1) : keys[i];
         if (standards && !standard) continue;
         auto it = printed.find(key);
-        expect(it != printed.end(), "not printed: " + key + ", of which the README says " + figures[i].text);
+        expect(it != printed.end(), "not printed: " + key + ", said to be " + figures[i].text);
         if (it == printed.end() || !exact) continue;
         ++compared;
         expect(std::fabs(std::fabs(it->second) - figures[i].value) <= figures[i].half,
-               key + ": printed " + std::to_string(it->second) + ", the README says " + figures[i].text);
+               key + ": printed " + std::to_string(it->second) + ", said to be " + figures[i].text);
     }
-    expect(figures.size() >= 30 && compared >= 8, "the README has hardly any figures");
+    expect(figures.size() >= 30 && compared >= 8, "hardly any figures");
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// report_check CHECK FIRST SECOND [README]: looks at what two runs of the report's short form wrote into FIRST and
+// report_check CHECK FIRST SECOND [SOURCE]: looks at what two runs of the report's short form wrote into FIRST and
 // SECOND, and into the README.
 #include <cmath>
 #include <cstdio>
@@ -158,12 +158,12 @@ int main(int argc, char** argv) {
     for (const Checks& more : {chain_checks(), membrane_checks(), water_checks(), atlas_checks(), readme_checks()})
         checks.insert(more.begin(), more.end());
     if (argc < 4 || argc > 5 || checks.count(argv[1]) == 0) {
-        std::fprintf(stderr, "usage: report_check CHECK FIRST SECOND [README]\n");
+        std::fprintf(stderr, "usage: report_check CHECK FIRST SECOND [SOURCE]\n");
         return 2;
     }
     first = argv[2];
     second = argv[3];
-    if (argc == 5) readme = argv[4];
+    if (argc == 5) source = argv[4];
     checks.at(argv[1])();
     return failures == 0 ? 0 : 1;
 }
