@@ -45,10 +45,7 @@ void film_write(const film* of, FILE* out, const char* kind) {
         fprintf(out, "<path class=\"%s\" d=\"", kind);
         write_line(of, out, 0, line);
         fprintf(out, "\"><animate attributeName=\"d\" dur=\"%gs\" repeatCount=\"indefinite\" values=\"", of->seconds);
-        for (size_t frame = 0; frame < of->frames; ++frame) {
-            write_line(of, out, frame, line);
-            fputs(";\n", out);
-        }
+        for (size_t frame = 0; frame < of->frames; ++frame) write_line(of, out, frame, line), fputs(";", out);
         write_line(of, out, 0, line);
         fputs("\"/></path>\n", out);
     }
