@@ -122,7 +122,8 @@ template <int N> void RopeBundle<N>::press(size_t i, M& mobility, V& y) {
         const Axes to = surface_axes(c.normal, c.slip);
         set_friction(stage.colliders[k].friction, dot(to.side, c.slip), c);
         const V u = velocity_of(stage.colliders[k]);
-        const L stiffness = kContactStiffness * heavy, out = leaving(i, c) + c.push / stiffness;
+        // A strand that is held altogether has no mass, and touches nothing.
+        const L stiffness = kContactStiffness * heavy, out = leaving(i, c) + select(c.on, c.push / stiffness, L{});
         resist(c.on * stiffness, to.way, c.acting - c.follows * to.side, out * to.way, mobility, y, c.pressed);
         resist(c.along, to.side, to.side, u + c.wished * to.side, mobility, y, c.rubbed[0]);
         resist(c.across, to.normal, to.normal, u, mobility, y, c.rubbed[1]);
