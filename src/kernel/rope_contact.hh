@@ -88,8 +88,8 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
         const V normal = c.normal;
         look_at_gap(to, x, stage.time_after, c.normal, c.gap);
         const L was = c.on, inside = free * select(room + c.gap, L{}, one()); // deeper than the tolerance
-        const L depth = free * positive(L{} - c.gap);
-        if (!any_positive(was + (inside + depth))) continue;
+        const L off = free * larger(L{} - c.gap, was * c.gap); // inside, or pushed and not at the surface
+        if (!any_positive(was + (inside + off))) continue;
         c.on = select(open, larger(was * select(c.push, one(), L{}), inside), c.on);
         c.push = select(open, was * c.push, c.push);
         c.grip = newtonian || iteration < kGripIterations ? c.push : was * c.grip;
@@ -102,7 +102,7 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
         const L other = c.on * select(root(dot(wrong, wrong)) - kFrictionError * most, one(), L{});
         const L turned = newtonian ? L{} - was * dot(slip, c.slip) : L{};
         c.slip = select(open, select(turned, V{}, slip), c.slip);
-        error = larger(error, larger(larger(changed, other), depth / length));
+        error = larger(error, larger(larger(changed, other), off / length));
     }
     return error;
 }
