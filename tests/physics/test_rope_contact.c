@@ -269,6 +269,47 @@ static void a_held_node_may_lie_inside(void** state) {
     cd_chain_destroy(r.chain);
 }
 
+/* The step before left a tension that is gone: what it would have pressed onto the plane is not pushed off it. */
+static void tensions_that_are_gone_push_nothing_off(void** state) {
+    (void)state;
+    const double out[3] = {1, 0, 0};
+    for (double tension = 1; tension < 1000; tension *= 3) {
+        struct rope r = rope_of(2, 90, 0.5, 1);
+        ok(cd_chain_set_gravity(r.chain, nowhere, 3));
+        ok(cd_chain_set_stiffness(r.chain, 1));
+        ok(cd_chain_set_plane(r.chain, 0, nowhere, out, 3, 0.1));
+        ok(cd_chain_write_f64(r.chain, CD_TENSION, 0, 1, 0, 1, &tension, 1));
+        ok(cd_chain_step(r.chain, 6, 1));
+        assert_true(speed_of(&r) < 1e-4);
+        cd_chain_destroy(r.chain);
+    }
+}
+
+/* A strand that is held altogether has no mass of its own, and stays where it is beside one that falls. */
+static void held_strands_stay_beside_those_that_touch(void** state) {
+    (void)state;
+    const double floor[3] = {0, -0.01, 0}, gravity[3] = {0, -9.81, 0}, pins[2] = {CD_NODE_PINNED, CD_NODE_PINNED};
+    for (int kernels = CD_KERNELS_PLAIN; kernels <= CD_KERNELS_AVX512; ++kernels) {
+        if (!(cd_runnable_kernels() >> kernels & 1)) continue;
+        double x[4][2][3] = {{{0}}}, after[4][2][3];
+        cd_chain* chain;
+        for (int s = 0; s < 4; ++s) x[s][1][0] = 1;
+        ok(cd_chain_create(4, 1, 3, CD_FLOAT64, NULL, &chain));
+        ok(cd_chain_set_kernels(chain, kernels));
+        ok(cd_chain_set_rest_length(chain, 1));
+        ok(cd_chain_write_f64(chain, CD_POSITION, 0, 4, 0, 2, x[0][0], 24));
+        ok(cd_chain_write_f64(chain, CD_PIN, 1, 1, 0, 2, pins, 2));
+        ok(cd_chain_set_gravity(chain, gravity, 3));
+        ok(cd_chain_set_colliders(chain, 1));
+        ok(cd_chain_set_plane(chain, 0, floor, up, 3, 0.5));
+        ok(cd_chain_step(chain, 0.1, 5));
+        ok(cd_chain_read_f64(chain, CD_POSITION, 0, 4, 0, 2, after[0][0], 24));
+        assert_memory_equal(after[1], x[1], sizeof x[1]);
+        for (int s = 0; s < 4; ++s) assert_true(s == 1 || fabs(after[s][0][1] + 0.01) < 1e-6);
+        cd_chain_destroy(chain);
+    }
+}
+
 /* Along one line, in steps of up to nine tenths of the radius, nothing comes through. */
 static void nothing_passes_that_is_slower_than_a_radius_a_step(void** state) {
     (void)state;
@@ -358,6 +399,8 @@ int main(void) {
         cmocka_unit_test(colliders_that_move_take_ropes_along),
         cmocka_unit_test(what_lay_inside_comes_out_and_is_not_thrown),
         cmocka_unit_test(a_held_node_may_lie_inside),
+        cmocka_unit_test(tensions_that_are_gone_push_nothing_off),
+        cmocka_unit_test(held_strands_stay_beside_those_that_touch),
         cmocka_unit_test(nothing_passes_that_is_slower_than_a_radius_a_step),
         cmocka_unit_test(random_ropes_fall_on_random_bodies),
     };

@@ -149,13 +149,17 @@ RULES = {
     "and was no solution before": (
         "rope_step.cpp", "reached = select(touched, L::splat(INFINITY), reached);", "", ["physics_rope_contact"]),
     "the push that is known makes up for the rest": (
-        "rope_contact.hh", " + c.push / stiffness", "", ["physics_rope_contact"]),
+        "rope_contact.hh", "leaving(i, c) + select(c.on, c.push / stiffness, L{})", "leaving(i, c)", ["physics_rope_contact"]),
     "Newton's method knows how friction depends on the slip": (
         "rope_contact.hh", "c.along = c.along * (sticks / speed), ", "", ["physics_rope_contact"]),
     "and on the push": (
         "rope_contact.hh", "c.follows = friction * slip / speed, ", "", ["physics_rope_contact"]),
     "about no slip where that turns round": (
         "rope_contact.hh", "newtonian ? L{} - was * dot(slip, c.slip) : L{}", "L{}", ["physics_rope_contact"]),
+    "what pushes lies at the surface": (
+        "rope_contact.hh", "larger(L{} - c.gap, was * c.gap)", "positive(L{} - c.gap)", ["physics_rope_contact"]),
+    "strands without mass touch nothing": (
+        "rope_contact.hh", "select(c.on, c.push / stiffness, L{})", "c.push / stiffness", ["physics_rope_contact"]),
     "friction that does not settle is of the push found by then": (
         "rope_contact.hh", "kGripIterations = 50;", "kGripIterations = 10000;", ["physics_rope_contact"]),
     "friction is right to 1%": (
