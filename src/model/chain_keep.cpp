@@ -105,6 +105,23 @@ struct ChainKeep {
         }
     }
 
+    // A plane's normal has length 1, a capsule a radius, and neither reaches out of the strands' space.
+    static constexpr double kNormalError = 1e-12; // of its square
+    static bool colliders_are_shaped(const Chain& c, SavedNumbers numbers, size_t count) {
+        bool good = true;
+        for (size_t i = 0; i < count; ++i) {
+            Collider it;
+            double all[kColliderNumbers];
+            for (size_t k = 0; k < kColliderNumbers; ++k) all[k] = numbers[i * kColliderNumbers + k];
+            memcpy(&it, all, sizeof it);
+            const double square = (it.way[0] * it.way[0] + it.way[1] * it.way[1]) + it.way[2] * it.way[2];
+            if (it.shape == CD_SHAPE_PLANE) good &= fabs(square - 1) < kNormalError;
+            if (it.shape == CD_SHAPE_CAPSULE) good &= valid_mass(it.radius);
+            for (size_t k = c.components; k < 3; ++k) good &= it.point[k] == 0 && it.way[k] == 0 && it.velocity[k] == 0;
+        }
+        return good;
+    }
+
     // What may break has stiffnesses of its own.
     static bool valid_strength(const Settings& s) {
         const double strength = s.own.rope.strength;
@@ -145,8 +162,9 @@ struct ChainKeep {
             if (s.on(CD_WIND))
                 check.numbers<decltype(zero)>(c.nodes * c.lines, [](double v, size_t) { return isfinite(v) != 0; });
         });
+        const SavedNumbers colliders = check.here<double>();
         check.numbers<double>(size_t(s.own.colliders) * kColliderNumbers, valid_collider_number);
-        if (!check.all_good()) return false;
+        if (!check.all_good() || !colliders_are_shaped(c, colliders, size_t(s.own.colliders))) return false;
         return rope ? pinned_rest(c, pin, velocity) : nodes_are_held(c, s.own.ring != 0, pin, stiffness, velocity);
     }
 
