@@ -243,7 +243,8 @@ void Chain::check_lengths(double tolerance, double dt) {
     cd_chain_get_push(first(), &push);
     cd_chain_get_convergence(first(), &iterations, nullptr);
     cd_chain_get_tolerance(first(), &tolerance, &most);
-    const double x = largest_of({CD_POSITION}), rounding = (precision == CD_FLOAT64 ? 1e-14 : 1e-6) * x;
+    const double x = fmax(largest_of({CD_POSITION}), position_before);
+    const double rounding = (precision == CD_FLOAT64 ? 1e-14 : 1e-6) * x;
     const double force = force_on_nodes(dt) + largest_of({CD_TENSION});
     for (size_t i = 0; i < now.size(); ++i) {
         const size_t node = i + i / springs;
@@ -299,7 +300,7 @@ void Chain::check_momentum(const Step& s) {
         const double wanted = momentum_before[c] + mass * gravity[c] * s.dt;
         const double room =
             n * (rounding * (heaviest() * v + fabs(mass * gravity[c] * s.dt) + pull * s.dt) + smallest * heaviest()) +
-            rounding * fabs(momentum_before[c]);
+            rounding * fabs(momentum_before[c]) + n * heaviest() * 1e-14 * position_before / s.dt; // what was too long
         if (fabs(after[c] - wanted) > room)
             return problem(
                 "rope: momentum from %.17g to %.17g, not %.17g, where rounding explains %g; tolerance %g, "
