@@ -88,8 +88,9 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
         const V normal = c.normal;
         look_at_gap(to, x, stage.time_after, c.normal, c.gap);
         const L was = c.on, inside = free * select(room + c.gap, L{}, one()); // deeper than the tolerance
-        const L off = free * larger(L{} - c.gap, was * c.gap); // inside, or pushed and not at the surface
-        if (!any_positive(was + (inside + off))) continue;
+        // How far it is inside, or off the surface where it is pushed.
+        const L off = select(free, select(was, size_of(c.gap), positive(L{} - c.gap)), L{});
+        if (!any_positive(larger(off, larger(was, inside)))) continue; // if off is no number, the others count
         c.on = select(open, larger(was * select(c.push, one(), L{}), inside), c.on);
         c.push = select(open, was * c.push, c.push);
         c.grip = newtonian || iteration < kGripIterations ? c.push : was * c.grip;

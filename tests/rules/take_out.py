@@ -157,7 +157,7 @@ RULES = {
     "about no slip where that turns round": (
         "rope_contact.hh", "newtonian ? L{} - was * dot(slip, c.slip) : L{}", "L{}", ["physics_rope_contact"]),
     "what pushes lies at the surface": (
-        "rope_contact.hh", "larger(L{} - c.gap, was * c.gap)", "positive(L{} - c.gap)", ["physics_rope_contact"]),
+        "rope_contact.hh", "select(was, size_of(c.gap), positive(L{} - c.gap))", "positive(L{} - c.gap)", ["physics_rope_contact"]),
     "strands without mass touch nothing": (
         "rope_contact.hh", "select(c.on, c.push / stiffness, L{})", "c.push / stiffness", ["physics_rope_contact"]),
     "friction that does not settle is of the push found by then": (
