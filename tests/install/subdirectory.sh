@@ -16,7 +16,7 @@ flags() { # flags NAME TYPE ARGUMENT...: the lines that compile kernels
     rm -rf "$out"
     quietly "$CMAKE" -B "$out" -S "$here/subdirectory" -DCONTDYN_SOURCE="$SOURCE" -DCMAKE_C_COMPILER="$CC" \
         -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_BUILD_TYPE="$2" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "${@:3}"
-    grep '"command".*/src/kernel/' "$out/compile_commands.json"
+    grep '"command".*/src/kernel/' "$out/compile_commands.json" | grep -v choose_kernels # it runs once
 }
 for type in "" Debug; do
     lines=$(flags "type_$type" "$type")
