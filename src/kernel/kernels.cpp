@@ -33,18 +33,23 @@ extern const Kernels kernels;
 const Kernels kernels = {
     CD_SET,
 #if CD_WITH_FLOAT32
-    {spring_sweep<float>, segment_sweep<float>, rod_sweep<float>, rod_step<float>, segment_rod_step<float>,
-     advance<float>, explicit_sweep<float>, drift<float>},
+    {spring_sweep<float>, rod_sweep<float>, rod_step<float>, advance<float>, explicit_sweep<float>, drift<float>},
 #else
     {},
 #endif
 #if CD_WITH_FLOAT64
-    {spring_sweep<double>, segment_sweep<double>, rod_sweep<double>, rod_step<double>, segment_rod_step<double>,
-     advance<double>, explicit_sweep<double>, drift<double>},
+    {spring_sweep<double>, rod_sweep<double>, rod_step<double>, advance<double>, explicit_sweep<double>, drift<double>},
 #elif CD_WITH_MEMBRANE
-    {nullptr, nullptr, rod_sweep<double>, nullptr, nullptr, advance<double>, nullptr, nullptr},
+    {nullptr, rod_sweep<double>, nullptr, advance<double>, nullptr, nullptr},
 #else
     {},
+#endif
+#if CD_WITH_CHAIN
+    segment_sweep,
+    segment_rod_step,
+#else
+    nullptr,
+    nullptr,
 #endif
 #if CD_WITH_ROPE
     rope_step,

@@ -17,13 +17,10 @@ namespace cd {
 template <class T> struct LineKernels {
     bool (*spring_sweep)(const Lines<T>&, const SpringCoefficients&, const Stage&, const Start&, double*, bool, size_t,
                          size_t);
-    bool (*segment_sweep)(const Lines<T>&, const SegmentCoefficients&, const Stage&, const Start&, double*, bool);
     void (*rod_sweep)(const Lines<T>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, size_t,
                       size_t);
     bool (*rod_step)(const Lines<T>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, bool,
                      size_t, size_t);
-    bool (*segment_rod_step)(const Lines<T>&, const SegmentRodCoefficients&, const Stage&, const Start&,
-                             const RingClosure&, double*, double*, double*, bool);
     bool (*advance)(const Lines<T>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t, size_t);
     bool (*explicit_sweep)(const Lines<T>&, const ExplicitCoefficients&, double, const double*, Carrier, size_t,
                            size_t);
@@ -91,6 +88,8 @@ struct Kernels {
     cd_kernels set;
     LineKernels<float> float32; // null where the precision is left out
     LineKernels<double> float64;
+    decltype(&CD_ISA::segment_sweep) segment_sweep;
+    decltype(&CD_ISA::segment_rod_step) segment_rod_step;
     decltype(&CD_ISA::rope_step) rope_step;
     SheetKernels sheet;
     WaterKernels<float> water32;

@@ -20,6 +20,13 @@ template <int N, class T> inline StateLanes<N> load_start(const Lines<T>& lines,
     return {x + start.move * w, w + start.overshoot * (w - v)};
 }
 
+inline StateLanes<1> load_start(const StateLines& lines, const Start& start, size_t at) {
+    const Lanes<1> x{lines.position[at]}, v{lines.velocity[at]};
+    if (!start.w) return {x, v};
+    const Lanes<1> w{start.w[at]};
+    return {x + start.move * w, w + start.overshoot * (w - v)};
+}
+
 // Asks for what the next bundle needs at this node: its numbers are a few bytes on, but its nodes a page and more
 // apart, where no processor looks ahead.
 template <int N, class T> inline void fetch_next_bundle(const Lines<T>& lines, size_t at) {
@@ -48,11 +55,25 @@ template <int N, class T> inline Lanes<N> outside(const Lines<T>& lines, const N
     return sum;
 }
 
+// Likewise of one line in either precision; row: of the gains.
+inline Lanes<1> outside(const StateLines& lines, const NodeGains& gains, size_t row, size_t at, Lanes<1> gravity,
+                        Lanes<1> x, Lanes<1> v) {
+    Lanes<1> sum = gains.gravity[row] * gravity;
+    if (gains.force) sum = sum + gains.force[row] * Lanes<1>{lines.force[at]};
+    if (gains.drag) sum = sum - gains.drag[row] * v;
+    if (gains.attach) sum = sum - gains.attach[row] * (x - Lanes<1>{lines.target[at]});
+    return sum;
+}
+
 // A number to be stored: settles to 0 if it is too small for the state's precision, and adds to the probe what is NaN
 // if it is too large for it.
 template <class T, int N> inline Lanes<N> settle_and_probe(Lanes<N> a, Lanes<N>& probe) {
     probe = probe + 0.0 * (Limits<T>::to_overflow * a);
     return settled(a, double(Limits<T>::least));
+}
+template <int N> inline Lanes<N> settle_and_probe(Lanes<N> a, const StoredRange& range, Lanes<N>& probe) {
+    probe = probe + 0.0 * (range.to_overflow * a);
+    return settled(a, range.least);
 }
 template <class T, int N> inline void store_settled(Lanes<N> a, T* to, Lanes<N>& probe) {
     settle_and_probe<T>(a, probe).store(to);
@@ -68,6 +89,18 @@ template <int N, class T> inline void end_stage(const Lines<T>& lines, const Sta
     }
     store_settled(w + stage.overshoot * change, lines.velocity + at, probe);
     store_settled(from.x + stage.move * w, lines.position + at, probe);
+}
+
+inline void end_stage(const StateLines& lines, const Stage& stage, StateLanes<1> from, Lanes<1> answer, double* keep,
+                      size_t at, Lanes<1>& probe) {
+    const Lanes<1> w = answer + stage.of_change * from.v, change = answer - (1 - stage.of_change) * from.v;
+    if (keep) {
+        w.store(keep + at);
+        return;
+    }
+    const StoredRange range = lines.position.range();
+    lines.velocity.put(at, settle_and_probe(w + stage.overshoot * change, range, probe).v);
+    lines.position.put(at, settle_and_probe(from.x + stage.move * w, range, probe).v);
 }
 
 } // namespace CD_ISA

@@ -25,11 +25,46 @@ template <> struct Limits<double> {
 };
 constexpr size_t kSettleEvery = 16;
 
+// The same of a precision that is known when the program runs.
+struct StoredRange {
+    double least, to_overflow;
+};
+
 // The lines of an object. force and target are null where there are none.
 template <class T> struct Lines {
     size_t nodes, pitch, components;
     T *position, *velocity;
     const T *force, *target;
+};
+
+// Numbers of the state in either precision, for kernels that would be twice as large with a text for each.
+struct StateNumbers {
+    void* data; // null: there are none
+    bool is_float64;
+
+    // A precision that is left out takes no code.
+    bool wide() const { return CD_WITH_FLOAT64 && (!CD_WITH_FLOAT32 || is_float64); }
+    // f of the numbers as they are stored.
+    template <class F> auto stored(F f) const {
+        return wide() ? f(static_cast<double*>(data)) : f(static_cast<float*>(data));
+    }
+    double operator[](size_t at) const {
+        return stored([at](auto* numbers) { return double(numbers[at]); });
+    }
+    void put(size_t at, double number) const {
+        stored([at, number](auto* numbers) { store(number, numbers[at]); });
+    }
+    StoredRange range() const {
+        return wide() ? StoredRange{Limits<double>::least, Limits<double>::to_overflow}
+                      : StoredRange{double(Limits<float>::least), Limits<float>::to_overflow};
+    }
+
+private:
+    template <class T> static void store(double number, T& to) { to = T(number); }
+};
+struct StateLines {
+    size_t nodes, pitch, components;
+    StateNumbers position, velocity, force, target;
 };
 
 // One implicit stage, from a start (x, v). It solves for w, the velocity that moves the positions,

@@ -121,7 +121,7 @@ template <int N> struct RopeBundle {
         return {L::load(lane[0]), L::load(lane[1]), L::load(lane[2])};
     }
     void store(V a, StateNumbers numbers, size_t i) const {
-        const double least = numbers.is_float64 ? Limits<double>::least : double(Limits<float>::least);
+        const double least = numbers.range().least;
         double lane[3][N];
         settled(a.x, least).store(lane[0]), settled(a.y, least).store(lane[1]), settled(a.z, least).store(lane[2]);
         for (int j = 0; j < N && size_t(j) < count; ++j)

@@ -249,8 +249,7 @@ template <int N> RopeResult RopeBundle<N>::step() {
     }
     if (stage.lambda < 1) settle();
     if (has_contacts()) forget_overlaps();
-    const bool wide = ropes.position.is_float64;
-    const L to_overflow = L::splat(wide ? Limits<double>::to_overflow : Limits<float>::to_overflow);
+    const L to_overflow = L::splat(ropes.position.range().to_overflow);
     const auto look_at = [&](L a) { bad = bad + 0.0 * (to_overflow * a); };
     for (size_t i = 0; i < ropes.nodes; ++i) {
         Node& n = nodes[i];

@@ -16,21 +16,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "kernel/lines.hh"
+
 namespace cd {
-
-// Numbers of the state, in its precision: most of a step does not depend on that.
-struct StateNumbers {
-    void* data; // null: there are none
-    bool is_float64;
-
-    double operator[](size_t at) const {
-        return is_float64 ? static_cast<const double*>(data)[at] : double(static_cast<const float*>(data)[at]);
-    }
-    void put(size_t at, double number) const {
-        if (is_float64) static_cast<double*>(data)[at] = number;
-        else static_cast<float*>(data)[at] = float(number);
-    }
-};
 
 // The state of all strands. The number of a node's component lies at node * pitch + strand * components + component, a
 // tension at spring * strands + strand.

@@ -37,13 +37,13 @@ template <int N> inline StateLanes<N> difference(const StateLanes<N>& a, const S
 
 // kLines lines side by side in memory, 0: any number; a lane is a segment. kPlain: an open line on which nothing acts
 // but springs, bend and gravity, and the stage is for w, from the state.
-template <class T, int kLines, bool kPlain> struct Sweep {
+template <int kLines, bool kPlain> struct Sweep {
     static constexpr int kMost = kLines > 0 ? kLines : int(kMostSegmentLines), N = kTile;
     using L = Lanes<N>;
     using One = Lanes<1>;
     using Nodes = L[N * kMost]; // of a tile: line l of node i at [i * count + l]
 
-    const Lines<T> lines; // values, which stores to scratch cannot be taken to change
+    const StateLines lines; // values, which stores to scratch cannot be taken to change
     const SegmentRodCoefficients c;
     const Stage stage;
     const Start start;
@@ -78,15 +78,19 @@ template <class T, int kLines, bool kPlain> struct Sweep {
     static constexpr bool kTurnsHere = kPlain && kNative > 2;
 
     size_t nodes_from(size_t j) const { return segments.length - j < N ? segments.length - j : N; }
-    void load_nodes(const T* of, size_t j, size_t nodes, L* out) const {
-        const T* const from = of + at_node(j);
-        if (!kTurnsHere || nodes < N) return load_numbers(from, stride(), nodes * size_t(count()), out);
-        for (int l = 0; l < count(); ++l) load_tile(from + l * N, stride(), out + l * N);
+    void load_nodes(const StateNumbers& of, size_t j, size_t nodes, L* out) const {
+        of.stored([&](const auto* numbers) {
+            const auto* const from = numbers + at_node(j);
+            if (!kTurnsHere || nodes < N) return load_numbers(from, stride(), nodes * size_t(count()), out);
+            for (int l = 0; l < count(); ++l) load_tile(from + l * N, stride(), out + l * N);
+        });
     }
-    void store_nodes(const L* in, T* of, size_t j, size_t nodes) const {
-        T* const to = of + at_node(j);
-        if (!kTurnsHere || nodes < N) return store_numbers(in, to, stride(), nodes * size_t(count()));
-        for (int l = 0; l < count(); ++l) store_tile(in + l * N, to + l * N, stride());
+    void store_nodes(const L* in, const StateNumbers& of, size_t j, size_t nodes) const {
+        of.stored([&](auto* numbers) {
+            auto* const to = numbers + at_node(j);
+            if (!kTurnsHere || nodes < N) return store_numbers(in, to, stride(), nodes * size_t(count()));
+            for (int l = 0; l < count(); ++l) store_tile(in + l * N, to + l * N, stride());
+        });
     }
     StateLanes<N> begin(L x, L v, size_t j, int l) const {
         if (kPlain || !start.w) return {x, v};
@@ -97,7 +101,7 @@ template <class T, int kLines, bool kPlain> struct Sweep {
         Start here = start;
         const size_t at = node * size_t(count()) + size_t(l);
         if (here.w) here.w += ptrdiff_t(scratch_of(node, l)) - ptrdiff_t(at);
-        return load_start<1>(lines, here, at);
+        return load_start(lines, here, at);
     }
     // Of the nodes so many places before the segments' first ones; where there is none, of the line's first one.
     StateLanes<N> states_before(size_t by, int l) const {
@@ -131,8 +135,10 @@ template <class T, int kLines, bool kPlain> struct Sweep {
     void make_guesses() {
         const size_t nodes = nodes_from(0);
         Nodes x, v, force, target;
-        const auto load = [&](const T* of, L* out) {
-            load_numbers(of + at_node(0), stride(), nodes * size_t(count()), out);
+        const auto load = [&](const StateNumbers& of, L* out) {
+            of.stored([&](const auto* numbers) {
+                load_numbers(numbers + at_node(0), stride(), nodes * size_t(count()), out);
+            });
         };
         load(lines.velocity, v);
         if (!kPlain) load(lines.position, x);
@@ -196,8 +202,8 @@ template <class T, int kLines, bool kPlain> struct Sweep {
         for (size_t i = 0; i < segments.head; ++i) {
             const StateLanes<1> here = state(i, l);
             const size_t row = segments.place(i), at = i * size_t(count()) + size_t(l), to = scratch_of(i, l);
-            const One force{c.gains.force ? double(lines.force[at]) : 0};
-            const One target{c.gains.attach ? double(lines.target[at]) : 0};
+            const One force{c.gains.force ? lines.force[at] : 0};
+            const One target{c.gains.attach ? lines.target[at] : 0};
             const StateLanes<1> into = difference(left, here);
             const One held = d + wish(difference(into, gap));
             rod_reach(c, row, held, wish(into), own(here, row, force, target, l), u, d);
@@ -304,6 +310,7 @@ template <class T, int kLines, bool kPlain> struct Sweep {
             next[l] = L::load(after[l].value), into_next[l] = L::load(after[l].slope);
         }
         const LaneRow by[4] = {{c.influence[0]}, {c.influence[1]}, {c.influence[2]}, {c.influence[3]}};
+        const StoredRange range = lines.position.range();
         Nodes x, v;
         for (size_t j = 0, nodes; j < segments.length; j += nodes) {
             nodes = nodes_from(j);
@@ -324,8 +331,8 @@ template <class T, int kLines, bool kPlain> struct Sweep {
                         w.store(value + at);
                         continue;
                     }
-                    v[m] = settle_and_probe<T>(w + stage.overshoot * change, probe);
-                    x[m] = settle_and_probe<T>(here.x + stage.move * w, probe);
+                    v[m] = settle_and_probe(w + stage.overshoot * change, range, probe);
+                    x[m] = settle_and_probe(here.x + stage.move * w, range, probe);
                 }
             }
             if (!kPlain && keep) continue;
@@ -342,7 +349,7 @@ template <class T, int kLines, bool kPlain> struct Sweep {
             for (int r = 0; r < ring.constraints; ++r)
                 answer = answer + One{pull[l][r] * ring.response[r][segments.place(i)]};
             double* const row = keep ? value + (ptrdiff_t(from) - ptrdiff_t(at)) : nullptr;
-            end_stage<1>(lines, stage, state(i, l), answer, row, at, probe);
+            end_stage(lines, stage, state(i, l), answer, row, at, probe);
         }
         return !probe.any_nan();
     }
@@ -363,34 +370,24 @@ template <class T, int kLines, bool kPlain> struct Sweep {
     }
 };
 
-template <class T, int kLines, bool kPlain> bool sweep(const Lines<T>& lines, const SegmentRodCoefficients& c,
-                                                       const Stage& stage, const Start& start, const RingClosure& ring,
-                                                       double* value, double* slope, double* hold, bool keep) {
-    return Sweep<T, kLines, kPlain>{lines, c, stage, start, ring, value, slope, hold, keep}.run();
+template <int kLines, bool kPlain> bool sweep(const StateLines& lines, const SegmentRodCoefficients& c,
+                                              const Stage& stage, const Start& start, const RingClosure& ring,
+                                              double* value, double* slope, double* hold, bool keep) {
+    return Sweep<kLines, kPlain>{lines, c, stage, start, ring, value, slope, hold, keep}.run();
 }
 
 } // namespace
 
-template <class T> bool segment_rod_step(const Lines<T>& lines, const SegmentRodCoefficients& c, const Stage& stage,
-                                         const Start& start, const RingClosure& ring, double* value, double* slope,
-                                         double* hold, bool keep) {
+bool segment_rod_step(const StateLines& lines, const SegmentRodCoefficients& c, const Stage& stage, const Start& start,
+                      const RingClosure& ring, double* value, double* slope, double* hold, bool keep) {
     const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !start.w && !keep &&
                        stage.of_change == 0 && ring.constraints == 0;
     const auto run = [&](auto with) { return with(lines, c, stage, start, ring, value, slope, hold, keep); };
-    if (plain && lines.pitch == 1) return run(sweep<T, 1, true>);
-    if (plain && lines.pitch == 2) return run(sweep<T, 2, true>);
-    if (plain && lines.pitch == 3) return run(sweep<T, 3, true>);
-    return run(sweep<T, 0, false>);
+    if (plain && lines.pitch == 1) return run(sweep<1, true>);
+    if (plain && lines.pitch == 2) return run(sweep<2, true>);
+    if (plain && lines.pitch == 3) return run(sweep<3, true>);
+    return run(sweep<0, false>);
 }
-
-#if CD_WITH_FLOAT32
-template bool segment_rod_step(const Lines<float>&, const SegmentRodCoefficients&, const Stage&, const Start&,
-                               const RingClosure&, double*, double*, double*, bool);
-#endif
-#if CD_WITH_FLOAT64
-template bool segment_rod_step(const Lines<double>&, const SegmentRodCoefficients&, const Stage&, const Start&,
-                               const RingClosure&, double*, double*, double*, bool);
-#endif
 
 } // namespace CD_ISA
 } // namespace cd

@@ -52,8 +52,8 @@ void join_segments(const SegmentCoefficients& c, const Stage& stage, const Segme
 }
 
 // The nodes that the segments leave over, one after the other.
-template <class T> struct Head {
-    const Lines<T>& lines;
+struct Head {
+    const StateLines& lines;
     const SegmentCoefficients& c;
     const Stage& stage;
     const Start& start;
@@ -67,7 +67,7 @@ template <class T> struct Head {
         Start here = start;
         const size_t at = i * lines.pitch + line;
         if (here.w) here.w += scratch(i) - at;
-        return load_start<1>(lines, here, at);
+        return load_start(lines, here, at);
     }
 
     // y of the last node, whose state is left in `before`.
@@ -78,7 +78,7 @@ template <class T> struct Head {
             const size_t row = segments.place(i), at = i * lines.pitch + line;
             const Lanes<1> gravity{stage.gravity[line % lines.components]};
             const Lanes<1> own = (1 - stage.of_change) * here.v;
-            const Lanes<1> acting = outside<1>(lines, c.gains, row, at, gravity, here.x, here.v);
+            const Lanes<1> acting = outside(lines, c.gains, row, at, gravity, here.x, here.v);
             sum = i == 0 ? own + acting : between(own, sum, wish_of<1>(stage, before, here), c.carry[row], acting);
             sum.store(y + scratch(i));
             before = here;
@@ -94,7 +94,7 @@ template <class T> struct Head {
             const Lanes<1> sum = Lanes<1>::load(y + scratch(i));
             answer = between(sum, answer, -wish_of<1>(stage, here, right), c.pull[segments.place(i)]);
             right = here;
-            end_stage<1>(lines, stage, here, answer, keep ? y + scratch(i) - at : nullptr, at, probe);
+            end_stage(lines, stage, here, answer, keep ? y + scratch(i) - at : nullptr, at, probe);
         }
         return !probe.any_nan();
     }
@@ -102,12 +102,12 @@ template <class T> struct Head {
 
 // kLines lines side by side in memory, 0: any number; a lane is a segment. kPlain: nothing acts but springs and
 // gravity, and the stage is for w, from the state.
-template <class T, int kLines, bool kPlain> struct Sweep {
+template <int kLines, bool kPlain> struct Sweep {
     static constexpr int kMost = kLines > 0 ? kLines : int(kMostSegmentLines), N = kTile;
     using L = Lanes<N>;
     using Nodes = L[N * kMost]; // of a tile: line l of node i at [i * count + l]
 
-    const Lines<T> lines; // values, which stores to y cannot be taken to change
+    const StateLines lines; // values, which stores to y cannot be taken to change
     const SegmentCoefficients c;
     const Stage stage;
     const Start start;
@@ -137,15 +137,30 @@ template <class T, int kLines, bool kPlain> struct Sweep {
     // Around a call all registers are saved: it pays only where tiles take much code.
     static constexpr bool kTurnsHere = kPlain && kNative > 2;
 
-    void load_nodes(const T* of, size_t j, size_t nodes, L* out) const {
+    template <class T> void load_nodes(const T* of, size_t j, size_t nodes, L* out) const {
         const T* const from = of + at_node(j);
         if (!kTurnsHere || nodes < N) return load_numbers(from, stride(), nodes * size_t(count()), out);
         for (int l = 0; l < count(); ++l) load_tile(from + l * N, stride(), out + l * N);
     }
-    void store_nodes(const L* in, T* of, size_t j, size_t nodes) const {
+    void load_nodes(const StateNumbers& of, size_t j, size_t nodes, L* out) const {
+        of.stored([&](const auto* numbers) { load_nodes(numbers, j, nodes, out); });
+    }
+    void load_state(size_t j, size_t nodes, L* x, L* v) const {
+        lines.position.stored([&](const auto* position) {
+            load_nodes(position, j, nodes, x);
+            load_nodes(static_cast<decltype(position)>(lines.velocity.data), j, nodes, v);
+        });
+    }
+    template <class T> void store_nodes(const L* in, T* of, size_t j, size_t nodes) const {
         T* const to = of + at_node(j);
         if (!kTurnsHere || nodes < N) return store_numbers(in, to, stride(), nodes * size_t(count()));
         for (int l = 0; l < count(); ++l) store_tile(in + l * N, to + l * N, stride());
+    }
+    void store_state(const L* x, const L* v, size_t j, size_t nodes) const {
+        lines.position.stored([&](auto* position) {
+            store_nodes(x, position, j, nodes);
+            store_nodes(v, static_cast<decltype(position)>(lines.velocity.data), j, nodes);
+        });
     }
 
     // ---- going right --------------------------------------------------------------------------------------------
@@ -162,8 +177,7 @@ template <class T, int kLines, bool kPlain> struct Sweep {
         Nodes x, v, force, target;
         for (size_t j = 0, nodes; j < segments.length; j += nodes) {
             nodes = segments.length - j < N ? segments.length - j : N;
-            load_nodes(lines.position, j, nodes, x);
-            load_nodes(lines.velocity, j, nodes, v);
+            load_state(j, nodes, x, v);
             if (!kPlain && c.gains.force) load_nodes(lines.force, j, nodes, force);
             if (!kPlain && c.gains.attach) load_nodes(lines.target, j, nodes, target);
             for (size_t i = 0; i < nodes; ++i) {
@@ -209,11 +223,11 @@ template <class T, int kLines, bool kPlain> struct Sweep {
             answer[l] = L::load(e.next);
             begun[l] = L::load(e.start);
         }
+        const StoredRange range = lines.position.range();
         Nodes x, v;
         for (size_t end = segments.length; end > 0;) {
             const size_t nodes = end % N ? end % N : size_t(N), j = end -= nodes;
-            load_nodes(lines.position, j, nodes, x);
-            load_nodes(lines.velocity, j, nodes, v);
+            load_state(j, nodes, x, v);
             for (size_t i = nodes; i-- > 0;) {
                 for (int l = 0; l < count(); ++l) {
                     const size_t m = i * size_t(count()) + size_t(l);
@@ -228,13 +242,12 @@ template <class T, int kLines, bool kPlain> struct Sweep {
                         w.store(y + scratch(j + i, l));
                         continue;
                     }
-                    v[m] = settle_and_probe<T>(w + stage.overshoot * change, probe);
-                    x[m] = settle_and_probe<T>(here.x + stage.move * w, probe);
+                    v[m] = settle_and_probe(w + stage.overshoot * change, range, probe);
+                    x[m] = settle_and_probe(here.x + stage.move * w, range, probe);
                 }
             }
             if (!kPlain && keep) continue;
-            store_nodes(x, lines.position, j, nodes);
-            store_nodes(v, lines.velocity, j, nodes);
+            store_state(x, v, j, nodes);
         }
         for (int l = 0; l < count(); ++l) answer[l].store(ends[l].next);
         return !probe.any_nan();
@@ -253,34 +266,26 @@ template <class T, int kLines, bool kPlain> struct Sweep {
         for (int l = 0; l < count(); ++l) finite &= head(l).go_left(first[l], {ends[l].next[0]});
         return finite;
     }
-    Head<T> head(int l) const { return {lines, c, stage, start, y, keep, segments, size_t(l)}; }
+    Head head(int l) const { return {lines, c, stage, start, y, keep, segments, size_t(l)}; }
 };
 
-template <class T, int kLines, bool kPlain> bool sweep(const Lines<T>& lines, const SegmentCoefficients& c,
-                                                       const Stage& stage, const Start& start, double* y, bool keep) {
-    return Sweep<T, kLines, kPlain>{lines, c, stage, start, y, keep}.run();
+template <int kLines, bool kPlain> bool sweep(const StateLines& lines, const SegmentCoefficients& c, const Stage& stage,
+                                              const Start& start, double* y, bool keep) {
+    return Sweep<kLines, kPlain>{lines, c, stage, start, y, keep}.run();
 }
 
 } // namespace
 
-template <class T> bool segment_sweep(const Lines<T>& lines, const SegmentCoefficients& c, const Stage& stage,
-                                      const Start& start, double* y, bool keep) {
+bool segment_sweep(const StateLines& lines, const SegmentCoefficients& c, const Stage& stage, const Start& start,
+                   double* y, bool keep) {
     const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !start.w && !keep && stage.of_change == 0;
-    if (plain && lines.pitch == 1) return sweep<T, 1, true>(lines, c, stage, start, y, keep);
-    if (plain && lines.pitch == 2) return sweep<T, 2, true>(lines, c, stage, start, y, keep);
-    if (plain && lines.pitch == 3) return sweep<T, 3, true>(lines, c, stage, start, y, keep);
-    if (lines.pitch == 1) return sweep<T, 1, false>(lines, c, stage, start, y, keep);
-    if (lines.pitch == 3) return sweep<T, 3, false>(lines, c, stage, start, y, keep);
-    return sweep<T, 0, false>(lines, c, stage, start, y, keep);
+    if (plain && lines.pitch == 1) return sweep<1, true>(lines, c, stage, start, y, keep);
+    if (plain && lines.pitch == 2) return sweep<2, true>(lines, c, stage, start, y, keep);
+    if (plain && lines.pitch == 3) return sweep<3, true>(lines, c, stage, start, y, keep);
+    if (lines.pitch == 1) return sweep<1, false>(lines, c, stage, start, y, keep);
+    if (lines.pitch == 3) return sweep<3, false>(lines, c, stage, start, y, keep);
+    return sweep<0, false>(lines, c, stage, start, y, keep);
 }
-
-#if CD_WITH_FLOAT32
-template bool segment_sweep(const Lines<float>&, const SegmentCoefficients&, const Stage&, const Start&, double*, bool);
-#endif
-#if CD_WITH_FLOAT64
-template bool segment_sweep(const Lines<double>&, const SegmentCoefficients&, const Stage&, const Start&, double*,
-                            bool);
-#endif
 
 } // namespace CD_ISA
 } // namespace cd

@@ -107,9 +107,16 @@ void clear_state(Chain& c) {
 uint64_t step_ropes(Chain& c, double dt, size_t count) {
     const bool changed = c.prepared_dt == 0 && must_prepare(c, dt); // they are the same at any dt
     const RopeParameters parameters = parameters_of(c, changed);
-    const auto state = [&](const Array<char>& array) { return StateNumbers{array.data, c.precision == CD_FLOAT64}; };
-    const Ropes ropes = {c.nodes,           c.strands,      c.components,    c.pitch,       state(c.position),
-                         state(c.velocity), state(c.force), state(c.target), state(c.wind), c.tension.data};
+    const Ropes ropes = {c.nodes,
+                         c.strands,
+                         c.components,
+                         c.pitch,
+                         state_of(c, c.position),
+                         state_of(c, c.velocity),
+                         state_of(c, c.force),
+                         state_of(c, c.target),
+                         state_of(c, c.wind),
+                         c.tension.data};
     Collider* const colliders = reinterpret_cast<Collider*>(c.coefficients.data + c.nodes + 3);
     const RopeStage stage = {dt,
                              c.lambda,

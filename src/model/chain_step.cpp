@@ -105,6 +105,16 @@ template <class T> Lines<T> lines_of(Chain& c) {
             c.target ? numbers<T>(c.target) : nullptr};
 }
 
+StateLines state_lines_of(const Chain& c) {
+    return {c.nodes,
+            c.pitch,
+            c.components,
+            state_of(c, c.position),
+            state_of(c, c.velocity),
+            state_of(c, c.force),
+            state_of(c, c.target)};
+}
+
 // Whether lines are finite now: where welds take back what a sweep left, that may be all that was not.
 template <class T> bool are_finite(const Lines<T>& lines, size_t first, size_t count) {
     bool finite = true;
@@ -170,13 +180,13 @@ template <class T> struct SpringStep {
 };
 
 // Springs of one long strand.
-template <class T> struct SegmentStep {
+struct SegmentStep {
     Chain& chain;
-    Lines<T> lines;
+    StateLines lines;
     SegmentCoefficients coefficients;
     Stages stages;
 
-    SegmentStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of<T>(c)), stages(c, dt) {
+    SegmentStep(Chain& c, double dt, bool refactor) : chain(c), lines(state_lines_of(c)), stages(c, dt) {
         Rows rows(c);
         const GainRows gains(c, rows);
         const SegmentRows segment{rows.take(), rows.take(),          rows.take(),
@@ -192,7 +202,7 @@ template <class T> struct SegmentStep {
     }
     bool operator()(size_t, size_t) const {
         return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
-            return chain.kernels->of(T()).segment_sweep(lines, coefficients, stage, start, row, keep);
+            return chain.kernels->segment_sweep(lines, coefficients, stage, start, row, keep);
         });
     }
 };
@@ -254,13 +264,13 @@ template <class T> struct RodStep {
 };
 
 // Of one long strand.
-template <class T> struct SegmentRodStep {
+struct SegmentRodStep {
     Chain& chain;
-    Lines<T> lines;
+    StateLines lines;
     SegmentRodCoefficients coefficients;
     Stages stages;
 
-    SegmentRodStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of<T>(c)), stages(c, dt) {
+    SegmentRodStep(Chain& c, double dt, bool refactor) : chain(c), lines(state_lines_of(c)), stages(c, dt) {
         Rows rows(c);
         const GainRows gains(c, rows);
         const SegmentRodRows segment{
@@ -284,8 +294,8 @@ template <class T> struct SegmentRodStep {
         const size_t row = chain.nodes * chain.pitch;
         double *const slope = chain.scratch.data + size_t(stages.count) * row, *const hold = slope + row;
         return stages.run(chain, [&](const Stage& stage, const Start& start, double* value, bool keep) {
-            return chain.kernels->of(T()).segment_rod_step(lines, coefficients, stage, start, chain.closure, value,
-                                                           slope, hold, keep);
+            return chain.kernels->segment_rod_step(lines, coefficients, stage, start, chain.closure, value, slope, hold,
+                                                   keep);
         });
     }
 };
@@ -378,9 +388,9 @@ template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
         c.of_change = of_change({c, stage_share(c, dt)});
     }
     const bool rod = is_rod(c), segments = takes_segments(c, rod) && !c.has_welds;
-    if (rod && segments) return run(c, SegmentRodStep<T>(c, dt, refactor), count);
+    if (rod && segments) return run(c, SegmentRodStep(c, dt, refactor), count);
     if (rod) return run(c, RodStep<T>(c, dt, refactor), count);
-    if (segments) return run(c, SegmentStep<T>(c, dt, refactor), count);
+    if (segments) return run(c, SegmentStep(c, dt, refactor), count);
     return run(c, SpringStep<T>(c, dt, refactor), count);
 }
 

@@ -90,6 +90,9 @@ inline double most_of(const Object& o) {
 template <class F> auto by_precision(const Object& o, F f) { return o.precision == CD_FLOAT64 ? f(0.0) : f(0.0f); }
 
 template <class T> T* numbers(const Array<char>& array) { return reinterpret_cast<T*>(array.data); }
+inline StateNumbers state_of(const Object& o, const Array<char>& array) {
+    return {array.data, o.precision == CD_FLOAT64};
+}
 
 inline double get_number(const Object& o, const Array<char>& array, size_t at) {
     return o.precision == CD_FLOAT64 ? numbers<double>(array)[at] : double(numbers<float>(array)[at]);

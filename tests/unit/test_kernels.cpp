@@ -82,16 +82,17 @@ template <class T> void step_segments(const cd::Kernels& set, State<T>& state) {
         cd::factor_segment_rod(
             nodes, Line{},
             {{rod[0], rod[1], rod[2], rod[3], rod[4], rod[5], rod[6]}, {rod[7], rod[8], rod[9], rod[10]}, segment});
-        const cd::Lines<T> all{nodes, lines, lines, state.position[0], state.velocity[0], nullptr, nullptr};
+        const bool is_float64 = sizeof(T) == sizeof(double);
+        const cd::StateLines all{nodes, lines, lines, {state.position, is_float64}, {state.velocity, is_float64}, {}, {}};
         for (const double* drag : {(const double*)nullptr, (const double*)rows[4]}) {
             const cd::SegmentCoefficients c{
                 rows[0], rows[1], rows[2], rows[3], reply, pass, {rows[4], nullptr, drag, nullptr}};
             const cd::Stage stage{7, 1, 0.1, {1, -2, 3}, 0};
-            assert_true(set.of(T()).segment_sweep(all, c, stage, {}, y, false));
+            assert_true(set.segment_sweep(all, c, stage, {}, y, false));
             const cd::SegmentRodCoefficients r{rod[0],  rod[1], rod[2], rod[3],
                                                rod[4],  rod[5], rod[6], {rod[7], rod[8], rod[9], rod[10]},
                                                segment, c.gains};
-            assert_true(set.of(T()).segment_rod_step(all, r, stage, {}, {}, y, slope, hold, false));
+            assert_true(set.segment_rod_step(all, r, stage, {}, {}, y, slope, hold, false));
         }
     }
 }

@@ -57,6 +57,7 @@ struct Scene {
         return {gain[k][0], gain[k][1], gain[k][2], gain[k][3]};
     }
     cd::Lines<double> state(int k) { return {nodes, lines, lines, x[k], v[k], force, target}; }
+    cd::StateLines segments() { return {nodes, lines, lines, {x[1], true}, {v[1], true}, {force, true}, {target, true}}; }
     double difference() const {
         double size = 0, most = 0;
         for (size_t k = 0; k < nodes * lines; ++k) size = fmax(size, fabs(v[0][k]));
@@ -80,7 +81,7 @@ void springs_in_segments_solve_what_one_sweep_does(void**) {
         double reply[cd::kSegments], pass[cd::kSegments];
         cd::factor_segment_line(n, scene, {rows[2], rows[3], rows[4], rows[5], reply, pass}, [](size_t, double) {});
         const cd::SegmentCoefficients parts{rows[2], rows[3], rows[4], rows[5], reply, pass, scene.gains(1)};
-        assert_true(cd::segment_sweep<double>(scene.state(1), parts, scene.stage, {}, y, false));
+        assert_true(cd::segment_sweep(scene.segments(), parts, scene.stage, {}, y, false));
         assert_true(scene.difference() < 1e-13);
     }
 }
@@ -136,8 +137,8 @@ void rods_in_segments_solve_what_one_sweep_does(void**) {
                                                rows[4], rows[5],       rows[6], {rows[7], rows[8], rows[9], rows[10]},
                                                segment, scene.gains(1)};
         run_stages(stages, scene.stage, [&](const cd::Start& start, double* row, bool keep) {
-            assert_true(cd::segment_rod_step<double>(scene.state(1), parts, scene.stage, start, closure, row, slope,
-                                                     hold, keep));
+            assert_true(cd::segment_rod_step(scene.segments(), parts, scene.stage, start, closure, row, slope, hold,
+                                             keep));
         });
         assert_true(scene.difference() < 2e-13);
     }
