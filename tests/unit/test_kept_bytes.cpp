@@ -108,6 +108,9 @@ struct RopeCalls : ChainCalls {
             good &= friction >= 0 && friction <= 1e60;
             for (int k = 0; k < 2; ++k)
                 good &= std::isfinite(first[k]) && std::isfinite(second[k]) && std::isfinite(velocity[k]);
+            const double normal = second[0] * second[0] + second[1] * second[1];
+            good &= shape != CD_SHAPE_PLANE || std::fabs(normal - 1) < 1e-11;
+            good &= shape != CD_SHAPE_CAPSULE || radius >= 1e-60;
         }
         return good;
     }
