@@ -1,6 +1,7 @@
 // What nodes of ropes touch. A node that would be inside a collider at the end of the step is kept out by an impulse
 // that only pushes, and friction resists its motion along the surface. Both are stiff resistances within the
 // elimination, as the air's are; which nodes touch, and how friction depends on push and speed, the iterations find.
+// (model.md, 27)
 //
 // The push acts along the normal n0 that the collider has where the step finds the node. From there all of a convex
 // body lies behind n0, so that n0 . (x1 - x0) <= 0: what does not move takes energy and gives none. Along the normal n1

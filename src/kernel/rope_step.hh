@@ -1,5 +1,5 @@
 // Steps of strands whose springs have a length. Unlike the lines of the other sweeps, the components of a strand move
-// together: a spring acts along the direction that it has.
+// together: a spring acts along the direction that it has. (model.md, 20 to 23)
 //
 // With x0, v0 the state, w the velocity that moves the nodes, h = lambda dt and D0, D1 a spring's vector before and
 // after, D1 = D0 + dt (w_{i+1} - w_i):

@@ -3,7 +3,7 @@
 // With A = dt^2 K and B = dt C, symplectic Euler is M (x'' - 2 x' + x) + B (x' - x) + A x' = 0. Splitting the one-sided
 // difference of B into a centred one and half a second difference leaves a leapfrog step with the mass M - B / 2 and
 // centred damping, bounded if and only if
-//      S(dt) = 4 M - 2 dt C - dt^2 K     is positive definite,
+//      S(dt) = 4 M - 2 dt C - dt^2 K     is positive definite (model.md, 7),
 // (only if: where C is Rayleigh damping; otherwise it is safe, and close). S is tridiagonal, so one elimination tells,
 // and bisection finds the dt. Bend enters as stretch: b (d_i - d_{i-1})^2 <= 2 b (d_i^2 + d_{i-1}^2), which the fastest
 // mode, a zigzag, makes an equality.

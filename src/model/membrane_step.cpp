@@ -2,7 +2,7 @@
 //
 //      S dw = r,     S = M + h C + h^2 K,     r = h [f + M g - K (x + (h + damping) v)] - h (drag M + Z) v
 //
-// Separable sheets, alternating: B dw = r, rows then columns, with
+// Separable sheets, alternating: B dw = r (model.md, 30), rows then columns, with
 //      B = (M' + A_u) M'^-1 (M' + A_v),     M' = M (1 + h drag),     A_d = h (h + damping) K_d.
 // Of a plate with twist A_d has the bend along d twice: with both ends of every line held or joined, the twist is at
 // most as stiff as the two bends together, 2 |x_uv|^2 <= |x_uu|^2 + |x_vv|^2 in the mean. So B >= S, which makes steps

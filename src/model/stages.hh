@@ -1,5 +1,5 @@
 // The stages that a step of a chain or membrane consists of. Every implicit method is one or two stages of one form;
-// with h the stage's share of dt and C = drag M + Z + damping K,
+// with h the stage's share of dt and C = drag M + Z + damping K (model.md, 8 and 9),
 //
 //      (M + h C + h^2 K) w = M v + h [f + M g - K x],     v = w + overshoot (w - v_old),     x += move w
 //

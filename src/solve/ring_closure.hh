@@ -2,7 +2,7 @@
 //
 // The ring is the open line A and up to three constraints U (the closing spring and, with bend, the bend terms at the
 // last node and the first), each with a stiffness s:  (A + U s U') w = b + U s wish. With w_0 the open line's
-// answer and W = A^-1 U,
+// answer and W = A^-1 U (model.md, 19),
 //      w = w_0 + W f,   f = C^-1 (wish - U' w_0),   C = 1/s + U' W.
 // Each U is a sum of tensions of the open line's springs (the closing pull is a pull of -1 in every one of them), and
 // U' w the sum of the same tensions times the differences, which rod_line.hh gives without cancellation. So C keeps

@@ -1,7 +1,7 @@
 // Elimination for a line with springs and bend, without a subtraction: series springs for two unknowns at a time.
 //
 // The unknowns of the part already eliminated are the value u = w_i at its last node and the difference
-// d = w_i - w_{i-1} into it. Its energy is kept as a sum of squares,
+// d = w_i - w_{i-1} into it. Its energy is kept as a sum of squares (model.md, 18),
 //      V(u, d) = 1/2 A (u - u^ - q (d - d^))^2 + 1/2 T (d - d^)^2,        A, q, T >= 0:
 // a mass A on a lever of length q and a spring T that holds the lever. (u^, d^) is where it rests. A new node is
 // reached in three moves, each of which keeps the form and the signs:

@@ -14,7 +14,7 @@
 // with F_j what the springs between it and node j wish in all. The sum is gathered while going right; of the start it
 // takes up `reply`. One after the other, from the right, the first nodes are then known, and all segments go left at
 // once. Weights, reaches and passes are products and sums of what lies in [0, 1], all blends stay blends, and with
-// kSegments fixed the result is the same whatever number of lanes a register holds.
+// kSegments fixed the result is the same whatever number of lanes a register holds. (model.md, 16 and 17)
 #pragma once
 
 #include "kernel/segment_sweep.hh"

@@ -4,10 +4,10 @@
 // With M the masses and one shift p after the other, from x = 0,
 //      (M^-1 A_u + p) t = M^-1 r - z,      z = (M^-1 A_v - p) x,      (M^-1 A_v + p) x <- z + 2 p t,
 // which multiplies the part of the error that has the rates a along u and b along v by
-// (p - a) (p - b) / ((p + a) (p + b)). Shifts that cover [least, greatest rate], each twice the one before, leave about
-// 1e-4 of it; two or three, 1e-3. z needs no springs: after a step with p, before one with q, it is z + 2 p t -
-// (p + q) x. The largest shift comes last: it damps what rounding at small ones did to the stiff parts. The directions
-// commute, so all this is symmetric, as a preconditioner must be.
+// (p - a) (p - b) / ((p + a) (p + b)) (model.md, 31). Shifts that cover [least, greatest rate], each twice the one
+// before, leave about 1e-4 of it; two or three, 1e-3. z needs no springs: after a step with p, before one with q, it is
+// z + 2 p t - (p + q) x. The largest shift comes last: it damps what rounding at small ones did to the stiff parts. The
+// directions commute, so all this is symmetric, as a preconditioner must be.
 #pragma once
 
 #include "solve/planes.hh"

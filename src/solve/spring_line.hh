@@ -16,7 +16,7 @@
 // formed. The springs' own forces enter as the wishes e_i and never as numbers of size s_i x_i, so that the right side
 // keeps its digits too. Any carry and pull in [0, 1], rounded as they may be, are the exact elimination of some line of
 // masses and springs: an undamped step with rounded coefficients conserves the energy of that line and has no trend.
-// (series-spring elimination; both filters are Kass 1997, eq. 31.)
+// (model.md, 12 to 15. Both filters are Kass's of 1997, eq. 31.)
 #pragma once
 
 #include <stddef.h>

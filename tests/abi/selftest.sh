@@ -233,4 +233,19 @@ int cd_f();'
     grep -q SKIPPED <<<"$said"
 }
 
+selftest_equations() {
+    mkdir src
+    printf 'so that\n\n    a = b,    (1)\n    c = d (x)     (2)\n\nand (3)\n' >src/model.md
+    echo '// a line (model.md, 1 and 2)' >src/line.hh
+    accepts src
+    echo '// (model.md, 2 to 3)' >src/other.cpp
+    refuses 'other.cpp:1' src
+    rm src/other.cpp
+    printf '\n    e = f     (4)\n' >>src/model.md
+    refuses 'in turn: 1 2 4' src
+    sed -i '/(4)/d' src/model.md
+    echo '// none' >src/line.hh
+    refuses 'cites' src
+}
+
 "selftest_$1"

@@ -2,7 +2,7 @@
 // one that it reaches: half of it, but no more than half of what the giver holds, the velocity of the step's beginning,
 // the rest that of its end. Of what is left
 //
-//      (V after + what leaves) u = load + what comes (its donor's u),
+//      (V after + what leaves) u = load + what comes (its donor's u)     (model.md, 40),
 //
 // is a system in which everything runs one way between two faces: one pass each way solves it, whatever the step. Every
 // velocity is a mean of loads and of velocities carried there, with weights that are masses: momentum is kept, and no
@@ -16,7 +16,7 @@
 namespace cd {
 namespace CD_ISA {
 
-constexpr double kNoVolume = 0x1p-900; // [m]: has no inverse
+constexpr double kNoVolume = 0x1p-900;       // [m]: has no inverse
 constexpr double kUnmoved = __builtin_inf(); // [m]: what lies beyond an end or a closed face is not moved
 
 // A face that carries, before the step.

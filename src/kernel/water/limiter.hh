@@ -1,7 +1,7 @@
 // Step 4: no cell gives more than it has and gets. Fluxes of first order never leave a depth below 0: with s a face's
 // speed in cells a step each face moves s d of the cell d that gives, counted at the end of the step, so that
 //
-//      d (1 + what leaves) = d before + what comes,
+//      d (1 + what leaves) = d before + what comes       (model.md, 38),
 //
 // a system in which water runs only one way through a face: one pass each way solves it. Of what the true fluxes are
 // more or less each cell then gives as much as it has left, shared out alike (Zalesak's limiter, 1979, for depth 0).

@@ -1,4 +1,5 @@
-// Steps 1 to 3 of a line: what faces are, and the fluxes of all of them at once. With x the changes of depth,
+// Steps 1 to 3 of a line: what faces are, and the fluxes of all of them at once (model.md, 34 to 37). With x the
+// changes of depth,
 //
 //      q = flux + left x_l - right x_r,     x = q before a cell - q behind it,
 //

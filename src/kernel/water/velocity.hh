@@ -3,10 +3,10 @@
 //
 // Water that a face moves by q loses the energy q fall, fall = -g [(1 - theta) rise before + theta rise after] and what
 // pushes it; the sum over the faces is what the potential energy loses, or, with theta > 1/2, less, and what is done to
-// the water from outside. So no energy is made where no face keeps
-// more than V u^2 / 2 + q fall, V the water at the face. Faces that have less than it takes to lift their water take
-// what is missing from what the others of the line gain, all of them in the same proportion. Short steps make none
-// without the bound, and shocks in them run at their right speed.
+// the water from outside. So no energy is made where no face keeps more than V u^2 / 2 + q fall (model.md, 41), V the
+// water at the face. Faces that have less than it takes to lift their water take what is missing from what the others
+// of the line gain, all of them in the same proportion. Short steps make none without the bound, and shocks in them run
+// at their right speed.
 #pragma once
 
 #include "kernel/water/line.hh"
