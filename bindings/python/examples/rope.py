@@ -3,6 +3,8 @@
 
     rope.py [FILE]      the picture; rope.png if none is given
 """
+from math import inf
+
 from contdyn import Chain, End, Node
 
 from show import show
@@ -11,13 +13,12 @@ LENGTH, NODES, FRAMES, RATE = 2.0, 201, 90, 60  # m, -, -, 1/s
 
 
 def make():
-    """It lies straight beside its hook. Rest length is zero: hanging still, its weight would stretch it to LENGTH."""
+    """It lies straight beside its hook."""
     rope = Chain(strands=1, springs=NODES - 1, components=2)
     rope.position = [[LENGTH * i / (NODES - 1), 0] for i in range(NODES)]
     rope.set_end(End.FIRST, Node.PINNED)
+    rope.rest_length, rope.stiffness = LENGTH, inf  # it does not stretch
     rope.mass, rope.gravity, rope.drag = 0.5, (0, -9.81), 0.3
-    rope.stiffness = 0.5 * 9.81 / (2 * LENGTH)
-    rope.bend = 1e-5
     return rope
 
 
@@ -26,7 +27,7 @@ def frames():
     with make() as rope:
         for frame in range(FRAMES):
             if frame:
-                rope.step(1 / RATE / 8, 8)
+                rope.step(1 / RATE)
             yield rope.time, rope.position[0].tolist(), rope.energy
 
 

@@ -57,6 +57,14 @@ class Examples(unittest.TestCase):
                 self.assertNotIn("nan", said)
                 self.assertEqual(list(Path(folder).iterdir()), [])
 
+    def test_runs_are_the_same_over_any_number_of_processes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            said = [self.run_in(folder, PYTHON / "examples" / "runs.py", 12, processes) for processes in (1, 2)]
+        self.assertEqual(said[0], said[1])
+        pulls = [float(line.split()[-2]) for line in said[0].splitlines()]
+        self.assertEqual(pulls, sorted(pulls))
+        self.assertGreater(pulls[1], 1.5 * pulls[0])
+
 
 if __name__ == "__main__":
     unittest.main()
