@@ -31,6 +31,7 @@ NULLABLE = {
     "cd_membrane_attach": ["target"],
     "cd_chain_teleport": ["rotation"],
     "cd_membrane_teleport": ["rotation"],
+    "cd_membrane_get_collider": ["out_shape", "out_first", "out_second", "out_velocity", "out_radius", "out_friction"],
     "cd_water_add_volume": ["out_added"],
     "cd_water_add_volume_rectangle": ["out_added"],
 }
@@ -43,6 +44,10 @@ LENGTHS = {
     ("cd_chain_set_capsule", "first"): ("count", 1),
     ("cd_chain_get_collider", "out_first"): ("count", 1),
     ("cd_chain_get_collider", "out_second"): ("count", 1),
+    ("cd_membrane_set_plane", "point"): ("count", 1),
+    ("cd_membrane_set_capsule", "first"): ("count", 1),
+    ("cd_membrane_get_collider", "out_first"): ("count", 1),
+    ("cd_membrane_get_collider", "out_second"): ("count", 1),
     ("cd_chain_teleport", "rotation"): ("count", "count"),
     ("cd_membrane_teleport", "rotation"): ("count", "count"),
     ("cd_membrane_sample", "at"): ("n", 2),
@@ -54,30 +59,33 @@ LENGTHS = {
 }
 
 # Of each object's fields: those with a component per value, those always there, those cd_*_view shows, those that only
-# ropes have, chains with a rest length, and those that cannot be written.
+# what has rest lengths has, ropes and cloth, and those that cannot be written.
 FIELD_FACTS = {
     "chain": {
         "components": "POSITION VELOCITY FORCE TARGET WIND",
         "always": "POSITION VELOCITY PIN TENSION STRAIN",
         "viewable": "POSITION VELOCITY FORCE TARGET",
-        "ropes": "REST_LENGTH TENSION WIND STRENGTH STRAIN",
+        "lengths": "REST_LENGTH TENSION WIND STRENGTH STRAIN",
         "read_only": "STRAIN",
     },
     "membrane": {
-        "components": "POSITION VELOCITY FORCE TARGET",
-        "always": "POSITION VELOCITY",
+        "components": "POSITION VELOCITY FORCE TARGET WIND",
+        "always": "POSITION VELOCITY TENSION_U TENSION_V STRAIN_U STRAIN_V",
         "viewable": "POSITION VELOCITY FORCE TARGET",
-        "ropes": "",
-        "read_only": "",
+        "lengths": "REST_LENGTH_U REST_LENGTH_V WIND TENSION_U TENSION_V STRAIN_U STRAIN_V",
+        "read_only": "TENSION_U TENSION_V STRAIN_U STRAIN_V",
     },
     "water": {
         "components": "",
         "always": "DEPTH BED SURFACE VELOCITY_X VELOCITY_Y",
         "viewable": "DEPTH BED VELOCITY_X VELOCITY_Y SOURCE PRESSURE FORCE_X FORCE_Y",
-        "ropes": "",
+        "lengths": "",
         "read_only": "",
     },
 }
+
+# What a field may have its values per.
+PLACES = {"strand", "node", "spring", "cell", "x-face", "y-face"}
 
 
 class NotUnderstood(Exception):
@@ -326,19 +334,16 @@ class Description:
         head = next(line for line in columns if line)
         starts = [head.index(word) for word in ("field", "per", "unit", "values")]
         facts = {key: value.split() for key, value in FIELD_FACTS[thing["name"]].items()}
+        row = []
         for line in lines[lines.index(head) + 1:]:
             cells = [line[a:b].strip() for a, b in zip(starts, starts[1:] + [None])]
-            if re.fullmatch(r"CD_[A-Z_]+", cells[0]):
-                short = cells[0][3:]
-                per = cells[1].replace(" ", "")
-                thing["fields"].append({
-                    "name": cells[0], "per": per.replace("(strand)", "strand").split(","), "unit": cells[2],
-                    "values": cells[3],
-                    "components": short in facts["components"], "always": short in facts["always"],
-                    "viewable": short in facts["viewable"], "ropes": short in facts["ropes"],
-                    "own_in_ropes": "(strand)" in per, "read_only": short in facts["read_only"]})
+            shorts = self.fields_of_row(cells[0])
+            if shorts:
+                row = [self.field(thing, short, facts, *cells[1:]) for short in shorts]
+                thing["fields"] += row
             elif line[:starts[3]].strip() == "":
-                thing["fields"][-1]["values"] += " " + line.strip()
+                for field in row:
+                    field["values"] += " " + line.strip()
             else:
                 break
         names = [field["name"][3:] for field in thing["fields"]]
@@ -346,6 +351,25 @@ class Description:
         if not names or set(sum(facts.values(), [])) - set(names) or {f["name"] for f in thing["fields"]} - {
                 value["name"] for value in known}:
             raise NotUnderstood(f"{thing['header']}: the table of fields, {names}")
+
+    @staticmethod
+    def fields_of_row(cell):
+        """CD_STRAIN_U, _V: two fields alike."""
+        pair = re.fullmatch(r"CD_([A-Z_]+)(_[A-Z]), (_[A-Z])", cell)
+        if pair:
+            return [pair.group(1) + pair.group(2), pair.group(1) + pair.group(3)]
+        return [cell[3:]] if re.fullmatch(r"CD_[A-Z_]+", cell) else []
+
+    @staticmethod
+    def field(thing, short, facts, per, unit, values):
+        per = per.replace(" ", "")
+        places = per.replace("(strand)", "strand").split(",")
+        if set(places) - PLACES or not unit:
+            raise NotUnderstood(f"{thing['header']}: the table of fields, CD_{short} per '{per}'")
+        return {"name": f"CD_{short}", "per": places, "unit": unit, "values": values,
+                "components": short in facts["components"], "always": short in facts["always"],
+                "viewable": short in facts["viewable"], "lengths": short in facts["lengths"],
+                "own_in_ropes": "(strand)" in per, "read_only": short in facts["read_only"]}
 
     def check(self, include):
         unused = [key for table in (NULLABLE, LENGTHS) for key in table if (id(table), key) not in self.used]

@@ -117,7 +117,7 @@ def callbacks(struct):
     yield "    ]"
 
 
-FLAGS = ("components", "always", "viewable", "ropes", "own_in_ropes", "read_only")
+FLAGS = ("components", "always", "viewable", "lengths", "own_in_ropes", "read_only")
 
 
 def fields(a_object):
@@ -157,8 +157,8 @@ def module(api):
     yield ""
     yield ""
     yield "class FieldInfo(NamedTuple):"
-    doc = ("One value per what, and for each component; always there; shown by view; only in ropes; per strand only in "
-           "ropes; not to be written.")
+    doc = ("One value per what, and for each component; always there; shown by view; only with rest lengths, in ropes "
+           "and cloth; per strand only in ropes; not to be written.")
     yield from textwrap.wrap(f'"""{doc}"""', WIDTH, initial_indent="    ", subsequent_indent="    ")
     yield ""
     yield "    per: Tuple[str, ...]"

@@ -113,7 +113,7 @@ enum {
                             stays until CD_TARGET is written again. Without that field as CD_NODE_DRIVEN */
 };
 
-/* What a collider of ropes is. */
+/* What a collider of ropes and cloth is. */
 typedef int32_t cd_shape;
 enum { CD_SHAPE_NONE = 0, CD_SHAPE_PLANE = 1, CD_SHAPE_CAPSULE = 2 };
 
@@ -146,7 +146,13 @@ enum {
     CD_TENSION = 23,
     CD_WIND = 24,
     CD_STRENGTH = 25,
-    CD_STRAIN = 26
+    CD_STRAIN = 26,
+    CD_REST_LENGTH_U = 27,
+    CD_REST_LENGTH_V = 28,
+    CD_TENSION_U = 29,
+    CD_TENSION_V = 30,
+    CD_STRAIN_U = 31,
+    CD_STRAIN_V = 32
 };
 
 /* ---- callbacks ------------------------------------------------------------------------------------------------- */

@@ -178,6 +178,85 @@ CD_API cd_status cd_membrane_get_edge(const cd_membrane* membrane, cd_edge edge,
 CD_API cd_status cd_membrane_set_ring(cd_membrane* membrane, int32_t along_u, int32_t along_v);
 CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_along_u, int32_t* out_along_v);
 
+/* ---- cloth: springs that have a length --------------------------------------------------------------------------- */
+/* Cloth is a membrane with rest lengths. The 3 components of a node are directions of space, and a spring of stiffness
+ * k and rest length L that is l long pulls by
+ *     0 up to l = L,   k (l - L)^2 / 0.012 L up to l = 1.006 L,   k (l - 1.003 L) beyond,
+ * so that cloth is slack where it is shorter and stretches by 0.3% before it has all of its stiffness; it does not
+ * shrink. Springs that are shorter resist crumpling by cd_membrane_set_compression. A cell with its four springs has
+ * shear and twist, a node between two springs of a line has bend; where one of those springs is cut they are cut too.
+ *
+ * A step minimizes, by Newton's method with few iterations of conjugate gradients (cd_membrane_set_effort), a convex
+ * function of the velocities, and scales them at its end so that, at any dt, stiffness, masses and effort, the energy
+ * that cd_membrane_get_energy tells never rises but by the work of what is driven, of forces, pressure, wind and
+ * colliders that move. lambda = 1 damps motion that a step does not resolve, lambda nearer 1/2 less of it; below 0.7 a
+ * small effort no longer reaches an answer, and the sheet moves as through syrup. A free sheet keeps its momentum.
+ * Cloth needs CD_METHOD_IMPLICIT with lambda in [1/2, 1], no matched edge and no stiffness damping: cd_membrane_step
+ * says CD_ERROR_UNSUPPORTED. It has a solver of its own: cd_membrane_set_solver and set_tolerance do not matter. */
+
+/* Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in [1e-60, 1e60]. Per
+ * spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets lambda to 1.
+ * Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
+ * CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without cloth. */
+CD_API cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, double along_v);
+CD_API cd_status cd_membrane_get_rest_length(const cd_membrane* membrane, double* out_along_u, double* out_along_v);
+
+/* Shear stiffness [N/m], >= 0, default 0, of a spring along each diagonal of every cell, with the law and the mean
+ * rest lengths of the cell's springs. Of square cells the shear modulus is half of it [N/m].
+ * Errors here and below: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a membrane that is no cloth. */
+CD_API cd_status cd_membrane_set_shear(cd_membrane* membrane, double stiffness);
+CD_API cd_status cd_membrane_get_shear(const cd_membrane* membrane, double* out_stiffness);
+
+/* What keeps cloth from crumpling within its own plane: springs along u and v shorter than their length push by
+ * c (L - l), longer ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default 5.
+ * It damps turning a little: raise it for stiffer folds, 0 for none. */
+CD_API cd_status cd_membrane_set_compression(cd_membrane* membrane, double rate);
+CD_API cd_status cd_membrane_get_compression(const cd_membrane* membrane, double* out_rate);
+
+/* How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
+ * 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
+ * cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's dearest step took, and
+ * the largest gradient that a step left, over the one it started from. */
+CD_API cd_status cd_membrane_set_effort(cd_membrane* membrane, size_t newton, size_t gradient);
+CD_API cd_status cd_membrane_get_effort(const cd_membrane* membrane, size_t* out_newton, size_t* out_gradient);
+
+/* Resistance of the air, per area of cloth [N s/m^3], in [0, 1e60], default 0: a piece of area a whose velocity
+ * through the air is w, w_t along the cloth and w_n across it, is pushed by -a (along w_t + across w_n). Implicit, so
+ * that it only takes energy, as seen from the air, at any dt; areas and directions are those that the step starts
+ * from. Air of density 1.2 kg/m^3 that passes at the speed s has about across = 1.2 s and along = 0.02 s.
+ * Errors: CD_ERROR_MEMORY too. */
+CD_API cd_status cd_membrane_set_air(cd_membrane* membrane, double along, double across);
+CD_API cd_status cd_membrane_get_air(const cd_membrane* membrane, double* out_along, double* out_across);
+
+/* Velocity of that air [m/s], one number per component, default 0; the field CD_WIND has one for each node.
+ * Errors: CD_ERROR_RANGE too, if count is not the number of components. */
+CD_API cd_status cd_membrane_set_wind(cd_membrane* membrane, const double* velocity, size_t count);
+CD_API cd_status cd_membrane_get_wind(const cd_membrane* membrane, double* out_velocity, size_t count);
+
+/* ---- what cloth touches ------------------------------------------------------------------------------------------ */
+/* As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
+ * them, each with a velocity and a friction of its own. A node touches the one that it is deepest in, or nearest to,
+ * when a step begins, and may not pass the plane that touches it there: no node goes through a collider, at any speed.
+ * Contacts yield a little, by up to the weight that rests on a node times dt^2 / (1000 its mass). Nodes collide; what
+ * lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed
+ * v, of the push that the step's iterations find. What lies inside when a step begins comes out of it.
+ * Errors and ranges are those of the functions of cd_chain. */
+CD_API cd_status cd_membrane_set_colliders(cd_membrane* membrane, size_t count);
+CD_API cd_status cd_membrane_get_colliders(const cd_membrane* membrane, size_t* out_count);
+CD_API cd_status cd_membrane_set_plane(cd_membrane* membrane, size_t index, const double* point, const double* normal,
+                                       size_t count, double friction);
+CD_API cd_status cd_membrane_set_capsule(cd_membrane* membrane, size_t index, const double* first, const double* last,
+                                         size_t count, double radius, double friction);
+CD_API cd_status cd_membrane_remove_collider(cd_membrane* membrane, size_t index);
+CD_API cd_status cd_membrane_set_collider_velocity(cd_membrane* membrane, size_t index, const double* velocity,
+                                                   size_t count);
+CD_API cd_status cd_membrane_get_collider(const cd_membrane* membrane, size_t index, cd_shape* out_shape,
+                                          double* out_first, double* out_second, double* out_velocity, size_t count,
+                                          double* out_radius, double* out_friction);
+/* How thick cloth is, as a distance [m] in [0, 1e60], default 0, that nodes keep from colliders. */
+CD_API cd_status cd_membrane_set_thickness(cd_membrane* membrane, double distance);
+CD_API cd_status cd_membrane_get_thickness(const cd_membrane* membrane, double* out_distance);
+
 /* ---- fields -------------------------------------------------------------------------------------------------------
  *  field            per           unit    values
  *  CD_POSITION      node          m       finite
@@ -191,7 +270,12 @@ CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_
  *                                         cd_membrane_set_edge
  *  CD_MASK          node          -       1: there; 0: absent, with all that touches it: it stands still where it is
  *                                         and counts for nothing
- * Position and velocity are always there. The others cost memory and time only once they are switched on; CD_MASS, the
+ *  CD_REST_LENGTH_U spring       m       1e-60 to 1e60; of cloth only, as are all that follow
+ *  CD_REST_LENGTH_V spring       m       likewise
+ *  CD_WIND          node         m/s     finite
+ *  CD_TENSION_U, _V spring       N       to read only: what the spring pulls by now
+ *  CD_STRAIN_U, _V  spring       -       to read only: length now over rest length, less 1; -1 and more
+ * Position and velocity are always there, tension and strain in cloth. The others cost memory and time only once they are switched on; CD_MASS, the
  * stiffnesses, CD_TARGET, CD_PIN and CD_MASK make the sheet one whose lines differ, with factors for each of them. */
 
 /* Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin

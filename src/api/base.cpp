@@ -91,6 +91,9 @@ const char* cd_build_info(void) {
 #if CD_WITH_MEMBRANE
                        " membrane"
 #endif
+#if CD_WITH_CLOTH
+                       " cloth"
+#endif
 #if CD_WITH_WATER
                        " water"
 #endif

@@ -162,55 +162,13 @@ cd_status cd_chain_get_reaction(const cd_chain* chain, size_t strand, size_t nod
     return CD_OK;
 }
 
-cd_status cd_chain_set_air(cd_chain* chain, double along, double across) {
-    CD_OPEN(chain, c);
-    CD_CHECK(in_range(__func__, "along", along, 0, kMost));
-    CD_CHECK(in_range(__func__, "across", across, 0, kMost));
-    CD_CHECK(is_rope(__func__, c, "only ropes feel air"));
-    Features wanted = features(c);
-    wanted.air = along > 0 || across > 0;
-    CD_CHECK(shared::change_features(__func__, c, wanted));
-    c.air.along = along + 0.0; // not -0
-    c.air.across = across + 0.0;
-    return CD_OK;
-}
-
-cd_status cd_chain_get_air(const cd_chain* chain, double* out_along, double* out_across) {
-    CD_OPEN(chain, c);
-    CD_NOT_NULL(out_along);
-    CD_NOT_NULL(out_across);
-    *out_along = c.air.along;
-    *out_across = c.air.across;
-    return CD_OK;
-}
-
-cd_status cd_chain_set_wind(cd_chain* chain, const double* velocity, size_t count) {
-    CD_OPEN(chain, c);
-    CD_NOT_NULL(velocity);
-    CD_CHECK(is_count(__func__, "count", count, c.components));
-    CD_CHECK(are_numbers(__func__, "velocity", velocity, count, most_of(c)));
-    CD_CHECK(is_rope(__func__, c, "only ropes feel air"));
-    for (size_t k = 0; k < count; ++k) c.air.wind[k] = velocity[k] + 0.0; // not -0
-    fill_uniform(c, CD_WIND);
-    return CD_OK;
-}
-
-cd_status cd_chain_get_wind(const cd_chain* chain, double* out_velocity, size_t count) {
-    CD_OPEN(chain, c);
-    CD_NOT_NULL(out_velocity);
-    CD_CHECK(is_count(__func__, "count", count, c.components));
-    for (size_t k = 0; k < count; ++k) out_velocity[k] = k < 3 ? c.air.wind[k] : 0;
-    return CD_OK;
-}
-
 // ---- time -----------------------------------------------------------------------------------------------------------
 
 cd_status cd_chain_step(cd_chain* chain, double dt, size_t count) {
     CD_OPEN(chain, c);
     CD_CHECK(shared::can_step(__func__, c, dt, count));
     if (count == 0) return CD_OK;
-    if (const char* const lack = has_lengths(c) ? what_ropes_lack(c) : nullptr)
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "springs that have a length take no %s", lack);
+    if (has_lengths(c)) CD_CHECK(shared::takes_all(__func__, what_ropes_lack(c)));
     const uint64_t bad = step_chain(c, dt, count);
     if (bad) return shared::diverged_at(__func__, bad);
     if (c.residual <= c.rope.tolerance) return CD_OK;

@@ -8,10 +8,12 @@ namespace cd {
 
 inline const char* field_name(cd_field field) {
     static const char* const names[] = {
-        "CD_POSITION",   "CD_VELOCITY",    "CD_FORCE",       "CD_MASS",     "CD_STIFFNESS", "CD_BEND",    "CD_PIN",
-        "CD_TARGET",     "CD_STIFFNESS_U", "CD_STIFFNESS_V", "CD_MASK",     "CD_DEPTH",     "CD_BED",     "CD_SURFACE",
-        "CD_VELOCITY_X", "CD_VELOCITY_Y",  "CD_SOURCE",      "CD_PRESSURE", "CD_FORCE_X",   "CD_FORCE_Y", "CD_WALL_X",
-        "CD_WALL_Y",     "CD_REST_LENGTH", "CD_TENSION",     "CD_WIND",     "CD_STRENGTH",  "CD_STRAIN"};
+        "CD_POSITION",  "CD_VELOCITY", "CD_FORCE",       "CD_MASS",          "CD_STIFFNESS",     "CD_BEND",
+        "CD_PIN",       "CD_TARGET",   "CD_STIFFNESS_U", "CD_STIFFNESS_V",   "CD_MASK",          "CD_DEPTH",
+        "CD_BED",       "CD_SURFACE",  "CD_VELOCITY_X",  "CD_VELOCITY_Y",    "CD_SOURCE",        "CD_PRESSURE",
+        "CD_FORCE_X",   "CD_FORCE_Y",  "CD_WALL_X",      "CD_WALL_Y",        "CD_REST_LENGTH",   "CD_TENSION",
+        "CD_WIND",      "CD_STRENGTH", "CD_STRAIN",      "CD_REST_LENGTH_U", "CD_REST_LENGTH_V", "CD_TENSION_U",
+        "CD_TENSION_V", "CD_STRAIN_U", "CD_STRAIN_V"};
     return names[field];
 }
 
@@ -19,7 +21,9 @@ inline const char* field_name(cd_field field) {
 inline const char* field_takes(cd_field field) {
     switch (field) {
     case CD_MASS:
-    case CD_REST_LENGTH: return "numbers from 1e-60 to 1e60";
+    case CD_REST_LENGTH:
+    case CD_REST_LENGTH_U:
+    case CD_REST_LENGTH_V: return "numbers from 1e-60 to 1e60";
     case CD_TENSION: return "finite numbers";
     case CD_STRENGTH: return "numbers from 1e-60 to 1e60, or infinity";
     case CD_STIFFNESS: return "0 to 1e60, or infinity";
@@ -47,6 +51,17 @@ inline cd_status must_be_on(const char* function, const char* object, cd_field f
                 field_name(field), object);
 }
 
+// Fields of springs that have a length: an object says by needs_length which those are.
+template <class X> cd_status has_length(const char* function, const X& x, cd_field field) {
+    if (has_lengths(x) || !needs_length(x, field)) return CD_OK;
+    return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s: the rest length is 0", int(field), field_name(field));
+}
+
+// only: what has it
+inline cd_status must_have_length(const char* function, const char* only, bool has) {
+    return has ? CD_OK : fail(CD_ERROR_UNSUPPORTED, function, "%s: the rest length is 0", only);
+}
+
 // Whether a field of a body is part of its state: a number per component, in the body's precision.
 inline bool is_state(cd_field field) {
     return field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET || field == CD_WIND;
@@ -55,6 +70,7 @@ inline const Array<char>& state_of(const Body& b, cd_field field) {
     return field == CD_POSITION   ? b.position
            : field == CD_VELOCITY ? b.velocity
            : field == CD_FORCE    ? b.force
+           : field == CD_WIND     ? b.wind
                                   : b.target;
 }
 
@@ -81,7 +97,7 @@ inline cd_status is_place(const char* function, const double* at, size_t j, size
 }
 
 inline cd_status can_write(const char* function, cd_field field) {
-    if (field != CD_STRAIN) return CD_OK;
+    if (field != CD_STRAIN && field < CD_TENSION_U) return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, is to be read only", int(field), field_name(field));
 }
 

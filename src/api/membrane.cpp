@@ -1,5 +1,5 @@
-// membrane.h: life, method, parameters, time, measuring, keeping. Fields and acting are in membrane_fields.cpp, drawing
-// in membrane_draw.cpp.
+// membrane.h: life, method, parameters, time, measuring, keeping. What has to do with cloth is in membrane_cloth.cpp,
+// fields and acting are in membrane_fields.cpp, drawing in membrane_draw.cpp.
 #include "api/membrane_handle.hh"
 
 using namespace cd;
@@ -146,6 +146,8 @@ cd_status cd_membrane_step(cd_membrane* membrane, double dt, size_t count) {
     CD_OPEN(membrane, m);
     CD_CHECK(shared::can_step(__func__, m, dt, count));
     if (count == 0) return CD_OK;
+    if constexpr (CD_WITH_CLOTH)
+        if (has_lengths(m)) CD_CHECK(shared::takes_all(__func__, what_cloth_lacks(m)));
     const MembraneOutcome outcome = step_membrane(m, dt, count);
     if (outcome.diverged_at) return shared::diverged_at(__func__, outcome.diverged_at);
     if (outcome.converged) return CD_OK;

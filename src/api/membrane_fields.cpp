@@ -7,17 +7,29 @@ using namespace cd;
 namespace {
 
 const Array<double>& doubles_of(const Membrane& m, cd_field field) {
-    return field == CD_MASS ? m.node_mass : m.spring_stiffness[field == CD_STIFFNESS_U ? kU : kV];
+    const Direction d = is_along(field, kU) ? kU : kV;
+    const bool length = field == CD_REST_LENGTH_U || field == CD_REST_LENGTH_V;
+    return field == CD_MASS ? m.node_mass : length ? m.spring_length[d] : m.spring_stiffness[d];
 }
 const Array<uint8_t>& bytes_of(const Membrane& m, cd_field field) { return field == CD_PIN ? m.pin : m.mask; }
 bool is_bytes(cd_field field) { return field == CD_PIN || field == CD_MASK; }
 
 cd_status is_on(const char* function, const Membrane& m, cd_field field) {
     CD_CHECK(is_field(function, m, field));
+    CD_CHECK(has_length(function, m, field));
     return must_be_on(function, "membrane", field,
-                      is_state(field)   ? bool(state_of(m, field))
-                      : is_bytes(field) ? bool(bytes_of(m, field))
-                                        : bool(doubles_of(m, field)));
+                      is_always_on(m, field) || (is_state(field)   ? bool(state_of(m, field))
+                                                 : is_bytes(field) ? bool(bytes_of(m, field))
+                                                                   : bool(doubles_of(m, field))));
+}
+
+// A tension or strain of cloth.
+double told_of(const Membrane& m, cd_field field, size_t u, size_t v) {
+    if constexpr (CD_WITH_CLOTH) {
+        const Direction d = is_along(field, kU) ? kU : kV;
+        return is_strain(field) ? strain_of(m, d, u, v) : tension_of(m, d, u, v);
+    }
+    return 0;
 }
 
 struct Place {
@@ -33,7 +45,7 @@ struct Rectangle {
 
     cd_status check(const char* function, const Membrane& m, size_t count) const {
         CD_CHECK(is_on(function, m, field));
-        const bool along_u = field == CD_STIFFNESS_U, along_v = field == CD_STIFFNESS_V;
+        const bool along_u = is_along(field, kU), along_v = is_along(field, kV);
         CD_CHECK(is_part(function, along_u ? "springs along u from" : "nodes along u from", first_u, n_u,
                          along_u ? springs_along(m, kU) : m.columns));
         CD_CHECK(is_part(function, along_v ? "springs along v from" : "nodes along v from", first_v, n_v,
@@ -55,6 +67,7 @@ struct Rectangle {
 
     double get(const Membrane& m, const Place& p) const {
         if (is_state(field)) return get_number(m, state_of(m, field), place(m, p.u, p.v, p.component));
+        if (is_tension(field) || is_strain(field)) return told_of(m, field, p.u, p.v);
         return is_bytes(field) ? bytes_of(m, field)[node_at(m, p.u, p.v)] : doubles_of(m, field)[node_at(m, p.u, p.v)];
     }
     void set(Membrane& m, const Place& p, double value) const {

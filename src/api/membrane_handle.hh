@@ -1,4 +1,4 @@
-// From the opaque handle to the membrane behind it, and what both files of its functions use.
+// From the opaque handle to the membrane behind it, and what the files of its functions use.
 #pragma once
 
 #include "api/shared.hh"
@@ -12,18 +12,48 @@ template <> struct Behind<cd_membrane> {
     static constexpr const char* name = "membrane";
 };
 
+inline bool is_of_cloth(cd_field field) {
+    return field == CD_WIND || (field >= CD_REST_LENGTH_U && field <= CD_STRAIN_V);
+}
+inline bool needs_length(const Membrane&, cd_field field) { return is_of_cloth(field); }
+// What cloth tells of its springs, and keeps nowhere.
+inline bool is_tension(cd_field field) { return field == CD_TENSION_U || field == CD_TENSION_V; }
+inline bool is_strain(cd_field field) { return field == CD_STRAIN_U || field == CD_STRAIN_V; }
+// Whether a field has numbers of the springs along a direction.
+inline bool is_along(cd_field field, Direction d) {
+    return d == kU
+               ? field == CD_STIFFNESS_U || field == CD_REST_LENGTH_U || field == CD_TENSION_U || field == CD_STRAIN_U
+               : field == CD_STIFFNESS_V || field == CD_REST_LENGTH_V || field == CD_TENSION_V || field == CD_STRAIN_V;
+}
 inline cd_status is_field(const char* function, const Membrane&, cd_field field) {
-    CD_CHECK(is_enum(function, "field", field, CD_MASK));
+    if (!is_of_cloth(field) && (field < 0 || field > CD_MASK))
+        return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 10, 24 or 27 to 32", int(field));
     if (field != CD_STIFFNESS && field != CD_BEND) return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, is none of a membrane's%s", int(field),
                 field_name(field), field == CD_STIFFNESS ? ": it has CD_STIFFNESS_U and CD_STIFFNESS_V" : "");
 }
-inline bool is_always_on(const Membrane&, cd_field field) { return field == CD_POSITION || field == CD_VELOCITY; }
+inline bool is_always_on(const Membrane&, cd_field field) {
+    return field == CD_POSITION || field == CD_VELOCITY || is_tension(field) || is_strain(field);
+}
 inline void switch_own(MembraneFeatures& wanted, cd_field field, bool on) {
     if (field == CD_STIFFNESS_U) wanted.spring_stiffness[kU] = on;
     if (field == CD_STIFFNESS_V) wanted.spring_stiffness[kV] = on;
     if (field == CD_PIN) wanted.pin = on;
     if (field == CD_MASK) wanted.mask = on;
+    if (field == CD_REST_LENGTH_U) wanted.spring_length[kU] = on;
+    if (field == CD_REST_LENGTH_V) wanted.spring_length[kV] = on;
+    if (field == CD_WIND) wanted.wind = on;
 }
+inline cd_status is_cloth(const char* function, const Membrane& m, const char* only) {
+    return must_have_length(function, only, has_lengths(m));
+}
+inline cd_status feels_air(const char* function, const Membrane& m) {
+    return is_cloth(function, m, "only cloth feels air");
+}
+inline cd_status touches(const char* function, const Membrane& m) {
+    return is_cloth(function, m, "only cloth touches things");
+}
+inline AirSettings& air_of(Membrane& m) { return m.cloth; }
+inline const AirSettings& air_of(const Membrane& m) { return m.cloth; }
 
 } // namespace cd

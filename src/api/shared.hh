@@ -155,6 +155,7 @@ template <class X> cd_status switch_field(const char* function, X& x, cd_field f
 
 template <class X> cd_status enable_field(const char* function, X& x, cd_field field) {
     CD_CHECK(is_field(function, x, field));
+    CD_CHECK(has_length(function, x, field));
     if (field == CD_TARGET) CD_CHECK(is_finite(function, x)); // targets start as the present positions
     return switch_field(function, x, field, true);
 }
@@ -261,7 +262,15 @@ inline cd_status diverged_at(const char* function, uint64_t step) {
     return fail(CD_ERROR_DIVERGED, function, "a number left the finite range at step %llu", (unsigned long long)step);
 }
 
+// Whether springs that have a length can make their next step; lack: what they have that they do not take, or null.
+inline cd_status takes_all(const char* function, const char* lack) {
+    return lack ? fail(CD_ERROR_UNSUPPORTED, function, "springs that have a length take no %s", lack) : CD_OK;
+}
+
 template <class X> cd_status tell_stable_dt(const char* function, const X& x, double* out) {
+    CD_CHECK(not_null(function, "out_dt", out));
+    if (has_lengths(x))
+        return fail(CD_ERROR_UNSUPPORTED, function, "no explicit method steps springs that have a length");
     return tell(function, "out_dt", out, stable_dt(x));
 }
 

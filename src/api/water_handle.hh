@@ -20,6 +20,8 @@ inline cd_status is_field(const char* function, const Water&, cd_field field) {
                 : field == CD_FORCE  ? ": it has CD_FORCE_X and CD_FORCE_Y"
                                      : "");
 }
+inline bool has_lengths(const Water&) { return false; } // of springs, which there are none of
+inline bool needs_length(const Water&, cd_field) { return false; }
 inline bool is_always_on(const Water&, cd_field field) { return field >= CD_DEPTH && field <= CD_VELOCITY_Y; }
 inline void switch_own(WaterFeatures& wanted, cd_field field, bool on) {
     if (field == CD_SOURCE) wanted.source = on;

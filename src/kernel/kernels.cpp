@@ -73,6 +73,11 @@ const Kernels kernels = {
 #else
     {},
 #endif
+#if CD_WITH_CLOTH
+    {cloth_residual, cloth_unfold, cloth_apply, cloth_bend, cloth_blocks, cloth_factor, cloth_solve},
+#else
+    {},
+#endif
 #if CD_WITH_WATER && CD_WITH_FLOAT32
     {sweep_water<float>, carry_across<float>},
 #else

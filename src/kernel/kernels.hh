@@ -3,6 +3,7 @@
 
 #include "contdyn/base.h"
 #include "kernel/advance.hh"
+#include "kernel/cloth.hh"
 #include "kernel/explicit_sweep.hh"
 #include "kernel/rod_sweep.hh"
 #include "kernel/rope_step.hh"
@@ -79,6 +80,16 @@ struct SheetKernels {
     const SheetStateKernels<double>& of(double) const { return float64; }
 };
 
+struct ClothKernels {
+    decltype(&CD_ISA::cloth_residual) residual;
+    decltype(&CD_ISA::cloth_unfold) unfold;
+    decltype(&CD_ISA::cloth_apply) apply;
+    decltype(&CD_ISA::cloth_bend) bend;
+    decltype(&CD_ISA::cloth_blocks) blocks;
+    decltype(&CD_ISA::cloth_factor) factor;
+    decltype(&CD_ISA::cloth_solve) solve;
+};
+
 template <class T> struct WaterKernels {
     bool (*sweep)(const WaterSweep&, const WaterLines<T>&, double*, size_t, size_t);
     bool (*carry_across)(const WaterAcross<T>&, double*, size_t, size_t);
@@ -92,6 +103,7 @@ struct Kernels {
     decltype(&CD_ISA::segment_rod_step) segment_rod_step;
     decltype(&CD_ISA::rope_step) rope_step;
     SheetKernels sheet;
+    ClothKernels cloth;
     WaterKernels<float> water32;
     WaterKernels<double> water64;
 

@@ -16,6 +16,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "kernel/collider.hh"
 #include "kernel/lines.hh"
 
 namespace cd {
@@ -40,18 +41,6 @@ struct RopeParameters {
     RopeNumbers<double> length, stiffness;      // [m], [N/m]: 0: cut, INFINITY: of fixed length
     RopeNumbers<uint8_t> pin;                   // cd_node
     double drag;                                // [1/s]
-};
-
-// What ropes do not go through.
-struct Collider {
-    double shape;    // a cd_shape; the kernels get none that is CD_SHAPE_NONE
-    double point[3]; // of the plane, or the capsule's first end [m]
-    double way[3];   // the plane's outward normal, of length 1, or from the capsule's first end to its last [m]
-    double radius, friction;
-    double velocity[3]; // [m/s]
-    double since;       // the time at which it was there [s]
-
-    double place(int k, double time) const { return point[k] + (time - since) * velocity[k]; }
 };
 
 struct RopeStage {

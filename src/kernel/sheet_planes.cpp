@@ -1,5 +1,6 @@
 #include "kernel/row_sum.hh"
 #include "kernel/sheet.hh"
+#include "kernel/tiles.hh"
 
 namespace cd {
 namespace CD_ISA {
@@ -39,8 +40,7 @@ void transpose(const Grid& grid, const double* from, double* to, size_t to_pitch
     constexpr size_t kBlock = 8; // a cache line of each row
     for (size_t r = first; r < first + count; r += kBlock) {
         const size_t rows = first + count - r < kBlock ? first + count - r : kBlock;
-        for (size_t u = 0; u < grid.columns; ++u)
-            for (size_t k = 0; k < rows; ++k) to[u * to_pitch + r + k] = from[(r + k) * grid.pitch + u];
+        turn(rows, grid.columns, from + r * grid.pitch, grid.pitch, to + r, to_pitch);
     }
 }
 

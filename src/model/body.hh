@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 
+#include "kernel/collider.hh"
 #include "model/life.hh"
 #include "model/object.hh"
 
@@ -13,6 +14,18 @@ struct BodySettings : ObjectSettings {
     double mass, drag, damping, gravity[4];
 };
 
+// The air around ropes and cloth.
+struct AirSettings {
+    double along = 0, across = 0; // what it resists: of ropes per length [N s/m^2], of cloth per area [N s/m^3]
+    double wind[3] = {};          // [m/s]
+
+    bool resists() const { return along > 0 || across > 0; }
+    bool operator==(const AirSettings& o) const {
+        return along == o.along && across == o.across && wind[0] == o.wind[0] && wind[1] == o.wind[1] &&
+               wind[2] == o.wind[2];
+    }
+};
+
 struct Body : Object, BodySettings {
     size_t components, nodes;
 
@@ -20,7 +33,9 @@ struct Body : Object, BodySettings {
     Array<double> node_mass, attach_stiffness, attach_damping;
     Array<uint8_t> pin;
     // and per node and component, in the object's precision and layout; position and velocity are always there
-    Array<char> position, velocity, force, target;
+    Array<char> position, velocity, force, target, wind;
+
+    Array<double> colliders; // each a Collider
 };
 
 inline double tie_of(const Body& b, size_t node) { return b.attach_stiffness ? b.attach_stiffness[node] : 0; }
@@ -39,8 +54,40 @@ template <class X> bool all_finite(const X& x) {
     return finite;
 }
 
+// ---- what ropes and cloth touch -------------------------------------------------------------------------------------
+
+constexpr size_t kMostColliders = 4096;
+constexpr size_t kColliderNumbers = sizeof(Collider) / sizeof(double);
+
+inline size_t collider_count(const Body& b) { return b.colliders.count / kColliderNumbers; }
+inline Collider& collider(const Body& b, size_t index) { return reinterpret_cast<Collider*>(b.colliders.data)[index]; }
+
+// Those that are not CD_SHAPE_NONE, thicker by the thickness of what touches them; tells how many.
+inline size_t gather_colliders(const Body& b, double thickness, Collider* out) {
+    size_t count = 0;
+    for (size_t i = 0; i < collider_count(b); ++i) {
+        if (collider(b, i).shape == CD_SHAPE_NONE) continue;
+        out[count] = collider(b, i);
+        out[count++].radius += thickness;
+    }
+    return count;
+}
+
+// Colliders stay where they are when time begins anew.
+inline void stop_clocks(Body& b) {
+    const double now = b.clock.time();
+    for (size_t i = 0; i < collider_count(b); ++i) {
+        Collider& of = collider(b, i);
+        for (int k = 0; k < 3; ++k) of.point[k] = of.place(k, now);
+        of.since = 0;
+    }
+}
+
+// ---- state and memory -----------------------------------------------------------------------------------------------
+
 // Positions, velocities and time back to 0.
 inline void clear_state(Body& b) {
+    stop_clocks(b);
     memset(b.position.data, 0, b.position.bytes());
     memset(b.velocity.data, 0, b.velocity.bytes());
     b.clock = {};
@@ -49,13 +96,14 @@ inline void clear_state(Body& b) {
 // What costs memory, in one value, so that features change all together or not at all.
 struct BodyFeatures {
     cd_method method;
-    bool node_mass, force, target, bend;
+    bool node_mass, force, target, bend, air, wind;
+    size_t colliders;
 };
 
 // The memory that such features change.
 struct BodyChanges {
-    Change<double> mass, attach_stiffness, attach_damping, coefficients, scratch;
-    Change<char> force, target;
+    Change<double> mass, attach_stiffness, attach_damping, coefficients, scratch, colliders;
+    Change<char> force, target, wind;
 
     // numbers: of a field that has one per node, or one per node and strand
     BodyChanges(Body& b, const BodyFeatures& wanted, size_t numbers, size_t coefficients_needed, size_t scratch_needed)
@@ -64,14 +112,16 @@ struct BodyChanges {
           attach_damping{b.attach_damping, wanted.target ? numbers : 0},
           coefficients{b.coefficients, coefficients_needed},
           scratch{b.scratch, scratch_needed},
+          colliders{b.colliders, wanted.colliders * kColliderNumbers},
           force{b.force, wanted.force ? b.position.count : 0},
-          target{b.target, wanted.target ? b.position.count : 0} {}
+          target{b.target, wanted.target ? b.position.count : 0},
+          wind{b.wind, wanted.wind ? b.position.count : 0} {}
 
     template <class F> bool all(F f) {
-        return f(mass) && f(attach_stiffness) && f(attach_damping) && f(coefficients) && f(scratch) && f(force) &&
-               f(target);
+        return f(mass) && f(attach_stiffness) && f(attach_damping) && f(coefficients) && f(scratch) && f(colliders) &&
+               f(force) && f(target) && f(wind);
     }
-    // A new target is the present position. New masses are for the object to fill.
+    // A new target is the present position. New masses and winds are for the object to fill.
     void fill(Body& b) const {
         if (target.is_new()) memcpy(b.target.data, b.position.data, b.target.count);
     }

@@ -55,16 +55,14 @@ static bool line_pitch(size_t lines, size_t number, size_t& out) {
 }
 
 Features features(const Chain& c) {
-    return {{c.method, bool(c.node_mass), bool(c.force), bool(c.target), c.bend > 0},
+    return {{c.method, bool(c.node_mass), bool(c.force), bool(c.target), c.bend > 0, c.air.resists(), bool(c.wind),
+             collider_count(c)},
             bool(c.spring_stiffness),
             bool(c.node_bend),
             c.ring != 0,
             has_lengths(c),
             bool(c.spring_length),
-            c.air.resists(),
-            bool(c.wind),
-            bool(c.spring_strength),
-            collider_count(c)};
+            bool(c.spring_strength)};
 }
 
 namespace {
@@ -101,20 +99,18 @@ bool set_features(Chain& c, const Features& wanted) {
     Change<double> length{c.spring_length, wanted.spring_length ? springs * own : 0};
     Change<double> tension{c.tension, wanted.length ? springs * c.strands : 0};
     Change<double> strength{c.spring_strength, wanted.spring_strength ? springs * own : 0};
-    Change<char> wind{c.wind, wanted.wind ? c.position.count : 0};
-    Change<double> colliders{c.colliders, wanted.colliders * kColliderNumbers};
     Change<double> ring_response{c.ring_response, needs.ring_response};
 
     const auto all = [&](auto f) {
-        return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(length) && f(tension) && f(strength) && f(wind) &&
-               f(colliders) && f(ring_response);
+        return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(length) && f(tension) && f(strength) &&
+               f(ring_response);
     };
     if (wanted.method == c.method && wanted.ring == (c.ring != 0) && keep_all(all)) return true;
     if (!take_all(c.memory, all)) return false;
     pin.spread(c.nodes), body.attach_stiffness.spread(c.nodes), body.attach_damping.spread(c.nodes);
     const bool has_mass = body.mass.spread(c.nodes);
     const bool has_stiffness = wanted.ring == (c.ring != 0) && stiffness.spread(springs);
-    for (size_t i = 0; i < colliders.fresh.count; ++i) colliders.fresh[i] = i < c.colliders.count ? c.colliders[i] : 0;
+    body.colliders.carry_over();
     put_all(c.memory, all);
     c.ring = wanted.ring;
     c.method = wanted.method;
@@ -124,7 +120,7 @@ bool set_features(Chain& c, const Features& wanted) {
     if (length.is_new()) fill_uniform(c, CD_REST_LENGTH);
     if (tension.is_new()) memset(c.tension.data, 0, c.tension.bytes());
     if (strength.is_new()) fill_uniform(c, CD_STRENGTH);
-    if (wind.is_new()) fill_uniform(c, CD_WIND);
+    if (body.wind.is_new()) fill_uniform(c, CD_WIND);
     body.fill(c);
     c.prepared_dt = 0;
     return true;

@@ -8,9 +8,6 @@ namespace cd {
 
 constexpr uint64_t kMostIterations = 10000; // of a rope's step
 
-constexpr size_t kMostColliders = 4096;
-constexpr size_t kColliderNumbers = sizeof(Collider) / sizeof(double);
-
 // Of chains whose springs have a length: see chain_rope.cpp.
 struct RopeSettings {
     double length = 0; // [m], of a strand; 0: springs have none
@@ -24,18 +21,6 @@ struct RopeSettings {
     bool operator==(const RopeSettings& o) const {
         return length == o.length && push == o.push && tolerance == o.tolerance &&
                most_iterations == o.most_iterations && strength == o.strength && thickness == o.thickness;
-    }
-};
-
-// Air around them.
-struct AirSettings {
-    double along = 0, across = 0; // [N s/m^2]
-    double wind[3] = {};          // [m/s]
-
-    bool resists() const { return along > 0 || across > 0; }
-    bool operator==(const AirSettings& o) const {
-        return along == o.along && across == o.across && wind[0] == o.wind[0] && wind[1] == o.wind[1] &&
-               wind[2] == o.wind[2];
     }
 };
 
@@ -55,9 +40,7 @@ struct Chain : Body, ChainSettings {
 
     // fields of its own, per spring and per node; pin is always there
     Array<double> spring_stiffness, node_bend, spring_length, spring_strength;
-    Array<double> tension;   // with lengths, per spring and strand: state
-    Array<double> colliders; // each a Collider
-    Array<char> wind;        // laid out like the positions
+    Array<double> tension; // with lengths, per spring and strand: state
 
     // what steps need, none of it state: see chain_step.cpp
     Array<double> ring_response;
@@ -130,8 +113,6 @@ inline double strength_of(const Chain& c, size_t at) {
     return c.spring_strength ? c.spring_strength[at] : c.rope.strength;
 }
 inline bool can_break(const Chain& c) { return c.spring_strength || c.rope.breaks(); }
-inline size_t collider_count(const Chain& c) { return c.colliders.count / kColliderNumbers; }
-inline Collider& collider(const Chain& c, size_t index) { return reinterpret_cast<Collider*>(c.colliders.data)[index]; }
 double bend_of(const Chain& c, size_t node); // 0 at the ends of an open chain
 bool has_bend(const Chain& c);
 // An infinite stiffness welds the nodes of a spring that has no length; one that has it keeps it.
@@ -147,8 +128,7 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
                        const cd_allocator& allocator, Chain*& out);
 
 struct Features : BodyFeatures {
-    bool spring_stiffness, node_bend, ring, length, spring_length, air, wind, spring_strength;
-    size_t colliders;
+    bool spring_stiffness, node_bend, ring, length, spring_length, spring_strength;
 };
 Features features(const Chain& c);
 

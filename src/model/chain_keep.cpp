@@ -6,13 +6,9 @@ namespace cd {
 
 namespace {
 
-struct KeptChain : ChainSettings {
-    uint64_t colliders; // how many
-};
-
 struct ChainKeep {
     using Object = Chain;
-    using Settings = KeptSettings<KeptChain>;
+    using Settings = KeptSettings<ChainSettings>;
     // Among the bits of fields: the settings of ropes follow, those of air, the strength, and what ropes touch.
     static constexpr uint32_t kOfRopes = 1u << 31, kOfAir = 1u << 30, kOfStrength = 1u << 29, kOfContacts = 1u << 28;
     static constexpr Kind kind = {1, "chain", {"strands", "springs"}};
@@ -20,16 +16,15 @@ struct ChainKeep {
     static Shape shape_of(const Chain& c) { return {{c.strands, c.springs}, c.components, c.precision}; }
 
     static Settings settings_of(const Chain& c) {
-        Settings s{keep_body(c), {c, collider_count(c)}};
+        Settings s{keep_body(c), c};
         if (c.spring_stiffness) s.fields |= 1u << CD_STIFFNESS;
         if (c.node_bend) s.fields |= 1u << CD_BEND;
         if (c.spring_length) s.fields |= 1u << CD_REST_LENGTH;
-        if (c.wind) s.fields |= 1u << CD_WIND;
         if (c.spring_strength) s.fields |= 1u << CD_STRENGTH;
         if (!(c.rope == RopeSettings())) s.fields |= kOfRopes;
         if (!(c.air == AirSettings())) s.fields |= kOfAir;
         if (c.rope.breaks()) s.fields |= kOfStrength;
-        if (s.own.colliders > 0 || c.rope.thickness > 0) s.fields |= kOfContacts;
+        if (s.colliders > 0 || c.rope.thickness > 0) s.fields |= kOfContacts;
         return s;
     }
 
@@ -39,16 +34,13 @@ struct ChainKeep {
     }
 
     static Features features_of(const Settings& s) {
-        return {features_of_body(s, s.own.bend > 0),
+        return {features_of_body(s, s.own.bend > 0, s.own.air),
                 s.on(CD_STIFFNESS),
                 s.on(CD_BEND),
                 s.own.ring != 0,
                 s.own.rope.length > 0,
                 s.on(CD_REST_LENGTH),
-                s.own.air.resists(),
-                s.on(CD_WIND),
-                s.on(CD_STRENGTH),
-                size_t(s.own.colliders)};
+                s.on(CD_STRENGTH)};
     }
 
     template <class W> static void walk_settings(W& w, Settings& s) {
@@ -56,13 +48,9 @@ struct ChainKeep {
         RopeSettings& rope = s.own.rope;
         if (s.fields & kOfRopes)
             walk(w, rope.length), walk(w, rope.push), walk(w, rope.tolerance), walk(w, rope.most_iterations);
-        AirSettings& air = s.own.air;
-        if (s.fields & kOfAir) {
-            walk(w, air.along), walk(w, air.across);
-            walk(w, air.wind[0]), walk(w, air.wind[1]), walk(w, air.wind[2]);
-        }
+        if (s.fields & kOfAir) walk_air(w, s.own.air);
         if (s.fields & kOfStrength) walk(w, rope.strength);
-        if (s.fields & kOfContacts) walk(w, s.own.colliders), walk(w, rope.thickness);
+        if (s.fields & kOfContacts) walk(w, s.colliders), walk(w, rope.thickness);
     }
     template <class W> static void walk_choices(W& w, ChainSettings& s) { walk(w, s.ring); }
     template <class W> static void walk_numbers(W& w, ChainSettings& s) { walk(w, s.stiffness), walk(w, s.bend); }
@@ -73,7 +61,8 @@ struct ChainKeep {
                                               1u << CD_WIND | 1u << CD_STRENGTH);
         return valid_body(s) && (s.fields & ~(optional | of_ropes)) == 0 &&
                (s.own.ring == 0 || (s.own.ring == 1 && c.nodes >= 3)) && valid_parameter(s.own.bend) &&
-               valid_rope(c, s.own.rope, of_ropes) && valid_air(c, s) && valid_strength(s) && valid_contacts(s) &&
+               valid_rope(c, s.own.rope, of_ropes) && valid_air(c, s.own.air) && valid_strength(s) &&
+               valid_contacts(s, s.own.rope.thickness) && are_told(s) &&
                (valid_parameter(s.own.stiffness) || valid_infinite(s.own.stiffness, s.own.rope.length));
     }
 
@@ -88,38 +77,11 @@ struct ChainKeep {
                rope.most_iterations <= kMostIterations;
     }
 
-    static bool valid_contacts(const Settings& s) {
-        const double thickness = s.own.rope.thickness;
-        const bool any = s.own.colliders > 0 || thickness > 0;
-        return any == ((s.fields & kOfContacts) != 0) && s.own.colliders <= kMostColliders &&
-               valid_parameter(thickness);
-    }
-    static constexpr double kFarthest = 1e200; // places and velocities: of any time the products are finite
-    static bool valid_collider_number(double number, size_t at) {
-        switch (at % kColliderNumbers) {
-        case 0: return number == CD_SHAPE_NONE || number == CD_SHAPE_PLANE || number == CD_SHAPE_CAPSULE;
-        case offsetof(Collider, radius) / sizeof(double):
-        case offsetof(Collider, friction) / sizeof(double): return valid_parameter(number);
-        case offsetof(Collider, since) / sizeof(double): return number >= 0 && number <= kMost;
-        default: return fabs(number) <= kFarthest;
-        }
-    }
-
-    // A plane's normal has length 1, a capsule a radius, and neither reaches out of the strands' space.
-    static constexpr double kNormalError = 1e-12; // of its square
-    static bool colliders_are_shaped(const Chain& c, SavedNumbers numbers, size_t count) {
-        bool good = true;
-        for (size_t i = 0; i < count; ++i) {
-            Collider it;
-            double all[kColliderNumbers];
-            for (size_t k = 0; k < kColliderNumbers; ++k) all[k] = numbers[i * kColliderNumbers + k];
-            memcpy(&it, all, sizeof it);
-            const double square = (it.way[0] * it.way[0] + it.way[1] * it.way[1]) + it.way[2] * it.way[2];
-            if (it.shape == CD_SHAPE_PLANE) good &= fabs(square - 1) < kNormalError;
-            if (it.shape == CD_SHAPE_CAPSULE) good &= valid_mass(it.radius);
-            for (size_t k = c.components; k < 3; ++k) good &= it.point[k] == 0 && it.way[k] == 0 && it.velocity[k] == 0;
-        }
-        return good;
+    // What differs from the defaults is told, and nothing else.
+    static bool are_told(const Settings& s) {
+        const bool contacts = s.colliders > 0 || s.own.rope.thickness > 0;
+        return contacts == ((s.fields & kOfContacts) != 0) &&
+               (s.own.air == AirSettings()) == ((s.fields & kOfAir) == 0);
     }
 
     // What may break has stiffnesses of its own.
@@ -127,14 +89,6 @@ struct ChainKeep {
         const double strength = s.own.rope.strength;
         const bool holds = isinf(strength) && strength > 0, told = (s.fields & kOfStrength) != 0;
         return (told ? valid_mass(strength) : holds) && ((holds && !s.on(CD_STRENGTH)) || s.on(CD_STIFFNESS));
-    }
-
-    static bool valid_air(const Chain& c, const Settings& s) {
-        const AirSettings& air = s.own.air;
-        bool good = (air == AirSettings()) == ((s.fields & kOfAir) == 0) && valid_parameter(air.along) &&
-                    valid_parameter(air.across);
-        for (size_t k = 0; k < 3; ++k) good &= k < c.components ? fabs(air.wind[k]) <= most_of(c) : air.wind[k] == 0;
-        return good;
     }
 
     static bool check_fields(Reader reader, const Chain& c, const Settings& s) {
@@ -158,13 +112,7 @@ struct ChainKeep {
             check.numbers<double>(springs, [](double t, size_t) { return valid_mass(t) || (isinf(t) && t > 0); });
         const SavedNumbers velocity = check_ties_and_state(check, c, layout_of(c), s, nodes);
         if (rope) check.numbers<double>(springs, [](double t, size_t) { return isfinite(t) != 0; });
-        by_precision(c, [&](auto zero) {
-            if (s.on(CD_WIND))
-                check.numbers<decltype(zero)>(c.nodes * c.lines, [](double v, size_t) { return isfinite(v) != 0; });
-        });
-        const SavedNumbers colliders = check.here<double>();
-        check.numbers<double>(size_t(s.own.colliders) * kColliderNumbers, valid_collider_number);
-        if (!check.all_good() || !colliders_are_shaped(c, colliders, size_t(s.own.colliders))) return false;
+        if (!check_surroundings(check, c, layout_of(c), s)) return false;
         return rope ? pinned_rest(c, pin, velocity) : nodes_are_held(c, s.own.ring != 0, pin, stiffness, velocity);
     }
 

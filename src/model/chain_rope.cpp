@@ -38,17 +38,6 @@ RopeParameters parameters_of(Chain& c, bool changed) {
             c.drag};
 }
 
-// Those that are not CD_SHAPE_NONE, thicker by the ropes' thickness, among the coefficients; tells how many.
-size_t gather_colliders(const Chain& c, Collider* out) {
-    size_t count = 0;
-    for (size_t i = 0; i < collider_count(c); ++i) {
-        if (collider(c, i).shape == CD_SHAPE_NONE) continue;
-        out[count] = collider(c, i);
-        out[count++].radius += c.rope.thickness;
-    }
-    return count;
-}
-
 // Cuts, of each of these strands, the spring whose tension is most beyond its strength; tells how many.
 size_t break_springs(Chain& c, size_t first, size_t strands) {
     size_t broken = 0;
@@ -88,18 +77,7 @@ size_t rope_scratch(const Chain& c, bool air, size_t colliders) {
     return fits ? numbers : SIZE_MAX; // more than there is
 }
 
-// Colliders stay where they are when time begins anew.
-static void stop_clocks(Chain& c) {
-    const double now = c.clock.time();
-    for (size_t i = 0; i < collider_count(c); ++i) {
-        Collider& of = collider(c, i);
-        for (int k = 0; k < 3; ++k) of.point[k] = of.place(k, now);
-        of.since = 0;
-    }
-}
-
 void clear_state(Chain& c) {
-    stop_clocks(c);
     clear_state(static_cast<Body&>(c));
     if (c.tension) memset(c.tension.data, 0, c.tension.bytes());
 }
@@ -128,7 +106,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                              c.rope.tolerance,
                              size_t(c.rope.most_iterations),
                              colliders,
-                             gather_colliders(c, colliders),
+                             gather_colliders(c, c.rope.thickness, colliders),
                              0,
                              0};
     RopeResult results[kMostTasks];

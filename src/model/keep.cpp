@@ -49,7 +49,10 @@ cd_status shapes_differ(const char* function, const Kind& kind, const char* sour
 
 KeptBody keep_body(const Body& b) {
     const auto bit = [](bool on, cd_field field) { return uint32_t(on) << field; };
-    return {b, bit(bool(b.node_mass), CD_MASS) | bit(bool(b.force), CD_FORCE) | bit(bool(b.target), CD_TARGET)};
+    return {b,
+            bit(bool(b.node_mass), CD_MASS) | bit(bool(b.force), CD_FORCE) | bit(bool(b.target), CD_TARGET) |
+                bit(bool(b.wind), CD_WIND),
+            collider_count(b)};
 }
 
 bool valid_body(const KeptBody& kept) {
@@ -62,8 +65,18 @@ bool valid_body(const KeptBody& kept) {
     return good && s.clock.is_possible();
 }
 
-BodyFeatures features_of_body(const KeptBody& s, bool bend) {
-    return {s.body.method, s.on(CD_MASS), s.on(CD_FORCE), s.on(CD_TARGET), bend};
+BodyFeatures features_of_body(const KeptBody& s, bool bend, const AirSettings& air) {
+    return {s.body.method, s.on(CD_MASS), s.on(CD_FORCE), s.on(CD_TARGET),
+            bend,          air.resists(), s.on(CD_WIND),  size_t(s.colliders)};
+}
+
+bool valid_air(const Body& b, const AirSettings& air) {
+    bool good = valid_parameter(air.along) && valid_parameter(air.across);
+    for (size_t k = 0; k < 3; ++k) good &= k < b.components ? fabs(air.wind[k]) <= most_of(b) : air.wind[k] == 0;
+    return good;
+}
+bool valid_contacts(const KeptBody& s, double thickness) {
+    return s.colliders <= kMostColliders && valid_parameter(thickness);
 }
 
 SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s,
@@ -81,6 +94,45 @@ SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout
                          [](double value, size_t) { return isfinite(value) != 0; });
     });
     return velocity;
+}
+
+static bool valid_collider_number(double number, size_t at) {
+    constexpr double kFarthest = 1e200; // places and velocities: of any time the products are finite
+    switch (at % kColliderNumbers) {
+    case 0: return number == CD_SHAPE_NONE || number == CD_SHAPE_PLANE || number == CD_SHAPE_CAPSULE;
+    case offsetof(Collider, radius) / sizeof(double):
+    case offsetof(Collider, friction) / sizeof(double): return valid_parameter(number);
+    case offsetof(Collider, since) / sizeof(double): return number >= 0 && number <= kMost;
+    default: return fabs(number) <= kFarthest;
+    }
+}
+
+// A plane's normal has length 1, a capsule a radius, and neither reaches out of the space that the nodes are in.
+static bool colliders_are_shaped(const Body& b, SavedNumbers numbers, size_t count) {
+    constexpr double kNormalError = 1e-12; // of its square
+    bool good = true;
+    for (size_t i = 0; i < count; ++i) {
+        Collider it;
+        double all[kColliderNumbers];
+        for (size_t k = 0; k < kColliderNumbers; ++k) all[k] = numbers[i * kColliderNumbers + k];
+        memcpy(&it, all, sizeof it);
+        const double square = (it.way[0] * it.way[0] + it.way[1] * it.way[1]) + it.way[2] * it.way[2];
+        if (it.shape == CD_SHAPE_PLANE) good &= fabs(square - 1) < kNormalError;
+        if (it.shape == CD_SHAPE_CAPSULE) good &= valid_mass(it.radius);
+        for (size_t k = b.components; k < 3; ++k) good &= it.point[k] == 0 && it.way[k] == 0 && it.velocity[k] == 0;
+    }
+    return good;
+}
+
+bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s) {
+    by_precision(b, [&](auto zero) {
+        if (s.on(CD_WIND))
+            check.numbers<decltype(zero)>(layout.rows * layout.width,
+                                          [](double v, size_t) { return isfinite(v) != 0; });
+    });
+    const SavedNumbers colliders = check.here<double>();
+    check.numbers<double>(size_t(s.colliders) * kColliderNumbers, valid_collider_number);
+    return check.all_good() && colliders_are_shaped(b, colliders, size_t(s.colliders));
 }
 
 } // namespace cd

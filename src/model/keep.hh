@@ -177,7 +177,8 @@ struct FieldCheck {
 
 struct KeptBody {
     BodySettings body;
-    uint32_t fields; // a bit per optional field, by cd_field
+    uint32_t fields;    // a bit per optional field, by cd_field
+    uint64_t colliders; // how many
 
     bool on(cd_field field) const { return (fields >> field & 1) != 0; }
 };
@@ -198,7 +199,14 @@ template <class K, class W> void walk_body(W& w, typename K::Settings& s) {
 
 KeptBody keep_body(const Body& b);
 bool valid_body(const KeptBody& s);
-BodyFeatures features_of_body(const KeptBody& s, bool bend);
+BodyFeatures features_of_body(const KeptBody& s, bool bend, const AirSettings& air);
+
+template <class W> void walk_air(W& w, AirSettings& s) {
+    walk(w, s.along), walk(w, s.across), walk(w, s.wind[0]), walk(w, s.wind[1]), walk(w, s.wind[2]);
+}
+// Of ropes and cloth: what is around them.
+bool valid_air(const Body& b, const AirSettings& air);
+bool valid_contacts(const KeptBody& s, double thickness);
 
 // Uniform values may reach beyond what may be written, since totals are shared out among the nodes.
 inline bool valid_shared(double value, size_t) { return value >= 0 && value <= 1e100; }
@@ -207,5 +215,7 @@ inline bool valid_shared_mass(double value, size_t) { return value >= 1e-100 && 
 // What comes after an object's own fields: attachments, `ties` nodes', and the state. Tells where the velocities lie.
 SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s,
                                   size_t ties);
+// What comes last: winds and colliders. Whether these and all that was checked are good.
+bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s);
 
 } // namespace cd

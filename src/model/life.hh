@@ -30,6 +30,10 @@ template <class T> struct Change {
         for (size_t i = 0; i < count; ++i) fresh[i] = array[i / to * from];
         return true;
     }
+    // Before it is put: what there is of it keeps its numbers.
+    void carry_over() const {
+        for (size_t i = 0; i < fresh.count && i < array.count; ++i) fresh[i] = array[i];
+    }
 };
 
 // What may be done with changes, of which all(f) makes f(change) && f(next) && ...

@@ -107,6 +107,11 @@ double stiffness_of(const Membrane& m, Direction d, size_t u, size_t v) {
     return m.spring_stiffness[d] ? m.spring_stiffness[d][node_at(m, u, v)] : given_stiffness(m, d, n);
 }
 
+double length_of(const Membrane& m, Direction d, size_t u, size_t v) {
+    const bool own = m.spring_length[d] && has_next(m, d, d == kU ? u : v);
+    return own ? m.spring_length[d][node_at(m, u, v)] : uniform_length(m, d);
+}
+
 double bend_of(const Membrane& m, Direction d, size_t u, size_t v) {
     const Node n{{u, v}};
     const size_t i = n.at[d];
@@ -131,14 +136,17 @@ double drag_of(const Membrane& m, size_t u, size_t v) {
 
 MembraneFeatures features(const Membrane& m) {
     MembraneFeatures f{};
-    static_cast<BodyFeatures&>(f) = {m.method, bool(m.node_mass), bool(m.force), bool(m.target), m.bend > 0};
+    static_cast<BodyFeatures&>(f) = {m.method,   bool(m.node_mass), bool(m.force), bool(m.target),
+                                     m.bend > 0, m.cloth.resists(), bool(m.wind),  collider_count(m)};
     for (Direction d : {kU, kV}) {
         f.spring_stiffness[d] = bool(m.spring_stiffness[d]);
+        f.spring_length[d] = bool(m.spring_length[d]);
         f.ring[d] = m.ring[d] != 0;
     }
     f.pin = bool(m.pin);
     f.mask = bool(m.mask);
     f.pressure = m.pressure != 0;
+    f.cloth = has_lengths(m);
     f.solver = m.solver;
     memcpy(f.edge, m.edge, sizeof f.edge);
     return f;
@@ -150,14 +158,19 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
     BodyChanges body(m, wanted, m.nodes, needs.coefficients, needs.scratch);
     Change<double> along_u{m.spring_stiffness[kU], wanted.spring_stiffness[kU] ? m.nodes : 0};
     Change<double> along_v{m.spring_stiffness[kV], wanted.spring_stiffness[kV] ? m.nodes : 0};
+    Change<double> length_u{m.spring_length[kU], wanted.spring_length[kU] ? m.nodes : 0};
+    Change<double> length_v{m.spring_length[kV], wanted.spring_length[kV] ? m.nodes : 0};
     Change<double> pressed{m.pressed, wanted.pressure ? m.components * m.plane : 0};
     Change<uint8_t> pin{m.pin, wanted.pin ? m.nodes : 0}, mask{m.mask, wanted.mask ? m.nodes : 0};
 
-    const auto all = [&](auto f) { return body.all(f) && f(along_u) && f(along_v) && f(pressed) && f(pin) && f(mask); };
+    const auto all = [&](auto f) {
+        return body.all(f) && f(along_u) && f(along_v) && f(length_u) && f(length_v) && f(pressed) && f(pin) && f(mask);
+    };
     const bool same_ring = wanted.ring[kU] == (m.ring[kU] != 0) && wanted.ring[kV] == (m.ring[kV] != 0);
     const bool same_edges = memcmp(wanted.edge, m.edge, sizeof m.edge) == 0, same_pin = pin.keep();
     if (wanted.method == m.method && wanted.solver == m.solver && same_ring && same_edges && keep_all(all)) return true;
     if (!take_all(m.memory, all)) return false;
+    body.colliders.carry_over();
     put_all(m.memory, all);
     m.method = wanted.method;
     m.solver = wanted.solver;
@@ -166,6 +179,9 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
     if (body.mass.is_new()) fill_uniform(m, CD_MASS);
     if (along_u.is_new()) fill_uniform(m, CD_STIFFNESS_U);
     if (along_v.is_new()) fill_uniform(m, CD_STIFFNESS_V);
+    if (length_u.is_new()) fill_uniform(m, CD_REST_LENGTH_U);
+    if (length_v.is_new()) fill_uniform(m, CD_REST_LENGTH_V);
+    if (body.wind.is_new()) fill_uniform(m, CD_WIND);
     if (mask.is_new()) memset(m.mask.data, 1, m.mask.bytes());
     for (size_t i = 0; pin.is_new() && i < m.nodes; ++i)
         m.pin[i] = uint8_t(kind_by_edges(m, m.edge, i % m.columns, i / m.columns));
@@ -184,6 +200,12 @@ void fill_uniform(Membrane& m, cd_field field) {
                 m.spring_stiffness[kU][i] = given_stiffness(m, kU, {{u, v}});
             if (field == CD_STIFFNESS_V && m.spring_stiffness[kV])
                 m.spring_stiffness[kV][i] = given_stiffness(m, kV, {{u, v}});
+            if (field == CD_REST_LENGTH_U && m.spring_length[kU])
+                m.spring_length[kU][i] = has_next(m, kU, u) ? uniform_length(m, kU) : 0;
+            if (field == CD_REST_LENGTH_V && m.spring_length[kV])
+                m.spring_length[kV][i] = has_next(m, kV, v) ? uniform_length(m, kV) : 0;
+            for (size_t k = 0; k < m.components && field == CD_WIND && m.wind; ++k)
+                set_number(m, m.wind, place(m, u, v, k), m.cloth.wind[k]);
         }
 }
 
@@ -219,7 +241,8 @@ bool set_ring(Membrane& m, bool along_u, bool along_v) {
     wanted.ring[kU] = along_u;
     wanted.ring[kV] = along_v;
     if (!set_features(m, wanted)) return false;
-    for (cd_field field : {CD_MASS, CD_STIFFNESS_U, CD_STIFFNESS_V}) fill_uniform(m, field);
+    for (cd_field field : {CD_MASS, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_REST_LENGTH_U, CD_REST_LENGTH_V})
+        fill_uniform(m, field);
     return true;
 }
 

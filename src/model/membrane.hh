@@ -10,6 +10,17 @@ namespace cd {
 // The two directions of a sheet, as indices.
 enum Direction { kU = 0, kV = 1 };
 
+// Effort of a step of cloth: see cd_membrane_set_effort.
+constexpr uint64_t kMostNewton = 1000, kMostGradient = 10000;
+
+// Of membranes whose springs have a length: see membrane_cloth.cpp.
+struct ClothSettings : AirSettings {
+    double length[2] = {};             // [m], of the sheet; 0: springs have none
+    double shear = 0, compression = 5; // [N/m], [1/s^2]
+    uint64_t newton = 2, gradient = 20;
+    double thickness = 0; // [m]
+};
+
 struct MembraneSettings {
     cd_solver solver;
     int32_t ring[2];
@@ -17,6 +28,7 @@ struct MembraneSettings {
     double tolerance;
     size_t most_iterations;
     double stiffness[2], bend, pressure;
+    ClothSettings cloth;
 };
 
 struct Membrane : Body, MembraneSettings {
@@ -27,7 +39,7 @@ struct Membrane : Body, MembraneSettings {
 
     // fields of its own: a number per node (0 at the last node of a line without a ring); mask per node. pin is empty
     // where only edges hold nodes.
-    Array<double> spring_stiffness[2];
+    Array<double> spring_stiffness[2], spring_length[2];
     Array<uint8_t> mask;
 
     // what the last call of step did: see cd_membrane_get_convergence
@@ -44,8 +56,8 @@ struct Membrane : Body, MembraneSettings {
     // f(array, array of another membrane...) for each field, in the order in which they are kept; and for every array.
     template <class F, class... M> static void each_field(F f, M&... m) {
         f(m.pin...), f(m.mask...), f(m.node_mass...), f(m.spring_stiffness[kU]...), f(m.spring_stiffness[kV]...);
-        f(m.attach_stiffness...), f(m.attach_damping...);
-        f(m.position...), f(m.velocity...), f(m.force...), f(m.target...);
+        f(m.spring_length[kU]...), f(m.spring_length[kV]...), f(m.attach_stiffness...), f(m.attach_damping...);
+        f(m.position...), f(m.velocity...), f(m.force...), f(m.target...), f(m.wind...), f(m.colliders...);
     }
     template <class F> static void each_array(F f, Membrane& m) {
         each_field(f, m);
@@ -56,7 +68,7 @@ struct Membrane : Body, MembraneSettings {
 constexpr uint64_t kMembraneTag = 0x314272626d4d6443; // "CdMmbrB1"
 
 struct MembraneFeatures : BodyFeatures {
-    bool spring_stiffness[2], pin, mask, ring[2], pressure;
+    bool spring_stiffness[2], spring_length[2], pin, mask, ring[2], pressure, cloth;
     cd_solver solver;
     cd_node edge[4];
 };
@@ -84,11 +96,17 @@ size_t inside_matched(const Membrane& m, Direction d, size_t i);
 
 // The weight of an edge line: 1/2 at the two ends of direction d under CD_MASS_HALF_ENDS, 1 elsewhere.
 double line_weight(const Membrane& m, Direction d, size_t i);
+inline bool can_have_lengths(const Membrane& m) {
+    return CD_WITH_CLOTH && m.components == 3 && m.springs[kU] > 0 && m.springs[kV] > 0;
+}
+inline bool has_lengths(const Membrane& m) { return CD_WITH_CLOTH && m.cloth.length[kU] > 0; }
+
 // The uniform values for weight 1: mass of a node, stiffness of a spring and bend at a node along d, twist of a cell.
 double uniform_mass(const Membrane& m);
 double uniform_stiffness(const Membrane& m, Direction d);
 double uniform_bend(const Membrane& m, Direction d);
 double uniform_twist(const Membrane& m);
+inline double uniform_length(const Membrane& m, Direction d) { return m.cloth.length[d] / double(springs_along(m, d)); }
 
 // What node (u, v) is, what it weighs, and how stiff the spring is that starts there along d: with every weight, mask
 // and field; 0 where there is no spring.
@@ -98,6 +116,8 @@ inline bool held(const Membrane& m, size_t u, size_t v) { return kind_of(m, u, v
 inline bool present(const Membrane& m, size_t u, size_t v) { return !m.mask || m.mask[node_at(m, u, v)] != 0; }
 double mass_of(const Membrane& m, size_t u, size_t v);
 double stiffness_of(const Membrane& m, Direction d, size_t u, size_t v);
+// The rest length of that spring, in cloth; that of any other where there is none.
+double length_of(const Membrane& m, Direction d, size_t u, size_t v);
 // The bend along d at a node, 0 unless it and its two neighbours along d are there; the twist of the cell that starts
 // at a node, 0 unless its four nodes are there.
 double bend_of(const Membrane& m, Direction d, size_t u, size_t v);
@@ -144,6 +164,20 @@ struct MembraneOutcome {
 };
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count);
 double stable_dt(const Membrane& m); // membrane_limit.cpp
+
+// ---- cloth (membrane_cloth.cpp, which a build without it leaves out) ------------------------------------------------
+
+// Why such a membrane can't make its next step, or null.
+const char* what_cloth_lacks(const Membrane& m);
+// As needs_of, with lengths.
+bool cloth_needs_of(const Membrane& m, const MembraneFeatures& f, MembraneNeeds& out);
+// As step_membrane, but for the clock; leaves `iterations` and `residual`.
+MembraneOutcome step_cloth(Membrane& m, double dt, size_t count);
+// The energy of springs, shear and bend, but not of attachments.
+double cloth_elastic(const Membrane& m);
+// Of the spring that starts at node (u, v) along d.
+double tension_of(const Membrane& m, Direction d, size_t u, size_t v);
+double strain_of(const Membrane& m, Direction d, size_t u, size_t v);
 
 // ---- measuring (membrane_measure.cpp) -------------------------------------------------------------------------------
 

@@ -5,7 +5,9 @@ namespace cd {
 
 bool valid_number(const Membrane& m, cd_field field, size_t u, size_t v, double value) {
     switch (field) {
-    case CD_MASS: return valid_mass(value);
+    case CD_MASS:
+    case CD_REST_LENGTH_U:
+    case CD_REST_LENGTH_V: return valid_mass(value);
     case CD_STIFFNESS_U:
     case CD_STIFFNESS_V: return valid_parameter(value);
     case CD_PIN: return is_kind(value);

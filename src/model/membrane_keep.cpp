@@ -9,6 +9,8 @@ namespace {
 struct MembraneKeep {
     using Object = Membrane;
     using Settings = KeptSettings<MembraneSettings>;
+    // Among the bits of fields: the settings of cloth follow.
+    static constexpr uint32_t kOfCloth = 1u << 31;
     static constexpr Kind kind = {2, "membrane", {"springs along u", "along v"}};
 
     static Shape shape_of(const Membrane& m) { return {{m.springs[kU], m.springs[kV]}, m.components, m.precision}; }
@@ -19,6 +21,9 @@ struct MembraneKeep {
         if (m.spring_stiffness[kV]) s.fields |= 1u << CD_STIFFNESS_V;
         if (m.pin) s.fields |= 1u << CD_PIN;
         if (m.mask) s.fields |= 1u << CD_MASK;
+        if (m.spring_length[kU]) s.fields |= 1u << CD_REST_LENGTH_U;
+        if (m.spring_length[kV]) s.fields |= 1u << CD_REST_LENGTH_V;
+        if (has_lengths(m)) s.fields |= kOfCloth;
         return s;
     }
 
@@ -29,11 +34,14 @@ struct MembraneKeep {
 
     static MembraneFeatures features_of(const Settings& s) {
         MembraneFeatures f{};
-        static_cast<BodyFeatures&>(f) = features_of_body(s, s.own.bend > 0);
+        static_cast<BodyFeatures&>(f) = features_of_body(s, s.own.bend > 0, s.own.cloth);
         f.spring_stiffness[kU] = s.on(CD_STIFFNESS_U);
         f.spring_stiffness[kV] = s.on(CD_STIFFNESS_V);
         f.pin = s.on(CD_PIN);
         f.mask = s.on(CD_MASK);
+        f.spring_length[kU] = s.on(CD_REST_LENGTH_U);
+        f.spring_length[kV] = s.on(CD_REST_LENGTH_V);
+        f.cloth = (s.fields & kOfCloth) != 0;
         for (Direction d : {kU, kV}) f.ring[d] = s.own.ring[d] != 0;
         f.pressure = s.own.pressure != 0;
         f.solver = s.own.solver;
@@ -41,7 +49,14 @@ struct MembraneKeep {
         return f;
     }
 
-    template <class W> static void walk_settings(W& w, Settings& s) { walk_body<MembraneKeep>(w, s); }
+    template <class W> static void walk_settings(W& w, Settings& s) {
+        walk_body<MembraneKeep>(w, s);
+        if (!(s.fields & kOfCloth)) return;
+        ClothSettings& cloth = s.own.cloth;
+        walk(w, cloth.length[kU]), walk(w, cloth.length[kV]), walk(w, cloth.shear), walk(w, cloth.compression);
+        walk(w, cloth.newton), walk(w, cloth.gradient), walk_air(w, cloth);
+        walk(w, s.colliders), walk(w, cloth.thickness);
+    }
     template <class W> static void walk_choices(W& w, MembraneSettings& s) {
         walk(w, s.solver), walk(w, s.ring[kU]), walk(w, s.ring[kV]);
         for (cd_node& kind : s.edge) walk(w, kind);
@@ -53,12 +68,22 @@ struct MembraneKeep {
         s.most_iterations = most < SIZE_MAX ? size_t(most) : SIZE_MAX;
     }
 
+    static bool valid_cloth(const Membrane& m, const Settings& s) {
+        const ClothSettings& cloth = s.own.cloth;
+        return can_have_lengths(m) && valid_mass(cloth.length[kU]) && valid_mass(cloth.length[kV]) &&
+               valid_parameter(cloth.shear) && valid_parameter(cloth.compression) && cloth.newton >= 1 &&
+               cloth.newton <= kMostNewton && cloth.gradient >= 1 && cloth.gradient <= kMostGradient &&
+               valid_air(m, cloth) && valid_contacts(s, cloth.thickness);
+    }
+
     static bool valid(const Membrane& m, const Settings& s) {
         const MembraneSettings& own = s.own;
         uint32_t optional = 0;
         for (cd_field field : {CD_MASS, CD_FORCE, CD_TARGET, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_PIN, CD_MASK})
             optional |= 1u << field;
-        bool good = valid_body(s) && (s.fields & ~optional) == 0;
+        const bool is_cloth = (s.fields & kOfCloth) != 0;
+        if (is_cloth) optional |= kOfCloth | 1u << CD_REST_LENGTH_U | 1u << CD_REST_LENGTH_V | 1u << CD_WIND;
+        bool good = valid_body(s) && (s.fields & ~optional) == 0 && (!is_cloth || valid_cloth(m, s));
         good &= own.solver == CD_SOLVER_ALTERNATING || own.solver == CD_SOLVER_COUPLED;
         good &= own.tolerance >= kLeastTolerance && own.tolerance <= kMostTolerance && own.most_iterations >= 1;
         good &= valid_parameter(own.bend) && fabs(own.pressure) <= kMost && (own.pressure == 0 || m.components == 3);
@@ -81,14 +106,19 @@ struct MembraneKeep {
         const SavedNumbers mask = s.on(CD_MASK) ? check.here<uint8_t>() : SavedNumbers{};
         if (s.on(CD_MASK)) check.numbers<uint8_t>(n, [](double there, size_t) { return there <= 1; });
         if (s.on(CD_MASS)) check.numbers<double>(n, valid_shared_mass);
-        for (Direction d : {kU, kV})
-            if (s.on(d == kU ? CD_STIFFNESS_U : CD_STIFFNESS_V))
-                check.numbers<double>(n, [&](double k, size_t i) {
-                    const size_t along = d == kU ? i % m.columns : i / m.columns;
-                    return along < m.springs[d] + size_t(s.own.ring[d]) ? valid_shared(k, i) : k == 0;
-                });
+        const auto of_springs = [&](cd_field field, Direction d, auto is_valid) {
+            if (!s.on(field)) return;
+            check.numbers<double>(n, [&](double k, size_t i) {
+                const size_t along = d == kU ? i % m.columns : i / m.columns;
+                return along < m.springs[d] + size_t(s.own.ring[d]) ? is_valid(k, i) : k == 0;
+            });
+        };
+        of_springs(CD_STIFFNESS_U, kU, valid_shared);
+        of_springs(CD_STIFFNESS_V, kV, valid_shared);
+        of_springs(CD_REST_LENGTH_U, kU, valid_shared_mass);
+        of_springs(CD_REST_LENGTH_V, kV, valid_shared_mass);
         const SavedNumbers velocity = check_ties_and_state(check, m, layout_of(m), s, m.nodes);
-        if (!check.all_good()) return false;
+        if (!check_surroundings(check, m, layout_of(m), s)) return false;
         bool good = true;
         for (size_t k = 0; k < m.components; ++k)
             for (size_t i = 0; i < n; ++i) {

@@ -27,15 +27,17 @@ template <class T> struct Measure {
         return sum;
     }
 
-    // What hangs on node (i, j): springs and twist that start there, its bend, its attachment.
+    // What hangs on node (i, j): springs and twist that start there, its bend, its attachment; of cloth only that.
     double elastic(size_t i, size_t j) const {
         const size_t next_i = after(m, kU, i), next_j = after(m, kV, j);
         const auto here = [&](size_t k) { return at(x, i, j, k); };
         const auto right = [&](size_t k) { return at(x, next_i, j, k); };
         const auto below = [&](size_t k) { return at(x, i, next_j, k); };
-        double sum = stiffness_of(m, kU, i, j) * squares([&](size_t k) { return right(k) - here(k); }) +
-                     stiffness_of(m, kV, i, j) * squares([&](size_t k) { return below(k) - here(k); });
-        if (m.bend > 0) {
+        double sum = 0;
+        if (!has_lengths(m))
+            sum = stiffness_of(m, kU, i, j) * squares([&](size_t k) { return right(k) - here(k); }) +
+                  stiffness_of(m, kV, i, j) * squares([&](size_t k) { return below(k) - here(k); });
+        if (!has_lengths(m) && m.bend > 0) {
             const size_t last_i = before(m, kU, i), last_j = before(m, kV, j);
             const auto curve = [&](auto ahead, size_t u, size_t w, size_t k) {
                 return (ahead(k) - here(k)) - (here(k) - at(x, u, w, k));
@@ -59,6 +61,8 @@ template <class T> struct Measure {
             for (size_t k = 0; k < m.components; ++k) fall += m.gravity[k] * at(x, i, j, k);
             gravity.add(-mass * fall);
         });
+        if constexpr (CD_WITH_CLOTH)
+            if (has_lengths(m)) elastic_sum.add(cloth_elastic(m));
     }
 
     void momentum(double* out) const {

@@ -337,15 +337,21 @@ static void pose_nodes(Membrane& m, double seconds) {
     }
 }
 
-MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
-    MembraneOutcome outcome{};
-    pose_nodes(m, dt * double(count));
+static MembraneOutcome step_by_precision(Membrane& m, double dt, size_t count) {
+    if constexpr (CD_WITH_CLOTH)
+        if (has_lengths(m)) return step_cloth(m, dt, count);
 #if CD_WITH_FLOAT64
-    if (m.precision == CD_FLOAT64) outcome = step<double>(m, dt, count);
+    if (m.precision == CD_FLOAT64) return step<double>(m, dt, count);
 #endif
 #if CD_WITH_FLOAT32
-    if (m.precision == CD_FLOAT32) outcome = step<float>(m, dt, count);
+    if (m.precision == CD_FLOAT32) return step<float>(m, dt, count);
 #endif
+    return {};
+}
+
+MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
+    pose_nodes(m, dt * double(count));
+    const MembraneOutcome outcome = step_by_precision(m, dt, count);
     m.clock.advance(dt, count);
     m.diverged = outcome.diverged_at != 0;
     return outcome;

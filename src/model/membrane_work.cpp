@@ -114,6 +114,8 @@ SheetParts::SheetParts(const Membrane& m, const Grid& grid, Carver& coefficients
       sums(scratch.numbers(m.nodes + 1)) {}
 
 bool needs_of(const Membrane& m, const MembraneFeatures& f, MembraneNeeds& out) {
+    if constexpr (CD_WITH_CLOTH)
+        if (f.cloth) return cloth_needs_of(m, f, out);
     Carver coefficients{nullptr}, scratch{nullptr};
     const Work counted(m, f, coefficients, scratch);
     out = {coefficients.taken, scratch.taken};

@@ -82,6 +82,11 @@ def field_of(kind):
     return 11 if kind == "water" else 0  # depth; position
 
 
+def set_length(library, kind, handle, length):
+    """Makes a chain a rope and a membrane cloth; 0 undoes it."""
+    return getattr(library.dll, f"cd_{kind}_set_rest_length")(handle, *[length] * (2 if kind == "membrane" else 1))
+
+
 def arguments(library, function, handle, other, saved):
     """Valid ones; buffers are kept alive by the second list."""
     kind, values, kept = function["object"], [], []
@@ -134,9 +139,9 @@ def nulls(library):
             values, kept = arguments(library, function, handle, other, saved_state(library, kind, other))
             call = getattr(library.dll, function["name"])
             status = call(*values)
-            if status in (UNSUPPORTED, RANGE) and kind == "chain":  # some are of ropes, and of colliders, only
-                library.dll.cd_chain_set_rest_length(handle, 1.0)
-                library.dll.cd_chain_set_colliders(handle, 1)
+            if status in (UNSUPPORTED, RANGE) and kind != "water":  # some are of ropes, cloth and colliders only
+                set_length(library, kind, handle, 1.0)
+                getattr(library.dll, f"cd_{kind}_set_colliders")(handle, 1)
                 status = call(*values)
             if function["short"] not in ("disable_field", "get_volume"):
                 check(status in (OK, UNSUPPORTED), f"{function['name']}: {library.dll.cd_error_message()}: are the "
@@ -181,9 +186,9 @@ def fields(library):
                 return getattr(library.dll, f"cd_{kind}_{verb}")(handle, value, *rest)
 
             where, field = f"cd_{kind}, {name}", described.get(name)
-            if field and field["ropes"]:
+            if field and field["lengths"]:
                 check(call("enable_field") == UNSUPPORTED, f"{where}: switched on without a rest length")
-                check(library.dll.cd_chain_set_rest_length(handle, 1.0) == OK, f"{where}: a rest length is refused")
+                check(set_length(library, kind, handle, 1.0) == OK, f"{where}: a rest length is refused")
             known = call("enable_field") == OK
             check(known == (field is not None), f"{where}: switched on: {known}")
             if field and known:
@@ -192,11 +197,11 @@ def fields(library):
                 check(call("read_f64", *numbers, room, count) == OK, f"{where}: not of {count} values")
                 check(call("read_f64", *numbers, room, count + 1) == RANGE, f"{where}: of more than {count} values")
                 if field.get("own_in_ropes"):
-                    check(library.dll.cd_chain_set_rest_length(handle, 1.0) == OK, f"{where}: a rest length is refused")
+                    check(set_length(library, kind, handle, 1.0) == OK, f"{where}: a rest length is refused")
                     of_all, more = extent(kind, field, is_rope=True)
                     room = (ctypes.c_double * more)()
                     check(call("read_f64", *of_all, room, more) == OK, f"{where}: of ropes not of {more} values")
-                    check(library.dll.cd_chain_set_rest_length(handle, 0.0) == OK, f"{where}: lengths stay")
+                    check(set_length(library, kind, handle, 0.0) == OK, f"{where}: lengths stay")
                 check(call("read_f64", *numbers, room, count) == OK, f"{where}: cannot be read again")
                 status = call("write_f64", *numbers, room, count)
                 check(status == (UNSUPPORTED if field["read_only"] else OK), f"{where}: written, status {status}")

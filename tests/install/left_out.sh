@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# left_out.sh PART: builds contdyn without PART (CHAIN, ROPE, MEMBRANE, WATER, FLOAT32 or FLOAT64) and fails unless its code
-# is gone and asking for what was left out is refused. Not optimised, which takes a third of the time.
+# left_out.sh PART: builds contdyn without PART (CHAIN, ROPE, MEMBRANE, CLOTH, WATER, FLOAT32 or FLOAT64) and fails
+# unless its code is gone and asking for what was left out is refused. Not optimised, which takes a third of the time.
 . "$(dirname "$0")/common.sh"
 
 part=$1
@@ -14,6 +14,11 @@ dropped() { # fails unless the whole library has functions of this pattern and t
     [ -n "$(functions "$ARCHIVE" "$1")" ] || fail "the whole library has no $1: what is looked for?"
     functions "$out/src/libcontdyn.a" "$1" | { ! grep . ; } || fail "still there without $part"
 }
+returns_0() { # name: fails unless the program of that name, made from the standard input, does
+    cat >"$WORK/$1.c"
+    "$CC" "$WORK/$1.c" -I"$SOURCE/include" "$out/src/libcontdyn.a" -lm -o "$out/$1"
+    "$out/$1" || fail "without $part: what is left is not as it should be"
+}
 case $part in
 CHAIN | MEMBRANE | WATER)
     dropped "cd_${part,,}_[a-z_]*"
@@ -22,7 +27,7 @@ CHAIN | MEMBRANE | WATER)
     ;;
 ROPE)
     dropped 'RopeBundle<[0-9]*>'
-    cat >"$WORK/rope.c" <<'END'
+    returns_0 rope <<'END'
 #include <contdyn/contdyn.h>
 int main(void) {
     cd_chain* chain = 0;
@@ -32,8 +37,23 @@ int main(void) {
     return cd_chain_step(chain, 0.1, 2);
 }
 END
-    "$CC" "$WORK/rope.c" -I"$SOURCE/include" "$out/src/libcontdyn.a" -lm -o "$out/rope"
-    "$out/rope" || fail "a chain without ropes is not as it should be"
+    exit 0
+    ;;
+CLOTH)
+    dropped 'cloth_[a-z_]*'
+    returns_0 cloth <<'END'
+#include <contdyn/contdyn.h>
+int main(void) {
+    cd_membrane* membrane = 0;
+    double along_u = -1, along_v = -1;
+    if (cd_membrane_create(4, 4, 3, CD_FLOAT64, 0, &membrane)) return 1;
+    if (cd_membrane_set_rest_length(membrane, 1, 1) != CD_ERROR_UNSUPPORTED) return 2;
+    if (cd_membrane_set_rest_length(membrane, 0, 0)) return 3;
+    if (cd_membrane_get_rest_length(membrane, &along_u, &along_v) || along_u != 0 || along_v != 0) return 4;
+    if (cd_membrane_set_shear(membrane, 1) != CD_ERROR_UNSUPPORTED) return 5;
+    return cd_membrane_step(membrane, 0.1, 2);
+}
+END
     exit 0
     ;;
 FLOAT32)

@@ -226,6 +226,84 @@ void colliders() {
     CHECK(GET(rope.get_collider(1, first, second, velocity)).shape == contdyn::shape::none);
 }
 
+// A sheet of 20 nodes that hangs from an edge, in springs that have a length; then in the wind, and on what it touches.
+void cloth() {
+    membrane sheet = GET(membrane::create(4, 3, 3, precision::float64));
+    std::vector<double> straight;
+    for (int v = 0; v <= 3; ++v) {
+        for (int u = 0; u <= 4; ++u) straight.insert(straight.end(), {u / 4.0, 0, -v / 4.0});
+    }
+    OK(sheet.write_f64(field::position, straight));
+    CHECK(GET(sheet.get_rest_length()).along_u == 0 && GET(sheet.get_rest_length()).along_v == 0);
+    OK(sheet.set_rest_length(1, 0.75));
+    CHECK(GET(sheet.get_rest_length()).along_u == 1 && GET(sheet.get_rest_length()).along_v == 0.75);
+    CHECK(GET(sheet.get_lambda()) == 1);
+    OK(sheet.set_stiffness(1e4, 1e4));
+    OK(sheet.set_shear(0.25));
+    CHECK(GET(sheet.get_shear()) == 0.25);
+    CHECK(GET(sheet.get_compression()) == 5);
+    OK(sheet.set_compression(0.5));
+    CHECK(GET(sheet.get_compression()) == 0.5);
+    CHECK(GET(sheet.get_effort()).newton == 2 && GET(sheet.get_effort()).gradient == 14);
+    OK(sheet.set_effort(8, 60));
+    CHECK(GET(sheet.get_effort()).newton == 8 && GET(sheet.get_effort()).gradient == 60);
+    OK(sheet.set_gravity({0, 0, -10}));
+    OK(sheet.set_edge(edge::v_first, node::pinned));
+    OK(sheet.step(1 / 60.0, 120));
+    const convergence reached = GET(sheet.get_convergence());
+    CHECK(reached.iterations > 0 && reached.residual >= 0 && reached.residual < 1);
+
+    CHECK(GET(sheet.get_size(field::tension_u)) == 16 && GET(sheet.get_size(field::strain_u)) == 16);
+    CHECK(GET(sheet.get_size(field::tension_v)) == 15 && GET(sheet.get_size(field::strain_v)) == 15);
+    const std::vector<double> tensions = GET(sheet.read_f64(field::tension_v));
+    for (std::size_t i = 0; i < tensions.size(); ++i)
+        CHECK(std::fabs(tensions[i] - 0.5 * double(3 - i / 5)) < 1e-2); // what hangs below
+    for (double strain : GET(sheet.read_f64(field::strain_v))) CHECK(strain > 0 && strain < 0.006);
+    OK(sheet.enable_field(field::rest_length_u));
+    OK(sheet.enable_field(field::rest_length_v));
+    CHECK(GET(sheet.read_f64(field::rest_length_u)) == std::vector<double>(16, 0.25));
+    OK(sheet.write_f64(field::rest_length_v, 4, 2, 1, 1, {0.5}));
+    CHECK(GET(sheet.read_f64(field::rest_length_v)).back() == 0.5);
+
+    OK(sheet.set_air(0.25, 2));
+    CHECK(GET(sheet.get_air()).along == 0.25 && GET(sheet.get_air()).across == 2);
+    OK(sheet.set_wind({1, 0, -1}));
+    std::array<double, 3> wind{};
+    OK(sheet.get_wind(wind));
+    CHECK((wind == std::array<double, 3>{1, 0, -1}));
+    OK(sheet.enable_field(field::wind));
+    CHECK(GET(sheet.get_size(field::wind)) == 60);
+    CHECK(GET(sheet.read_f64(field::wind))[57] == 1);
+    OK(sheet.step(1 / 60.0, 3));
+    OK(sheet.set_rest_length(0, 0));
+    OK(sheet.step(1 / 60.0));
+    CHECK(GET(sheet.get_convergence()).iterations == 0 && GET(sheet.get_convergence()).residual == 0);
+
+    membrane rug = GET(membrane::create(4, 3, 3, precision::float64));
+    for (std::size_t i = 1; i < straight.size(); i += 3) straight[i] = 0.1;
+    OK(rug.write_f64(field::position, straight));
+    OK(rug.set_rest_length(1, 0.75));
+    OK(rug.set_gravity({0, -10, 0}));
+    CHECK(GET(rug.get_colliders()) == 0 && GET(rug.get_thickness()) == 0);
+    OK(rug.set_colliders(2));
+    OK(rug.set_thickness(0.0625));
+    CHECK(GET(rug.get_colliders()) == 2 && GET(rug.get_thickness()) == 0.0625);
+    OK(rug.set_plane(0, {0, -1, 0}, {0, 5, 0}, 0.5));
+    OK(rug.set_capsule(1, {7, 8, 9}, {9, 8, 9}, 0.25));
+    OK(rug.set_collider_velocity(0, {0.5, 0, 0}));
+    OK(rug.step(0.01, 200));
+    std::array<double, 3> first{}, second{}, velocity{};
+    const collider plane = GET(rug.get_collider(0, first, second, velocity));
+    CHECK(plane.shape == contdyn::shape::plane && plane.friction == 0.5);
+    CHECK(near(first[0], 1) && second[1] == 1 && velocity[0] == 0.5);
+    const collider capsule = GET(rug.get_collider(1, first, second, velocity));
+    CHECK(capsule.shape == contdyn::shape::capsule && second[0] == 9 && capsule.radius == 0.25);
+    const std::vector<double> lying = GET(rug.read_f64(field::position));
+    for (std::size_t i = 1; i < lying.size(); i += 3) CHECK(std::fabs(lying[i] + 0.9375) < 1e-5);
+    OK(rug.remove_collider(1));
+    CHECK(GET(rug.get_collider(1, first, second, velocity)).shape == contdyn::shape::none);
+}
+
 // A strand and a sheet that are led, then put elsewhere; turned by a quarter where there is a rotation.
 void posed() {
     chain rope = GET(chain::create(2, 2, 2, precision::float64));
@@ -460,6 +538,7 @@ int main() {
     chains();
     ropes();
     colliders();
+    cloth();
     posed();
     membranes();
     waters();

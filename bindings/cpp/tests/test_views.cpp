@@ -59,6 +59,14 @@ void places_and_outputs() {
 
     const membrane sheet = GET(membrane::create(4, 4, 1));
     REFUSED(status::error_range, "membrane::sample", sheet.sample({1, 1, 1}, two));
+
+    membrane cloth = GET(membrane::create(4, 4, 3));
+    OK(cloth.set_rest_length(1, 1));
+    OK(cloth.set_colliders(1));
+    REFUSED(status::error_range, "membrane::set_plane", cloth.set_plane(0, {0, 0}, {0, 1, 0}));
+    REFUSED(status::error_range, "membrane::set_capsule", cloth.set_capsule(0, {0, 0, 0}, {0, 1}, 1));
+    REFUSED(status::error_range, "count", cloth.get_collider(0, {}, three, three));
+    REFUSED(status::error_range, "count", cloth.set_plane(0, {0, 0}, {0, 1}));
 }
 
 template <class Number> void a_chain_in_place(precision p) {
@@ -92,6 +100,16 @@ void whole_fields() {
     OK(rope.enable_field(field::stiffness));
     CHECK(sizes(field::stiffness) == 6 && GET(rope.read_f32(field::stiffness)).size() == 6);
     CHECK(GET(rope.read_f64(field::pin)).size() == 6);
+
+    membrane cloth = GET(membrane::create(3, 2, 3));
+    OK(cloth.set_rest_length(1, 1));
+    OK(cloth.set_ring(true, false));
+    for (field f : {field::rest_length_u, field::rest_length_v, field::wind, field::tension_u, field::tension_v,
+                    field::strain_u, field::strain_v}) {
+        OK(cloth.enable_field(f));
+        CHECK(GET(cloth.read_f64(f)).size() == GET(cloth.get_size(f)));
+    }
+    CHECK(GET(cloth.get_size(field::strain_u)) == 12 && GET(cloth.get_size(field::strain_v)) == 8);
 
     water pool = GET(water::create(3, 2, 1, 1));
     for (field f : {field::wall_x, field::wall_y, field::mask, field::force_x, field::force_y, field::source}) {

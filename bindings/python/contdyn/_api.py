@@ -112,7 +112,7 @@ class Node(IntEnum):
 
 
 class Shape(IntEnum):
-    """What a collider of ropes is."""
+    """What a collider of ropes and cloth is."""
 
     NONE = 0
     PLANE = 1
@@ -149,6 +149,12 @@ class Field(IntEnum):
     WIND = 24
     STRENGTH = 25
     STRAIN = 26
+    REST_LENGTH_U = 27
+    REST_LENGTH_V = 28
+    TENSION_U = 29
+    TENSION_V = 30
+    STRAIN_U = 31
+    STRAIN_V = 32
 
 
 class End(IntEnum):
@@ -215,14 +221,14 @@ class BedRule(IntEnum):
 
 
 class FieldInfo(NamedTuple):
-    """One value per what, and for each component; always there; shown by view; only in ropes; per strand only in ropes;
-    not to be written."""
+    """One value per what, and for each component; always there; shown by view; only with rest lengths, in ropes and
+    cloth; per strand only in ropes; not to be written."""
 
     per: Tuple[str, ...]
     components: bool
     always: bool
     viewable: bool
-    ropes: bool
+    lengths: bool
     own_in_ropes: bool
     read_only: bool
 
@@ -253,6 +259,13 @@ FIELDS: Dict[str, Dict[int, FieldInfo]] = {
         Field.STIFFNESS_V: FieldInfo(("spring",), False, False, False, False, False, False),
         Field.PIN: FieldInfo(("node",), False, False, False, False, False, False),
         Field.MASK: FieldInfo(("node",), False, False, False, False, False, False),
+        Field.REST_LENGTH_U: FieldInfo(("spring",), False, False, False, True, False, False),
+        Field.REST_LENGTH_V: FieldInfo(("spring",), False, False, False, True, False, False),
+        Field.WIND: FieldInfo(("node",), True, False, False, True, False, False),
+        Field.TENSION_U: FieldInfo(("spring",), False, True, False, True, False, True),
+        Field.TENSION_V: FieldInfo(("spring",), False, True, False, True, False, True),
+        Field.STRAIN_U: FieldInfo(("spring",), False, True, False, True, False, True),
+        Field.STRAIN_V: FieldInfo(("spring",), False, True, False, True, False, True),
     },
     "water": {
         Field.DEPTH: FieldInfo(("cell",), False, True, True, False, False, False),
@@ -457,6 +470,30 @@ FUNCTIONS: Dict[str, str] = {
     "cd_membrane_get_edge": "status: membrane handle, edge int, out_kind int*",
     "cd_membrane_set_ring": "status: membrane handle, along_u int, along_v int",
     "cd_membrane_get_ring": "status: membrane handle, out_along_u int*, out_along_v int*",
+    "cd_membrane_set_rest_length": "status: membrane handle, along_u double, along_v double",
+    "cd_membrane_get_rest_length": "status: membrane handle, out_along_u double*, out_along_v double*",
+    "cd_membrane_set_shear": "status: membrane handle, stiffness double",
+    "cd_membrane_get_shear": "status: membrane handle, out_stiffness double*",
+    "cd_membrane_set_compression": "status: membrane handle, rate double",
+    "cd_membrane_get_compression": "status: membrane handle, out_rate double*",
+    "cd_membrane_set_effort": "status: membrane handle, newton size, gradient size",
+    "cd_membrane_get_effort": "status: membrane handle, out_newton size*, out_gradient size*",
+    "cd_membrane_set_air": "status: membrane handle, along double, across double",
+    "cd_membrane_get_air": "status: membrane handle, out_along double*, out_across double*",
+    "cd_membrane_set_wind": "status: membrane handle, velocity pointer, count size",
+    "cd_membrane_get_wind": "status: membrane handle, out_velocity pointer, count size",
+    "cd_membrane_set_colliders": "status: membrane handle, count size",
+    "cd_membrane_get_colliders": "status: membrane handle, out_count size*",
+    "cd_membrane_set_plane": ("status: membrane handle, index size, point pointer, normal pointer, count size, "
+                              "friction double"),
+    "cd_membrane_set_capsule": ("status: membrane handle, index size, first pointer, last pointer, count size, radius "
+                                "double, friction double"),
+    "cd_membrane_remove_collider": "status: membrane handle, index size",
+    "cd_membrane_set_collider_velocity": "status: membrane handle, index size, velocity pointer, count size",
+    "cd_membrane_get_collider": ("status: membrane handle, index size, out_shape int*, out_first pointer, out_second "
+                                 "pointer, out_velocity pointer, count size, out_radius double*, out_friction double*"),
+    "cd_membrane_set_thickness": "status: membrane handle, distance double",
+    "cd_membrane_get_thickness": "status: membrane handle, out_distance double*",
     "cd_membrane_enable_field": "status: membrane handle, field int",
     "cd_membrane_disable_field": "status: membrane handle, field int",
     "cd_membrane_write_f32": ("status: membrane handle, field int, first_u size, first_v size, n_u size, n_v size, "

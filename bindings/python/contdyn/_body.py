@@ -1,10 +1,11 @@
 """What chain and membrane have in common: nodes with mass, joined by springs."""
+from ctypes import byref, c_double, c_int32
 from typing import NamedTuple, Optional, Sequence, Tuple
 
-from ._api import Field, MassRule, Precision
+from ._api import Field, MassRule, Precision, Shape
 from ._arrays import Values, dense, row
 from ._object import Object
-from ._properties import Reading, ReadingPerComponent, Setting, SettingPerComponent, State
+from ._properties import Reading, ReadingPerComponent, Setting, SettingOfSeveral, SettingPerComponent, State
 
 
 class Energy(NamedTuple):
@@ -27,7 +28,7 @@ class Attachment(NamedTuple):
 
 
 class Resistance(NamedTuple):
-    """Of the air, per length of a rope [N s/m^2]."""
+    """Of the air, per length of a rope [N s/m^2], per area of cloth [N s/m^3]."""
 
     along: float
     across: float
@@ -46,10 +47,21 @@ class Tolerance(NamedTuple):
 class Convergence(NamedTuple):
     """What the last call of step came to, as Tolerance counts it; zeros if there was nothing to solve."""
 
-    #: the most that a solve, or a step of a rope, took
+    #: the most that a solve, or a step of a rope or of cloth, took
     iterations: int
-    #: the largest that one ended with
+    #: the largest that one ended with; of cloth a gradient, as a fraction of the one that the step started from
     residual: float
+
+
+class Collider(NamedTuple):
+    """What a rope or cloth touches: of a plane a point and the normal, of a capsule its two ends."""
+
+    shape: Shape
+    first: Tuple[float, ...]
+    second: Tuple[float, ...]
+    velocity: Tuple[float, ...]
+    radius: float
+    friction: float
 
 
 class Body(Object):
@@ -72,6 +84,48 @@ class Body(Object):
     force = State(Field.FORCE, "Forces [N], likewise, once enable_field(Field.FORCE) has been called.")
     target = State(Field.TARGET, "Where attach pulls to and Node.POSED goes [m], likewise, once a node is attached or "
                                  "an end or edge is posed.")
+
+    # What ropes and cloth have: springs that have a length.
+
+    air = SettingOfSeveral(Resistance, "Resistance of the air, per length of a rope [N s/m^2] or area of cloth "
+                                       "[N s/m^3]: (along, across) it; default 0. Implicit: bounded at any dt.")
+    wind = SettingPerComponent("Velocity of that air [m/s], one number per component; default 0. Field.WIND has one "
+                               "for each node.")
+    colliders = Setting(int, "How many colliders the nodes of a rope or of cloth stay outside of; default 0: see "
+                             "set_plane and set_capsule.")
+    thickness = Setting(float, "How thick a rope or cloth is, as the distance [m] that its nodes keep from colliders; "
+                               "default 0.")
+
+    def set_plane(self, index: int, point: Values, normal: Values, friction: float = 0) -> None:
+        """Makes a collider the half space behind the plane through point [m] that normal points out of."""
+        self._set_collider("set_plane", index, point, normal, friction)
+
+    def set_capsule(self, index: int, first: Values, last: Values, radius: float, friction: float = 0) -> None:
+        """Makes a collider all that is less than radius [m] away from the line between two ends: a sphere where they
+        are the same."""
+        self._set_collider("set_capsule", index, first, last, radius, friction)
+
+    def _set_collider(self, name: str, index: int, first: Values, second: Values, *numbers: float) -> None:
+        other = row(second)
+        place = dense(first, (other.length,), Precision.FLOAT64)
+        self._call(name, index, place.address, other.address, other.length, *numbers)
+
+    def remove_collider(self, index: int) -> None:
+        """Makes a collider Shape.NONE: nothing touches it."""
+        self._call("remove_collider", index)
+
+    def set_collider_velocity(self, index: int, velocity: Values) -> None:
+        """Velocity of a collider [m/s], one number per component: steps move it."""
+        numbers = row(velocity)
+        self._call("set_collider_velocity", index, numbers.address, numbers.length)
+
+    def get_collider(self, index: int) -> Collider:
+        """What a collider is, and where now."""
+        first, second, velocity = ((c_double * self._components)() for _ in range(3))
+        shape, radius, friction = c_int32(), c_double(), c_double()
+        self._call("get_collider", index, byref(shape), first, second, velocity, self._components, byref(radius),
+                   byref(friction))
+        return Collider(Shape(shape.value), tuple(first), tuple(second), tuple(velocity), radius.value, friction.value)
 
     def _attach(self, node: Tuple[int, ...], stiffness: float, damping: float, target: Optional[Values]) -> None:
         if target is None:

@@ -1,14 +1,14 @@
 """A chain of nodes joined by springs: massive spring, rope, hair, spline."""
-from ctypes import byref, c_double, c_int32
+from ctypes import c_double
 from typing import Any, List, NamedTuple, Optional, Tuple
 
 from . import _arrays
-from ._api import End, Field, Node, Precision, Shape
-from ._arrays import Array, Values, dense, row
-from ._body import Attachment, Body, Convergence, Resistance, Tolerance
+from ._api import End, Field, Node, Precision
+from ._arrays import Array, Values, row
+from ._body import Attachment, Body, Convergence, Tolerance
 from ._callbacks import Allocator
 from ._object import rest
-from ._properties import Reading, Setting, SettingOfSeveral, SettingPerComponent
+from ._properties import Reading, Setting, SettingOfSeveral
 
 
 class ChainShape(NamedTuple):
@@ -23,17 +23,6 @@ class ChainShape(NamedTuple):
     def nodes(self) -> int:
         """Nodes of a strand: springs + 1."""
         return self.springs + 1
-
-
-class Collider(NamedTuple):
-    """What a rope touches: of a plane a point and the normal, of a capsule its two ends."""
-
-    shape: Shape
-    first: Tuple[float, ...]
-    second: Tuple[float, ...]
-    velocity: Tuple[float, ...]
-    radius: float
-    friction: float
 
 
 class Chain(Body, kind="chain"):
@@ -90,48 +79,9 @@ class Chain(Body, kind="chain"):
                               "cuts at most one spring of each strand, the one most beyond its strength. "
                               "Field.STRENGTH has one for each spring; writing Field.STIFFNESS mends a spring.")
     broken = Reading(int, "How many springs broke in the last call of step.")
-    air = SettingOfSeveral(Resistance, "Resistance of the air per length of a rope [N s/m^2]: (along, across) it; "
-                                       "default 0. Implicit: bounded at any dt.")
-    wind = SettingPerComponent("Velocity of that air [m/s], one number per component; default 0. Field.WIND has one "
-                               "for each node.")
     tolerance = SettingOfSeveral(Tolerance, "When a rope's step is content: (tolerance, most_iterations); the "
                                             "tolerance is a fraction of the springs' lengths.")
     convergence = Reading(Convergence, "What the last call of step did with a rope: (iterations, residual).")
-
-    colliders = Setting(int, "How many colliders a rope's nodes stay outside of; default 0: see set_plane and "
-                             "set_capsule.")
-    thickness = Setting(float, "How thick a rope is, as a radius [m], default 0: how far its nodes stay outside.")
-
-    def set_plane(self, index: int, point: Values, normal: Values, friction: float = 0) -> None:
-        """Makes a collider the half space behind the plane through point [m] that normal points out of."""
-        self._set_collider("set_plane", index, point, normal, friction)
-
-    def set_capsule(self, index: int, first: Values, last: Values, radius: float, friction: float = 0) -> None:
-        """Makes a collider all that is less than radius [m] away from the line between two ends: a sphere where they
-        are the same."""
-        self._set_collider("set_capsule", index, first, last, radius, friction)
-
-    def _set_collider(self, name: str, index: int, first: Values, second: Values, *numbers: float) -> None:
-        other = row(second)
-        place = dense(first, (other.length,), Precision.FLOAT64)
-        self._call(name, index, place.address, other.address, other.length, *numbers)
-
-    def remove_collider(self, index: int) -> None:
-        """Makes a collider Shape.NONE: nothing touches it."""
-        self._call("remove_collider", index)
-
-    def set_collider_velocity(self, index: int, velocity: Values) -> None:
-        """Velocity of a collider [m/s], one number per component: steps move it."""
-        numbers = row(velocity)
-        self._call("set_collider_velocity", index, numbers.address, numbers.length)
-
-    def get_collider(self, index: int) -> Collider:
-        """What a collider is, and where now."""
-        first, second, velocity = ((c_double * self._components)() for _ in range(3))
-        shape, radius, friction = c_int32(), c_double(), c_double()
-        self._call("get_collider", index, byref(shape), first, second, velocity, self._components, byref(radius),
-                   byref(friction))
-        return Collider(Shape(shape.value), tuple(first), tuple(second), tuple(velocity), radius.value, friction.value)
 
     def get_reaction(self, strand: int, node: int) -> Tuple[float, ...]:
         """The force [N] with which the springs of a rope pull at a node, one number per component: of a held node, what

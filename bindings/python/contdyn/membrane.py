@@ -31,6 +31,22 @@ class Stiffness(NamedTuple):
     along_v: float
 
 
+class RestLength(NamedTuple):
+    """Rest lengths of the sheet along the two directions [m]; zeros: none."""
+
+    along_u: float
+    along_v: float
+
+
+class Effort(NamedTuple):
+    """How many iterations a step of cloth may do."""
+
+    #: of Newton's method, 1 to 1000; default 2
+    newton: int
+    #: of conjugate gradients in each of those, 1 to 10000; default 14
+    gradient: int
+
+
 class Ring(NamedTuple):
     """Which directions are closed to a ring."""
 
@@ -38,17 +54,21 @@ class Ring(NamedTuple):
     along_v: bool
 
 
+_OF_SPRINGS_U = (Field.STIFFNESS_U, Field.REST_LENGTH_U, Field.TENSION_U, Field.STRAIN_U)
+_OF_SPRINGS_V = (Field.STIFFNESS_V, Field.REST_LENGTH_V, Field.TENSION_V, Field.STRAIN_V)
+
+
 class Membrane(Body, Sheet, kind="membrane"):
     """`nu` springs along u, `nv` along v, and (nu + 1) (nv + 1) nodes.
 
     Arrays have v first: those of positions, velocities, forces and targets the shape (nv + 1, nu + 1, components), of
-    masses, pins and masks (nv + 1, nu + 1), of stiffnesses along u (nv + 1, nu), along v (nv, nu + 1); in a ring there
-    are as many springs as nodes.
+    masses, pins and masks (nv + 1, nu + 1), of stiffnesses along u (nv + 1, nu), along v (nv, nu + 1), and so of rest
+    lengths, tensions and strains; in a ring there are as many springs as nodes.
 
-    Rest length is zero: a free sheet draws together, and one stretched evenly is held by its edges. A new membrane lies
-    with every node at the origin, at rest and free, mass 1, stiffness 1 along both directions, without bend, gravity
-    and damping, with Method.IMPLICIT, lambda 1/2 and Solver.ALTERNATING. The C header membrane.h tells which solver to
-    take, the energies, equations and limits.
+    Rest length is zero, unless rest_length makes cloth of the membrane: a free sheet draws together, and one stretched
+    evenly is held by its edges. A new membrane lies with every node at the origin, at rest and free, mass 1, stiffness
+    1 along both directions, without bend, gravity and damping, with Method.IMPLICIT, lambda 1/2 and Solver.ALTERNATING.
+    The C header membrane.h tells which solver to take, the energies, equations and limits.
     """
 
     __slots__ = ()
@@ -65,7 +85,8 @@ class Membrane(Body, Sheet, kind="membrane"):
 
     solver = Setting(Solver, "How implicit steps solve their system, a Solver; default Solver.ALTERNATING.")
     tolerance = SettingOfSeveral(Tolerance, "When Solver.COUPLED is content: (tolerance, most_iterations).")
-    convergence = Reading(Convergence, "What the last call of step did with Solver.COUPLED: (iterations, residual).")
+    convergence = Reading(Convergence, "What the last call of step did with Solver.COUPLED, or with cloth: "
+                                       "(iterations, residual).")
 
     # ---- parameters -------------------------------------------------------------------------------------------------
 
@@ -84,13 +105,30 @@ class Membrane(Body, Sheet, kind="membrane"):
         """What was set last for an edge, whatever was written to Field.PIN since."""
         return Node(self._get("get_edge", edge)[0])
 
+    # ---- cloth: springs that have a length --------------------------------------------------------------------------
+
+    rest_length = SettingOfSeveral(
+        RestLength, "Rest lengths of the sheet (along_u, along_v) [m], dealt out evenly to its springs; default: they "
+                    "have none. A membrane with rest lengths is cloth: its 3 components are directions of space, its "
+                    "springs pull along themselves once they are longer than their length, and it steps by "
+                    "Method.IMPLICIT with lambda in [1/2, 1], 1 once it is made cloth, without matched edge and "
+                    "stiffness damping. It has the fields Field.TENSION_U, TENSION_V, STRAIN_U and STRAIN_V, which "
+                    "are read only, and, to be switched on, Field.REST_LENGTH_U, REST_LENGTH_V and WIND; it may have "
+                    "air, wind and colliders.")
+    shear = Setting(float, "Shear stiffness of cloth [N/m], >= 0, of a spring along each diagonal of every cell; "
+                           "default 0.")
+    compression = Setting(float, "What keeps cloth from crumpling within its own plane [1/s^2], >= 0: springs that are "
+                                 "shorter than their length push; default 5.")
+    effort = SettingOfSeveral(Effort, "How many iterations a step of cloth may do: (newton, gradient); default "
+                                      "(2, 14).")
+
     # ---- fields -----------------------------------------------------------------------------------------------------
 
     def _places(self, field: Field) -> Tuple[int, int]:
         nu, nv, *_ = self._made_of
         ring = self.ring
-        along_u = nu + ring.along_u if field == Field.STIFFNESS_U else nu + 1
-        along_v = nv + ring.along_v if field == Field.STIFFNESS_V else nv + 1
+        along_u = nu + ring.along_u if field in _OF_SPRINGS_U else nu + 1
+        along_v = nv + ring.along_v if field in _OF_SPRINGS_V else nv + 1
         return along_u, along_v
 
     def _axes(self, strides: List[int]) -> List[int]:

@@ -76,9 +76,14 @@ def viewable(kind):
     return [field for field, info in kind._fields.items() if info.viewable]
 
 
+def lengthen(made, length=1):
+    """Makes a chain a rope and a membrane cloth; 0 undoes it."""
+    if not isinstance(made, Water):
+        made.rest_length = length if isinstance(made, Chain) else (length, length)
+
+
 def switch_all_on(made):
-    if isinstance(made, Chain):
-        made.rest_length = 1  # some fields are of ropes only
+    lengthen(made)  # some fields are of ropes and cloth only
     for field, info in type(made)._fields.items():
         if not info.always:
             made.enable_field(field)

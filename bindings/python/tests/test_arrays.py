@@ -104,6 +104,15 @@ class Reading(unittest.TestCase):
         for field, shape in shapes.items():
             membrane.enable_field(field)
             self.assertEqual(membrane.read(field).shape, shape)
+        cloth = Membrane(4, 3, 3)
+        cloth.rest_length = 1, 1
+        for field, shape in ((Field.REST_LENGTH_U, (4, 4)), (Field.REST_LENGTH_V, (3, 5)), (Field.WIND, (4, 5, 3)),
+                             (Field.TENSION_U, (4, 4)), (Field.TENSION_V, (3, 5)), (Field.STRAIN_U, (4, 4)),
+                             (Field.STRAIN_V, (3, 5))):
+            cloth.enable_field(field)
+            self.assertEqual(cloth.read(field).shape, shape)
+        cloth.ring = True, False
+        self.assertEqual(cloth.read(Field.STRAIN_U).shape, (4, 5))
         ring = Membrane(4, 3, 2)
         ring.ring = True, True
         for field, shape in ((Field.STIFFNESS_U, (4, 5)), (Field.STIFFNESS_V, (4, 5))):

@@ -1,23 +1,23 @@
-"""Every way in which a call on a chain can fail, as the C header lists them: the exception, its message, and that
-nothing has changed."""
+"""Every way in which a call on a chain, or on what is cloth's, can fail, as the C headers list them: the exception, its
+message, and that nothing has changed."""
 import math
 import re
 import unittest
 
 import contdyn
-from contdyn import Chain, End, Field, Method, Node, Precision
+from contdyn import Chain, Edge, End, Field, Membrane, Method, Node, Precision
 
-from support import Heap, api, moving
+from support import Heap, api, lengthen, make, moving
 
 NAN, INF = math.nan, math.inf
 
 
 def hungry(kind_of_change, first=lambda chain: None):
-    """The change on a chain whose allocator gives no more, after what is done first."""
+    """The change on an object whose allocator gives no more, after what is done first."""
 
-    def use(chain):
+    def use(like):
         heap = Heap()
-        with Chain(2, 5, 3, allocator=heap) as poor:
+        with make(type(like), allocator=heap) as poor:
             first(poor)
             heap.most = heap.given
             kind_of_change(poor)
@@ -50,6 +50,10 @@ def make_fragile(chain):
 
 def make_solid(chain):
     chain.rest_length, chain.colliders = 1, 1
+
+
+def make_solid_cloth(membrane):
+    membrane.rest_length, membrane.colliders = (1, 1), 1
 
 
 def setting(name, value):
@@ -202,6 +206,56 @@ CASES = [
     ("copy_state", "MISMATCH", lambda c: c.copy_state(Chain(2, 4, 3)), "4"),
 ]
 
+# The same of membranes, for what is cloth's.
+OF_CLOTH = [
+    *(("set_rest_length", "VALUE", setting("rest_length", (x, 1)), "along_u is") for x in (*BAD_NUMBERS, 1e-61)),
+    *(("set_rest_length", "VALUE", setting("rest_length", (1, x)), "along_v is") for x in (*BAD_NUMBERS, 1e-61)),
+    ("set_rest_length", "VALUE", setting("rest_length", (1, 0)), "along"),
+    ("set_rest_length", "UNSUPPORTED", lambda m: setattr(Membrane(2, 2, 2), "rest_length", (1, 1)), "2 components"),
+    ("set_rest_length", "UNSUPPORTED", lambda m: setattr(Membrane(2, 0, 3), "rest_length", (1, 1)), "0 springs"),
+    ("set_rest_length", "MEMORY", hungry(lengthen), "memory"),
+    *(("set_shear", "VALUE", (lengthen, setting("shear", x)), "stiffness is") for x in BAD_NUMBERS),
+    ("set_shear", "UNSUPPORTED", setting("shear", 1), "cloth"),
+    *(("set_compression", "VALUE", (lengthen, setting("compression", x)), "rate is") for x in BAD_NUMBERS),
+    ("set_compression", "UNSUPPORTED", setting("compression", 1), "cloth"),
+    *(("set_effort", "VALUE", (lengthen, setting("effort", (x, 1))), f"newton is {x}") for x in (0, 1001)),
+    *(("set_effort", "VALUE", (lengthen, setting("effort", (1, x))), f"gradient is {x}") for x in (0, 10001)),
+    ("set_effort", "UNSUPPORTED", setting("effort", (2, 2)), "cloth"),
+    *(("set_air", "VALUE", (lengthen, setting("air", (x, 1))), "along is") for x in BAD_NUMBERS),
+    ("set_air", "VALUE", (lengthen, setting("air", (1, -1))), "across is -1"),
+    ("set_air", "UNSUPPORTED", setting("air", (1, 1)), "cloth"),
+    ("set_air", "MEMORY", hungry(setting("air", (1, 1)), lengthen), "memory"),
+    ("set_wind", "VALUE", (lengthen, setting("wind", (0, INF, 0))), "inf"),
+    ("set_wind", "RANGE", (lengthen, setting("wind", (0, 0))), "2"),
+    ("set_wind", "UNSUPPORTED", setting("wind", (0, 0, 0)), "cloth"),
+    ("set_colliders", "VALUE", (lengthen, setting("colliders", 4097)), "count is 4097"),
+    ("set_colliders", "UNSUPPORTED", setting("colliders", 1), "cloth"),
+    ("set_colliders", "MEMORY", hungry(setting("colliders", 1), lengthen), "memory"),
+    ("set_plane", "RANGE", (lengthen, lambda m: m.set_plane(0, (0, 0, 0), (0, 1, 0))), "index is 0"),
+    ("set_plane", "VALUE", (make_solid_cloth, lambda m: m.set_plane(0, (0, 0, 0), (0, 0, 0))), "normal"),
+    ("set_plane", "RANGE", (make_solid_cloth, lambda m: m.set_plane(0, (0, 0), (0, 0))), "count is 2"),
+    ("set_plane", "VALUE", (make_solid_cloth, lambda m: m.set_plane(0, (0, 0, 0), (0, 1, 0), -1)), "friction is -1"),
+    ("set_capsule", "VALUE", (make_solid_cloth, lambda m: m.set_capsule(0, (0, 0, 0), (0, NAN, 0), 1)), "nan"),
+    ("set_capsule", "VALUE", (make_solid_cloth, lambda m: m.set_capsule(0, (0, 0, 0), (0, 1, 0), 0)), "radius is 0"),
+    ("set_collider_velocity", "VALUE", (make_solid_cloth, lambda m: m.set_collider_velocity(0, (0, NAN, 0))), "nan"),
+    ("set_collider_velocity", "RANGE", (make_solid_cloth, lambda m: m.set_collider_velocity(0, (0, 1))), "count is 2"),
+    ("remove_collider", "RANGE", (make_solid_cloth, lambda m: m.remove_collider(1)), "index is 1"),
+    ("get_collider", "RANGE", (make_solid_cloth, lambda m: m.get_collider(1)), "index is 1"),
+    ("set_thickness", "VALUE", (lengthen, setting("thickness", -1)), "distance is -1"),
+    ("set_thickness", "UNSUPPORTED", setting("thickness", 1), "cloth"),
+    ("enable_field", "UNSUPPORTED", lambda m: m.enable_field(Field.REST_LENGTH_U), "CD_REST_LENGTH_U"),
+    ("enable_field", "ENUM", lambda m: m.enable_field(Field.TENSION), "field"),
+    ("disable_field", "UNSUPPORTED", (lengthen, lambda m: m.disable_field(Field.STRAIN_U)), "CD_STRAIN_U"),
+    ("write_f64", "UNSUPPORTED", (lengthen, lambda m: m.write(Field.TENSION_V, 0)), "CD_TENSION_V"),
+    ("write_f64", "DISABLED", (lengthen, lambda m: m.write(Field.REST_LENGTH_V, 1)), "CD_REST_LENGTH_V"),
+    ("write_f64", "VALUE", (lambda m: (lengthen(m), m.enable_field(Field.REST_LENGTH_V)),
+                            lambda m: m.write(Field.REST_LENGTH_V, 0)), r"values\[0\] is 0"),
+    ("read_f64", "UNSUPPORTED", lambda m: m.read(Field.STRAIN_V), "CD_STRAIN_V"),
+    *(("step", "UNSUPPORTED", (lambda m, change=change: (lengthen(m), change(m)), lambda m: m.step(0.01)), "length")
+      for change in (setting("method", Method.SYMPLECTIC_EULER), setting("lambda_", 0.4),
+                     setting("stiffness_damping", 0.1), lambda m: m.set_edge(Edge.U_LAST, Node.MATCHED))),
+]
+
 # Listed in the comments, and not to be had from Python.
 NOT_TO_BE_HAD = {
     ("create", "UNSUPPORTED"): "for a precision that the build leaves out; this one has both",
@@ -227,17 +281,18 @@ def listed():
 
 class Errors(unittest.TestCase):
     def test_each_failure_has_its_exception_and_message_and_changes_nothing(self):
-        for k, (function, error, use, message) in enumerate(CASES):
-            with self.subTest(k, function=function, error=error, message=message):
-                chain = moving(Chain)
-                if isinstance(use, tuple):
-                    prepare, use = use
-                    prepare(chain)
-                before = chain.hash()
-                with self.assertRaisesRegex(contdyn.Error, message) as caught:
-                    use(chain)
-                self.assertEqual(caught.exception.status, contdyn.Status["ERROR_" + error])
-                self.assertEqual(chain.hash(), before)
+        for kind, cases in ((Chain, CASES), (Membrane, OF_CLOTH)):
+            for k, (function, error, use, message) in enumerate(cases):
+                with self.subTest(k, kind=kind.__name__, function=function, error=error, message=message):
+                    made = moving(kind)
+                    if isinstance(use, tuple):
+                        prepare, use = use
+                        prepare(made)
+                    before = made.hash()
+                    with self.assertRaisesRegex(contdyn.Error, message) as caught:
+                        use(made)
+                    self.assertEqual(caught.exception.status, contdyn.Status["ERROR_" + error])
+                    self.assertEqual(made.hash(), before)
 
     def test_messages_name_the_function(self):
         with self.assertRaisesRegex(contdyn.InvalidValueError, "^cd_chain_set_mass: mass is -2"):

@@ -15,13 +15,12 @@ ARGUMENTS = {
     "enable_field": (2,), "disable_field": (2,), "view": (0,), "cut": (0, 0), "weld": (0, 0), "step": (0.01,),
     "get_courant": (0.1,), "add_volume": (0, 0, 1, 1), "add_volume_rectangle": (0, 0, 1, 1, 1),
     "add_source": (0, 0, 1, 1), "add_source_rectangle": (0, 0, 1, 1, 1), "splash": (0, 0, 1, 1), "load": (b"",),
+    "set_plane": (0, [0] * 3, [0] * 3), "set_capsule": (0, [0] * 3, [0] * 3, 1), "remove_collider": (0,),
+    "get_collider": (0,), "set_collider_velocity": (0, [0] * 3),
 }
 ARGUMENTS_OF = {
     ("chain", "impulse"): (0, 0, [0] * 3), ("membrane", "impulse"): (0, 0, 0, [0] * 3),
     ("water", "impulse"): (0, 0, 1, 0, 0), ("chain", "get_reaction"): (0, 0),
-    ("chain", "set_plane"): (0, [0] * 3, [0] * 3), ("chain", "set_capsule"): (0, [0] * 3, [0] * 3, 1),
-    ("chain", "remove_collider"): (0,), ("chain", "get_collider"): (0,),
-    ("chain", "set_collider_velocity"): (0, [0] * 3),
     ("chain", "teleport"): (0, None, [0] * 3), ("membrane", "teleport"): (None, [0] * 3),
     ("chain", "attach"): (0, 0, 1, 0), ("membrane", "attach"): (0, 0, 1, 0),
     ("chain", "detach"): (0, 0), ("membrane", "detach"): (0, 0), ("chain", "get_attachment"): (0, 0),

@@ -7,7 +7,7 @@ import contdyn
 from contdyn import (BedRule, Border, Chain, Edge, End, Field, MassRule, Membrane, Method, Momentum, Node, Precision,
                      Shape, Side, Solver, Water)
 
-from support import KINDS, make, moving
+from support import KINDS, lengthen, make, moving
 
 
 def close(test, found, expected, digits=12):
@@ -26,7 +26,9 @@ class Everyone(unittest.TestCase):
                     "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0), "strength": 5.0, "colliders": 3,
                     "thickness": 0.25},
             Membrane: {**body, "stiffness": (3.0, 4.0), "ring": (True, False), "solver": Solver.COUPLED,
-                       "tolerance": (1e-4, 7), "pressure": 0.5},
+                       "tolerance": (1e-4, 7), "pressure": 0.5, "rest_length": (2.0, 3.0), "shear": 100.0,
+                       "compression": 2.0, "effort": (3, 20), "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0),
+                       "colliders": 3, "thickness": 0.25},
             Water: {"momentum": Momentum.ADVECTED, "first": 1, "gravity": 1.5, "density": 900.0, "manning": 0.03,
                     "bed_rule": BedRule.KEEPS_SURFACE},
         }
@@ -34,8 +36,8 @@ class Everyone(unittest.TestCase):
             for name, value in {**shared, **own[kind]}.items():
                 with self.subTest(kind.__name__, parameter=name):
                     made = make(kind)
-                    if name in ("air", "wind", "strength", "colliders", "thickness"):
-                        made.rest_length = 1  # only ropes have it
+                    if name in ("air", "wind", "strength", "colliders", "thickness", "shear", "compression", "effort"):
+                        lengthen(made)  # only ropes and cloth have it
                     self.assertNotEqual(getattr(made, name), value)
                     setattr(made, name, value)
                     self.assertEqual(getattr(made, name), value)
@@ -302,6 +304,74 @@ class Membranes(unittest.TestCase):
     def test_volume_under_a_lifted_sheet(self):
         self.sheet.position = [[[u, v, 0.5] for u in range(3)] for v in range(4)]
         self.assertAlmostEqual(self.sheet.volume, 0.5 * 6 / 3)
+
+    def test_cloth_hangs_and_tells_its_tensions(self):
+        cloth = Membrane(4, 3, 3)
+        cloth.position = [[[u / 4, 0, -v / 4] for u in range(5)] for v in range(4)]
+        cloth.rest_length, cloth.stiffness, cloth.gravity = (1, 0.75), (1e4, 1e4), (0, 0, -10)
+        self.assertEqual(cloth.lambda_, 1)
+        cloth.compression, cloth.shear, cloth.effort = 0.5, 1, (8, 60)
+        cloth.set_edge(Edge.V_FIRST, Node.PINNED)
+        cloth.step(1 / 60, 120)
+        self.assertGreater(cloth.convergence.iterations, 0)
+        self.assertEqual((cloth.read(Field.TENSION_U).shape, cloth.read(Field.STRAIN_U).shape), ((4, 4), (4, 4)))
+        for row, tension in zip(cloth.read(Field.TENSION_V).tolist(), (1.5, 1, 0.5)):
+            close(self, row, [tension] * 5, 2)  # what hangs below
+        strains = cloth.read(Field.STRAIN_V)
+        self.assertEqual(strains.shape, (3, 5))
+        self.assertAlmostEqual(float(strains[0, 2]), 4 * (cloth.position[0, 2, 2] - cloth.position[1, 2, 2]) - 1, 12)
+        cloth.enable_field(Field.REST_LENGTH_V)
+        self.assertEqual(cloth.read(Field.REST_LENGTH_V).tolist(), [[0.25] * 5] * 3)
+        cloth.write(Field.REST_LENGTH_V, 0.5, first_v=2)
+        cloth.step(1 / 60, 300)
+        for u in range(5):  # by 0.25 m longer, but for what it stretches
+            self.assertAlmostEqual(float(cloth.position[3, u, 2]), -1, 2)
+        for field in (Field.TENSION_U, Field.TENSION_V, Field.STRAIN_U, Field.STRAIN_V):
+            with self.assertRaisesRegex(contdyn.UnsupportedError, field.name):
+                cloth.write(field, 0)
+            with self.assertRaisesRegex(contdyn.UnsupportedError, field.name):
+                cloth.disable_field(field)
+        copy = Membrane(4, 3, 3)
+        copy.load(cloth.save())
+        self.assertEqual((copy.hash(), copy.rest_length, copy.effort), (cloth.hash(), (1, 0.75), (8, 60)))
+        cloth.rest_length = 0, 0
+        with self.assertRaisesRegex(contdyn.UnsupportedError, "TENSION_U"):
+            cloth.read(Field.TENSION_U)
+        cloth.step(1 / 60)
+        self.assertEqual(cloth.convergence, (0, 0))
+
+    def test_cloth_leans_with_the_wind(self):
+        cloth = Membrane(4, 3, 3)
+        cloth.position = [[[u / 4, 0, -v / 4] for u in range(5)] for v in range(4)]
+        cloth.rest_length, cloth.stiffness, cloth.gravity = (1, 0.75), (1e4, 1e4), (0, 0, -10)
+        cloth.set_edge(Edge.V_FIRST, Node.PINNED)
+        cloth.air, cloth.wind = (0.5, 5), (0, 2, 0)
+        cloth.enable_field(Field.WIND)
+        self.assertEqual(cloth.read(Field.WIND).tolist(), [[[0, 2, 0]] * 5] * 4)
+        cloth.step(1 / 30, 300)
+        self.assertGreater(float(cloth.position[3, 2, 1]), 0.1)
+        cloth.write(Field.WIND, 0)
+        cloth.step(1 / 30, 300)
+        self.assertAlmostEqual(float(cloth.position[3, 2, 1]), 0, 2)
+
+    def test_cloth_rests_on_what_it_touches(self):
+        cloth = Membrane(4, 3, 3)
+        cloth.position = [[[u / 4, 0.5, v / 4] for u in range(5)] for v in range(4)]
+        cloth.rest_length, cloth.gravity = (1, 0.75), (0, -10, 0)
+        cloth.colliders, cloth.thickness = 2, 0.125
+        cloth.set_plane(0, (0, -1, 0), (0, 2, 0), 0.5)
+        cloth.set_capsule(1, (3, 0, 0), (4, 0, 0), 0.5)
+        cloth.set_collider_velocity(0, (0, 0, 0.25))
+        cloth.step(1 / 60, 120)
+        for row in cloth.position.tolist():
+            for node in row:
+                self.assertAlmostEqual(node[1], -0.875, 5)
+        plane = cloth.get_collider(0)
+        self.assertEqual((plane.shape, plane.second, plane.friction), (Shape.PLANE, (0, 1, 0), 0.5))
+        close(self, plane.first, (0, -1, 0.5))
+        self.assertEqual(cloth.get_collider(1), (Shape.CAPSULE, (3, 0, 0), (4, 0, 0), (0, 0, 0), 0.5, 0))
+        cloth.remove_collider(1)
+        self.assertIs(cloth.get_collider(1).shape, Shape.NONE)
 
     def test_convergence(self):
         self.assertEqual(self.sheet.convergence, (0, 0))

@@ -5,7 +5,8 @@ import unittest
 import contdyn
 from contdyn import Chain, Field, Membrane, MassRule, Method, Momentum, Node, Precision, Solver, Water
 
-from support import KINDS, NUMPY, Heap, large, make, moving, numbers_for, optional_views, switch_all_on, viewable
+from support import (KINDS, NUMPY, Heap, large, lengthen, make, moving, numbers_for, optional_views, switch_all_on,
+                     viewable)
 
 
 def each_view():
@@ -72,10 +73,10 @@ class Shown(unittest.TestCase):
             self.assertEqual(getattr(made, field.name.lower()).tolist(), numbers)
 
     def test_fields_without_a_view_say_so(self):
-        for kind, field in ((Chain, Field.PIN), (Chain, Field.TENSION), (Chain, Field.STRAIN), (Water, Field.SURFACE)):
+        for kind, field in ((Chain, Field.PIN), (Chain, Field.TENSION), (Chain, Field.STRAIN), (Water, Field.SURFACE),
+                            (Membrane, Field.TENSION_U), (Membrane, Field.STRAIN_V)):
             made = make(kind)
-            if field in (Field.TENSION, Field.STRAIN):
-                made.rest_length = 1
+            lengthen(made)
             with self.assertRaises(contdyn.UnsupportedError):
                 made.view(field)
         with self.assertRaises(contdyn.DisabledError):
@@ -165,6 +166,10 @@ class Lasting(unittest.TestCase):
                     lambda m: m.set_end(0, Node.POSED), lambda m: m.teleport(0, None, (1, 2, 3)),
                     lambda m: setattr(m, "rest_length", 0)],
             Membrane: [lambda m: m.attach(1, 1, 2, 3), lambda m: m.detach(1, 1), lambda m: setattr(m, "bend", 0.1),
+                       lambda m: setattr(m, "rest_length", (9, 9)), lambda m: m.enable_field(Field.REST_LENGTH_U),
+                       lambda m: m.enable_field(Field.WIND), lambda m: setattr(m, "air", (1, 2)),
+                       lambda m: setattr(m, "colliders", 2), lambda m: setattr(m, "ring", (False, True)),
+                       lambda m: setattr(m, "rest_length", (0, 0)),
                        lambda m: setattr(m, "ring", (True, False)), lambda m: setattr(m, "solver", Solver.COUPLED),
                        lambda m: setattr(m, "pressure", 0.1), lambda m: m.set_edge(2, Node.MATCHED),
                        lambda m: m.set_edge(3, Node.POSED), lambda m: m.teleport(None, (1, 2, 3)),
@@ -174,7 +179,7 @@ class Lasting(unittest.TestCase):
         }
         for kind, more in changes.items():
             switching = [lambda m, f=f: m.enable_field(f) for f, info in kind._fields.items()
-                         if not info.always and not info.ropes]
+                         if not info.always and not info.lengths]
             methods = [Method.IMPLICIT, Method.SYMPLECTIC_EULER, Method.FORWARD_EULER, Method.IMPLICIT]
             setting = [lambda m, x=x: setattr(m, "method", x) for x in methods]
             setting += [lambda m, x=x: setattr(m, "mass_rule", x) for x in MassRule] if kind is not Water else []

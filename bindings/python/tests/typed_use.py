@@ -29,6 +29,12 @@ def use() -> float:
         drum.set_edge(Edge.U_FIRST, Node.POSED)
         drum.teleport([[1]], [0.5])
         along_u: float = drum.stiffness.along_u
+    with Membrane(4, 4, 3) as cloth:
+        cloth.rest_length, cloth.shear, cloth.effort = (1, 1), 100, (4, 20)
+        cloth.air, cloth.wind, cloth.colliders = (0.1, 1), (0, 0, 2), 1
+        cloth.set_capsule(0, (0, 0, 0), (0, 0, 1), 0.5)
+        length: float = cloth.rest_length.along_u + cloth.get_collider(0).radius
+        newton: int = cloth.effort.newton
     pool = Water(4, 4, 1, 1, contdyn.Precision.FLOAT32)
     pool.depth = 0.5
     added: float = pool.add_volume(1, 1, 1, 1)
@@ -44,5 +50,6 @@ def misuse() -> None:
     rope.energy = Energy(0, 0, 0)  # WRONG
     rope.step()  # WRONG
     rope.mas = 1  # WRONG
+    Membrane(4, 4, 3).rest_length = 1  # WRONG
     rope.set_end("first", Node.PINNED)  # WRONG
     Water(4, 4, 1, 1).splash(1, 1, 1)  # WRONG

@@ -90,7 +90,7 @@ enum class node : std::int32_t {
     posed = CD_NODE_POSED
 };
 
-// What a collider of ropes is.
+// What a collider of ropes and cloth is.
 enum class shape : std::int32_t { none = CD_SHAPE_NONE, plane = CD_SHAPE_PLANE, capsule = CD_SHAPE_CAPSULE };
 
 // Per-node and per-spring data.
@@ -121,7 +121,13 @@ enum class field : std::int32_t {
     tension = CD_TENSION,
     wind = CD_WIND,
     strength = CD_STRENGTH,
-    strain = CD_STRAIN
+    strain = CD_STRAIN,
+    rest_length_u = CD_REST_LENGTH_U,
+    rest_length_v = CD_REST_LENGTH_V,
+    tension_u = CD_TENSION_U,
+    tension_v = CD_TENSION_V,
+    strain_u = CD_STRAIN_U,
+    strain_v = CD_STRAIN_V
 };
 
 // The two ends of a chain.
@@ -776,6 +782,9 @@ public:
         double kinetic, elastic, gravity;
     };
     template <class T> struct directions { T along_u, along_v; };
+    struct effort {
+        std::size_t newton, gradient;
+    };
     // Good until the field is switched off or the membrane released. Strides are in bytes.
     struct field_view {
         const void* data;
@@ -886,6 +895,79 @@ public:
         directions<bool> out{flags.along_u != 0, flags.along_v != 0};
         return detail::got(s, out);
     }
+
+    // ---- cloth: springs that have a length ----
+
+    // Rest lengths of the sheet along u and along v [m], 0: none.
+    outcome<> set_rest_length(double along_u, double along_v) {
+        return call(cd_membrane_set_rest_length, along_u, along_v);
+    }
+    outcome<directions<double>> get_rest_length() const {
+        directions<double> out{};
+        return detail::got(cd_membrane_get_rest_length(handle_, &out.along_u, &out.along_v), out);
+    }
+
+    // Shear stiffness [N/m]; what keeps cloth from crumpling within its own plane [1/s^2].
+    outcome<> set_shear(double stiffness) { return call(cd_membrane_set_shear, stiffness); }
+    outcome<double> get_shear() const { return value<double>(cd_membrane_get_shear); }
+    outcome<> set_compression(double rate) { return call(cd_membrane_set_compression, rate); }
+    outcome<double> get_compression() const { return value<double>(cd_membrane_get_compression); }
+
+    // How many iterations a step may do: Newton's, and of conjugate gradients in each of them.
+    outcome<> set_effort(std::size_t newton, std::size_t gradient) {
+        return call(cd_membrane_set_effort, newton, gradient);
+    }
+    outcome<effort> get_effort() const {
+        effort out{};
+        return detail::got(cd_membrane_get_effort(handle_, &out.newton, &out.gradient), out);
+    }
+
+    // Resistance of the air per area of cloth [N s/m^3]; its velocity [m/s], velocity[component].
+    outcome<> set_air(double along, double across) { return call(cd_membrane_set_air, along, across); }
+    outcome<resistance> get_air() const {
+        resistance out{};
+        return detail::got(cd_membrane_get_air(handle_, &out.along, &out.across), out);
+    }
+    outcome<> set_wind(span<const double> velocity) {
+        return call(cd_membrane_set_wind, velocity.data(), velocity.size());
+    }
+    outcome<> get_wind(span<double> velocity) const {
+        return call(cd_membrane_get_wind, velocity.data(), velocity.size());
+    }
+
+    // What the nodes of cloth stay outside of. Places, radius and thickness are in metres, velocities in metres a
+    // second, each array with a number per component. Of a plane get_collider tells its point first, then its normal;
+    // of a capsule its two ends.
+    outcome<> set_colliders(std::size_t count) { return call(cd_membrane_set_colliders, count); }
+    outcome<std::size_t> get_colliders() const { return value<std::size_t>(cd_membrane_get_colliders); }
+    outcome<> set_plane(std::size_t index, span<const double> point, span<const double> normal, double friction = 0) {
+        if (point.size() != normal.size())
+            return detail::done(CD_ERROR_RANGE, "membrane::set_plane: point and normal differ in size");
+        return call(cd_membrane_set_plane, index, point.data(), normal.data(), normal.size(), friction);
+    }
+    outcome<> set_capsule(std::size_t index, span<const double> first, span<const double> last, double radius,
+                          double friction = 0) {
+        if (first.size() != last.size())
+            return detail::done(CD_ERROR_RANGE, "membrane::set_capsule: first and last differ in size");
+        return call(cd_membrane_set_capsule, index, first.data(), last.data(), last.size(), radius, friction);
+    }
+    outcome<> remove_collider(std::size_t index) { return call(cd_membrane_remove_collider, index); }
+    outcome<> set_collider_velocity(std::size_t index, span<const double> velocity) {
+        return call(cd_membrane_set_collider_velocity, index, velocity.data(), velocity.size());
+    }
+    outcome<collider> get_collider(std::size_t index, span<double> first, span<double> second,
+                                   span<double> velocity) const {
+        collider out{};
+        cd_shape kind = 0;
+        const bool fit = first.size() == velocity.size() && second.size() == velocity.size();
+        const std::size_t count = fit ? velocity.size() : static_cast<std::size_t>(-1); // refused
+        const cd_status s = cd_membrane_get_collider(handle_, index, &kind, first.data(), second.data(),
+                                                     velocity.data(), count, &out.radius, &out.friction);
+        out.shape = static_cast<contdyn::shape>(kind);
+        return detail::got(s, out);
+    }
+    outcome<> set_thickness(double distance) { return call(cd_membrane_set_thickness, distance); }
+    outcome<double> get_thickness() const { return value<double>(cd_membrane_get_thickness); }
 
     // ---- fields ----
 
@@ -1029,9 +1111,14 @@ private:
         std::int32_t ring_u = 0, ring_v = 0;
         cd_status s = cd_membrane_get_shape(handle_, &nu, &nv, &components, nullptr);
         if (s == CD_OK) s = cd_membrane_get_ring(handle_, &ring_u, &ring_v);
-        const bool each = f == field::position || f == field::velocity || f == field::force || f == field::target;
-        const std::size_t n_u = nu + (f != field::stiffness_u || ring_u != 0);
-        const std::size_t n_v = nv + (f != field::stiffness_v || ring_v != 0);
+        const bool each =
+            f == field::position || f == field::velocity || f == field::force || f == field::target || f == field::wind;
+        const bool of_springs_u = f == field::stiffness_u || f == field::rest_length_u || f == field::tension_u ||
+                                  f == field::strain_u;
+        const bool of_springs_v = f == field::stiffness_v || f == field::rest_length_v || f == field::tension_v ||
+                                  f == field::strain_v;
+        const std::size_t n_u = nu + (!of_springs_u || ring_u != 0);
+        const std::size_t n_v = nv + (!of_springs_v || ring_v != 0);
         return {s, {0, 0, n_u, n_v}, n_u * n_v * (each ? components : 1)};
     }
 };

@@ -1,0 +1,68 @@
+// What steps of cloth compute with, handed out from the membrane's two arrays in the order in which it is declared here.
+#pragma once
+
+#include "kernel/cloth.hh"
+#include "model/membrane.hh"
+#include "solve/planes.hh"
+
+namespace cd {
+
+// A node and what it may touch in a step. (model.md, 47)
+struct ClothContact {
+    double at;              // place of the node in the planes
+    double normal[3];       // of the collider where the step finds the node
+    double gap;             // outside of it when the step begins [m]
+    double room;            // how far the node may go against it [m], the collider's own motion counted
+    double stiffness;       // [kg], of the impulse that keeps it out
+    double friction;        // the coefficient
+    double velocity[3];     // of the collider
+    double push;            // the impulse by the last iteration, which friction goes by
+};
+
+struct ClothWork {
+    Grid grid, turned;
+    Parts parts, strips; // of rows, and of columns
+
+    // coefficients: planes
+    double *stiffness[kClothSprings], *length[kClothSprings], *compression[2], *bend[2], *twist;
+    double *mass, *moves, *turned_moves;
+
+    // scratch: planes, three for a vector
+    double *from[3], *to[3];           // positions before and after the step
+    double *w[3], *trial[3];           // the velocity that moves the nodes
+    double *rhs[3], *residual[3];      // see ClothResidual
+    double *direction[3], *error[3];   // of Newton's method, and what is left of its system
+    double *conjugate[3], *image[3];   // a conjugate direction and the matrix times it
+    double *answer[3], *turned_z[3];   // of lines along v and along u
+    double *inertia, *own[6];          // ground without contacts: all three the same, or with air symmetric blocks
+    double *ground[6];                 // with contacts
+    double *curvature[kClothSprings][4], *turned_curvature[4], *block[6], *turned_block[6];
+    double *rows, *sums;               // kClothRows rows for each part; a number per row
+    ClothContact* contacts;
+
+    ClothWork(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, Carver& scratch);
+    bool has_blocks() const { return own[3] != nullptr; }
+    bool has_bend() const { return twist != nullptr; }
+    ClothSprings springs() const;
+    ClothMatrix matrix(double* const* with_ground) const;
+    size_t place(size_t u, size_t v) const { return v * grid.pitch + u; }
+};
+
+// ---- what surrounds cloth (membrane_cloth_act.cpp) ----
+
+// Adds the air to ground and right side for a step of impulses h.
+void add_air(const Membrane& m, ClothWork& w, double h);
+// The most contacts of a node in one step: with the nearest colliders.
+constexpr size_t kMostTouched = 3;
+size_t most_contacts(size_t colliders);
+// Finds what nodes may touch in a step of dt that begins at the time `now`; tells how many contacts there are.
+size_t find_contacts(const Membrane& m, ClothWork& w, double now, double dt);
+// Friction goes by the pushes of the velocities w from here on.
+void take_pushes(ClothWork& w, size_t contacts, double dt);
+// residual += the contacts' impulses at `velocity`; ground, if not null, gets their stiffness.
+void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* residual,
+                  double* const* ground);
+// What is pushed leaves a contact as fast as w has it, and what came out of a collider is not thrown.
+void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity);
+
+} // namespace cd

@@ -1,0 +1,166 @@
+// What acts on cloth from outside: air, and what it touches.
+#include <math.h>
+
+#include "model/membrane_cloth.hh"
+
+namespace cd {
+
+namespace {
+
+struct Vector3 {
+    double k[3];
+
+    double operator[](int i) const { return k[i]; }
+};
+Vector3 vector_at(double* const* planes, size_t at) { return {{planes[0][at], planes[1][at], planes[2][at]}}; }
+Vector3 operator-(Vector3 a, Vector3 b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
+Vector3 operator*(double s, Vector3 a) { return {{s * a[0], s * a[1], s * a[2]}}; }
+double dot(Vector3 a, Vector3 b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
+
+// planes += weight (a b^T), for the order of ClothMatrix::ground.
+void add_square(double* const* planes, size_t at, double weight, Vector3 a) {
+    static constexpr int kRow[6] = {0, 1, 2, 0, 0, 1}, kColumn[6] = {0, 1, 2, 1, 2, 2};
+    for (int k = 0; k < 6; ++k) planes[k][at] += weight * a[kRow[k]] * a[kColumn[k]];
+}
+void add_alike(double* const* planes, size_t at, double weight) {
+    for (int k = 0; k < 3; ++k) planes[k][at] += weight;
+}
+
+} // namespace
+
+// ---- air ------------------------------------------------------------------------------------------------------------
+
+// Each corner of a cell bears a quarter of its air. The cell's area is half the cross product of its diagonals.
+void add_air(const Membrane& m, ClothWork& w, double h) {
+    const ClothSettings& c = m.cloth;
+    for (size_t v = 0; v < springs_along(m, kV); ++v)
+        for (size_t u = 0; u < springs_along(m, kU); ++u) {
+            const size_t next_u = after(m, kU, u), next_v = after(m, kV, v);
+            const struct { size_t u, v; } corner[4] = {{u, v}, {next_u, v}, {u, next_v}, {next_u, next_v}};
+            bool whole = true;
+            for (const auto& at : corner) whole &= present(m, at.u, at.v);
+            if (!whole) continue;
+            const auto x = [&](int k) { return vector_at(w.from, w.place(corner[k].u, corner[k].v)); };
+            const Vector3 a = x(3) - x(0), b = x(2) - x(1);
+            const Vector3 twice = {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+            const double size = sqrt(dot(twice, twice));
+            if (!(size > 0)) continue;
+            const Vector3 normal = 1 / size * twice;
+            const double share = h * size / 8, along = share * c.along, more = share * c.across - along;
+            for (const auto& at : corner) {
+                const size_t place = w.place(at.u, at.v);
+                Vector3 wind = {{c.wind[0], c.wind[1], c.wind[2]}};
+                for (int k = 0; m.wind && k < 3; ++k)
+                    wind.k[k] = get_number(m, m.wind, cd::place(m, at.u, at.v, size_t(k)));
+                add_alike(w.own, place, along);
+                add_square(w.own, place, more, normal);
+                const double through = more * dot(normal, wind);
+                for (int k = 0; k < 3; ++k) w.rhs[k][place] += along * wind[k] + through * normal[k];
+            }
+        }
+}
+
+// ---- contacts -------------------------------------------------------------------------------------------------------
+
+namespace {
+
+// How stiff a contact is, over the mass of its node; and the speed e of v / (v + e) in friction [m/s].
+constexpr double kContactStiffness = 1000, kStickSpeed = 1e-3;
+
+struct Gap {
+    Vector3 normal;
+    double size;
+};
+
+// How far outside of a collider x lies at this time, and the way out.
+Gap gap_to(const Collider& to, Vector3 x, double time) {
+    const Vector3 at = {{to.place(0, time), to.place(1, time), to.place(2, time)}};
+    const Vector3 way = {{to.way[0], to.way[1], to.way[2]}}, from = x - at;
+    if (to.shape == CD_SHAPE_PLANE) return {way, dot(way, from) - to.radius};
+    const double square = dot(way, way);
+    const double along = square > 0 ? fmin(fmax(dot(way, from) / square, 0), 1) : 0;
+    const Vector3 off = from - along * way;
+    const double distance = sqrt(dot(off, off));
+    return {distance > 0 ? 1 / distance * off : Vector3{{1, 0, 0}}, distance - to.radius};
+}
+
+// The push against what comes nearer than there is room.
+double push_of(const ClothContact& c, Vector3 velocity, double inverse_dt) {
+    const Vector3 normal = {{c.normal[0], c.normal[1], c.normal[2]}};
+    const double into = -(c.room * inverse_dt + dot(normal, velocity));
+    return into > 0 ? c.stiffness * into : 0;
+}
+Vector3 normal_of(const ClothContact& c) { return {{c.normal[0], c.normal[1], c.normal[2]}}; }
+Vector3 collider_velocity(const ClothContact& c) { return {{c.velocity[0], c.velocity[1], c.velocity[2]}}; }
+
+} // namespace
+
+size_t most_contacts(size_t colliders) { return colliders < kMostTouched ? colliders : kMostTouched; }
+
+size_t find_contacts(const Membrane& m, ClothWork& w, double now, double dt) {
+    const size_t colliders = collider_count(m);
+    size_t found = 0;
+    for (size_t v = 0; v < m.rows && colliders > 0; ++v)
+        for (size_t u = 0; u < m.columns; ++u) {
+            const size_t at = w.place(u, v), first = found;
+            if (!(w.moves[at] > 0)) continue;
+            for (size_t i = 0; i < colliders; ++i) {
+                Collider to = collider(m, i);
+                if (to.shape == CD_SHAPE_NONE) continue;
+                to.radius += m.cloth.thickness;
+                const Gap gap = gap_to(to, vector_at(w.from, at), now);
+                const Vector3 velocity = {{to.velocity[0], to.velocity[1], to.velocity[2]}};
+                // The nearest ones, in the order of their gaps.
+                size_t place = found;
+                while (place > first && w.contacts[place - 1].gap > gap.size) --place;
+                if (place == first + kMostTouched) continue;
+                if (found < first + kMostTouched) ++found;
+                for (size_t j = found - 1; j > place; --j) w.contacts[j] = w.contacts[j - 1];
+                w.contacts[place] = {double(at), {}, gap.size, gap.size - dt * dot(gap.normal, velocity),
+                                     kContactStiffness * w.mass[at], to.friction, {}, 0};
+                for (int k = 0; k < 3; ++k)
+                    w.contacts[place].normal[k] = gap.normal[k], w.contacts[place].velocity[k] = velocity[k];
+            }
+        }
+    return found;
+}
+
+void take_pushes(ClothWork& w, size_t contacts, double dt) {
+    for (size_t i = 0; i < contacts; ++i)
+        w.contacts[i].push = push_of(w.contacts[i], vector_at(w.w, size_t(w.contacts[i].at)), 1 / dt);
+}
+
+void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* residual,
+                  double* const* ground) {
+    const double inverse_dt = 1 / dt;
+    for (size_t i = 0; i < contacts; ++i) {
+        const ClothContact& c = w.contacts[i];
+        const size_t at = size_t(c.at);
+        const Vector3 own = vector_at(velocity, at), normal = normal_of(c);
+        const double push = push_of(c, own, inverse_dt), most = c.friction * c.push;
+        if (!(push > 0) && !(most > 0)) continue;
+        for (int k = 0; k < 3; ++k) residual[k][at] += push * normal[k];
+        if (ground && push > 0) add_square(ground, at, c.stiffness, normal);
+        if (!(most > 0)) continue;
+        const Vector3 through = own - collider_velocity(c), slip = through - dot(normal, through) * normal;
+        const double resistance = most / (sqrt(dot(slip, slip)) + kStickSpeed);
+        for (int k = 0; k < 3; ++k) residual[k][at] -= resistance * slip[k];
+        if (!ground) continue;
+        add_alike(ground, at, resistance);
+        add_square(ground, at, -resistance, normal);
+    }
+}
+
+void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity) {
+    for (size_t i = 0; i < contacts; ++i) {
+        const ClothContact& c = w.contacts[i];
+        const size_t at = size_t(c.at);
+        const Vector3 normal = normal_of(c), moved = vector_at(w.w, at);
+        if (!(push_of(c, moved, 1 / dt) > 0)) continue;
+        const double overlap = c.gap < 0 ? -c.gap / dt : 0;
+        const double change = dot(normal, moved - vector_at(velocity, at)) - overlap;
+        for (int k = 0; k < 3; ++k) velocity[k][at] += change * normal[k];
+    }
+}
+
+} // namespace cd
