@@ -65,7 +65,7 @@ void add_air(const Membrane& m, ClothWork& w, double h) {
 namespace {
 
 // How stiff a contact is, over the mass of its node; and the speed e of v / (v + e) in friction [m/s].
-constexpr double kContactStiffness = 1000, kStickSpeed = 1e-3;
+constexpr double kContactStiffness = 1e4, kStickSpeed = 1e-3;
 
 struct Gap {
     Vector3 normal;

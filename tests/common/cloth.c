@@ -24,9 +24,11 @@ struct cloth_extent cloth_extent(const cd_membrane* membrane, cd_field field) {
     ok(cd_membrane_get_shape(membrane, &nu, &nv, &components, NULL));
     ok(cd_membrane_get_ring(membrane, &ring[0], &ring[1]));
     struct cloth_extent extent = {nu + 1, nv + 1, 1, 0};
-    if (field == CD_STIFFNESS_U) extent.columns = nu + (size_t)ring[0];
-    if (field == CD_STIFFNESS_V) extent.rows = nv + (size_t)ring[1];
-    if (field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET)
+    if (field == CD_STIFFNESS_U || field == CD_REST_LENGTH_U || field == CD_TENSION_U || field == CD_STRAIN_U)
+        extent.columns = nu + (size_t)ring[0];
+    if (field == CD_STIFFNESS_V || field == CD_REST_LENGTH_V || field == CD_TENSION_V || field == CD_STRAIN_V)
+        extent.rows = nv + (size_t)ring[1];
+    if (field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET || field == CD_WIND)
         extent.components = components;
     extent.count = extent.columns * extent.rows * extent.components;
     return extent;
@@ -222,6 +224,85 @@ void cloth_everything_tube(cd_membrane* membrane) {
     ok(cd_membrane_set_ring(membrane, 0, 1));
     all_fields(membrane);
 }
+
+/* Springs as long as a sheet laid out by this spacing has them. */
+static void give_lengths(cd_membrane* membrane, double spacing) {
+    size_t nu, nv;
+    ok(cd_membrane_get_shape(membrane, &nu, &nv, NULL, NULL));
+    ok(cd_membrane_set_rest_length(membrane, spacing * (double)nu, spacing * (double)nv));
+}
+
+void cloth_meet(cd_membrane* membrane) {
+    const double low[3] = {0, 0.25, -0.25}, up[3] = {0.125, -0.25, 2}, ball[3] = {0.25, 0.125, -0.125};
+    const double arm[3] = {0.5, 0.25, -0.25}, hand[3] = {0.375, 0.5, -0.125}, slow[3] = {0.25, -0.125, 0.5};
+    ok(cd_membrane_set_colliders(membrane, 4));
+    ok(cd_membrane_set_plane(membrane, 0, low, up, 3, 0.5));
+    ok(cd_membrane_set_capsule(membrane, 1, ball, ball, 3, 0.1, 0.25));
+    ok(cd_membrane_set_collider_velocity(membrane, 1, slow, 3));
+    ok(cd_membrane_set_capsule(membrane, 3, arm, hand, 3, 0.0625, 0));
+    ok(cd_membrane_set_thickness(membrane, 0.015625));
+}
+
+void cloth_sail(cd_membrane* membrane) {
+    const double wind[3] = {0.5, 0, 4};
+    cloth_lay_out(membrane, 0.1);
+    give_lengths(membrane, 0.1);
+    ok(cd_membrane_set_mass(membrane, 0.25));
+    ok(cd_membrane_set_stiffness(membrane, 300, 300));
+    ok(cd_membrane_set_shear(membrane, 100));
+    ok(cd_membrane_set_air(membrane, 0.05, 1.25));
+    ok(cd_membrane_set_wind(membrane, wind, 3));
+    ok(cd_membrane_enable_field(membrane, CD_PIN));
+    sheet_set(membrane, CD_PIN, 0, 0, CD_NODE_PINNED);
+    sheet_set(membrane, CD_PIN, cloth_extent(membrane, CD_PIN).columns - 1, 0, CD_NODE_PINNED);
+}
+
+static void all_of_cloth(cd_membrane* membrane) {
+    ok(cd_membrane_set_mass(membrane, 2));
+    ok(cd_membrane_set_mass_rule(membrane, CD_MASS_HALF_ENDS));
+    ok(cd_membrane_set_stiffness(membrane, 500, 400));
+    ok(cd_membrane_set_bend(membrane, 0.002));
+    ok(cd_membrane_set_drag(membrane, 0.2));
+    ok(cd_membrane_set_pressure(membrane, -0.25));
+    set_gravity(membrane, -9.81);
+    give_lengths(membrane, 0.1);
+    ok(cd_membrane_set_lambda(membrane, 0.875));
+    ok(cd_membrane_set_shear(membrane, 150));
+    ok(cd_membrane_set_compression(membrane, 6));
+    ok(cd_membrane_set_effort(membrane, 3, 11));
+    drive(membrane, CD_EDGE_U_FIRST, 0.1);
+    ok(cd_membrane_set_edge(membrane, CD_EDGE_V_FIRST, CD_NODE_PINNED));
+    cloth_lay_out(membrane, 0.1);
+    cloth_shake(membrane, 0.01, 17);
+    vary(membrane, CD_MASS, 0.05, 18);
+    vary(membrane, CD_STIFFNESS_U, 400, 19);
+    vary(membrane, CD_STIFFNESS_V, 300, 20);
+    vary(membrane, CD_REST_LENGTH_U, 0.1, 21);
+    vary(membrane, CD_REST_LENGTH_V, 0.09, 22);
+    push(membrane, 0.2, 23);
+    ok(cd_membrane_enable_field(membrane, CD_PIN));
+    sheet_set(membrane, CD_PIN, 2, 3, CD_NODE_PINNED);
+    ok(cd_membrane_attach(membrane, 3, 2, 25, 0.25, NULL, 3));
+    sheet_set(membrane, CD_STIFFNESS_U, 1, 1, 0);
+    ok(cd_membrane_enable_field(membrane, CD_MASK));
+    sheet_set(membrane, CD_MASK, 1, 3, 0);
+    ok(cd_membrane_set_air(membrane, 0.05, 0.75));
+    vary(membrane, CD_WIND, 2, 24);
+    cloth_meet(membrane);
+}
+
+void cloth_lengths(cd_membrane* membrane) { all_of_cloth(membrane); }
+
+void cloth_lengths_tube(cd_membrane* membrane) {
+    ok(cd_membrane_set_ring(membrane, 0, 1));
+    all_of_cloth(membrane);
+}
+
+const struct cloth_scene length_cloths[LENGTH_CLOTHS] = {
+    {"sail", cloth_sail},
+    {"lengths", cloth_lengths},
+    {"lengths, tube", cloth_lengths_tube},
+};
 
 const struct cloth_scene cloths[CLOTHS] = {
     {"drum", cloth_drum},

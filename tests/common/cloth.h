@@ -46,4 +46,14 @@ struct cloth_scene {
 enum { CLOTHS = 10 };
 extern const struct cloth_scene cloths[CLOTHS];
 
+/* Scenes for a membrane of 3 components whose springs then have a length, and what surrounds it. */
+cloth_build cloth_sail;         /* nothing but lengths and wind, held at two corners */
+cloth_build cloth_lengths;      /* every field and parameter of cloth at once, open */
+cloth_build cloth_lengths_tube; /* and closed along v */
+enum { LENGTH_CLOTHS = 3 };
+extern const struct cloth_scene length_cloths[LENGTH_CLOTHS];
+
+/* Four colliders: a plane, a sphere that moves, one that is none, and a capsule; and a thickness. */
+void cloth_meet(cd_membrane* membrane);
+
 #endif

@@ -244,7 +244,7 @@ void cloth() {
     CHECK(GET(sheet.get_compression()) == 5);
     OK(sheet.set_compression(0.5));
     CHECK(GET(sheet.get_compression()) == 0.5);
-    CHECK(GET(sheet.get_effort()).newton == 2 && GET(sheet.get_effort()).gradient == 14);
+    CHECK(GET(sheet.get_effort()).newton > 0 && GET(sheet.get_effort()).gradient > 0);
     OK(sheet.set_effort(8, 60));
     CHECK(GET(sheet.get_effort()).newton == 8 && GET(sheet.get_effort()).gradient == 60);
     OK(sheet.set_gravity({0, 0, -10}));

@@ -41,9 +41,9 @@ class RestLength(NamedTuple):
 class Effort(NamedTuple):
     """How many iterations a step of cloth may do."""
 
-    #: of Newton's method, 1 to 1000; default 2
+    #: of Newton's method, 1 to 1000
     newton: int
-    #: of conjugate gradients in each of those, 1 to 10000; default 14
+    #: of conjugate gradients in each of those, 1 to 10000
     gradient: int
 
 
@@ -119,8 +119,8 @@ class Membrane(Body, Sheet, kind="membrane"):
                            "default 0.")
     compression = Setting(float, "What keeps cloth from crumpling within its own plane [1/s^2], >= 0: springs that are "
                                  "shorter than their length push; default 5.")
-    effort = SettingOfSeveral(Effort, "How many iterations a step of cloth may do: (newton, gradient); default "
-                                      "(2, 14).")
+    effort = SettingOfSeveral(Effort, "How many iterations a step of cloth may do: (newton, gradient). Where little is "
+                                      "gained it takes a few more of the former and fewer of the latter.")
 
     # ---- fields -----------------------------------------------------------------------------------------------------
 
