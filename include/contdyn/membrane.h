@@ -208,7 +208,7 @@ CD_API cd_status cd_membrane_set_shear(cd_membrane* membrane, double stiffness);
 CD_API cd_status cd_membrane_get_shear(const cd_membrane* membrane, double* out_stiffness);
 
 /* What keeps cloth from crumpling within its own plane: springs along u and v shorter than their length push by
- * c (L - l), longer ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default 5.
+ * c (L - l), longer ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default 10.
  * It damps turning a little: raise it for stiffer folds, 0 for none. */
 CD_API cd_status cd_membrane_set_compression(cd_membrane* membrane, double rate);
 CD_API cd_status cd_membrane_get_compression(const cd_membrane* membrane, double* out_rate);

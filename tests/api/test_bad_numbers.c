@@ -121,42 +121,14 @@ static void a_rope_takes_no_other_stiffness_outside_the_range(void** state) {
     cd_chain_destroy(c);
 }
 
-static void only_ropes_feel_air_of_numbers_in_the_range(void** state) {
-    (void)state;
-    const double wind[3] = {1, 2, 3};
-    double air[2], shown[3];
-    cd_chain* c = scene_chain(2, 5, 3, CD_FLOAT64);
-    refuses(c, cd_chain_set_air(c, 0, 1), CD_ERROR_UNSUPPORTED, "air|rest length");
-    refuses(c, cd_chain_set_wind(c, wind, 3), CD_ERROR_UNSUPPORTED, "air|rest length");
-    ok(cd_chain_set_rest_length(c, 1));
-    refuses_each(c, cd_chain_set_air(c, bad, 1), "along", not_finite);
-    refuses_each(c, cd_chain_set_air(c, bad, 1), "along", negative);
-    refuses_each(c, cd_chain_set_air(c, bad, 1), "along", too_large);
-    refuses_each(c, cd_chain_set_air(c, 1, bad), "across", not_finite);
-    refuses_each(c, cd_chain_set_air(c, 1, bad), "across", negative);
-    refuses_each(c, cd_chain_set_air(c, 1, bad), "across", too_large);
-    for (size_t i = 0; i < COUNT(not_finite); ++i) {
-        const double numbers[3] = {0.5, not_finite[i].value, 0.5};
-        refuses(c, cd_chain_set_wind(c, numbers, 3), CD_ERROR_VALUE, text_of("velocity|[1]|%s", not_finite[i].shown));
-    }
-    refuses(c, cd_chain_set_wind(c, wind, 2), CD_ERROR_RANGE, name_and_size("count", 2));
-    refuses(c, cd_chain_get_wind(c, shown, 2), CD_ERROR_RANGE, name_and_size("count", 2));
-    ok(cd_chain_set_air(c, 0.25, 2));
-    ok(cd_chain_set_wind(c, wind, 3));
-    ok(cd_chain_enable_field(c, CD_WIND));
-    for (size_t k = 0; k < 2 * 6 * 3; ++k) {
-        double of_nodes[2 * 6 * 3];
-        scene_read(c, CD_WIND, of_nodes);
-        assert_true(of_nodes[k] == wind[k % 3]);
-    }
-    ok(cd_chain_set_rest_length(c, 0)); /* switches all of it off */
-    ok(cd_chain_set_rest_length(c, 1));
-    ok(cd_chain_get_air(c, &air[0], &air[1]));
-    ok(cd_chain_get_wind(c, shown, 3));
-    assert_true(air[0] == 0 && air[1] == 0 && shown[0] == 0 && shown[1] == 0 && shown[2] == 0);
-    refuses(c, cd_chain_read_f64(c, CD_WIND, 0, 1, 0, 1, shown, 3), CD_ERROR_DISABLED, "field|24");
-    cd_chain_destroy(c);
+static cd_chain* new_body(void) { return scene_chain(2, 5, 3, CD_FLOAT64); }
+static void set_lengths(cd_chain* c, double length) { ok(cd_chain_set_rest_length(c, length)); }
+static cd_status read_winds(const cd_chain* c, double* winds) {
+    return cd_chain_read_f64(c, CD_WIND, 0, 2, 0, 6, winds, 36);
 }
+#define BODY chain
+#define THICKNESS "radius"
+#include "bad_surroundings.h"
 
 static void only_ropes_break_at_strengths_in_the_range(void** state) {
     (void)state;
@@ -186,74 +158,6 @@ static void only_ropes_break_at_strengths_in_the_range(void** state) {
     ok(cd_chain_set_rest_length(c, 1));
     ok(cd_chain_get_strength(c, &strength));
     assert_true(isinf(strength));
-    cd_chain_destroy(c);
-}
-
-static void only_ropes_touch_things_of_numbers_in_the_range(void** state) {
-    (void)state;
-    const double place[3] = {1, 2, 3}, none[3] = {0, -0.0, 0}, far[3] = {0, 1.5e60, 0};
-    double radius;
-    size_t count;
-    cd_chain* c = scene_chain(2, 5, 3, CD_FLOAT64);
-    refuses(c, cd_chain_set_colliders(c, 1), CD_ERROR_UNSUPPORTED, "touch|rest length");
-    refuses(c, cd_chain_set_thickness(c, 1), CD_ERROR_UNSUPPORTED, "touch|rest length");
-    refuses(c, cd_chain_set_plane(c, 0, place, place, 3, 0), CD_ERROR_UNSUPPORTED, "touch|rest length");
-    refuses(c, cd_chain_set_capsule(c, 0, place, place, 3, 1, 0), CD_ERROR_UNSUPPORTED, "touch|rest length");
-    refuses(c, cd_chain_set_collider_velocity(c, 0, place, 3), CD_ERROR_UNSUPPORTED, "touch|rest length");
-    refuses(c, cd_chain_remove_collider(c, 0), CD_ERROR_UNSUPPORTED, "touch|rest length");
-    ok(cd_chain_set_rest_length(c, 1));
-    refuses(c, cd_chain_set_plane(c, 0, place, place, 3, 0), CD_ERROR_RANGE, name_and_size("index", 0));
-    refuses(c, cd_chain_set_colliders(c, 4097), CD_ERROR_VALUE, name_and_size("count", 4097));
-    refuses(c, cd_chain_set_colliders(c, SIZE_MAX), CD_ERROR_VALUE, name_and_size("count", SIZE_MAX));
-    ok(cd_chain_set_colliders(c, 2));
-    refuses_each(c, cd_chain_set_thickness(c, bad), "radius", not_finite);
-    refuses_each(c, cd_chain_set_thickness(c, bad), "radius", negative);
-    refuses_each(c, cd_chain_set_thickness(c, bad), "radius", too_large);
-    refuses_each(c, cd_chain_set_plane(c, 0, place, place, 3, bad), "friction", not_finite);
-    refuses_each(c, cd_chain_set_plane(c, 0, place, place, 3, bad), "friction", negative);
-    refuses_each(c, cd_chain_set_plane(c, 0, place, place, 3, bad), "friction", too_large);
-    refuses_each(c, cd_chain_set_capsule(c, 0, place, place, 3, 1, bad), "friction", not_finite);
-    refuses_each(c, cd_chain_set_capsule(c, 0, place, place, 3, 1, bad), "friction", negative);
-    refuses_each(c, cd_chain_set_capsule(c, 0, place, place, 3, 1, bad), "friction", too_large);
-    refuses_each(c, cd_chain_set_capsule(c, 0, place, place, 3, bad, 0), "radius", not_finite);
-    refuses_each(c, cd_chain_set_capsule(c, 0, place, place, 3, bad, 0), "radius", not_positive);
-    refuses_each(c, cd_chain_set_capsule(c, 0, place, place, 3, bad, 0), "radius", too_small);
-    refuses_each(c, cd_chain_set_capsule(c, 0, place, place, 3, bad, 0), "radius", too_large);
-    refuses(c, cd_chain_set_plane(c, 0, place, none, 3, 0), CD_ERROR_VALUE, "normal|0");
-    refuses(c, cd_chain_set_plane(c, 0, far, place, 3, 0), CD_ERROR_VALUE, "point|[1]|1.5e+60");
-    for (size_t at = 0; at < 3; ++at)
-        for (size_t i = 0; i < COUNT(not_finite); ++i) {
-            double numbers[3] = {0.5, 0.5, 0.5};
-            numbers[at] = not_finite[i].value;
-            const char* text = text_of("[%zu]|%s", at, not_finite[i].shown);
-            refuses(c, cd_chain_set_plane(c, 0, numbers, place, 3, 0), CD_ERROR_VALUE, text_of("point|%s", text));
-            refuses(c, cd_chain_set_plane(c, 0, place, numbers, 3, 0), CD_ERROR_VALUE, text_of("normal|%s", text));
-            refuses(c, cd_chain_set_capsule(c, 0, numbers, place, 3, 1, 0), CD_ERROR_VALUE, text_of("first|%s", text));
-            refuses(c, cd_chain_set_capsule(c, 0, place, numbers, 3, 1, 0), CD_ERROR_VALUE, text_of("last|%s", text));
-            refuses(c, cd_chain_set_collider_velocity(c, 0, numbers, 3), CD_ERROR_VALUE, text_of("velocity|%s", text));
-        }
-    static const size_t beyond[] = {2, 3, 4096, SIZE_MAX / 2, SIZE_MAX};
-    for (size_t i = 0; i < COUNT(beyond); ++i) {
-        const size_t index = beyond[i], n = i == 0 ? 2 : index + 1;
-        const char *at = name_and_size("index", index), *of = name_and_size("count", n);
-        refuses(c, cd_chain_set_plane(c, index, place, place, 3, 0), CD_ERROR_RANGE, at);
-        refuses(c, cd_chain_set_capsule(c, index, place, place, 3, 1, 0), CD_ERROR_RANGE, at);
-        refuses(c, cd_chain_set_collider_velocity(c, index, place, 3), CD_ERROR_RANGE, at);
-        refuses(c, cd_chain_remove_collider(c, index), CD_ERROR_RANGE, at);
-        refuses(c, cd_chain_get_collider(c, index, &out.i32, out.number, out.number + 3, out.number + 6, 3,
-                                         out.number + 9, out.number + 10), CD_ERROR_RANGE, at);
-        refuses(c, cd_chain_set_plane(c, 1, place, place, n, 0), CD_ERROR_RANGE, of);
-        refuses(c, cd_chain_set_capsule(c, 1, place, place, n, 1, 0), CD_ERROR_RANGE, of);
-        refuses(c, cd_chain_set_collider_velocity(c, 1, place, n), CD_ERROR_RANGE, of);
-        refuses(c, cd_chain_get_collider(c, 1, &out.i32, out.number, out.number + 3, out.number + 6, n,
-                                         out.number + 9, out.number + 10), CD_ERROR_RANGE, of);
-    }
-    ok(cd_chain_set_thickness(c, 0.25));
-    ok(cd_chain_set_rest_length(c, 0)); /* switches all of it off */
-    ok(cd_chain_set_rest_length(c, 1));
-    ok(cd_chain_get_colliders(c, &count));
-    ok(cd_chain_get_thickness(c, &radius));
-    assert_true(count == 0 && radius == 0);
     cd_chain_destroy(c);
 }
 
@@ -452,9 +356,8 @@ int main(void) {
         cmocka_unit_test(no_parameter_takes_a_number_outside_its_range),
         cmocka_unit_test(the_extremes_of_the_header_are_taken),
         cmocka_unit_test(a_rope_takes_no_other_stiffness_outside_the_range),
-        cmocka_unit_test(only_ropes_feel_air_of_numbers_in_the_range),
         cmocka_unit_test(only_ropes_break_at_strengths_in_the_range),
-        cmocka_unit_test(only_ropes_touch_things_of_numbers_in_the_range),
+        SURROUNDINGS_TESTS,
         cmocka_unit_test(nothing_moves_that_cannot_be_teleported),
         cmocka_unit_test(no_array_takes_what_is_not_finite),
         cmocka_unit_test(no_number_is_taken_for_an_enumerator),

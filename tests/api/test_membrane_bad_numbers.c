@@ -26,12 +26,13 @@ static int tear_down(void** state) {
 }
 
 /* A number that must be at least 0, at most 1e60. */
-#define refuses_parameters(call, argument)       \
-    do {                                         \
+#define refuses_parameters_of(m, call, argument)    \
+    do {                                            \
         refuses_each(m, call, argument, not_finite) \
         refuses_each(m, call, argument, negative)   \
         refuses_each(m, call, argument, too_large)  \
     } while (0)
+#define refuses_parameters(call, argument) refuses_parameters_of(m, call, argument)
 
 static void no_parameter_takes_a_number_outside_its_range(void** state) {
     (void)state;
@@ -59,6 +60,55 @@ static void no_parameter_takes_a_number_outside_its_range(void** state) {
     refuses_each(m, cd_membrane_set_tolerance(m, bad, 10), "tolerance", not_finite);
     refuses_each(m, cd_membrane_set_tolerance(m, bad, 10), "tolerance", no_tolerance);
     refuses(m, cd_membrane_set_tolerance(m, 1e-6, 0), CD_ERROR_VALUE, "most_iterations|0");
+}
+
+static cd_membrane* new_body(void) { return cloth(3, 2, 3, CD_FLOAT64); }
+static void set_lengths(cd_membrane* c, double length) { ok(cd_membrane_set_rest_length(c, length, length)); }
+static cd_status read_winds(const cd_membrane* c, double* winds) {
+    return cd_membrane_read_f64(c, CD_WIND, 0, 0, 4, 3, winds, 36);
+}
+#define BODY membrane
+#define THICKNESS "distance"
+#include "bad_surroundings.h"
+
+/* Whether it is cloth or not: what is out of range is so whoever asks. */
+static void no_cloth_takes_numbers_outside_their_range(void** state) {
+    (void)state;
+    static const struct bad_number none[] = {{0, "0"}, {-0.0, "0"}};
+    cd_membrane* c = new_body();
+    for (int is_cloth = 0; is_cloth <= 1; ++is_cloth) {
+        refuses_parameters_of(c, cd_membrane_set_rest_length(c, bad, 1), "along_u");
+        refuses_parameters_of(c, cd_membrane_set_rest_length(c, 1, bad), "along_v");
+        refuses_each(c, cd_membrane_set_rest_length(c, bad, 1), "along_u", too_small);
+        refuses_each(c, cd_membrane_set_rest_length(c, 1, bad), "along_v", too_small);
+        refuses_each(c, cd_membrane_set_rest_length(c, bad, 1), "along_u", none); /* both or none */
+        refuses_each(c, cd_membrane_set_rest_length(c, 1, bad), "along_v", none);
+        refuses_each(c, cd_membrane_set_rest_length(c, bad, 0), "along_u", not_finite);
+        refuses_parameters_of(c, cd_membrane_set_shear(c, bad), "stiffness");
+        refuses_parameters_of(c, cd_membrane_set_compression(c, bad), "rate");
+        refuses(c, cd_membrane_set_effort(c, 0, 1), CD_ERROR_VALUE, "newton|0|1000");
+        refuses(c, cd_membrane_set_effort(c, 1001, 1), CD_ERROR_VALUE, "newton|1001|1000");
+        refuses(c, cd_membrane_set_effort(c, SIZE_MAX, 1), CD_ERROR_VALUE, name_and_size("newton", SIZE_MAX));
+        refuses(c, cd_membrane_set_effort(c, 1, 0), CD_ERROR_VALUE, "gradient|0|10000");
+        refuses(c, cd_membrane_set_effort(c, 1, 10001), CD_ERROR_VALUE, "gradient|10001|10000");
+        refuses(c, cd_membrane_set_effort(c, 1, SIZE_MAX), CD_ERROR_VALUE, name_and_size("gradient", SIZE_MAX));
+        if (is_cloth) continue;
+        refuses(c, cd_membrane_set_shear(c, 1), CD_ERROR_UNSUPPORTED, "shear|rest length");
+        refuses(c, cd_membrane_set_compression(c, 1), CD_ERROR_UNSUPPORTED, "crumples|rest length");
+        refuses(c, cd_membrane_set_effort(c, 1, 1), CD_ERROR_UNSUPPORTED, "effort|rest length");
+        ok(cd_membrane_set_rest_length(c, 1e60, 1e-60));
+        ok(cd_membrane_set_rest_length(c, 1e-60, 1e60));
+    }
+    ok(cd_membrane_set_shear(c, 1e60));
+    ok(cd_membrane_set_shear(c, 0));
+    ok(cd_membrane_set_compression(c, 1e60));
+    ok(cd_membrane_set_compression(c, 0));
+    ok(cd_membrane_set_effort(c, 1000, 10000));
+    ok(cd_membrane_set_effort(c, 1, 1));
+    ok(cd_membrane_set_air(c, 1e60, 1e60));
+    ok(cd_membrane_set_thickness(c, 1e60));
+    ok(cd_membrane_set_colliders(c, 4096));
+    cd_membrane_destroy(c);
 }
 
 static void no_impulse_is_given_beside_the_sheet(void** state) {
@@ -291,6 +341,8 @@ static void every_number_in_the_header_was_tried(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_parameter_takes_a_number_outside_its_range),
+        SURROUNDINGS_TESTS,
+        cmocka_unit_test(no_cloth_takes_numbers_outside_their_range),
         cmocka_unit_test(no_impulse_is_given_beside_the_sheet),
         cmocka_unit_test(the_extremes_of_the_header_are_taken),
         cmocka_unit_test(no_array_takes_what_is_not_finite),

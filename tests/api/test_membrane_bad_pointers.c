@@ -75,6 +75,28 @@ static void only_a_living_membrane_is_taken_for_one(void** state) {
     refuses_handles(cd_membrane_get_edge, CD_EDGE_U_FIRST, &out.i32);
     refuses_handles(cd_membrane_set_ring, 0, 0);
     refuses_handles(cd_membrane_get_ring, &out.i32, &out.i32);
+    refuses_handles(cd_membrane_set_rest_length, 1.0, 1.0);
+    refuses_handles(cd_membrane_get_rest_length, &out.number[0], &out.number[1]);
+    refuses_handles(cd_membrane_set_shear, 1.0);
+    refuses_handles(cd_membrane_get_shear, out.number);
+    refuses_handles(cd_membrane_set_compression, 1.0);
+    refuses_handles(cd_membrane_get_compression, out.number);
+    refuses_handles(cd_membrane_set_effort, 1, 1);
+    refuses_handles(cd_membrane_get_effort, &out.size[0], &out.size[1]);
+    refuses_handles(cd_membrane_set_air, 1.0, 1.0);
+    refuses_handles(cd_membrane_get_air, &out.number[0], &out.number[1]);
+    refuses_handles(cd_membrane_set_wind, numbers, COMPONENTS);
+    refuses_handles(cd_membrane_get_wind, out.number, COMPONENTS);
+    refuses_handles(cd_membrane_set_colliders, 1);
+    refuses_handles(cd_membrane_get_colliders, out.size);
+    refuses_handles(cd_membrane_set_plane, 0, numbers, numbers, COMPONENTS, 0.5);
+    refuses_handles(cd_membrane_set_capsule, 0, numbers, numbers, COMPONENTS, 1.0, 0.5);
+    refuses_handles(cd_membrane_remove_collider, 0);
+    refuses_handles(cd_membrane_set_collider_velocity, 0, numbers, COMPONENTS);
+    refuses_handles(cd_membrane_get_collider, 0, &out.i32, out.number, out.number + 3, out.number + 6, COMPONENTS,
+                    out.number + 9, out.number + 10);
+    refuses_handles(cd_membrane_set_thickness, 1.0);
+    refuses_handles(cd_membrane_get_thickness, out.number);
     refuses_handles(cd_membrane_enable_field, CD_FORCE);
     refuses_handles(cd_membrane_disable_field, CD_FORCE);
     refuses_handles(cd_membrane_write_f32, CD_POSITION, 0, 0, 1, 1, singles, COMPONENTS);
@@ -154,6 +176,27 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(m, cd_membrane_get_edge(m, CD_EDGE_V_LAST, NULL), CD_ERROR_NULL, "out_kind");
     refuses(m, cd_membrane_get_ring(m, NULL, &out.i32), CD_ERROR_NULL, "out_along_u");
     refuses(m, cd_membrane_get_ring(m, &out.i32, NULL), CD_ERROR_NULL, "out_along_v");
+    refuses(m, cd_membrane_get_rest_length(m, NULL, out.number), CD_ERROR_NULL, "out_along_u");
+    refuses(m, cd_membrane_get_rest_length(m, out.number, NULL), CD_ERROR_NULL, "out_along_v");
+    refuses(m, cd_membrane_get_shear(m, NULL), CD_ERROR_NULL, "out_stiffness");
+    refuses(m, cd_membrane_get_compression(m, NULL), CD_ERROR_NULL, "out_rate");
+    refuses(m, cd_membrane_get_effort(m, NULL, out.size), CD_ERROR_NULL, "out_newton");
+    refuses(m, cd_membrane_get_effort(m, out.size, NULL), CD_ERROR_NULL, "out_gradient");
+    refuses(m, cd_membrane_get_air(m, NULL, out.number), CD_ERROR_NULL, "out_along");
+    refuses(m, cd_membrane_get_air(m, out.number, NULL), CD_ERROR_NULL, "out_across");
+    refuses(m, cd_membrane_set_wind(m, NULL, COMPONENTS), CD_ERROR_NULL, "velocity");
+    refuses(m, cd_membrane_get_wind(m, NULL, COMPONENTS), CD_ERROR_NULL, "out_velocity");
+    refuses(m, cd_membrane_get_colliders(m, NULL), CD_ERROR_NULL, "out_count");
+    refuses(m, cd_membrane_get_thickness(m, NULL), CD_ERROR_NULL, "out_distance");
+    cd_membrane* sail = cloth(4, 4, COMPONENTS, CD_FLOAT32);
+    cloth_sail(sail);
+    ok(cd_membrane_set_colliders(sail, 1));
+    refuses(sail, cd_membrane_set_plane(sail, 0, NULL, numbers, COMPONENTS, 0.5), CD_ERROR_NULL, "point");
+    refuses(sail, cd_membrane_set_plane(sail, 0, numbers, NULL, COMPONENTS, 0.5), CD_ERROR_NULL, "normal");
+    refuses(sail, cd_membrane_set_capsule(sail, 0, NULL, numbers, COMPONENTS, 1, 0.5), CD_ERROR_NULL, "first");
+    refuses(sail, cd_membrane_set_capsule(sail, 0, numbers, NULL, COMPONENTS, 1, 0.5), CD_ERROR_NULL, "last");
+    refuses(sail, cd_membrane_set_collider_velocity(sail, 0, NULL, COMPONENTS), CD_ERROR_NULL, "velocity");
+    cd_membrane_destroy(sail);
     refuses(m, cd_membrane_write_f32(m, CD_POSITION, 0, 0, 1, 1, NULL, COMPONENTS), CD_ERROR_NULL, "values");
     refuses(m, cd_membrane_write_f64(m, CD_POSITION, 0, 0, 1, 1, NULL, COMPONENTS), CD_ERROR_NULL, "values");
     refuses(m, cd_membrane_read_f32(m, CD_POSITION, 0, 0, 1, 1, NULL, COMPONENTS), CD_ERROR_NULL, "out_values");
@@ -201,6 +244,12 @@ static const char* const nullable[] = {
     "cd_membrane_get_energy out_kinetic",
     "cd_membrane_get_energy out_elastic",
     "cd_membrane_get_energy out_gravity",
+    "cd_membrane_get_collider out_shape",
+    "cd_membrane_get_collider out_first",
+    "cd_membrane_get_collider out_second",
+    "cd_membrane_get_collider out_velocity",
+    "cd_membrane_get_collider out_radius",
+    "cd_membrane_get_collider out_friction",
     "cd_membrane_write_vertices membrane",
     "cd_membrane_write_vertices buffer",
     "cd_membrane_get_index_count membrane",
@@ -223,6 +272,11 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     ok(cd_membrane_attach(other, 1, 0, 1, 1, NULL, SIZE_MAX)); /* then count means nothing */
     ok(cd_membrane_sample(other, NULL, 0, NULL, 0));
     cd_membrane_destroy(other);
+    cd_membrane* sail = cloth(4, 4, COMPONENTS, CD_FLOAT32);
+    cloth_sail(sail);
+    cloth_meet(sail);
+    ok(cd_membrane_get_collider(sail, 0, NULL, NULL, NULL, NULL, COMPONENTS, NULL, NULL));
+    cd_membrane_destroy(sail);
     cd_membrane_destroy(NULL);
 }
 
