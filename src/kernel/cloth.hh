@@ -61,7 +61,7 @@ void cloth_apply(const Grid& grid, const ClothMatrix& matrix, const double* cons
                  size_t first, size_t count);
 // q += factor moves (bend and twist of p)
 void cloth_bend(const Grid& grid, const ClothMatrix& matrix, double factor, const double* const* p, double* const* q,
-                size_t first, size_t count);
+                double* scratch, size_t first, size_t count);
 // The diagonal blocks of the matrix, as ground is laid out.
 void cloth_blocks(const Grid& grid, const ClothMatrix& matrix, double* const* out, size_t first, size_t count);
 // Factors lines down the columns: blocks become the inverses of what is left of them. Parts are of the columns.

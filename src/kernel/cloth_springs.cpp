@@ -1,4 +1,6 @@
 // Sums over the springs of cloth: of their forces, and of a matrix's products.
+#include <utility>
+
 #include "kernel/cloth.hh"
 #include "kernel/vectors.hh"
 
@@ -150,38 +152,60 @@ void cloth_apply(const Grid& grid, const ClothMatrix& matrix, const double* cons
 }
 
 // With m_i = b_i (p_{i-1} - 2 p_i + p_{i+1}) the bend of a line is m_{i-1} - 2 m_i + m_{i+1} at node i; with
-// t = twist (p_00 - p_10 - p_01 + p_11) of a cell the twist is t at two corners and -t at the others.
+// t = twist (p_00 - p_10 - p_01 + p_11) of a cell the twist is t at two corners and -t at the others. Moments lie in
+// rows of scratch: of one row along u, of three rows along v, of the cells of two rows.
 void cloth_bend(const Grid& grid, const ClothMatrix& matrix, double factor, const double* const* p, double* const* q,
-                size_t first, size_t count) {
+                double* scratch, size_t first, size_t count) {
     using L = Lanes<kLanes>;
-    for (size_t row = first; row < first + count; ++row) {
-        const size_t above = grid.above(row), below = grid.below(row);
-        const size_t at[5] = {grid.above(above) * grid.pitch, above * grid.pitch, row * grid.pitch, below * grid.pitch,
-                              grid.below(below) * grid.pitch};
-        for (size_t u = 0; u < grid.columns; u += size_t(kLanes))
-            for (int k = 0; k < 3; ++k) {
-                const double* const x = p[k];
-                const auto number = [&](int line, ptrdiff_t i) { return L::load(x + at[line] + u + size_t(i)); };
-                const auto along_u = [&](ptrdiff_t i) {
-                    const L curve = (number(2, i - 1) - number(2, i)) + (number(2, i + 1) - number(2, i));
-                    return L::load(matrix.bend[0] + at[2] + u + size_t(i)) * curve;
-                };
-                const auto along_v = [&](int line) {
-                    const L curve = (number(line - 1, 0) - number(line, 0)) + (number(line + 1, 0) - number(line, 0));
-                    return L::load(matrix.bend[1] + at[line] + u) * curve;
-                };
-                const auto twist = [&](int line, ptrdiff_t i) {
-                    const L change = (number(line + 1, i + 1) - number(line + 1, i)) -
-                                     (number(line, i + 1) - number(line, i));
-                    return L::load(matrix.twist + at[line] + u + size_t(i)) * change;
-                };
-                const L middle_u = along_u(0), middle_v = along_v(2);
-                const L bend = ((along_u(-1) - middle_u) + (along_u(1) - middle_u)) +
-                               ((along_v(1) - middle_v) + (along_v(3) - middle_v));
-                const L twisted = (twist(2, 0) - twist(2, -1)) - (twist(1, 0) - twist(1, -1));
-                double* const out = q[k] + at[2] + u;
-                (L::load(out) + factor * (L::load(matrix.moves + at[2] + u) * (bend + twisted))).store(out);
+    const ptrdiff_t columns = ptrdiff_t(grid.columns);
+    double* moment[6];
+    for (int k = 0; k < 6; ++k) moment[k] = scratch + size_t(k) * grid.pitch + kBefore;
+    for (int k = 0; k < 3; ++k) {
+        const double* const x = p[k];
+        double *const along_u = moment[0], *along_v[3] = {moment[1], moment[2], moment[3]};
+        double* cells[2] = {moment[4], moment[5]};
+        const auto load = [](const double* row, ptrdiff_t u) { return L::load(row + u); };
+        const auto find_along_v = [&](size_t row, double* out) {
+            const double *const here = x + row * grid.pitch, *const above = x + grid.above(row) * grid.pitch,
+                         *const below = x + grid.below(row) * grid.pitch;
+            const double* const bend = matrix.bend[1] + row * grid.pitch;
+            for (ptrdiff_t u = 0; u < columns; u += kLanes) {
+                const L middle = load(here, u);
+                (load(bend, u) * ((load(above, u) - middle) + (load(below, u) - middle))).store(out + u);
             }
+        };
+        const auto find_cells = [&](size_t row, double* out) {
+            const double *const here = x + row * grid.pitch, *const below = x + grid.below(row) * grid.pitch;
+            const double* const twist = matrix.twist + row * grid.pitch;
+            for (ptrdiff_t u = -kBefore; u < columns; u += kLanes)
+                (load(twist, u) * ((load(below, u + 1) - load(below, u)) - (load(here, u + 1) - load(here, u))))
+                    .store(out + u);
+        };
+        find_along_v(grid.above(first), along_v[1]);
+        find_along_v(first, along_v[2]);
+        find_cells(grid.above(first), cells[1]);
+        for (size_t row = first; row < first + count; ++row) {
+            double* const oldest = along_v[0];
+            along_v[0] = along_v[1], along_v[1] = along_v[2], along_v[2] = oldest;
+            std::swap(cells[0], cells[1]);
+            find_along_v(grid.below(row), along_v[2]);
+            find_cells(row, cells[1]);
+            const double *const here = x + row * grid.pitch, *const bend = matrix.bend[0] + row * grid.pitch;
+            for (ptrdiff_t u = -kBefore; u < columns + 1; u += kLanes) {
+                const L middle = load(here, u);
+                (load(bend, u) * ((load(here, u - 1) - middle) + (load(here, u + 1) - middle))).store(along_u + u);
+            }
+            const double* const moves = matrix.moves + row * grid.pitch;
+            double* const out = q[k] + row * grid.pitch;
+            for (ptrdiff_t u = 0; u < columns; u += kLanes) {
+                const L middle_u = load(along_u, u), middle_v = load(along_v[1], u);
+                const L bent = ((load(along_u, u - 1) - middle_u) + (load(along_u, u + 1) - middle_u)) +
+                               ((load(along_v[0], u) - middle_v) + (load(along_v[2], u) - middle_v));
+                const L twisted = (load(cells[1], u) - load(cells[1], u - 1)) -
+                                  (load(cells[0], u) - load(cells[0], u - 1));
+                (load(out, u) + factor * (load(moves, u) * (bent + twisted))).store(out + u);
+            }
+        }
     }
 }
 

@@ -168,6 +168,15 @@ void prepare(const Membrane& m, ClothWork& w, double h, double dt) {
             w.stiffness[kDiagonal][at] = w.stiffness[kCounterDiagonal][at] = shear;
             if (shear > 0) w.length[kDiagonal][at] = diagonal_length(m, u, v);
         }
+    if (!m.ring[kU]) return;
+    const auto wrap = [&](double* plane) { m.kernels->sheet.wrap(w.grid, plane, 0, w.grid.rows); };
+    for (double* plane : w.stiffness) wrap(plane);
+    for (double* plane : {w.length[kAlongU], w.length[kAlongV], w.length[kDiagonal]}) wrap(plane);
+    for (Direction d : {kU, kV}) {
+        wrap(w.compression[d]);
+        if (w.has_bend()) wrap(w.bend[d]);
+    }
+    if (w.has_bend()) wrap(w.twist);
 }
 
 // ---- a step ---------------------------------------------------------------------------------------------------------
@@ -229,7 +238,7 @@ struct ClothStep {
         const ClothResidual with{h, dt, {w.rhs[0], w.rhs[1], w.rhs[2]}, {velocity[0], velocity[1], velocity[2]}};
         rows([&](size_t first, size_t count, double* scratch) {
             cloth().residual(w.grid, w.springs(), matrix, with, w.to, w.residual, curves, scratch, first, count);
-            if (w.has_bend()) cloth().bend(w.grid, matrix, -1 / dt, w.to, w.residual, first, count);
+            if (w.has_bend()) cloth().bend(w.grid, matrix, -1 / dt, w.to, w.residual, scratch, first, count);
         });
         if (curves && w.ground[0] != w.own[0])
             for (int k = 0; k < 6; ++k)
@@ -244,7 +253,7 @@ struct ClothStep {
         const ClothMatrix matrix = w.matrix(w.ground);
         rows([&](size_t first, size_t count, double* scratch) {
             cloth().apply(w.grid, matrix, p, w.image, scratch, first, count);
-            if (w.has_bend()) cloth().bend(w.grid, matrix, 1, p, w.image, first, count);
+            if (w.has_bend()) cloth().bend(w.grid, matrix, 1, p, w.image, scratch, first, count);
         });
     }
 

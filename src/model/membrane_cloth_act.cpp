@@ -157,9 +157,10 @@ void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* con
         const size_t at = size_t(c.at);
         const Vector3 normal = normal_of(c), moved = vector_at(w.w, at);
         if (!(push_of(c, moved, 1 / dt) > 0)) continue;
-        const double overlap = c.gap < 0 ? -c.gap / dt : 0;
-        const double change = dot(normal, moved - vector_at(velocity, at)) - overlap;
-        for (int k = 0; k < 3; ++k) velocity[k][at] += change * normal[k];
+        const double overlap = c.gap < 0 ? -c.gap / dt : 0, own = dot(normal, collider_velocity(c));
+        const double now = dot(normal, vector_at(velocity, at)), then = dot(normal, moved) - overlap;
+        if (!(fabs(then - own) < fabs(now - own))) continue; // or it would gain energy
+        for (int k = 0; k < 3; ++k) velocity[k][at] += (then - now) * normal[k];
     }
 }
 

@@ -1,5 +1,6 @@
 /* Bad input to the functions of a membrane that take a field: enable, disable, write, read, view. */
 #include <math.h>
+#include <stdbool.h>
 
 #include "check.h"
 #include "cloth.h"
@@ -10,6 +11,7 @@ enum { NU = 6, NV = 4, COLUMNS = NU + 1, ROWS = NV + 1, COMPONENTS = 2, ALL = CO
 
 static cd_membrane* m;     /* everything on */
 static cd_membrane* plain; /* nothing on */
+static cd_membrane* sail;  /* cloth with all that only cloth has */
 
 static const cd_field optional[] = {CD_FORCE,       CD_MASS,        CD_PIN, CD_TARGET,
                                     CD_STIFFNESS_U, CD_STIFFNESS_V, CD_MASK};
@@ -24,6 +26,8 @@ static int set_up(void** state) {
     m = cloth(NU, NV, COMPONENTS, CD_FLOAT64);
     cloth_everything(m);
     plain = cloth(NU, NV, COMPONENTS, CD_FLOAT32);
+    sail = cloth(NU, NV, 3, CD_FLOAT64);
+    cloth_lengths(sail);
     return 0;
 }
 
@@ -31,6 +35,7 @@ static int tear_down(void** state) {
     (void)state;
     cd_membrane_destroy(m);
     cd_membrane_destroy(plain);
+    cd_membrane_destroy(sail);
     return 0;
 }
 
@@ -61,8 +66,45 @@ static int tear_down(void** state) {
 
 static void no_number_is_taken_for_a_field(void** state) {
     (void)state;
-    static const cd_field none[] = {-1, 11, 77, INT32_MAX, INT32_MIN};
-    for (size_t i = 0; i < COUNT(none); ++i) refuses_field(none[i], CD_ERROR_ENUM, text_of("field|%d", none[i]));
+    static const cd_field none[] = {-1, 11, 12, 13, 14, 15, 16, 17, 18, 19,        20,       21,
+                                    22, 23, 25, 26, 33, 34, 76, 77, 88, INT32_MAX, INT32_MIN};
+    for (size_t i = 0; i < COUNT(none); ++i)
+        refuses_field(none[i], CD_ERROR_ENUM, text_of("field|%d|must be 0 to 10, 24 or 27 to 32", none[i]));
+}
+
+static const cd_field of_cloth[] = {CD_WIND,      CD_REST_LENGTH_U, CD_REST_LENGTH_V, CD_TENSION_U,
+                                    CD_TENSION_V, CD_STRAIN_U,      CD_STRAIN_V};
+enum { SWITCHED = 3 }; /* of them; what cloth tells is always on, and to be read only */
+
+static void only_cloth_has_the_fields_of_cloth(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(of_cloth); ++i) {
+        const cd_field f = of_cloth[i];
+        const char* text = text_of("field|%d|rest length", f);
+        const size_t count = cloth_extent(sail, f).components;
+        refuses(m, cd_membrane_enable_field(m, f), CD_ERROR_UNSUPPORTED, text);
+        refuses_transfers(m, f, 0, 0, 1, 1, cloth_extent(m, f).components, CD_ERROR_UNSUPPORTED, text);
+        refuses_view(m, f, CD_ERROR_UNSUPPORTED, text_of("field|%d", f));
+        refuses_view(sail, f, CD_ERROR_UNSUPPORTED, text_of("field|%d|view", f));
+        ok(cd_membrane_enable_field(sail, f));
+        if (i < SWITCHED) {
+            ok(cd_membrane_disable_field(m, f)); /* is off */
+            ok(cd_membrane_disable_field(sail, f));
+            refuses_transfers(sail, f, 0, 0, 1, 1, count, CD_ERROR_DISABLED,
+                              text_of("field|%d|cd_membrane_enable_field", f));
+            ok(cd_membrane_enable_field(sail, f));
+            ok(cd_membrane_read_f64(sail, f, 0, 0, 1, 1, values, count));
+            continue;
+        }
+        text = text_of("field|%d|always on", f);
+        refuses(m, cd_membrane_disable_field(m, f), CD_ERROR_UNSUPPORTED, text);
+        refuses(sail, cd_membrane_disable_field(sail, f), CD_ERROR_UNSUPPORTED, text);
+        text = text_of("field|%d|read only", f);
+        refuses(sail, cd_membrane_write_f64(sail, f, 0, 0, 1, 1, values, 1), CD_ERROR_UNSUPPORTED, text);
+        refuses(sail, cd_membrane_write_f32(sail, f, 0, 0, 1, 1, singles, 1), CD_ERROR_UNSUPPORTED, text);
+        ok(cd_membrane_read_f64(sail, f, 0, 0, 1, 1, values, 1));
+        ok(cd_membrane_read_f32(sail, f, 0, 0, 1, 1, singles, 1));
+    }
 }
 
 static void the_chains_fields_are_unsupported_and_the_membranes_are_named(void** state) {
@@ -94,31 +136,37 @@ static const char* part_text(const char* argument, const char* direction, size_t
 
 static void no_rectangle_beyond_the_end_is_taken(void** state) {
     (void)state;
-    static const cd_field fields[] = {CD_POSITION, CD_VELOCITY,    CD_FORCE,       CD_TARGET, CD_MASS,
-                                      CD_PIN,      CD_STIFFNESS_U, CD_STIFFNESS_V, CD_MASK};
+    static const cd_field fields[] = {CD_POSITION,      CD_VELOCITY,      CD_FORCE,       CD_TARGET,   CD_MASS,
+                                      CD_PIN,           CD_STIFFNESS_U,   CD_STIFFNESS_V, CD_MASK,     CD_REST_LENGTH_U,
+                                      CD_REST_LENGTH_V, CD_TENSION_U,     CD_TENSION_V,   CD_STRAIN_U, CD_STRAIN_V,
+                                      CD_WIND};
     const size_t most = SIZE_MAX;
-    for (size_t i = 0; i < COUNT(fields); ++i) {
-        const cd_field f = fields[i];
-        const struct cloth_extent all = cloth_extent(m, f);
+    for (size_t i = 0; i < 2 * COUNT(fields); ++i) {
+        const cd_field f = fields[i / 2];
+        cd_membrane* const b = i % 2 ? sail : m;
+        if (b == m && f > CD_MASK) continue;
+        const struct cloth_extent all = cloth_extent(b, f);
         const size_t c = all.components, columns = all.columns, rows = all.rows;
-        assert_int_equal(columns, f == CD_STIFFNESS_U ? NU : COLUMNS);
-        assert_int_equal(rows, f == CD_STIFFNESS_V ? NV : ROWS);
+        const bool along_u = f == CD_STIFFNESS_U || f == CD_REST_LENGTH_U || f == CD_TENSION_U || f == CD_STRAIN_U;
+        const bool along_v = f == CD_STIFFNESS_V || f == CD_REST_LENGTH_V || f == CD_TENSION_V || f == CD_STRAIN_V;
+        assert_int_equal(columns, along_u ? NU : COLUMNS);
+        assert_int_equal(rows, along_v ? NV : ROWS);
         const char* first_u = "first_u";
         const char* first_v = "first_v";
-        refuses_transfers(m, f, columns, 0, 1, 1, c, CD_ERROR_RANGE, part_text(first_u, "u", columns));
-        refuses_transfers(m, f, columns - 1, 0, 2, 1, 2 * c, CD_ERROR_RANGE, part_text(first_u, "u", columns - 1));
-        refuses_transfers(m, f, most, 0, 1, 1, c, CD_ERROR_RANGE, part_text(first_u, "u", most));
-        refuses_transfers(m, f, most, 0, 2, 1, 2 * c, CD_ERROR_RANGE, part_text(first_u, "u", most));
-        refuses_transfers(m, f, 0, 0, columns + 1, 1, 8 * c, CD_ERROR_RANGE, part_text("n_u", "u", columns + 1));
-        refuses_transfers(m, f, 1, 0, most, 1, most * c, CD_ERROR_RANGE, part_text("n_u", "u", most));
-        refuses_transfers(m, f, 0, 0, most / 2 + 1, 1, 0, CD_ERROR_RANGE, part_text("n_u", "u", most / 2 + 1));
-        refuses_transfers(m, f, 0, rows, 1, 1, c, CD_ERROR_RANGE, part_text(first_v, "v", rows));
-        refuses_transfers(m, f, 0, rows - 1, 1, 2, 2 * c, CD_ERROR_RANGE, part_text(first_v, "v", rows - 1));
-        refuses_transfers(m, f, 0, most, 1, 1, c, CD_ERROR_RANGE, part_text(first_v, "v", most));
-        refuses_transfers(m, f, 0, most, 1, 2, 2 * c, CD_ERROR_RANGE, part_text(first_v, "v", most));
-        refuses_transfers(m, f, 0, 0, 1, rows + 1, 8 * c, CD_ERROR_RANGE, part_text("n_v", "v", rows + 1));
-        refuses_transfers(m, f, 0, 1, 1, most, most * c, CD_ERROR_RANGE, part_text("n_v", "v", most));
-        refuses_transfers(m, f, 0, 0, 2, most / 2 + 1, 0, CD_ERROR_RANGE, part_text("n_v", "v", most / 2 + 1));
+        refuses_transfers(b, f, columns, 0, 1, 1, c, CD_ERROR_RANGE, part_text(first_u, "u", columns));
+        refuses_transfers(b, f, columns - 1, 0, 2, 1, 2 * c, CD_ERROR_RANGE, part_text(first_u, "u", columns - 1));
+        refuses_transfers(b, f, most, 0, 1, 1, c, CD_ERROR_RANGE, part_text(first_u, "u", most));
+        refuses_transfers(b, f, most, 0, 2, 1, 2 * c, CD_ERROR_RANGE, part_text(first_u, "u", most));
+        refuses_transfers(b, f, 0, 0, columns + 1, 1, 8 * c, CD_ERROR_RANGE, part_text("n_u", "u", columns + 1));
+        refuses_transfers(b, f, 1, 0, most, 1, most * c, CD_ERROR_RANGE, part_text("n_u", "u", most));
+        refuses_transfers(b, f, 0, 0, most / 2 + 1, 1, 0, CD_ERROR_RANGE, part_text("n_u", "u", most / 2 + 1));
+        refuses_transfers(b, f, 0, rows, 1, 1, c, CD_ERROR_RANGE, part_text(first_v, "v", rows));
+        refuses_transfers(b, f, 0, rows - 1, 1, 2, 2 * c, CD_ERROR_RANGE, part_text(first_v, "v", rows - 1));
+        refuses_transfers(b, f, 0, most, 1, 1, c, CD_ERROR_RANGE, part_text(first_v, "v", most));
+        refuses_transfers(b, f, 0, most, 1, 2, 2 * c, CD_ERROR_RANGE, part_text(first_v, "v", most));
+        refuses_transfers(b, f, 0, 0, 1, rows + 1, 8 * c, CD_ERROR_RANGE, part_text("n_v", "v", rows + 1));
+        refuses_transfers(b, f, 0, 1, 1, most, most * c, CD_ERROR_RANGE, part_text("n_v", "v", most));
+        refuses_transfers(b, f, 0, 0, 2, most / 2 + 1, 0, CD_ERROR_RANGE, part_text("n_v", "v", most / 2 + 1));
     }
 }
 
@@ -163,6 +211,11 @@ static const struct {
     {CD_PIN, -1, "-1"},                 {CD_PIN, 5, "5"},                      {CD_PIN, 1e30, "1e+30"},
     {CD_PIN, CD_NODE_MATCHED, "3"},     {CD_MASK, NAN, "nan"},                 {CD_MASK, 0.5, "0.5"},
     {CD_MASK, 2, "2"},                  {CD_MASK, -1, "-1"},                   {CD_MASK, 256, "256"},
+    {CD_REST_LENGTH_U, NAN, "nan"},     {CD_REST_LENGTH_U, INFINITY, "inf"},   {CD_REST_LENGTH_U, 0, "0"},
+    {CD_REST_LENGTH_U, -0.5, "-0.5"},   {CD_REST_LENGTH_U, 1e61, "1e+61"},     {CD_REST_LENGTH_U, 1e-61, "1e-61"},
+    {CD_REST_LENGTH_V, NAN, "nan"},     {CD_REST_LENGTH_V, -INFINITY, "-inf"}, {CD_REST_LENGTH_V, 0, "0"},
+    {CD_REST_LENGTH_V, -0.5, "-0.5"},   {CD_REST_LENGTH_V, 1e61, "1e+61"},     {CD_REST_LENGTH_V, 1e-61, "1e-61"},
+    {CD_WIND, NAN, "nan"},              {CD_WIND, INFINITY, "inf"},            {CD_WIND, -INFINITY, "-inf"},
 };
 
 /* The bad value in a 2 x 2 square, the others good, so that a half-done write would show. */
@@ -170,18 +223,20 @@ static void a_bad_value_is_found_before_anything_is_written(void** state) {
     (void)state;
     for (size_t i = 0; i < COUNT(bad_values); ++i) {
         const cd_field field = bad_values[i].field;
-        const size_t each = cloth_extent(m, field).components, count = 4 * each;
-        double doubles[4 * COMPONENTS];
-        float floats[4 * COMPONENTS];
+        cd_membrane* const b = field > CD_MASK ? sail : m;
+        const size_t each = cloth_extent(b, field).components, count = 4 * each;
+        double doubles[4 * 3];
+        float floats[4 * 3];
         for (size_t j = 0; j < count; ++j) {
-            const double good = field == CD_MASS || field == CD_STIFFNESS_U ? 0.75 : field == CD_PIN ? 1 : 0;
+            const bool positive = field == CD_MASS || field == CD_STIFFNESS_U || field >= CD_REST_LENGTH_U;
+            const double good = positive ? 0.75 : field == CD_PIN ? 1 : 0;
             doubles[j] = j == 2 * each ? bad_values[i].value : good;
             floats[j] = (float)doubles[j];
         }
         const char* text = text_of("values|%zu|%s", 2 * each, bad_values[i].shown);
-        refuses(m, cd_membrane_write_f64(m, field, 4, 1, 2, 2, doubles, count), CD_ERROR_VALUE, text);
+        refuses(b, cd_membrane_write_f64(b, field, 4, 1, 2, 2, doubles, count), CD_ERROR_VALUE, text);
         if (isfinite(floats[2 * each]) == isfinite(doubles[2 * each]) && floats[2 * each] != 0)
-            refuses(m, cd_membrane_write_f32(m, field, 4, 1, 2, 2, floats, count), CD_ERROR_VALUE, "values");
+            refuses(b, cd_membrane_write_f32(b, field, 4, 1, 2, 2, floats, count), CD_ERROR_VALUE, "values");
     }
 }
 
@@ -227,6 +282,7 @@ static void every_field_argument_in_the_header_was_tried(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_number_is_taken_for_a_field),
+        cmocka_unit_test(only_cloth_has_the_fields_of_cloth),
         cmocka_unit_test(the_chains_fields_are_unsupported_and_the_membranes_are_named),
         cmocka_unit_test(a_field_that_is_off_is_said_to_be_disabled),
         cmocka_unit_test(what_has_no_view_or_no_switch_is_unsupported),

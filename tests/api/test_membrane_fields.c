@@ -8,17 +8,24 @@
 #include "scene.h"
 #include "sheet.h"
 
-enum { NU = 5, NV = 3, COLUMNS = NU + 1, ROWS = NV + 1, COMPONENTS = 2, ALL = COLUMNS * ROWS * COMPONENTS };
+enum { NU = 5, NV = 3, COLUMNS = NU + 1, ROWS = NV + 1, COMPONENTS = 3, ALL = COLUMNS * ROWS * COMPONENTS };
 
 static const struct field {
     cd_field field;
     bool is_state, optional;
 } fields[] = {{CD_POSITION, true, false},  {CD_VELOCITY, true, false},   {CD_FORCE, true, true},
               {CD_TARGET, true, true},     {CD_MASS, false, true},       {CD_STIFFNESS_U, false, true},
-              {CD_STIFFNESS_V, false, true}, {CD_PIN, false, true},      {CD_MASK, false, true}};
+              {CD_STIFFNESS_V, false, true}, {CD_PIN, false, true},      {CD_MASK, false, true},
+              {CD_REST_LENGTH_U, false, true}, {CD_REST_LENGTH_V, false, true}, {CD_WIND, true, true}};
+enum { OF_ALL = COUNT(fields) - 3 }; /* the rest are of cloth */
+
+static void give_lengths_for(cd_membrane* m, cd_field field) {
+    if (field > CD_MASK) ok(cd_membrane_set_rest_length(m, 1, 0.5));
+}
 
 static cd_membrane* membrane_with(cd_precision precision, cd_field field) {
     cd_membrane* m = cloth(NU, NV, COMPONENTS, precision);
+    give_lengths_for(m, field);
     ok(cd_membrane_enable_field(m, field));
     return m;
 }
@@ -28,7 +35,9 @@ static void fill(cd_field field, double* values, size_t count, uint64_t seed) {
     for (size_t i = 0; i < count; ++i) {
         const double noise = scene_noise(&seed);
         values[i] = noise * 1e3;
-        if (field == CD_MASS || field == CD_STIFFNESS_U || field == CD_STIFFNESS_V) values[i] = fabs(noise) + 1e-3;
+        if (field == CD_MASS || field == CD_STIFFNESS_U || field == CD_STIFFNESS_V || field == CD_REST_LENGTH_U ||
+            field == CD_REST_LENGTH_V)
+            values[i] = fabs(noise) + 1e-3;
         if (field == CD_PIN) values[i] = noise > 0 ? CD_NODE_DRIVEN : CD_NODE_FREE;
         if (field == CD_MASK) values[i] = noise > 0;
     }
@@ -101,6 +110,7 @@ static void fields_do_not_touch_each_other(void** state) {
     for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
         cd_membrane* m = cloth(NU, NV, COMPONENTS, precision);
         double values[COUNT(fields)][ALL], back[ALL];
+        give_lengths_for(m, CD_WIND);
         for (size_t i = 0; i < COUNT(fields); ++i) ok(cd_membrane_enable_field(m, fields[i].field));
         for (size_t i = 0; i < COUNT(fields); ++i) {
             const size_t count = cloth_extent(m, fields[i].field).count;
@@ -137,7 +147,8 @@ static void an_empty_rectangle_is_no_error_and_does_nothing(void** state) {
 static void a_view_shows_the_fields_own_memory(void** state) {
     (void)state;
     for (size_t i = 0; i < COUNT(fields); ++i) {
-        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64 && fields[i].is_state; ++precision) {
+        const bool has_view = fields[i].is_state && fields[i].field != CD_WIND;
+        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64 && has_view; ++precision) {
             cd_membrane* m = membrane_with(precision, fields[i].field);
             const void* data;
             size_t stride[3];
@@ -193,7 +204,7 @@ static void a_field_switched_on_holds_the_uniform_values(void** state) {
         ok(cd_membrane_set_mass_rule(m, d->rule));
         ok(cd_membrane_set_stiffness(m, 2, 4));
         ok(cd_membrane_set_ring(m, d->ring[0], d->ring[1]));
-        for (size_t j = 0; j < COUNT(fields); ++j) ok(cd_membrane_enable_field(m, fields[j].field));
+        for (size_t j = 0; j < OF_ALL; ++j) ok(cd_membrane_enable_field(m, fields[j].field));
         double x[ALL], target[ALL], force[ALL];
         cloth_read(m, CD_POSITION, x);
         cloth_read(m, CD_TARGET, target);
@@ -247,7 +258,7 @@ static void switching_on_what_is_on_keeps_its_values(void** state) {
     const uint64_t before = hash_of(m);
     size_t bytes, bytes_after;
     ok(cd_membrane_get_memory(m, &bytes));
-    for (size_t i = 0; i < COUNT(fields); ++i) ok(cd_membrane_enable_field(m, fields[i].field));
+    for (size_t i = 0; i < OF_ALL; ++i) ok(cd_membrane_enable_field(m, fields[i].field));
     ok(cd_membrane_get_memory(m, &bytes_after));
     assert_int_equal(hash_of(m), before);
     assert_int_equal(bytes_after, bytes);
@@ -265,6 +276,8 @@ static void a_field_switched_off_gives_its_memory_back_and_its_values_up(void** 
         cloth_drum(never);
         cloth_write(m, CD_VELOCITY, at_rest);
         cloth_write(never, CD_VELOCITY, at_rest);
+        give_lengths_for(m, fields[i].field);
+        give_lengths_for(never, fields[i].field);
         size_t before, with, after;
         ok(cd_membrane_get_memory(m, &before));
         ok(cd_membrane_enable_field(m, fields[i].field));
@@ -291,7 +304,7 @@ static void setting_a_total_writes_its_field_anew(void** state) {
     (void)state;
     cd_membrane* m = cloth(NU, NV, 1, CD_FLOAT32);
     double number;
-    for (size_t i = 0; i < COUNT(fields); ++i) ok(cd_membrane_enable_field(m, fields[i].field));
+    for (size_t i = 0; i < OF_ALL; ++i) ok(cd_membrane_enable_field(m, fields[i].field));
     sheet_set(m, CD_MASS, 3, 1, 9);
     sheet_set(m, CD_STIFFNESS_U, 3, 1, 9);
     sheet_set(m, CD_STIFFNESS_V, 3, 1, 9);
@@ -317,7 +330,7 @@ static void a_ring_deals_the_totals_out_anew(void** state) {
     (void)state;
     cd_membrane* m = cloth(NU, NV, 1, CD_FLOAT64);
     ok(cd_membrane_set_mass(m, 24));
-    for (size_t i = 0; i < COUNT(fields); ++i) ok(cd_membrane_enable_field(m, fields[i].field));
+    for (size_t i = 0; i < OF_ALL; ++i) ok(cd_membrane_enable_field(m, fields[i].field));
     sheet_set(m, CD_MASS, 2, 1, 9);
     sheet_set(m, CD_STIFFNESS_U, 2, 1, 9);
     sheet_set(m, CD_STIFFNESS_V, 2, 1, 9);

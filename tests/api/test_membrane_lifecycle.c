@@ -80,6 +80,7 @@ static void a_new_membrane_has_the_defaults_of_the_header(void** state) {
         }
         ok(cd_membrane_get_ring(m, &ring[0], &ring[1]));
         assert_true(ring[0] == 0 && ring[1] == 0);
+        cloth_assert_defaults(m);
         cd_membrane_destroy(m);
     }
 }
@@ -212,6 +213,13 @@ static void the_allocator_is_copied_and_gets_everything_back(void** state) {
     assert_true(heap.live_blocks > 0);
     cd_membrane_destroy(m);
     heap_free(&heap);
+    struct heap of_cloth = {0};
+    allocator = heap_allocator(&of_cloth);
+    m = cloth_from(&allocator, 6, 7, 3, CD_FLOAT32);
+    cloth_lengths(m);
+    ok(cd_membrane_step(m, 0.01, 3));
+    cd_membrane_destroy(m);
+    heap_free(&of_cloth);
 }
 
 static void a_failed_create_leaves_the_output_alone(void** state) {

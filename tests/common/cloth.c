@@ -243,6 +243,23 @@ void cloth_meet(cd_membrane* membrane) {
     ok(cd_membrane_set_thickness(membrane, 0.015625));
 }
 
+void cloth_assert_defaults(const cd_membrane* membrane) {
+    double length[2] = {-1, -1}, shear = -1, rate = -1, air[2] = {-1, -1}, wind[4] = {-1, -1, -1, -1}, thickness = -1;
+    size_t components, newton = 0, gradient = 0, colliders = 9;
+    ok(cd_membrane_get_shape(membrane, NULL, NULL, &components, NULL));
+    ok(cd_membrane_get_rest_length(membrane, &length[0], &length[1]));
+    ok(cd_membrane_get_shear(membrane, &shear));
+    ok(cd_membrane_get_compression(membrane, &rate));
+    ok(cd_membrane_get_effort(membrane, &newton, &gradient));
+    ok(cd_membrane_get_air(membrane, &air[0], &air[1]));
+    ok(cd_membrane_get_wind(membrane, wind, components));
+    ok(cd_membrane_get_colliders(membrane, &colliders));
+    ok(cd_membrane_get_thickness(membrane, &thickness));
+    assert_true(length[0] == 0 && length[1] == 0 && shear == 0 && rate == 5 && newton == 2 && gradient == 14);
+    assert_true(air[0] == 0 && air[1] == 0 && colliders == 0 && thickness == 0);
+    for (size_t k = 0; k < components; ++k) assert_true(wind[k] == 0);
+}
+
 void cloth_sail(cd_membrane* membrane) {
     const double wind[3] = {0.5, 0, 4};
     cloth_lay_out(membrane, 0.1);

@@ -53,6 +53,9 @@ cloth_build cloth_lengths_tube; /* and closed along v */
 enum { LENGTH_CLOTHS = 3 };
 extern const struct cloth_scene length_cloths[LENGTH_CLOTHS];
 
+/* Fails unless a membrane's cloth is as in a new one: there is none. */
+void cloth_assert_defaults(const cd_membrane* membrane);
+
 /* Four colliders: a plane, a sphere that moves, one that is none, and a capsule; and a thickness. */
 void cloth_meet(cd_membrane* membrane);
 
