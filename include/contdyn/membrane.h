@@ -1,4 +1,5 @@
-/* contdyn: a membrane: a sheet of nodes joined by springs in two directions: drum, cloth, flag, thin plate.
+/* contdyn: a membrane: a sheet of nodes joined by springs in two directions: drum, balloon, thin plate; with rest
+ * lengths cloth, flags and capes.
  *
  * A membrane has `nu` springs along u and `nv` along v, and (nu + 1) (nv + 1) nodes; node (u, v) has the number
  * v (nu + 1) + u wherever nodes are listed. A node has 1 to 4 components that never mix. A direction can be closed to a
@@ -9,24 +10,25 @@
  * Motion    M x'' + C x' + K x = M g + f + pressure along the normal,  K = the Hessian of E,
  *           C = drag M + stiffness_damping K
  *
- * Rest length is zero: a free sheet draws together, and one stretched evenly is held by its edges. A new membrane lies
- * with every node at the origin, at rest, all nodes free, mass 1, stiffness 1 along both directions, no bend, no
- * gravity, no damping, CD_METHOD_IMPLICIT with lambda 1/2, CD_SOLVER_ALTERNATING.
+ * Rest length is zero, unless cd_membrane_set_rest_length makes the membrane cloth: a free sheet draws together, and
+ * one stretched evenly is held by its edges. A new membrane lies with every node at the origin, at rest, all nodes
+ * free, mass 1, stiffness 1 along both directions, no bend, no gravity, no damping, CD_METHOD_IMPLICIT with lambda
+ * 1/2, CD_SOLVER_ALTERNATING.
  *
- * Which solver? An implicit step has a two-dimensional system to solve.
+ * Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve.
  *   CD_SOLVER_ALTERNATING  rows, then columns (Kass 1997, section 9). Its cost is fixed, and it is stable at any
  *      stiffness and dt. Its price: a motion with the angular frequencies w_u and w_v along the two directions moves as
  *      if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both directions for the
  *      step is slowed down, and the sheet seems sluggish. Take it where both w h are at most about 1 for the motion
- *      that matters: drums, flags, soft cloth. Where it comes to rest does not depend on dt.
+ *      that matters: drums, soft sheets. Where it comes to rest does not depend on dt.
  *      So it is on uniform sheets held by whole rows and columns, closed forms and all. On any other sheet (single
  *      pins, a mask, attachments, masses or springs of their own, bend with free edges) the factored system would blow
  *      up; there a step is the best, in energy, that the lines' answers, the present velocity and a motion of all nodes
  *      alike can be combined to. It is a little slower, and not quite linear: sums of scenes move as sums only about.
  *   CD_SOLVER_COUPLED      the system itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On
  *      uniform sheets without bend and rings, held by whole rows and columns, it takes one or two iterations of some
- *      ten alternating solves each, elsewhere multigrid: tens of times the cost. Take it for stiff cloth that hangs,
- *      bears loads, is driven or thrown, and for stiff parts that move against each other, of which alternating finds
+ *      ten alternating solves each, elsewhere multigrid: tens of times the cost. Take it for stiff sheets that hang,
+ *      bear loads, are driven or thrown, and for stiff parts that move against each other, of which alternating finds
  *      the common motion only. It needs many iterations where springs or masses vary at random by decades, and where a
  *      plate with free edges has much more bend than stretch.
  * lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance; the momentum of a free
@@ -251,6 +253,7 @@ CD_API cd_status cd_membrane_set_capsule(cd_membrane* membrane, size_t index, co
 CD_API cd_status cd_membrane_remove_collider(cd_membrane* membrane, size_t index);
 CD_API cd_status cd_membrane_set_collider_velocity(cd_membrane* membrane, size_t index, const double* velocity,
                                                    size_t count);
+/* Each output may be null. */
 CD_API cd_status cd_membrane_get_collider(const cd_membrane* membrane, size_t index, cd_shape* out_shape,
                                           double* out_first, double* out_second, double* out_velocity, size_t count,
                                           double* out_radius, double* out_friction);
@@ -271,27 +274,31 @@ CD_API cd_status cd_membrane_get_thickness(const cd_membrane* membrane, double* 
  *                                         cd_membrane_set_edge
  *  CD_MASK          node          -       1: there; 0: absent, with all that touches it: it stands still where it is
  *                                         and counts for nothing
- *  CD_REST_LENGTH_U spring       m       1e-60 to 1e60; of cloth only, as are all that follow
- *  CD_REST_LENGTH_V spring       m       likewise
- *  CD_WIND          node         m/s     finite
- *  CD_TENSION_U, _V spring       N       to read only: what the spring pulls by now
- *  CD_STRAIN_U, _V  spring       -       to read only: length now over rest length, less 1; -1 and more
- * Position and velocity are always there, tension and strain in cloth. The others cost memory and time only once they are switched on; CD_MASS, the
- * stiffnesses, CD_TARGET, CD_PIN and CD_MASK make the sheet one whose lines differ, with factors for each of them. */
+ *  CD_REST_LENGTH_U spring        m       1e-60 to 1e60; of cloth only, as are all that follow
+ *  CD_REST_LENGTH_V spring        m       likewise
+ *  CD_WIND          node          m/s     finite
+ *  CD_TENSION_U, _V spring        N       to read only: what the spring pulls by now, less than 0 where it pushes
+ *  CD_STRAIN_U, _V  spring        -       to read only: length now over rest length, less 1; -1 and more
+ * Position and velocity are always there, tension and strain in cloth. The others cost memory and time only once they
+ * are switched on; CD_MASS, the stiffnesses, CD_TARGET, CD_PIN and CD_MASK make a sheet that is no cloth one whose
+ * lines differ, with factors for each of them. */
 
 /* Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin
- * what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY. */
+ * what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below
+ * CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is none. */
 CD_API cd_status cd_membrane_enable_field(cd_membrane* membrane, cd_field field);
 
 /* Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened, all nodes
- * there, none held but on edges. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position and velocity. */
+ * there, none held but on edges. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position, velocity,
+ * tension and strain. */
 CD_API cd_status cd_membrane_disable_field(cd_membrane* membrane, cd_field field);
 
 /* Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [first_u, first_u + n_u) x
  * [first_v, first_v + n_v). Fields without components have one value per node or spring; there are nu (ring: nu + 1)
  * springs along u and nv + 1 rows of them, and likewise along v. `count` is the number of values in the buffer:
  * n_u * n_v * components. Numbers are rounded once, to the precision of the side that is narrower. Never allocates.
- * Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first bad index. */
+ * Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first bad index, and
+ * CD_ERROR_UNSUPPORTED for tension and strain. */
 CD_API cd_status cd_membrane_write_f32(cd_membrane* membrane, cd_field field, size_t first_u, size_t first_v,
                                        size_t n_u, size_t n_v, const float* values, size_t count);
 CD_API cd_status cd_membrane_write_f64(cd_membrane* membrane, cd_field field, size_t first_u, size_t first_v,
@@ -348,7 +355,8 @@ CD_API cd_status cd_membrane_step(cd_membrane* membrane, double dt, size_t count
 
 /* The longest dt at which CD_METHOD_SYMPLECTIC_EULER is sure to stay bounded, whatever method is set: the largest dt
  * with 4 M - 2 dt C - dt^2 K positive definite, by a bound on K that is exact in the limit of many nodes for uniform
- * sheets, and a safe lower bound otherwise. INFINITY if nothing can swing. */
+ * sheets, and a safe lower bound otherwise. INFINITY if nothing can swing.
+ * Errors: CD_ERROR_UNSUPPORTED of cloth. */
 CD_API cd_status cd_membrane_stable_dt(const cd_membrane* membrane, double* out_dt);
 
 /* Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */

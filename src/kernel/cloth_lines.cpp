@@ -1,6 +1,6 @@
 // Lines of cloth down the columns, eliminated by blocks of three: with the block G_j of a node and the curvature S_j of
-// the spring to the next one, what is left of G_j is D_j = G_j - S_{j-1} D_{j-1}^-1 S_{j-1}. Where a node does not move,
-// 0 stands for the inverse.
+// the spring to the next one, what is left of G_j is D_j = G_j - S_{j-1} D_{j-1}^-1 S_{j-1}. Where a node does not
+// move, 0 stands for the inverse. (model.md, 47)
 #include "kernel/cloth.hh"
 #include "kernel/vectors.hh"
 

@@ -213,9 +213,9 @@ void cloth_blocks(const Grid& grid, const ClothMatrix& matrix, double* const* ou
     using L = Lanes<kLanes>;
     static constexpr int kRow[6] = {1, 2, 3, 1, 1, 2}, kColumn[6] = {1, 2, 3, 2, 3, 3};
     for (size_t row = first; row < first + count; ++row) {
-        const size_t here = row * grid.pitch, above = grid.above(row) * grid.pitch, below = grid.below(row) * grid.pitch;
+        const size_t above = grid.above(row) * grid.pitch, below = grid.below(row) * grid.pitch;
         for (size_t u = 0; u < grid.columns; u += size_t(kLanes)) {
-            const size_t at = here + u, over = above + u;
+            const size_t at = row * grid.pitch + u, over = above + u;
             // The springs that end or start at a node: number and place.
             const struct { int number; size_t at; } touching[8] = {
                 {kAlongU, at}, {kAlongU, at - 1}, {kAlongV, at}, {kAlongV, over},

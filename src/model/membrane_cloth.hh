@@ -1,4 +1,4 @@
-// What steps of cloth compute with, handed out from the membrane's two arrays in the order in which it is declared here.
+// What steps of cloth compute with, handed out from the membrane's two arrays in the order in which it is declared.
 #pragma once
 
 #include "kernel/cloth.hh"

