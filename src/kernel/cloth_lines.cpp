@@ -46,8 +46,8 @@ V product(const ClothCurvature& spring, size_t at, V v) {
 Block hanging(L s, V a, const Block& p) {
     const V pa = p.times(a), h = s * pa + (0.5 * dot(a, pa)) * a;
     const L square = s * s;
-    return {square * p.xx + 2 * (a.x * h.x),           square * p.yy + 2 * (a.y * h.y),
-            square * p.zz + 2 * (a.z * h.z),           square * p.xy + (a.x * h.y + a.y * h.x),
+    return {square * p.xx + 2 * (a.x * h.x),         square * p.yy + 2 * (a.y * h.y),
+            square * p.zz + 2 * (a.z * h.z),         square * p.xy + (a.x * h.y + a.y * h.x),
             square * p.xz + (a.x * h.z + a.z * h.x), square * p.yz + (a.y * h.z + a.z * h.y)};
 }
 
@@ -62,15 +62,15 @@ void cloth_factor(const Grid& grid, const ClothCurvature& spring, const double* 
             Block g = Block::load(blocks, at);
             if (row > 0) {
                 const size_t over = at - grid.pitch;
-                const Block less = hanging(L::load(spring.plane[0] + over), load(spring.plane + 1, over),
-                                           Block::load(blocks, over));
+                const Block less =
+                    hanging(L::load(spring.plane[0] + over), load(spring.plane + 1, over), Block::load(blocks, over));
                 g = {g.xx - less.xx, g.yy - less.yy, g.zz - less.zz, g.xy - less.xy, g.xz - less.xz, g.yz - less.yz};
             }
             const L x = g.yy * g.zz - g.yz * g.yz, y = g.xz * g.yz - g.xy * g.zz, z = g.xy * g.yz - g.xz * g.yy;
             const L there = L::load(moves + at), determinant = g.xx * x + (g.xy * y + g.xz * z);
             const L by = there / select(there, determinant, L::splat(1));
-            const Block inverse{by * x, by * (g.xx * g.zz - g.xz * g.xz), by * (g.xx * g.yy - g.xy * g.xy),
-                                by * y, by * z,                           by * (g.xy * g.xz - g.xx * g.yz)};
+            const Block inverse{by * x, by * (g.xx * g.zz - g.xz * g.xz), by * (g.xx * g.yy - g.xy * g.xy), by * y,
+                                by * z, by * (g.xy * g.xz - g.xx * g.yz)};
             inverse.store(blocks, at);
         }
 }

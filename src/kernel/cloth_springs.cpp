@@ -115,8 +115,8 @@ template <class Law, class Node> void sum_springs(const Grid& grid, const Law& l
         look(row, true);
         for (ptrdiff_t u = 0; u < columns; u += kLanes) {
             const auto of = [&](ClothSpring number, ptrdiff_t i) { return load<kLanes>(force[number], size_t(i)); };
-            const Vector<kLanes> starting = of(kAlongU, u) + of(kAlongV, u) + of(kDiagonal, u) +
-                                            of(kCounterDiagonal, u - 1),
+            const Vector<kLanes> starting =
+                                     of(kAlongU, u) + of(kAlongV, u) + of(kDiagonal, u) + of(kCounterDiagonal, u - 1),
                                  ending = of(kAlongU, u - 1) + load<kLanes>(carried, size_t(u));
             node(row * grid.pitch + size_t(u), starting - ending);
             carry(u);
@@ -167,7 +167,7 @@ void cloth_bend(const Grid& grid, const ClothMatrix& matrix, double factor, cons
         const auto load = [](const double* row, ptrdiff_t u) { return L::load(row + u); };
         const auto find_along_v = [&](size_t row, double* out) {
             const double *const here = x + row * grid.pitch, *const above = x + grid.above(row) * grid.pitch,
-                         *const below = x + grid.below(row) * grid.pitch;
+                                *const below = x + grid.below(row) * grid.pitch;
             const double* const bend = matrix.bend[1] + row * grid.pitch;
             for (ptrdiff_t u = 0; u < columns; u += kLanes) {
                 const L middle = load(here, u);
@@ -201,8 +201,8 @@ void cloth_bend(const Grid& grid, const ClothMatrix& matrix, double factor, cons
                 const L middle_u = load(along_u, u), middle_v = load(along_v[1], u);
                 const L bent = ((load(along_u, u - 1) - middle_u) + (load(along_u, u + 1) - middle_u)) +
                                ((load(along_v[0], u) - middle_v) + (load(along_v[2], u) - middle_v));
-                const L twisted = (load(cells[1], u) - load(cells[1], u - 1)) -
-                                  (load(cells[0], u) - load(cells[0], u - 1));
+                const L twisted =
+                    (load(cells[1], u) - load(cells[1], u - 1)) - (load(cells[0], u) - load(cells[0], u - 1));
                 (load(out, u) + factor * (load(moves, u) * (bent + twisted))).store(out + u);
             }
         }
@@ -217,9 +217,17 @@ void cloth_blocks(const Grid& grid, const ClothMatrix& matrix, double* const* ou
         for (size_t u = 0; u < grid.columns; u += size_t(kLanes)) {
             const size_t at = row * grid.pitch + u, over = above + u;
             // The springs that end or start at a node: number and place.
-            const struct { int number; size_t at; } touching[8] = {
-                {kAlongU, at}, {kAlongU, at - 1}, {kAlongV, at}, {kAlongV, over},
-                {kDiagonal, at}, {kDiagonal, over - 1}, {kCounterDiagonal, at - 1}, {kCounterDiagonal, over}};
+            const struct {
+                int number;
+                size_t at;
+            } touching[8] = {{kAlongU, at},
+                             {kAlongU, at - 1},
+                             {kAlongV, at},
+                             {kAlongV, over},
+                             {kDiagonal, at},
+                             {kDiagonal, over - 1},
+                             {kCounterDiagonal, at - 1},
+                             {kCounterDiagonal, over}};
             L alike{};
             for (const auto& t : touching) alike = alike + L::load(matrix.spring[t.number].plane[0] + t.at);
             if (matrix.twist) {
@@ -231,8 +239,9 @@ void cloth_blocks(const Grid& grid, const ClothMatrix& matrix, double* const* ou
                                  (number(matrix.twist, over) + number(matrix.twist, over - 1)));
             }
             for (int k = 0; k < 6; ++k) {
-                L sum = k < 3 ? L::load(matrix.ground[k] + at) + alike
-                        : matrix.ground[k] ? L::load(matrix.ground[k] + at) : L{};
+                L sum = k < 3              ? L::load(matrix.ground[k] + at) + alike
+                        : matrix.ground[k] ? L::load(matrix.ground[k] + at)
+                                           : L{};
                 for (const auto& t : touching) {
                     const double* const* const plane = matrix.spring[t.number].plane;
                     sum = sum + L::load(plane[kRow[k]] + t.at) * L::load(plane[kColumn[k]] + t.at);

@@ -23,9 +23,10 @@ static double weight_across(const Membrane& m, Direction d) {
 
 double uniform_mass(const Membrane& m) { return m.mass / (weight_across(m, kU) * weight_across(m, kV)); }
 
-double uniform_stiffness(const Membrane& m, Direction d) {
-    return m.stiffness[d] * double(springs_along(m, d)) / weight_across(m, other(d));
+double per_spring(const Membrane& m, Direction d, double stiffness) {
+    return stiffness * double(springs_along(m, d)) / weight_across(m, other(d));
 }
+double uniform_stiffness(const Membrane& m, Direction d) { return per_spring(m, d, m.stiffness[d]); }
 
 double uniform_bend(const Membrane& m, Direction d) {
     const double n = double(springs_along(m, d));

@@ -104,6 +104,7 @@ inline bool has_lengths(const Membrane& m) { return CD_WITH_CLOTH && m.cloth.len
 // The uniform values for weight 1: mass of a node, stiffness of a spring and bend at a node along d, twist of a cell.
 double uniform_mass(const Membrane& m);
 double uniform_stiffness(const Membrane& m, Direction d);
+double per_spring(const Membrane& m, Direction d, double stiffness); // of any other total
 double uniform_bend(const Membrane& m, Direction d);
 double uniform_twist(const Membrane& m);
 inline double uniform_length(const Membrane& m, Direction d) { return m.cloth.length[d] / double(springs_along(m, d)); }

@@ -9,15 +9,17 @@ namespace cd {
 
 // A node and what it may touch in a step. (model.md, 47)
 struct ClothContact {
-    double at;              // place of the node in the planes
-    double normal[3];       // of the collider where the step finds the node
-    double gap;             // outside of it when the step begins [m]
-    double room;            // how far the node may go against it [m], the collider's own motion counted
-    double stiffness;       // [kg], of the impulse that keeps it out
-    double friction;        // the coefficient
-    double velocity[3];     // of the collider
-    double push;            // the impulse by the last iteration, which friction goes by
+    double at;          // place of the node in the planes
+    double normal[3];   // of the collider where the step finds the node
+    double gap;         // outside of it when the step begins [m]
+    double room;        // how far the node may go against it [m], the collider's own motion counted
+    double stiffness;   // [kg], of the impulse that keeps it out
+    double friction;    // the coefficient
+    double velocity[3]; // of the collider
+    double push;        // the impulse by the last iteration, which friction goes by
 };
+
+constexpr size_t kBefore = 8; // numbers of room before each row of a plane
 
 struct ClothWork {
     Grid grid, turned;
@@ -28,16 +30,16 @@ struct ClothWork {
     double *mass, *moves, *turned_moves;
 
     // scratch: planes, three for a vector
-    double *from[3], *to[3];           // positions before and after the step
-    double *w[3], *trial[3];           // the velocity that moves the nodes
-    double *rhs[3], *residual[3];      // see ClothResidual
-    double *direction[3], *error[3];   // of Newton's method, and what is left of its system
-    double *conjugate[3], *image[3];   // a conjugate direction and the matrix times it
-    double *answer[3], *turned_z[3];   // of lines along v and along u
-    double *inertia, *own[6];          // ground without contacts: all three the same, or with air symmetric blocks
-    double *ground[6];                 // with contacts
+    double *from[3], *to[3];         // positions before and after the step
+    double *w[3], *trial[3];         // the velocity that moves the nodes
+    double *rhs[3], *residual[3];    // see ClothResidual
+    double *direction[3], *error[3]; // of Newton's method, and what is left of its system
+    double *conjugate[3], *image[3]; // a conjugate direction and the matrix times it
+    double *answer[3], *turned_z[3]; // of lines along v and along u
+    double *inertia, *own[6];        // ground without contacts: all three the same, or with air symmetric blocks
+    double* ground[6];               // with contacts
     double *curvature[kClothSprings][4], *turned_curvature[4], *block[6], *turned_block[6];
-    double *rows, *sums;               // kClothRows rows for each part; a number per row
+    double *rows, *sums; // kClothRows rows for each part; a number per row
     ClothContact* contacts;
 
     ClothWork(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, Carver& scratch);
@@ -47,6 +49,9 @@ struct ClothWork {
     ClothMatrix matrix(double* const* with_ground) const;
     size_t place(size_t u, size_t v) const { return v * grid.pitch + u; }
 };
+
+// Makes the coefficients for steps of dt whose impulses are those of h.
+void prepare(const Membrane& m, ClothWork& w, double h, double dt);
 
 // ---- what surrounds cloth (membrane_cloth_act.cpp) ----
 

@@ -116,8 +116,14 @@ size_t find_contacts(const Membrane& m, ClothWork& w, double now, double dt) {
                 if (place == first + kMostTouched) continue;
                 if (found < first + kMostTouched) ++found;
                 for (size_t j = found - 1; j > place; --j) w.contacts[j] = w.contacts[j - 1];
-                w.contacts[place] = {double(at), {}, gap.size, gap.size - dt * dot(gap.normal, velocity),
-                                     kContactStiffness * w.mass[at], to.friction, {}, 0};
+                w.contacts[place] = {double(at),
+                                     {},
+                                     gap.size,
+                                     gap.size - dt * dot(gap.normal, velocity),
+                                     kContactStiffness * w.mass[at],
+                                     to.friction,
+                                     {},
+                                     0};
                 for (int k = 0; k < 3; ++k)
                     w.contacts[place].normal[k] = gap.normal[k], w.contacts[place].velocity[k] = velocity[k];
             }

@@ -1,0 +1,377 @@
+// Steps of cloth: springs of a length that only pull. (model.md, 42 to 48)
+//
+// With h = lambda dt and x1 = x0 + dt w a step minimizes over the velocities w the convex function
+//
+//      Phi(w) = 1/2 |w - b|_M^2 + lambda psi(x1) + ...,      b = v0 + h (g + f / m),      v1 = v0 + (w - v0) / lambda
+//
+// by Newton's method. psi is the energy of springs, bend, ties; of the springs against crumpling the part that is not
+// convex acts as at x0, which is part of b; contacts, friction and air add what resists motion. By convexity
+//
+//      E1 - E0 <= w . grad Phi(w) / lambda - (lambda - 1/2) |v1 - v0|_M^2
+//
+// for any w, however far from the minimum. So a step ends by scaling w until w . grad Phi(w) <= 0, and then no energy
+// has come from nothing, whatever dt, stiffness, masses and the number of iterations.
+#include <math.h>
+
+#include "model/membrane_cloth.hh"
+#include "model/membrane_work.hh"
+
+namespace cd {
+
+namespace {
+
+// Conjugate gradients are content with this part of what they start from. A search along a direction, and the last
+// scaling, evaluate the slope at most so often; a search ends where the slope is this part of the first one. Newton's
+// method goes on, at most so many times more, where it could take less than this part of a direction.
+constexpr double kContent = 1e-2, kFlat = 0.1, kWholeStep = 0.9;
+constexpr int kMostSearches = 8;
+constexpr uint64_t kMoreIterations = 4;
+
+struct ClothStep {
+    Membrane& m;
+    ClothWork& w;
+    double dt, h;
+    size_t contacts = 0, iterations = 0;
+    double left = 0; // of the gradient that the step starts from
+
+    const SheetKernels& sheet() const { return m.kernels->sheet; }
+    const ClothKernels& cloth() const { return m.kernels->cloth; }
+
+    // body(first, count, scratch rows) for parts of the rows
+    template <class Body> void rows(const Body& body) const {
+        w.parts.each(m.parallel, [&](size_t part, size_t first, size_t count) {
+            body(first, count, w.rows + part * kClothRows * w.grid.pitch);
+        });
+    }
+    template <class Body> void columns(const Body& body) const {
+        w.strips.each(m.parallel, [&](size_t, size_t first, size_t count) { body(first, count); });
+    }
+
+    void wrap(double* const* planes, int count = 3) const {
+        if (!m.ring[kU]) return;
+        rows([&](size_t first, size_t number, double*) {
+            for (int k = 0; k < count; ++k) sheet().wrap(w.grid, planes[k], first, number);
+        });
+    }
+    double dot(double* const* a, double* const* b) const {
+        double sum = 0;
+        for (int k = 0; k < 3; ++k) {
+            rows([&](size_t first, size_t count, double*) { sheet().dot(w.grid, a[k], b[k], w.sums, first, count); });
+            for (size_t r = 0; r < w.grid.rows; ++r) sum += w.sums[r];
+        }
+        return sum;
+    }
+    void copy(double* const* from, double* const* to) const {
+        rows([&](size_t first, size_t count, double*) {
+            for (int k = 0; k < 3; ++k)
+                memcpy(to[k] + first * w.grid.pitch, from[k] + first * w.grid.pitch,
+                       count * w.grid.pitch * sizeof(double));
+        });
+    }
+    // a = alpha a + beta b
+    void combine(double alpha, double* const* a, double beta, double* const* b) const {
+        rows([&](size_t first, size_t count, double*) {
+            for (int k = 0; k < 3; ++k) sheet().combine(w.grid, alpha, a[k], beta, b[k], first, count);
+        });
+    }
+
+    // The residual -grad Phi at these velocities; with `curves` the curvatures of the matrix too, and its ground.
+    void find_residual(double* const* velocity, bool curves) const {
+        copy(velocity, w.to);
+        combine(dt, w.to, 1, w.from);
+        wrap(w.to);
+        const ClothMatrix matrix = w.matrix(w.own);
+        const ClothResidual with{h, dt, {w.rhs[0], w.rhs[1], w.rhs[2]}, {velocity[0], velocity[1], velocity[2]}};
+        rows([&](size_t first, size_t count, double* scratch) {
+            cloth().residual(w.grid, w.springs(), matrix, with, w.to, w.residual, curves, scratch, first, count);
+            if (w.has_bend()) cloth().bend(w.grid, matrix, -1 / dt, w.to, w.residual, scratch, first, count);
+        });
+        if (curves && w.ground[0] != w.own[0])
+            for (int k = 0; k < 6; ++k)
+                memcpy(w.ground[k] - kBefore, w.own[k] - kBefore,
+                       (w.grid.pitch * w.grid.rows + 2 * kBefore) * sizeof(double));
+        add_contacts(w, contacts, dt, velocity, w.residual, curves && contacts > 0 ? w.ground : nullptr);
+    }
+
+    // image = matrix p
+    void apply(double* const* p) const {
+        wrap(p);
+        const ClothMatrix matrix = w.matrix(w.ground);
+        rows([&](size_t first, size_t count, double* scratch) {
+            cloth().apply(w.grid, matrix, p, w.image, scratch, first, count);
+            if (w.has_bend()) cloth().bend(w.grid, matrix, 1, p, w.image, scratch, first, count);
+        });
+    }
+
+    void turn(double* from, double* to) const {
+        rows([&](size_t first, size_t count, double*) {
+            sheet().transpose(w.grid, from, to, w.turned.pitch, first, count);
+        });
+    }
+
+    // Factors all lines, along u in the turned layout.
+    void factor() const {
+        for (const auto& planes : w.curvature) wrap(planes, 4);
+        const ClothMatrix matrix = w.matrix(w.ground);
+        rows([&](size_t first, size_t count, double*) { cloth().blocks(w.grid, matrix, w.block, first, count); });
+        for (int k = 0; k < 6; ++k) turn(w.block[k], w.turned_block[k]);
+        for (int k = 0; k < 4; ++k) turn(w.curvature[kAlongU][k], w.turned_curvature[k]);
+        columns([&](size_t first, size_t count) {
+            cloth().factor(w.grid, matrix.spring[kAlongV], w.moves, w.block, first, count);
+        });
+        rows([&](size_t first, size_t count, double*) {
+            cloth().factor(w.turned, along_u(), w.turned_moves, w.turned_block, first, count);
+        });
+    }
+    ClothCurvature along_u() const {
+        return {{w.turned_curvature[0], w.turned_curvature[1], w.turned_curvature[2], w.turned_curvature[3]}};
+    }
+
+    // answer = (lines along v)^-1 error + (lines along u)^-1 error
+    void precondition() const {
+        for (int k = 0; k < 3; ++k) turn(w.error[k], w.turned_z[k]);
+        copy(w.error, w.answer);
+        const ClothCurvature along_v = w.matrix(w.ground).spring[kAlongV];
+        columns([&](size_t first, size_t count) { cloth().solve(w.grid, along_v, w.block, w.answer, first, count); });
+        rows([&](size_t first, size_t count, double*) {
+            cloth().solve(w.turned, along_u(), w.turned_block, w.turned_z, first, count);
+        });
+        columns([&](size_t first, size_t count) {
+            for (int k = 0; k < 3; ++k)
+                sheet().transpose(w.turned, w.turned_z[k], w.image[k], w.grid.pitch, first, count);
+        });
+        combine(1, w.answer, 1, w.image);
+    }
+
+    // direction = matrix^-1 residual, nearly. False where nothing could be found.
+    bool solve() {
+        factor();
+        copy(w.residual, w.error);
+        for (double* plane : w.direction) memset(plane, 0, w.grid.pitch * w.grid.rows * sizeof(double));
+        precondition();
+        copy(w.answer, w.conjugate);
+        double size = dot(w.error, w.answer);
+        const double content = kContent * kContent * size;
+        bool found = false;
+        for (uint64_t i = 0; i < m.cloth.gradient && size > content; ++i) {
+            apply(w.conjugate);
+            const double energy = dot(w.conjugate, w.image);
+            if (!(energy > 0)) break;
+            const double share = size / energy;
+            if (!(share <= HUGE_VAL)) break;
+            ++iterations;
+            found = true;
+            combine(1, w.direction, share, w.conjugate);
+            if (i + 1 == m.cloth.gradient) break;
+            combine(1, w.error, -share, w.image);
+            precondition();
+            const double next = dot(w.error, w.answer);
+            combine(next / size, w.conjugate, 1, w.answer);
+            size = next;
+        }
+        return found;
+    }
+
+    // The slope of Phi along `way` at from + share way.
+    double slope(double* const* from, double share, double* const* way) const {
+        copy(from, w.trial);
+        combine(1, w.trial, share, way);
+        find_residual(w.trial, false);
+        return -dot(w.residual, way);
+    }
+
+    // A share of `way` in (least, most] at which Phi does not rise, if it falls at `least` and rises at `most`.
+    double share_of(double* const* from, double* const* way, double least, double falls, double most,
+                    double rises) const {
+        const double flat = kFlat * falls;
+        for (int i = 0; i < kMostSearches && falls < flat; ++i) { // secants; a side that stays counts for half
+            const double middle = least + (most - least) * (falls / (falls - rises));
+            if (!(middle > least && middle < most)) break;
+            const double now = slope(from, middle, way);
+            if (now <= 0) least = middle, falls = now, rises *= 0.5;
+            else if (now > 0) most = middle, rises = now, falls *= 0.5;
+            else break;
+        }
+        return least;
+    }
+
+    // How much of the direction to go. Where the slope at its end has nearly gone, the secant tells.
+    double search(double falls) const {
+        const double end = slope(w.w, 1, w.direction);
+        if (end <= 0) return 1;
+        return end <= -kFlat * falls ? falls / (falls - end) : share_of(w.w, w.direction, 0, falls, 1, end);
+    }
+
+    void newton() {
+        uint64_t most = m.cloth.newton;
+        double start = 0;
+        for (uint64_t i = 0; i < most; ++i) {
+            take_pushes(w, contacts, dt);
+            find_residual(w.w, true);
+            const double size = dot(w.residual, w.residual);
+            if (i == 0) start = size;
+            left = size > 0 ? sqrt(size / start) : 0;
+            if (!(size > 0) || !solve()) break;
+            const double falls = -dot(w.residual, w.direction);
+            if (!(falls < 0)) break;
+            const double share = search(falls);
+            combine(1, w.w, share, w.direction);
+            if (share < kWholeStep && i + 1 == most && most < m.cloth.newton + kMoreIterations) ++most;
+        }
+    }
+
+    // The velocity that a free sheet has as a whole, after w has been shifted to it; 0 where something holds it.
+    void share_momentum(double* mean) const {
+        for (int k = 0; k < 3; ++k) mean[k] = 0;
+        if (w.has_blocks()) return;
+        double force[3] = {}, missing[3] = {}, inertia = 0;
+        for (size_t v = 0; v < m.rows; ++v)
+            for (size_t u = 0; u < m.columns; ++u) {
+                const size_t at = w.place(u, v);
+                if (!(w.moves[at] > 0)) {
+                    if (present(m, u, v)) return;
+                    continue;
+                }
+                inertia += w.inertia[at];
+                for (int k = 0; k < 3; ++k) {
+                    force[k] += w.rhs[k][at];
+                    missing[k] += w.rhs[k][at] - w.inertia[at] * w.w[k][at];
+                }
+            }
+        if (!(inertia > 0)) return;
+        for (int k = 0; k < 3; ++k) {
+            mean[k] = force[k] / inertia;
+            const double shift = missing[k] / inertia;
+            each_place([&](size_t at) { w.w[k][at] += w.moves[at] * shift; });
+        }
+    }
+    template <class F> void each_place(F f) const {
+        for (size_t v = 0; v < m.rows; ++v)
+            for (size_t u = 0; u < m.columns; ++u) f(w.place(u, v));
+    }
+
+    // Scales what w has beside the mean motion, so that Phi does not rise along it.
+    void scale() const {
+        double mean[3];
+        take_pushes(w, contacts, dt);
+        share_momentum(mean);
+        double* const* const way = w.direction;
+        for (int k = 0; k < 3; ++k) each_place([&](size_t at) { way[k][at] = w.moves[at] * (w.w[k][at] - mean[k]); });
+        const double end = slope(w.w, 0, way);
+        if (!(end > 0)) return;
+        // Phi's second derivative along `way` is at least that of the ground.
+        for (int k = 0; k < 3; ++k) each_place([&](size_t at) { w.image[k][at] = w.inertia[at] * way[k][at]; });
+        const double least_bend = dot(way, w.image), least = fmax(-1, -end / least_bend);
+        const double falls = least < 0 ? slope(w.w, least, way) : 0;
+        const double share = falls < 0 ? share_of(w.w, way, least, falls, 0, end) : least;
+        combine(1, w.w, share, way);
+    }
+
+    // Positions, velocities, what a node would do by itself, and what resists it.
+    void start(double now) {
+        by_precision(m, [&](auto zero) { load<decltype(zero)>(); });
+        if (m.pressure != 0) press(m);
+        for (size_t v = 0; v < m.rows; ++v)
+            for (size_t u = 0; u < m.columns; ++u) {
+                const size_t at = w.place(u, v);
+                const double tie = tie_of(m, u, v), mass = w.mass[at], moves = w.moves[at];
+                w.inertia[at] =
+                    moves * (mass * (1 + h * m.drag) + h * (tie_damping_of(m, node_at(m, u, v)) + dt * tie));
+                for (size_t k = 0; k < 3; ++k) {
+                    const size_t from = place(m, u, v, k);
+                    double force = mass * m.gravity[k];
+                    if (m.force) force += get_number(m, m.force, from);
+                    if (m.pressed) force += m.pressed[from];
+                    if (m.target) force += tie * (get_number(m, m.target, from) - w.from[k][at]);
+                    w.rhs[k][at] = mass * w.w[k][at] + h * force;
+                }
+            }
+        wrap(w.from);
+        rows([&](size_t first, size_t count, double* scratch) {
+            cloth().unfold(w.grid, w.springs(), h, w.from, w.rhs, scratch, first, count);
+        });
+        if (!w.has_blocks()) return;
+        for (int k = 0; k < 6; ++k) each_place([&](size_t at) { w.own[k][at] = k < 3 ? w.inertia[at] : 0; });
+        if (m.cloth.along > 0 || m.cloth.across > 0) add_air(m, w, h);
+        contacts = find_contacts(m, w, now, dt);
+    }
+    template <class T> void load() const {
+        for (size_t k = 0; k < 3; ++k)
+            for (size_t v = 0; v < m.rows; ++v) {
+                const size_t from = place(m, 0, v, k), to = w.place(0, v);
+                const T *const x = numbers<T>(m.position) + from, *const velocity = numbers<T>(m.velocity) + from;
+                for (size_t u = 0; u < m.columns; ++u)
+                    w.from[k][to + u] = double(x[u]), w.w[k][to + u] = double(velocity[u]);
+            }
+    }
+
+    // False if a number left the finite range.
+    bool finish() const {
+        by_precision(m, [&](auto zero) { load_velocity<decltype(zero)>(); });
+        const double share = 1 / m.lambda; // v1 = v0 + (w - v0) / lambda
+        if (share != 1) combine(1 - share, w.trial, share, w.w);
+        else copy(w.w, w.trial);
+        settle_contacts(w, contacts, dt, w.trial);
+        combine(1, w.from, dt, w.w);
+        return by_precision(m, [&](auto zero) { return store<decltype(zero)>(); });
+    }
+    template <class T> void load_velocity() const {
+        for (size_t k = 0; k < 3; ++k)
+            each_place_of_state(
+                [&](size_t at, size_t from) { w.trial[k][at] = double(numbers<T>(m.velocity)[from + k * m.plane]); });
+    }
+    template <class T> bool store() const {
+        bool finite = true;
+        const auto put = [&](double value, T& to) {
+            to = fabs(value) < Limits<T>::least ? T(0) : T(value);
+            finite &= isfinite(to) != 0;
+        };
+        for (size_t k = 0; k < 3; ++k)
+            each_place_of_state([&](size_t at, size_t to) {
+                put(w.from[k][at], numbers<T>(m.position)[to + k * m.plane]);
+                put(w.trial[k][at], numbers<T>(m.velocity)[to + k * m.plane]);
+            });
+        return finite;
+    }
+    template <class F> void each_place_of_state(F f) const {
+        for (size_t v = 0; v < m.rows; ++v)
+            for (size_t u = 0; u < m.columns; ++u) f(w.place(u, v), place(m, u, v, 0));
+    }
+
+    bool step(double now) {
+        iterations = 0;
+        start(now);
+        newton();
+        scale();
+        return finish();
+    }
+};
+
+} // namespace
+
+MembraneOutcome step_cloth(Membrane& m, double dt, size_t count) {
+    const bool anew = must_prepare(m, dt);
+    Carver coefficients{m.coefficients.data}, scratch{m.scratch.data};
+    ClothWork work(m, features(m), coefficients, scratch);
+    const double h = m.lambda * dt;
+    if (anew) prepare(m, work, h, dt);
+    ClothStep step{m, work, dt, h};
+    m.iterations = 0;
+    m.residual = 0;
+    uint64_t bad = 0;
+    for (size_t s = 0; s < count; ++s) {
+        Clock clock = m.clock;
+        clock.advance(dt, s);
+        const bool finite = step.step(clock.time());
+        if (step.iterations > m.iterations) m.iterations = step.iterations;
+        if (!(step.left <= m.residual)) m.residual = step.left;
+        if (!finite && bad == 0) bad = m.clock.steps + s + 1;
+    }
+    if (bad) {
+        stop_nodes(m);
+        m.prepared_dt = 0; // what is not finite stays in the scratch until it is cleared
+    }
+    return {bad, true};
+}
+
+} // namespace cd
