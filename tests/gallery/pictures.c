@@ -1,4 +1,4 @@
-/* pictures FILE: draws a rope, hair, a drum and a pool as the moving picture that the README shows. Each is driven in
+/* pictures FILE: draws a rope, hair, cloth, a drum and a pool as the moving picture that the README shows. Each is driven in
  * turns of 4 s and drawn once it has come to repeat itself; how far it ends from where it began is printed. */
 #include <contdyn/contdyn.h>
 #include <math.h>
@@ -20,7 +20,7 @@ static void start(film* drawn, size_t lines, size_t points) {
     if (!film_create(drawn, lines, points, kFrames, kSeconds)) exit(1);
 }
 
-static const double kMostJump = 5; /* units of the picture, which is 8000 wide */
+static const double kMostJump = 5; /* units of the picture, which is 10000 wide */
 
 static void end(film* drawn, FILE* out, const char* name, const char* kind) {
     film_write(drawn, out, kind);
@@ -122,6 +122,54 @@ static void hair(FILE* out) {
     cd_chain_destroy(chain);
 }
 
+/* A cloth of 1 m that hangs by its upper edge, which sways, against a ball. */
+static void cloth(FILE* out) {
+    enum { kSprings = 28, kNodes = kSprings + 1, kRows = 15 };
+    const double gravity[3] = {0, 0, -9.81}, ball[3] = {0.5, 0.1, -0.62}, radius = 0.22;
+    static double x[kNodes * kNodes * 3];
+    cd_membrane* membrane;
+    film drawn;
+    start(&drawn, 2 * kRows, kNodes);
+    must(cd_membrane_create(kSprings, kSprings, 3, CD_FLOAT64, NULL, &membrane));
+    for (int i = 0; i < kNodes * kNodes; ++i) {
+        x[3 * i] = (double)(i % kNodes) / kSprings, x[3 * i + 1] = -0.13, x[3 * i + 2] = -(double)(i / kNodes) / kSprings;
+    }
+    must(cd_membrane_write_f64(membrane, CD_POSITION, 0, 0, kNodes, kNodes, x, sizeof x / sizeof *x));
+    must(cd_membrane_set_mass(membrane, 0.2));
+    must(cd_membrane_set_rest_length(membrane, 1, 1));
+    must(cd_membrane_set_stiffness(membrane, 1000, 1000));
+    must(cd_membrane_set_shear(membrane, 50));
+    must(cd_membrane_set_bend(membrane, 1e-3));
+    must(cd_membrane_set_gravity(membrane, gravity, 3));
+    must(cd_membrane_set_air(membrane, 0.3, 3));
+    must(cd_membrane_set_edge(membrane, CD_EDGE_V_FIRST, CD_NODE_POSED));
+    must(cd_membrane_set_colliders(membrane, 1));
+    must(cd_membrane_set_capsule(membrane, 0, ball, ball, 3, radius, 0.1));
+    for (int step = 0; step <= 3 * kPeriod; ++step) {
+        const double turn = kTurn * 2 * (step + 1) / kPeriod;
+        double edge[kNodes][3];
+        const int now = step - 2 * kPeriod;
+        if (now >= 0 && now % kSteps == 0) {
+            must(cd_membrane_read_f64(membrane, CD_POSITION, 0, 0, kNodes, kNodes, x, sizeof x / sizeof *x));
+            for (size_t line = 0; line < 2 * kRows; ++line)
+                for (size_t i = 0; i < kNodes; ++i) {
+                    const size_t along = line < kRows ? i + 2 * line * kNodes : i * kNodes + 2 * (line - kRows);
+                    const double* const at = x + 3 * along;
+                    film_set(&drawn, (size_t)(now / kSteps), line, i, 450 + 1000 * at[0] + 500 * at[1],
+                             220 - 1000 * at[2] + 300 * at[1]);
+                }
+        }
+        for (int i = 0; i < kNodes; ++i) {
+            edge[i][0] = (double)i / kSprings * (0.9 + 0.08 * cos(turn)), edge[i][1] = -0.1 + 0.25 * sin(turn);
+            edge[i][2] = 0;
+        }
+        must(cd_membrane_write_f64(membrane, CD_TARGET, 0, 0, kNodes, 1, edge[0], 3 * kNodes));
+        must(cd_membrane_step(membrane, kDt, 1));
+    }
+    end(&drawn, out, "cloth", "cloth");
+    cd_membrane_destroy(membrane);
+}
+
 /* A square drum of 1 m, struck beside its middle. */
 static void drum(FILE* out) {
     enum { kSprings = 32, kRows = 17 };
@@ -185,17 +233,17 @@ static void pool(FILE* out) {
 
 static const char* const kStyle =
     "path,circle{fill:none;stroke-linecap:round;stroke-linejoin:round}"
-    ".rope{stroke:#c07830;stroke-width:24}.hair{stroke:#a0522d;stroke-width:12}.sheet{stroke:#c04848;stroke-width:10}"
+    ".rope{stroke:#c07830;stroke-width:24}.hair{stroke:#a0522d;stroke-width:12}.sheet{stroke:#c04848;stroke-width:10}.cloth{stroke:#7858a8;stroke-width:10}"
     ".water{stroke:#2878c0;stroke-width:10}.body{fill:#c8c8c8}"
     "@media(prefers-color-scheme:dark){.water{stroke:#60a8e8}.body{fill:#585858}"
-    ".hair{stroke:#d09060}.sheet{stroke:#e87878}}";
+    ".hair{stroke:#d09060}.sheet{stroke:#e87878}.cloth{stroke:#b098e0}}";
 
 int main(int argc, char** argv) {
-    static void (*const kScenes[])(FILE*) = {rope, hair, drum, pool};
+    static void (*const kScenes[])(FILE*) = {rope, hair, cloth, drum, pool};
     FILE* const out = argc == 2 ? fopen(argv[1], "w") : NULL;
     if (!out) return fprintf(stderr, "usage: %s FILE\n", argv[0]), 2;
-    fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 8000 1500\">\n<style>%s</style>\n", kStyle);
-    for (int i = 0; i < 4; ++i) {
+    fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 10000 1500\">\n<style>%s</style>\n", kStyle);
+    for (int i = 0; i < 5; ++i) {
         fprintf(out, "<g transform=\"translate(%d 0)\">\n", 2000 * i);
         kScenes[i](out);
         fputs("</g>\n", out);
