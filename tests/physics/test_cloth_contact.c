@@ -1,0 +1,297 @@
+/* Cloth that touches planes, spheres and capsules: at rest, on slopes, thrown, swept along, over bodies that move. */
+#include <math.h>
+
+#include "check.h"
+#include "cloth.h"
+#include "reference.h"
+#include "sheet.h"
+
+enum { MOST = 900 }; /* nodes */
+static const double nowhere[3] = {0, 0, 0}, up[3] = {0, 1, 0}, weight[3] = {0, -9.81, 0};
+
+/* A level square sheet of 1 m and 0.2 kg whose middle is at (0, height, 0), and so many colliders. */
+static cd_membrane* level(size_t springs, double height, size_t colliders) {
+    cd_membrane* m = cloth(springs, springs, 3, CD_FLOAT64);
+    ok(cd_membrane_set_rest_length(m, 1, 1));
+    ok(cd_membrane_set_mass(m, 0.2));
+    ok(cd_membrane_set_stiffness(m, 3000, 3000));
+    ok(cd_membrane_set_shear(m, 100));
+    ok(cd_membrane_set_bend(m, 1e-5));
+    ok(cd_membrane_set_gravity(m, weight, 3));
+    ok(cd_membrane_set_colliders(m, colliders));
+    for (size_t v = 0; v <= springs; ++v)
+        for (size_t u = 0; u <= springs; ++u) {
+            const double x[3] = {(double)u / (double)springs - 0.5, height, (double)v / (double)springs - 0.5};
+            ok(cd_membrane_write_f64(m, CD_POSITION, u, v, 1, 1, x, 3));
+        }
+    return m;
+}
+static size_t nodes_of(const cd_membrane* m) { return cloth_extent(m, CD_POSITION).count / 3; }
+
+/* Turns x and y round z by this angle. */
+static void turn(cd_membrane* m, double angle) {
+    const double c = cos(angle), s = sin(angle), rotation[9] = {c, -s, 0, s, c, 0, 0, 0, 1};
+    ok(cd_membrane_teleport(m, rotation, nowhere, 3));
+}
+static void throw_at(cd_membrane* m, double x, double y, double z) {
+    double v[MOST][3];
+    for (size_t i = 0; i < nodes_of(m); ++i) v[i][0] = x, v[i][1] = y, v[i][2] = z;
+    cloth_write(m, CD_VELOCITY, v[0]);
+}
+static double fastest(const cd_membrane* m) {
+    double v[MOST][3], most = 0;
+    cloth_read(m, CD_VELOCITY, v[0]);
+    for (size_t i = 0; i < nodes_of(m); ++i)
+        most = fmax(most, sqrt(v[i][0] * v[i][0] + v[i][1] * v[i][1] + v[i][2] * v[i][2]));
+    return most;
+}
+static void middle_of(const cd_membrane* m, cd_field field, double* middle) {
+    double x[MOST][3];
+    const size_t nodes = nodes_of(m);
+    cloth_read(m, field, x[0]);
+    for (int k = 0; k < 3; ++k) {
+        middle[k] = 0;
+        for (size_t i = 0; i < nodes; ++i) middle[k] += x[i][k] / (double)nodes;
+    }
+}
+
+/* How near the node comes that is nearest to a collider, or how deep the deepest is in it, below 0. */
+static double least_gap(const cd_membrane* m) {
+    double x[MOST][3], least = INFINITY;
+    size_t count;
+    cloth_read(m, CD_POSITION, x[0]);
+    ok(cd_membrane_get_colliders(m, &count));
+    for (size_t c = 0; c < count; ++c) {
+        double a[3], b[3], radius;
+        cd_shape shape;
+        ok(cd_membrane_get_collider(m, c, &shape, a, b, NULL, 3, &radius, NULL));
+        for (size_t i = 0; i < nodes_of(m); ++i) {
+            double gap = 0, along = 0, whole = 0;
+            for (int k = 0; k < 3; ++k) {
+                const double way = shape == CD_SHAPE_PLANE ? b[k] : b[k] - a[k];
+                along += way * (x[i][k] - a[k]), whole += way * way;
+            }
+            if (shape == CD_SHAPE_PLANE) gap = along / sqrt(whole);
+            else {
+                along = whole > 0 ? fmin(fmax(along / whole, 0), 1) : 0;
+                for (int k = 0; k < 3; ++k) {
+                    const double off = x[i][k] - a[k] - along * (b[k] - a[k]);
+                    gap += off * off;
+                }
+                gap = sqrt(gap) - radius;
+            }
+            least = fmin(least, gap);
+        }
+    }
+    return least;
+}
+
+/* On a plane, and on its thickness above it; it yields by the weight of a node, times dt^2 / 1e4 of its mass. */
+static void a_dropped_sheet_comes_to_rest(void** state) {
+    (void)state;
+    static const double thicknesses[] = {0, 0.01}, steps[] = {1 / 60.0, 1 / 240.0, 0.1}, tilts[] = {0, 0.2};
+    for (size_t t = 0; t < COUNT(thicknesses); ++t)
+        for (size_t s = 0; s < COUNT(steps); ++s)
+            for (size_t a = 0; a < COUNT(tilts); ++a) {
+                cd_membrane* m = level(16, 0, 1);
+                turn(m, tilts[a]);
+                ok(cd_membrane_teleport(m, NULL, (double[3]){0, 0.3, 0}, 3));
+                ok(cd_membrane_set_plane(m, 0, nowhere, up, 3, 0.4));
+                ok(cd_membrane_set_thickness(m, thicknesses[t]));
+                ok(cd_membrane_step(m, steps[s], (size_t)(8 / steps[s]) + 100));
+                const double speed = fastest(m), gap = least_gap(m) - thicknesses[t];
+                const double yields = 9.81 * steps[s] * steps[s] / 1e4;
+                print_message("dropped, dt %.4f, tilt %g: at %.1e m/s, yields %.3f of what it may\n", steps[s], tilts[a],
+                              speed, -gap / yields);
+                assert_true(speed < (a == 0 ? 1e-6 : 1e-3)); /* what landed crumpled creeps against its friction */
+                assert_true(gap > -1.01 * yields);
+                if (a == 0) assert_near(gap, -yields, 1e-3, 0);
+                cd_membrane_destroy(m);
+            }
+}
+
+/* Of friction 1/2, whose share v / (v + 1e-3 m/s) of it acts at the speed v: how fast a body slides after so many steps
+ * of lambda = 1, and how far it came. It creeps where friction holds it. */
+static double slide(double slope, double dt, size_t steps, double* way) {
+    const double along = 9.81 * sin(atan(slope)), most = 0.5 * 9.81 * cos(atan(slope)), e = 1e-3;
+    double v = 0;
+    *way = 0;
+    for (size_t n = 0; n < steps; ++n) { /* v1 = v + dt (along - most v1 / (v1 + e)) */
+        const double b = e + dt * (most - along) - v, c = -e * (v + dt * along);
+        v = b > 0 ? -2 * c / (b + sqrt(b * b - 4 * c)) : (-b + sqrt(b * b - 4 * c)) / 2;
+        *way += dt * v;
+    }
+    return v;
+}
+
+static void a_slope_holds_or_lets_slide(void** state) {
+    (void)state;
+    static const double slopes[] = {0.1, 0.4, 0.6, 0.8, 3};
+    for (size_t s = 0; s < COUNT(slopes); ++s)
+        for (int way = 0; way < 4; ++way) {
+            const int little = way / 2; /* effort */
+            const double angle = -atan(slopes[s]), dt = way % 2 ? 1 / 30.0 : 1 / 60.0;
+            const double normal[3] = {-3 * sin(angle), 3 * cos(angle), 0}, down[2] = {cos(angle), sin(angle)};
+            double before[3], after[3], v[3], wanted;
+            cd_membrane* m = level(8, 0, 1);
+            turn(m, angle);
+            ok(cd_membrane_set_plane(m, 0, nowhere, normal, 3, 0.5));
+            if (!little) ok(cd_membrane_set_effort(m, 30, 200));
+            middle_of(m, CD_POSITION, before);
+            const size_t steps = way % 2 ? 30 : 60;
+            const double speed = slide(slopes[s], dt, steps, &wanted);
+            ok(cd_membrane_step(m, dt, steps));
+            middle_of(m, CD_POSITION, after);
+            middle_of(m, CD_VELOCITY, v);
+            const double moved = down[0] * (after[0] - before[0]) + down[1] * (after[1] - before[1]);
+            const double found = down[0] * v[0] + down[1] * v[1];
+            print_message("slope %g, dt %.4f, effort %s: moved %.5f m of %.5f m, at %.5f m/s of %.5f m/s\n", slopes[s],
+                          dt, little ? "as it is" : "30 x 200", moved, wanted, found, speed);
+            assert_true(least_gap(m) > -1e-5);
+            if (!little || slopes[s] < 0.5) assert_near(found, speed, 1e-3, 0);
+            if (!little) assert_near(moved, wanted, 1e-3, 0);
+            else assert_true(moved > 0.4 * wanted && moved < 1.01 * wanted); /* few iterations start it late */
+            cd_membrane_destroy(m);
+        }
+}
+
+/* A belt under the sheet: it comes along by friction g / 2, until it goes as the belt does. */
+static void a_belt_takes_the_sheet_along(void** state) {
+    (void)state;
+    const double dt = 1 / 120.0, along[3] = {1.5, 0, 0.5}, speed = hypot(1.5, 0.5);
+    double v[3];
+    cd_membrane* m = level(12, 0, 1);
+    ok(cd_membrane_set_plane(m, 0, nowhere, up, 3, 0.5));
+    ok(cd_membrane_set_collider_velocity(m, 0, along, 3));
+    ok(cd_membrane_step(m, dt, 24));
+    middle_of(m, CD_VELOCITY, v);
+    print_message("belt: after 0.2 s at %.4f m/s of %.4f m/s\n", hypot(v[0], v[2]), 0.2 * 0.5 * 9.81);
+    assert_near(hypot(v[0], v[2]), 0.2 * 0.5 * 9.81, 0.03, 0);
+    ok(cd_membrane_step(m, dt, 120));
+    middle_of(m, CD_VELOCITY, v);
+    assert_near(v[0], along[0], 1e-3, speed);
+    assert_near(v[2], along[2], 1e-3, speed);
+    cd_membrane_destroy(m);
+}
+
+/* At 50 m/s, at a plane, a sphere, a thin capsule: no node is in them after any step, but for what a contact yields that
+ * stops so much in a step, and those that met the plane stay on its side. */
+static void nothing_goes_through_however_fast(void** state) {
+    (void)state;
+    double deepest = 0;
+    for (int way = 0; way < 12; ++way) {
+        const double dt = way % 2 ? 1 / 30.0 : 1 / 60.0, speed = 50;
+        cd_membrane* m = level(20, 1.2, 1);
+        if (way % 6 >= 4) turn(m, 0.3);
+        if (way / 6) ok(cd_membrane_set_thickness(m, 0.02));
+        if (way % 6 < 2) ok(cd_membrane_set_plane(m, 0, nowhere, up, 3, 0.3));
+        else if (way % 6 < 4) ok(cd_membrane_set_capsule(m, 0, nowhere, nowhere, 3, 0.5, 0.3));
+        else ok(cd_membrane_set_capsule(m, 0, (double[3]){-2, 0, 0}, (double[3]){2, 0, 0}, 3, 0.05, 0.3));
+        throw_at(m, 0, -speed, 0);
+        double through = -1;
+        for (int n = 0; n < 30; ++n) {
+            ok(cd_membrane_step(m, dt, 1));
+            const double depth = (way / 6 ? 0.02 : 0) - least_gap(m);
+            through = fmax(through, depth);
+        }
+        double x[3];
+        ok(cd_membrane_read_f64(m, CD_POSITION, 10, 10, 1, 1, x, 3)); /* its middle, that hits */
+        print_message("thrown, way %d: deepest %.1e m, middle at %.3f m\n", way, through, x[1]);
+        deepest = fmax(deepest, through);
+        assert_true(x[1] > -0.01);
+        assert_true(through < 4e-3); /* a few nodes stop all of the sheet */
+        cd_membrane_destroy(m);
+    }
+    print_message("thrown with 50 m/s: deepest %.1e m\n", deepest);
+}
+
+/* An upright bar that moves through where a sheet stands: no node passes it, and in the end all go with it. */
+static void a_bar_that_moves_sweeps_the_sheet_along(void** state) {
+    (void)state;
+    for (int way = 0; way < 2; ++way) {
+        const double dt = way ? 1 / 30.0 : 1 / 60.0, velocity[3] = {3, 0, 0}, radius = 0.2;
+        double v[3], x[3], deepest = 0;
+        cd_membrane* m = level(16, 0, 1);
+        ok(cd_membrane_set_gravity(m, nowhere, 3));
+        turn(m, acos(-1) / 2);
+        ok(cd_membrane_teleport(m, NULL, (double[3]){0.5, 0, 0}, 3));
+        ok(cd_membrane_set_air(m, 0.05, 1));
+        ok(cd_membrane_set_capsule(m, 0, (double[3]){0, -5, 0}, (double[3]){0, 5, 0}, 3, radius, 0.3));
+        ok(cd_membrane_set_collider_velocity(m, 0, velocity, 3));
+        for (int n = 0; n < (way ? 60 : 120); ++n) {
+            ok(cd_membrane_step(m, dt, 1));
+            deepest = fmax(deepest, -least_gap(m));
+        }
+        assert_true(deepest < 1e-3);
+        middle_of(m, CD_VELOCITY, v);
+        ok(cd_membrane_read_f64(m, CD_POSITION, 8, 8, 1, 1, x, 3));
+        print_message("swept for 2 s at 3 m/s: its middle at %.4f m, all at %.3f m/s, deepest %.1e m\n", x[0], v[0],
+                      deepest);
+        assert_near(x[0], 6 + radius, 1e-3, 1);
+        assert_near(v[0], 3, 0.05, 0);
+        cd_membrane_destroy(m);
+    }
+}
+
+static void what_starts_inside_comes_out_and_is_not_thrown(void** state) {
+    (void)state;
+    for (int way = 0; way < 4; ++way) {
+        const double dt = way % 2 ? 1 / 60.0 : 1e-3;
+        cd_membrane* m = level(12, way < 2 ? -0.05 : 0.45, 1);
+        ok(cd_membrane_set_gravity(m, nowhere, 3));
+        if (way < 2) ok(cd_membrane_set_plane(m, 0, nowhere, up, 3, 0.3));
+        else ok(cd_membrane_set_capsule(m, 0, nowhere, nowhere, 3, 0.5, 0.3)); /* its top comes out by 5 cm */
+        double fast = 0;
+        ok(cd_membrane_step(m, dt, 1));
+        const double first = -least_gap(m);
+        for (int n = 0; n < 60; ++n) ok(cd_membrane_step(m, dt, 1)), fast = fmax(fast, fastest(m));
+        const double then = -least_gap(m);
+        print_message("began inside, way %d: %.1e m deep after a step, %.1e m after more, at most %.1e m/s\n", way, first,
+                      then, fast);
+        if (way < 2) assert_true(first < 1.01 * 0.05 / 1e4);
+        assert_true(then < 1e-5);
+        assert_true(fast < (way < 2 ? 1e-5 : 0.2 * 0.05 / dt)); /* the springs that are drawn out pull */
+        cd_membrane_destroy(m);
+    }
+}
+
+/* Over a ball on a floor: no node is nearer than the thickness, and no energy comes from nothing. */
+static void a_tablecloth_keeps_its_thickness_and_gains_no_energy(void** state) {
+    (void)state;
+    static const double steps[] = {1 / 240.0, 1 / 60.0, 0.1};
+    for (size_t s = 0; s < COUNT(steps); ++s)
+        for (int way = 0; way < 2; ++way) {
+            const double thickness = 0.01, below[3] = {0, -0.45, 0};
+            cd_membrane* m = level(24, 0.35, 2);
+            ok(cd_membrane_set_capsule(m, 0, nowhere, nowhere, 3, 0.25, 0.4));
+            ok(cd_membrane_set_plane(m, 1, below, up, 3, 0.4));
+            ok(cd_membrane_set_thickness(m, thickness));
+            if (way) ok(cd_membrane_set_effort(m, 1, 4));
+            double before = sheet_energy(m), deepest = -1, risen = 0;
+            for (double t = 0; t < 2; t += steps[s]) {
+                ok(cd_membrane_step(m, steps[s], 1));
+                const double now = sheet_energy(m);
+                risen = fmax(risen, now - before);
+                before = now;
+                deepest = fmax(deepest, thickness - least_gap(m));
+            }
+            print_message("tablecloth, dt %.4f, effort %d: %.1e m too near, energy rose by %.1e J\n", steps[s], way,
+                          deepest, risen);
+            assert_true(deepest < (way ? 4e-3 : 1e-3));
+            assert_true(risen < 1e-12);
+            cd_membrane_destroy(m);
+        }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_dropped_sheet_comes_to_rest),
+        cmocka_unit_test(a_slope_holds_or_lets_slide),
+        cmocka_unit_test(a_belt_takes_the_sheet_along),
+        cmocka_unit_test(nothing_goes_through_however_fast),
+        cmocka_unit_test(a_bar_that_moves_sweeps_the_sheet_along),
+        cmocka_unit_test(what_starts_inside_comes_out_and_is_not_thrown),
+        cmocka_unit_test(a_tablecloth_keeps_its_thickness_and_gains_no_energy),
+    };
+    return cmocka_run_group_tests_name("cloth that touches", tests, NULL, NULL);
+}

@@ -1,0 +1,240 @@
+/* Cloth in air, moved by its edges and as a whole, and the order of its steps in time. */
+#include <math.h>
+
+#include "check.h"
+#include "cloth.h"
+#include "reference.h"
+#include "sheet.h"
+
+enum { MOST = 400 }; /* nodes */
+static const double nowhere[3] = {0, 0, 0};
+
+/* A flat sheet of 0.2 kg and length_u x length_v that lies in x and y; half edges: as much mass per area everywhere. */
+static cd_membrane* flat(size_t nu, size_t nv, double length_u, double length_v) {
+    cd_membrane* m = cloth(nu, nv, 3, CD_FLOAT64);
+    ok(cd_membrane_set_rest_length(m, length_u, length_v));
+    ok(cd_membrane_set_mass_rule(m, CD_MASS_HALF_ENDS));
+    ok(cd_membrane_set_mass(m, 0.2));
+    ok(cd_membrane_set_stiffness(m, 2000, 2000));
+    for (size_t v = 0; v <= nv; ++v)
+        for (size_t u = 0; u <= nu; ++u) {
+            const double x[3] = {length_u * (double)u / (double)nu, length_v * (double)v / (double)nv, 0};
+            ok(cd_membrane_write_f64(m, CD_POSITION, u, v, 1, 1, x, 3));
+        }
+    return m;
+}
+static size_t numbers_of(const cd_membrane* m) { return cloth_extent(m, CD_POSITION).count; }
+
+/* ---- air --------------------------------------------------------------------------------------------------------- */
+
+/* All of a sheet's nodes fall alike: across or along the air, v1 = v + dt g - dt a lambda-mean of v / (mass per area). */
+static void a_flat_sheet_falls_as_the_air_lets_it(void** state) {
+    (void)state;
+    static const double lambdas[] = {1, 0.75}, steps[] = {1e-3, 1 / 60.0, 1};
+    const double along = 0.03, across = 1.7, density = 0.2 / (1.2 * 0.8), g = 9.81;
+    double worst = 0;
+    for (size_t l = 0; l < COUNT(lambdas); ++l)
+        for (size_t s = 0; s < COUNT(steps); ++s)
+            for (int way = 0; way < 3; ++way) {
+                const double dt = steps[s], h = lambdas[l] * dt, a = (way == 2 ? across : along) / density;
+                double v = 0, gravity[3] = {0, 0, 0}, found[3 * MOST];
+                gravity[way] = -g;
+                cd_membrane* m = flat(6, 5, 1.2, 0.8);
+                ok(cd_membrane_set_lambda(m, lambdas[l]));
+                ok(cd_membrane_set_air(m, along, across));
+                ok(cd_membrane_set_gravity(m, gravity, 3));
+                ok(cd_membrane_set_effort(m, 20, 500));
+                for (int n = 0; n < 200; ++n) {
+                    ok(cd_membrane_step(m, dt, 1));
+                    v += (-g - a * v) * dt / (1 + h * a);
+                }
+                cloth_read(m, CD_VELOCITY, found);
+                for (size_t i = 0; i < numbers_of(m); ++i)
+                    worst = fmax(worst, fabs(found[i] - (i % 3 == (size_t)way ? v : 0)) / fabs(v));
+                if (s == 2) assert_near(v, -g / a, 1e-6, 0); /* and then it falls no faster */
+                cd_membrane_destroy(m);
+            }
+    print_message("flat sheets that fall through air: speeds to %.1e\n", worst);
+    assert_true(worst < 1e-9);
+}
+
+static void wind_carries_a_free_sheet_along(void** state) {
+    (void)state;
+    const double wind[3] = {3, -1, 2};
+    for (int each = 0; each < 2; ++each) {
+        double v[3 * MOST], off = 0;
+        cd_membrane* m = flat(8, 8, 1, 1);
+        ok(cd_membrane_set_air(m, 0.5, 2));
+        if (each) {
+            for (size_t i = 0; i < numbers_of(m); ++i) v[i] = wind[i % 3];
+            ok(cd_membrane_enable_field(m, CD_WIND));
+            cloth_write(m, CD_WIND, v);
+        } else ok(cd_membrane_set_wind(m, wind, 3));
+        cloth_shake(m, 0.02, 5);
+        ok(cd_membrane_step(m, 1 / 60.0, 1200));
+        cloth_read(m, CD_VELOCITY, v);
+        for (size_t i = 0; i < numbers_of(m); ++i) off = fmax(off, fabs(v[i] - wind[i % 3]));
+        print_message("in the wind for 20 s: to %.1e m/s\n", off);
+        assert_true(off < 1e-3);
+        cd_membrane_destroy(m);
+    }
+}
+
+/* Crumpled sheets in air that stands, few iterations or many: no step adds to their energy. */
+static void air_only_takes_energy(void** state) {
+    (void)state;
+    static const double steps[] = {1e-3, 1 / 60.0, 0.1, 1, 10}, lambdas[] = {1, 0.7, 0.5};
+    double most = 0;
+    for (uint64_t scene = 0; scene < 60; ++scene) {
+        uint64_t seed = 77 + scene;
+        cd_membrane* m = flat(9, 7, 0.9, 0.7);
+        ok(cd_membrane_set_shear(m, 100));
+        if (scene % 2) ok(cd_membrane_set_bend(m, 1e-3));
+        ok(cd_membrane_set_air(m, scene % 3 ? 0.1 : 0, scene % 3 ? 3 : 1e4));
+        ok(cd_membrane_set_lambda(m, lambdas[scene % 3]));
+        if (scene % 4 == 1) ok(cd_membrane_set_effort(m, 1, 1));
+        if (scene % 4 == 3) ok(cd_membrane_set_effort(m, 10, 100));
+        double x[3 * MOST], v[3 * MOST];
+        cloth_read(m, CD_POSITION, x);
+        for (size_t i = 0; i < numbers_of(m); ++i) {
+            if (scene < 30) x[i] *= 0.2;
+            x[i] += 0.05 * random_number(&seed), v[i] = 5 * random_number(&seed);
+        }
+        cloth_write(m, CD_POSITION, x);
+        cloth_write(m, CD_VELOCITY, v);
+        double before = sheet_energy(m);
+        const double size = before;
+        for (int n = 0; n < 40; ++n) {
+            ok(cd_membrane_step(m, steps[scene % 5], 1));
+            const double now = sheet_energy(m);
+            most = fmax(most, (now - before) / size);
+            before = now;
+        }
+        cd_membrane_destroy(m);
+    }
+    print_message("60 crumpled sheets in air: a step adds at most %.1e of the energy\n", most);
+    assert_true(most < 1e-12);
+}
+
+/* ---- what is posed, and moved as a whole ------------------------------------------------------------------------- */
+
+static void posed_nodes_are_where_they_should_be(void** state) {
+    (void)state;
+    double x[3 * MOST];
+    for (int single = 0; single < 2; ++single) {
+        cd_membrane* m = flat(10, 8, 1, 0.8);
+        ok(cd_membrane_set_gravity(m, (double[3]){0, -9.81, 1}, 3));
+        ok(cd_membrane_set_shear(m, 100));
+        if (single) {
+            ok(cd_membrane_enable_field(m, CD_PIN));
+            ok(cd_membrane_enable_field(m, CD_TARGET));
+            for (size_t u = 2; u < 6; ++u) sheet_set(m, CD_PIN, u, 3, CD_NODE_POSED);
+        } else ok(cd_membrane_set_edge(m, CD_EDGE_V_LAST, CD_NODE_POSED));
+        const size_t first = single ? 2 : 0, count = single ? 4 : 11, row = single ? 3 : 8;
+        for (int n = 1; n <= 60; ++n) {
+            double to[3 * 11];
+            for (size_t i = 0; i < count; ++i) {
+                const double turned = 0.02 * n, way = 0.1 * (double)(first + i);
+                to[3 * i] = way * cos(turned) + 0.05 * n, to[3 * i + 1] = 0.1 * (double)row + 0.3 * sin(0.3 * n);
+                to[3 * i + 2] = way * sin(turned);
+            }
+            ok(cd_membrane_write_f64(m, CD_TARGET, first, row, count, 1, to, 3 * count));
+            ok(cd_membrane_step(m, 1 / 240.0, (size_t)(1 + n % 4)));
+            ok(cd_membrane_read_f64(m, CD_POSITION, first, row, count, 1, x, 3 * count));
+            for (size_t i = 0; i < 3 * count; ++i) assert_near(x[i], to[i], 1e-14, 1);
+        }
+        ok(cd_membrane_read_f64(m, CD_POSITION, 5, 0, 1, 1, x, 3)); /* the rest came along */
+        assert_true(x[0] > 2.2);
+        cd_membrane_destroy(m);
+    }
+}
+
+/* With forces that turn with it, a sheet moves on as it would have, but turned and shifted. */
+static void a_teleport_changes_nothing_but_the_place(void** state) {
+    (void)state;
+    const double turn[9] = {0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6}, shift[3] = {5, -3, 2}, g[3] = {1, -9, 2};
+    for (int held = 0; held < 2; ++held) {
+        cd_membrane* pair[2];
+        double x[2][3 * MOST], v[2][3 * MOST], g1[3] = {0, 0, 0}, worst = 0;
+        for (int k = 0; k < 2; ++k) {
+            cd_membrane* m = pair[k] = flat(9, 7, 0.9, 0.7);
+            ok(cd_membrane_set_shear(m, 60));
+            ok(cd_membrane_set_bend(m, 1e-3));
+            ok(cd_membrane_set_air(m, 0.1, 1));
+            ok(cd_membrane_set_gravity(m, g, 3));
+            if (held) ok(cd_membrane_set_edge(m, CD_EDGE_V_FIRST, CD_NODE_PINNED));
+            cloth_shake(m, 0.005, 9);
+            ok(cd_membrane_set_effort(m, 20, 300));
+            ok(cd_membrane_step(m, 1 / 60.0, 20));
+        }
+        ok(cd_membrane_teleport(pair[1], turn, shift, 3));
+        for (int i = 0; i < 9; ++i) g1[i / 3] += turn[i] * g[i % 3];
+        ok(cd_membrane_set_gravity(pair[1], g1, 3));
+        for (int k = 0; k < 2; ++k) {
+            ok(cd_membrane_step(pair[k], 1 / 60.0, 10));
+            if (k == 0) ok(cd_membrane_teleport(pair[k], turn, shift, 3));
+            cloth_read(pair[k], CD_POSITION, x[k]);
+            cloth_read(pair[k], CD_VELOCITY, v[k]);
+        }
+        for (size_t i = 0; i < numbers_of(pair[0]); ++i)
+            worst = fmax(worst, fmax(fabs(x[0][i] - x[1][i]), fabs(v[0][i] - v[1][i])));
+        print_message("teleported, %s: moves on to %.1e\n", held ? "held" : "free", worst);
+        assert_true(worst < 1e-9);
+        for (int k = 0; k < 2; ++k) cd_membrane_destroy(pair[k]);
+    }
+}
+
+/* ---- order in time ----------------------------------------------------------------------------------------------- */
+
+/* A sheet held at its four edges and drawn out by 3%, so that no spring is ever slack, swings across itself for 0.2 s:
+ * where its nodes are. */
+static void swing(double lambda, int steps, double* x) {
+    const size_t n = 8;
+    cd_membrane* m = flat(n, n, 1, 1);
+    ok(cd_membrane_set_mass(m, 0.5));
+    ok(cd_membrane_set_stiffness(m, 200, 200));
+    ok(cd_membrane_set_compression(m, 0));
+    ok(cd_membrane_set_lambda(m, lambda));
+    ok(cd_membrane_set_effort(m, 100, 1000));
+    for (cd_edge edge = CD_EDGE_U_FIRST; edge <= CD_EDGE_V_LAST; ++edge)
+        ok(cd_membrane_set_edge(m, edge, CD_NODE_PINNED));
+    for (size_t v = 0; v <= n; ++v)
+        for (size_t u = 0; u <= n; ++u) {
+            const double s = (double)u / (double)n, t = (double)v / (double)n, pi = acos(-1);
+            const double at[3] = {1.03 * s, 1.03 * t, 0.05 * sin(pi * s) * sin(pi * t)};
+            ok(cd_membrane_write_f64(m, CD_POSITION, u, v, 1, 1, at, 3));
+        }
+    ok(cd_membrane_step(m, 0.2 / steps, (size_t)steps));
+    cloth_read(m, CD_POSITION, x);
+    cd_membrane_destroy(m);
+}
+
+/* lambda = 1/2 is of second order in time, lambda = 1 of first, which halves the way to it with each halving of dt. */
+static void a_taut_sheet_swings_to_its_order(void** state) {
+    (void)state;
+    static double exact[3 * MOST], x[3 * MOST];
+    swing(0.5, 3200, exact);
+    for (int first = 0; first < 2; ++first) {
+        double off[4] = {0};
+        for (int r = 0; r < 4; ++r) {
+            swing(first ? 1 : 0.5, 50 << r, x);
+            for (size_t i = 0; i < 3 * 81; ++i) off[r] = fmax(off[r], fabs(x[i] - exact[i]));
+        }
+        print_message("swing, lambda %g, 50, 100, 200, 400 steps: off by %.2e, %.2e, %.2e, %.2e m\n", first ? 1 : 0.5,
+                      off[0], off[1], off[2], off[3]);
+        for (int r = 0; r < 3; ++r) assert_true(off[r + 1] < (first ? 0.6 : 0.3) * off[r]);
+        if (first) assert_true(off[3] > 0.4 * off[2]);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_flat_sheet_falls_as_the_air_lets_it),
+        cmocka_unit_test(wind_carries_a_free_sheet_along),
+        cmocka_unit_test(air_only_takes_energy),
+        cmocka_unit_test(posed_nodes_are_where_they_should_be),
+        cmocka_unit_test(a_teleport_changes_nothing_but_the_place),
+        cmocka_unit_test(a_taut_sheet_swings_to_its_order),
+    };
+    return cmocka_run_group_tests_name("cloth that moves", tests, NULL, NULL);
+}

@@ -1,0 +1,139 @@
+/* Cloth keeps its size and falls, both at once, within the effort of a step: a solver that moves as through syrup
+ * stretches little. */
+#include <math.h>
+
+#include "check.h"
+#include "cloth.h"
+
+enum { SPRINGS = 63, NODES = SPRINGS + 1 };
+static const double weight[3] = {0, -9.81, 0}, dt = 1 / 60.0;
+
+/* A level sheet of 1 m and 0.2 kg, of springs of 3000 N/m. */
+static cd_membrane* sheet(void) {
+    const double n = NODES, springs = SPRINGS;
+    cd_membrane* m = cloth(SPRINGS, SPRINGS, 3, CD_FLOAT64);
+    ok(cd_membrane_set_rest_length(m, 1, 1));
+    ok(cd_membrane_set_mass(m, 0.2));
+    ok(cd_membrane_set_stiffness(m, 3000 * n / springs, 3000 * n / springs));
+    ok(cd_membrane_set_shear(m, 100));
+    ok(cd_membrane_set_bend(m, 0.05 * n / (springs * springs * springs)));
+    ok(cd_membrane_set_gravity(m, weight, 3));
+    for (size_t v = 0; v < NODES; ++v)
+        for (size_t u = 0; u < NODES; ++u) {
+            const double x[3] = {(double)u / springs, 0, (double)v / springs};
+            ok(cd_membrane_write_f64(m, CD_POSITION, u, v, 1, 1, x, 3));
+        }
+    return m;
+}
+
+struct stretch {
+    double worst, mean; /* the mean is that of squares */
+};
+static struct stretch stretch_of(const cd_membrane* m) {
+    static double strain[SPRINGS * NODES];
+    static const cd_field fields[2] = {CD_STRAIN_U, CD_STRAIN_V};
+    struct stretch all = {0, 0};
+    for (size_t d = 0; d < 2; ++d) {
+        cloth_read(m, fields[d], strain);
+        for (size_t i = 0; i < SPRINGS * NODES; ++i) {
+            const double longer = fmax(strain[i], 0);
+            all.worst = fmax(all.worst, longer), all.mean += longer * longer / (2 * SPRINGS * NODES);
+        }
+    }
+    all.mean = sqrt(all.mean);
+    return all;
+}
+static double mean_height(const cd_membrane* m) {
+    static double x[NODES * NODES][3];
+    double sum = 0;
+    cloth_read(m, CD_POSITION, x[0]);
+    for (size_t i = 0; i < NODES * NODES; ++i) sum += x[i][1];
+    return sum / (NODES * NODES);
+}
+
+/* How many of all triples of neighbours along a line are folded by more than a right angle, and how long springs are on
+ * average, over their length. */
+static void folds_of(const cd_membrane* m, double* folded, double* length) {
+    static double x[NODES * NODES][3];
+    size_t triples = 0, folds = 0;
+    double sum = 0;
+    cloth_read(m, CD_POSITION, x[0]);
+    for (size_t along = 0; along < 2; ++along)
+        for (size_t line = 0; line < NODES; ++line)
+            for (size_t i = 1; i < SPRINGS; ++i) {
+                const size_t step = along ? NODES : 1, at = along ? i * NODES + line : line * NODES + i;
+                double product = 0, square = 0;
+                for (int k = 0; k < 3; ++k) {
+                    const double way = x[at][k] - x[at - step][k];
+                    product += way * (x[at + step][k] - x[at][k]), square += way * way;
+                }
+                ++triples, folds += product < 0;
+                sum += sqrt(square) * SPRINGS;
+            }
+    *folded = (double)folds / (double)triples;
+    *length = sum / (double)triples;
+}
+
+/* Held by two corners, after 20 frames and until 40: with the effort of a step as it is, and far more. */
+static double fall(size_t newton, size_t gradient, struct stretch* most) {
+    cd_membrane* m = sheet();
+    const double pinned = CD_NODE_PINNED;
+    double height = 0;
+    ok(cd_membrane_enable_field(m, CD_PIN));
+    ok(cd_membrane_write_f64(m, CD_PIN, 0, 0, 1, 1, &pinned, 1));
+    ok(cd_membrane_write_f64(m, CD_PIN, SPRINGS, 0, 1, 1, &pinned, 1));
+    if (newton > 0) ok(cd_membrane_set_effort(m, newton, gradient));
+    *most = (struct stretch){0, 0};
+    for (int frame = 1; frame <= 40; ++frame) {
+        ok(cd_membrane_step(m, dt, 1));
+        if (frame == 20) height = mean_height(m);
+        if (frame < 20) continue;
+        const struct stretch now = stretch_of(m);
+        most->worst = fmax(most->worst, now.worst), most->mean = fmax(most->mean, now.mean);
+    }
+    cd_membrane_destroy(m);
+    return height;
+}
+static void a_sheet_falls_and_keeps_its_size(void** state) {
+    (void)state;
+    struct stretch usual, converged;
+    const double height = fall(0, 0, &usual), right = fall(10, 100, &converged);
+    print_message("height %.4f, converged %.4f; stretch %.4f and %.4f, converged %.4f and %.4f\n", height, right,
+                  usual.worst, usual.mean, converged.worst, converged.mean);
+    assert_true(fabs(height - right) < 0.04 * fabs(right));
+    assert_true(usual.worst < 0.038 && usual.mean < 0.0031);
+    assert_true(converged.worst < 0.03 && converged.mean < 0.0026);
+}
+
+/* Over a ball, with friction: into folds, and not into needles or onto a crumpled heap. */
+static void a_tablecloth_hangs_in_folds(void** state) {
+    (void)state;
+    const double ball[3] = {0.5, -0.3, 0.5};
+    cd_membrane* m = sheet();
+    struct stretch most = {0, 0};
+    double folded, length;
+    ok(cd_membrane_set_colliders(m, 1));
+    ok(cd_membrane_set_capsule(m, 0, ball, ball, 3, 0.25, 0.4));
+    ok(cd_membrane_set_thickness(m, 0.004));
+    for (int frame = 1; frame <= 60; ++frame) {
+        ok(cd_membrane_step(m, dt, 1));
+        if (frame == 5) assert_near(mean_height(m), -9.81 * dt * dt * 15, 1e-3, 0); /* it falls as if nothing were there */
+        const struct stretch now = stretch_of(m);
+        most.worst = fmax(most.worst, now.worst);
+    }
+    folds_of(m, &folded, &length);
+    print_message("tablecloth: stretch %.4f, folded %.2f%%, springs %.3f of their length, height %.3f\n", most.worst,
+                  100 * folded, length, mean_height(m));
+    assert_true(most.worst < 0.012);
+    assert_true(folded < 0.02);
+    assert_true(length > 0.94);
+    cd_membrane_destroy(m);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_sheet_falls_and_keeps_its_size),
+        cmocka_unit_test(a_tablecloth_hangs_in_folds),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
