@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Takes the rules of water's and of the ropes' steps out, one after the other, and shows which tests fail without each.
+"""Takes the rules of water's, the ropes' and cloth's steps out, one after the other, and shows which tests fail without.
 
     take_out.py FOLDER [RULE...]     builds in FOLDER, some minutes a rule; without a rule's name all of them
 
@@ -14,6 +14,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 KERNELS = "src/kernel/"
+CLOTH = "../model/membrane_cloth.cpp"
+CLOTH_STEP = "../model/membrane_cloth_step.cpp"
+CLOTH_ACT = "../model/membrane_cloth_act.cpp"
 
 # Name: file, what is there, what takes its place, tests to run (the first one that fails ends a rule).
 RULES = {
@@ -168,6 +171,39 @@ RULES = {
         "rope_contact.hh", "kStickSpeed = 1e-4;", "kStickSpeed = 1e-2;", ["physics_rope_contact"]),
     "held nodes touch nothing": (
         "rope_contact.hh", "free = opposite(held(i));", "free = one();", ["physics_rope_contact"]),
+    "a step of cloth ends where it has made no energy": (
+        CLOTH_STEP, "        combine(1, w.w, share, way);\n", "", ["stability_cloth"]),
+    "with the momentum that a free sheet has": (
+        CLOTH_STEP, "        share_momentum(mean);", "        mean[0] = mean[1] = mean[2] = 0;", ["physics_cloth"]),
+    "a search ends where rounding is all that is left": (
+        CLOTH_STEP, "return end <= -kFlat * falls ?", "return false ?", ["physics_cloth_size", "physics_cloth"]),
+    "what can't go the whole way goes on": (
+        CLOTH_STEP, "kMoreIterations = 4;", "kMoreIterations = 0;", ["physics_cloth_size"]),
+    "what crumples is pushed as the step finds it": (
+        CLOTH_STEP, "cloth().unfold(w.grid, w.springs(), h, w.from, w.rhs, scratch, first, count);", "", ["physics_cloth"]),
+    "springs that are nearly taut count": (
+        "cloth_springs.cpp", "(excess * per_length) + L::splat(0.5), 0, 1)", "(excess * per_length), 0, 1)",
+        ["physics_cloth_size"]),
+    "a spring of no length has no direction": (
+        "cloth.hh", "kLeastDirection = 1e-6;", "kLeastDirection = 0;", ["stability_cloth"]),
+    "a cut takes the shear of its cells with it": (
+        CLOTH, "m.cloth.shear > 0 && whole_cell(m, u, v) ?", "m.cloth.shear > 0 ?", ["physics_cloth"]),
+    "and the bend of its ends": (
+        CLOTH, "return stiffness_of(m, d, u, v) > 0 && stiffness_of(m, d, last_u, last_v) > 0 ? bend : 0;",
+        "return bend;", ["physics_cloth"]),
+    "what cloth came out of does not throw it": (
+        CLOTH_ACT, " - overlap;", ";", ["physics_cloth_contact"]),
+    "what is pushed leaves as fast as it moved": (
+        CLOTH_ACT, "then = dot(normal, moved) - overlap;", "then = now - overlap;",
+        ["physics_cloth_contact", "stability_cloth"]),
+    "and no faster than it would have": (
+        CLOTH_ACT, "if (!(fabs(then - own) < fabs(now - own))) continue;", "", ["stability_cloth"]),
+    "cloth heeds several colliders": (
+        "../model/membrane_cloth.hh", "kMostTouched = 3;", "kMostTouched = 1;", ["physics_cloth_contact"]),
+    "contacts of cloth yield little": (
+        CLOTH_ACT, "kContactStiffness = 1e4,", "kContactStiffness = 1e2,", ["physics_cloth_contact"]),
+    "and stick below a speed": (
+        CLOTH_ACT, "kStickSpeed = 1e-3;", "kStickSpeed = 1e-1;", ["physics_cloth_contact"]),
 }
 
 
