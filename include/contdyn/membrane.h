@@ -31,11 +31,11 @@
  *      bear loads, are driven or thrown, and for stiff parts that move against each other, of which alternating finds
  *      the common motion only. It needs many iterations where springs or masses vary at random by decades, and where a
  *      plate with free edges has much more bend than stretch.
- * lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance; the momentum of a free
- * sheet is kept too, of one torn into parts that of each part. On uniform sheets, alternating, the energy so kept
- * counts the extra mass in what moves; in CD_FLOAT32 each rounding of a velocity is then a kick of so many times its
- * energy: take CD_FLOAT64 or the coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with stiffness damping are
- * first order in time under the alternating solver, all else is second.
+ * Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance;
+ * the momentum of a free sheet is kept too, of one torn into parts that of each part. On uniform sheets, alternating,
+ * the energy so kept counts the extra mass in what moves; in CD_FLOAT32 each rounding of a velocity is then a kick of
+ * so many times its energy: take CD_FLOAT64 or the coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with
+ * stiffness damping are first order in time under the alternating solver, all else is second.
  *
  * All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are stored
  * in. (Steps of symplectic Euler on uniform sheets without damping and forces compute in float32 and are as exact.)
@@ -194,7 +194,8 @@ CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_
  * colliders that move. What a step does not reach, slows the sheet down: with the default effort one of a stiffness of
  * 10 mass / dt^2 [N/m] falls to 5% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass /
  * dt^2 it falls a quarter too slowly, and far beyond as through syrup. lambda = 1 damps motion that a step does not
- * resolve, lambda nearer 1/2 less of it, for more effort. A free sheet keeps its momentum.
+ * resolve, lambda nearer 1/2 less of it, for more effort; steps are first order in time. A free sheet keeps its
+ * momentum.
  * Cloth needs CD_METHOD_IMPLICIT with lambda in [1/2, 1], no matched edge and no stiffness damping: cd_membrane_step
  * says CD_ERROR_UNSUPPORTED. It has a solver of its own: cd_membrane_set_solver and set_tolerance do not matter. */
 
@@ -242,9 +243,11 @@ CD_API cd_status cd_membrane_get_wind(const cd_membrane* membrane, double* out_v
  * them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
  * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
  * at any speed.
- * Contacts yield a little, by up to the weight that rests on a node times dt^2 / (1e4 its mass). Nodes collide; what
- * lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed
- * v, of the push that the step's iterations find. What lies inside when a step begins comes out of it.
+ * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
+ * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
+ * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
+ * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+ * of it.
  * Errors and ranges are those of the functions of cd_chain. */
 CD_API cd_status cd_membrane_set_colliders(cd_membrane* membrane, size_t count);
 CD_API cd_status cd_membrane_get_colliders(const cd_membrane* membrane, size_t* out_count);
@@ -372,7 +375,7 @@ CD_API cd_status cd_membrane_get_factorizations(const cd_membrane* membrane, uin
 /* ---- measuring --------------------------------------------------------------------------------------------------- */
 
 /* Energies [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend and attachments. Gravity:
- * -sum m g x of the free nodes. lambda = 1/2 keeps their sum. */
+ * -sum m g x of the free nodes. lambda = 1/2 keeps their sum, in cloth at most. */
 CD_API cd_status cd_membrane_get_energy(const cd_membrane* membrane, double* out_kinetic, double* out_elastic,
                                         double* out_gravity);
 
