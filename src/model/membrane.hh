@@ -15,7 +15,7 @@ constexpr uint64_t kMostNewton = 1000, kMostGradient = 10000;
 
 // Of membranes whose springs have a length: see membrane_cloth.cpp.
 struct ClothSettings : AirSettings {
-    double length[2] = {};             // [m], of the sheet; 0: springs have none
+    double length[2] = {};              // [m], of the sheet; 0: springs have none
     double shear = 0, compression = 10; // [N/m], [1/s^2]
     uint64_t newton = 2, gradient = 20;
     double thickness = 0; // [m]

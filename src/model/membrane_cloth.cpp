@@ -185,8 +185,8 @@ double energy_of(double length, double excess) {
 // Of a spring of stiffness 1 against crumpling: (now - length)^2 / 2, but next to 0.
 double crumpling_energy(double length, double now) {
     const double least = kLeastDirection * length;
-    const double round = now > least ? now : now * now / (2 * least) + least / 2;
-    return now * now / 2 - length * round + length * length / 2;
+    if (now > least) return (now - length) * (now - length) / 2;
+    return now * now / 2 - length * (now * now / (2 * least) + least / 2) + length * length / 2;
 }
 
 } // namespace

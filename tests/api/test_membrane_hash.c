@@ -14,6 +14,12 @@ static cd_membrane* everything(cd_precision precision) {
     return m;
 }
 
+static cd_membrane* with_lengths(cd_precision precision) {
+    cd_membrane* m = cloth(NU, NV, COMPONENTS, precision);
+    cloth_lengths(m);
+    return m;
+}
+
 static const double pull[3][COMPONENTS] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 static void lambda(cd_membrane* m) { ok(cd_membrane_set_lambda(m, 0.9)); }
@@ -83,24 +89,81 @@ static void every_change_gives_another_hash(void** state) {
     }
 }
 
-static void every_number_of_every_field_is_in_the_hash(void** state) {
+/* And of cloth. */
+static void lambda_1(cd_membrane* m) { ok(cd_membrane_set_lambda(m, 1)); }
+static void length_u(cd_membrane* m) { ok(cd_membrane_set_rest_length(m, 0.61, 0.5)); }
+static void length_v(cd_membrane* m) { ok(cd_membrane_set_rest_length(m, 0.6, 0.51)); }
+static void no_length(cd_membrane* m) { ok(cd_membrane_set_rest_length(m, 0, 0)); }
+static void no_length_u(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_REST_LENGTH_U)); }
+static void no_length_v(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_REST_LENGTH_V)); }
+static void shear(cd_membrane* m) { ok(cd_membrane_set_shear(m, 151)); }
+static void no_shear(cd_membrane* m) { ok(cd_membrane_set_shear(m, 0)); }
+static void compression(cd_membrane* m) { ok(cd_membrane_set_compression(m, 7)); }
+static void newton(cd_membrane* m) { ok(cd_membrane_set_effort(m, 4, 11)); }
+static void gradient(cd_membrane* m) { ok(cd_membrane_set_effort(m, 3, 12)); }
+static void air_along(cd_membrane* m) { ok(cd_membrane_set_air(m, 0.06, 0.75)); }
+static void air_across(cd_membrane* m) { ok(cd_membrane_set_air(m, 0.05, 0.8)); }
+static void wind_0(cd_membrane* m) { ok(cd_membrane_set_wind(m, pull[0], COMPONENTS)); }
+static void wind_2(cd_membrane* m) { ok(cd_membrane_set_wind(m, pull[2], COMPONENTS)); }
+static void no_winds(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_WIND)); }
+static void thickness(cd_membrane* m) { ok(cd_membrane_set_thickness(m, 0.02)); }
+static void no_colliders(cd_membrane* m) { ok(cd_membrane_set_colliders(m, 0)); }
+static void collider_less(cd_membrane* m) { ok(cd_membrane_set_colliders(m, 3)); }
+static void collider_more(cd_membrane* m) { ok(cd_membrane_set_colliders(m, 5)); }
+static void no_plane(cd_membrane* m) { ok(cd_membrane_remove_collider(m, 0)); }
+static void plane(cd_membrane* m) { ok(cd_membrane_set_plane(m, 0, pull[0], pull[2], COMPONENTS, 0.5)); }
+static void plane_turned(cd_membrane* m) { ok(cd_membrane_set_plane(m, 0, pull[0], pull[1], COMPONENTS, 0.5)); }
+static void plane_rough(cd_membrane* m) { ok(cd_membrane_set_plane(m, 0, pull[0], pull[2], COMPONENTS, 0.75)); }
+static void capsule(cd_membrane* m) { ok(cd_membrane_set_capsule(m, 2, pull[0], pull[1], COMPONENTS, 0.5, 0)); }
+static void capsule_thick(cd_membrane* m) { ok(cd_membrane_set_capsule(m, 2, pull[0], pull[1], COMPONENTS, 0.625, 0)); }
+static void capsule_back(cd_membrane* m) { ok(cd_membrane_set_capsule(m, 2, pull[1], pull[0], COMPONENTS, 0.5, 0)); }
+static void plane_moves(cd_membrane* m) { ok(cd_membrane_set_collider_velocity(m, 0, pull[0], COMPONENTS)); }
+static void ball_moves(cd_membrane* m) { ok(cd_membrane_set_collider_velocity(m, 1, pull[0], COMPONENTS)); }
+static void ball_falls(cd_membrane* m) { ok(cd_membrane_set_collider_velocity(m, 1, pull[1], COMPONENTS)); }
+
+static void (*const cloth_changes[])(cd_membrane*) = {
+    lambda_1,    length_u,     length_v,      no_length,     no_length_u, no_length_v,  shear,         no_shear,
+    compression, newton,       gradient,      air_along,     air_across,  wind_0,       wind_2,        no_winds,
+    thickness,   no_colliders, collider_less, collider_more, no_plane,    plane,        plane_turned,  plane_rough,
+    capsule,     capsule_back, capsule_thick, plane_moves,   ball_moves,  ball_falls,   mass,          bend,
+    pressure,    ring_v,       no_force,      no_along_u,    no_pin,      no_mask,      tie_stiffness, impulse,
+    step,        two_steps,    reset};
+
+static void every_change_of_cloth_gives_another_hash(void** state) {
     (void)state;
     for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
-        cd_membrane* m = everything(precision);
+        uint64_t hashes[COUNT(cloth_changes) + 1];
+        for (size_t i = 0; i < COUNT(hashes); ++i) {
+            cd_membrane* m = with_lengths(precision);
+            if (i < COUNT(cloth_changes)) cloth_changes[i](m);
+            hashes[i] = hash_of(m);
+            for (size_t j = 0; j < i; ++j)
+                if (hashes[i] == hashes[j]) fail_msg("changes %zu and %zu give the same hash", i, j);
+            cd_membrane_destroy(m);
+        }
+    }
+}
+
+static void every_number_of_every_field_is_in_the_hash(void** state) {
+    (void)state;
+    for (int i = 0; i < 4; ++i) {
+        const cd_precision precision = i % 2 ? CD_FLOAT64 : CD_FLOAT32;
+        cd_membrane* m = i < 2 ? everything(precision) : with_lengths(precision);
         double free[ALL] = {0}, values[ALL];
         cloth_write(m, CD_PIN, free); /* all may move */
         sheet_set(m, CD_MASK, 1, 3, 1);
         const uint64_t before = hash_of(m);
-        for (cd_field field = CD_POSITION; field <= CD_MASK; ++field) {
-            if (field == CD_STIFFNESS || field == CD_BEND) continue;
+        for (cd_field field = CD_POSITION; field <= CD_REST_LENGTH_V; ++field) {
+            if (field == CD_STIFFNESS || field == CD_BEND || (field > CD_MASK && i < 2)) continue;
+            if (field > CD_MASK && field != CD_WIND && field < CD_REST_LENGTH_U) continue;
             const size_t count = cloth_extent(m, field).count;
             cloth_read(m, field, values);
-            for (size_t i = 0; i < count && field != CD_MASK; ++i) {
-                const double old = values[i];
-                values[i] = field == CD_PIN ? CD_NODE_DRIVEN : old * 1.000001 + 1e-6;
+            for (size_t at = 0; at < count && field != CD_MASK; ++at) {
+                const double old = values[at];
+                values[at] = field == CD_PIN ? CD_NODE_DRIVEN : old * 1.000001 + 1e-6;
                 cloth_write(m, field, values);
-                if (hash_of(m) == before) fail_msg("number %zu of field %d is not in the hash", i, field);
-                values[i] = old;
+                if (hash_of(m) == before) fail_msg("number %zu of field %d is not in the hash", at, field);
+                values[at] = old;
             }
             cloth_write(m, field, values);
             assert_int_equal(hash_of(m), before);
@@ -108,10 +171,10 @@ static void every_number_of_every_field_is_in_the_hash(void** state) {
         double v[ALL] = {0};
         cloth_write(m, CD_VELOCITY, v);
         const uint64_t at_rest = hash_of(m);
-        for (size_t i = 0; i < cloth_extent(m, CD_MASK).count; ++i) { /* an absent node is stopped */
-            sheet_set(m, CD_MASK, i % (NU + 1), i / (NU + 1), 0);
+        for (size_t node = 0; node < cloth_extent(m, CD_MASK).count; ++node) { /* an absent node is stopped */
+            sheet_set(m, CD_MASK, node % (NU + 1), node / (NU + 1), 0);
             assert_int_not_equal(hash_of(m), at_rest);
-            sheet_set(m, CD_MASK, i % (NU + 1), i / (NU + 1), 1);
+            sheet_set(m, CD_MASK, node % (NU + 1), node / (NU + 1), 1);
         }
         assert_int_equal(hash_of(m), at_rest);
         cd_membrane_destroy(m);
@@ -179,6 +242,7 @@ static void what_is_not_state_is_not_in_the_hash(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_change_gives_another_hash),
+        cmocka_unit_test(every_change_of_cloth_gives_another_hash),
         cmocka_unit_test(every_number_of_every_field_is_in_the_hash),
         cmocka_unit_test(numbers_that_change_places_change_the_hash),
         cmocka_unit_test(shapes_and_precisions_differ_in_the_hash),

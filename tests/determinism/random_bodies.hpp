@@ -1,6 +1,6 @@
-// Random chains and membranes, and what is done with them while they run: all of it follows from a seed, and is the
-// same for every object that a scene is run on. For test_random.cpp. No two random numbers are drawn among the
-// arguments of one call, since compilers may take those in any order.
+// Random chains, and what is done with them while they run: all of it follows from a seed, and is the same for every
+// object that a scene is run on. For test_random.cpp; random_membranes.hpp goes on from here. No two random numbers are
+// drawn among the arguments of one call, since compilers may take those in any order.
 #ifndef RANDOM_BODIES_HPP
 #define RANDOM_BODIES_HPP
 
@@ -81,6 +81,47 @@ template <class Scene, class Pick> void write_part(const Scene& scene, typename 
     returned += scene.write(handle, field, row, rows, column, columns, values);
 }
 
+// Planes and capsules near the nodes, some of which lie in them. Api has the functions of ropes, or those of cloth.
+template <class Api, class Handle>
+void meet_things(Handle* handle, size_t components, double size, Random& random, Returned& returned) {
+    size_t count = 0;
+    returned += Api::get_colliders(handle, &count);
+    if (count == 0 || random.chance(0.2)) returned += Api::set_colliders(handle, count = random.below(Api::most));
+    const auto number = [&] { return size * random.uniform(-1.5, 1.5); };
+    double first[3], last[3], velocity[3], normal[3];
+    for (size_t k = 0; k < 3; ++k) {
+        first[k] = number(), last[k] = number(), velocity[k] = number();
+        normal[k] = random.uniform(-1, 1);
+    }
+    const double radius = size * random.decades(-2, 0), friction = random.chance(0.3) ? 0 : random.uniform(0, 2);
+    for (size_t index = 0; index < count; ++index) {
+        const size_t kind = random.below(8);
+        if (kind <= 1) returned += Api::set_plane(handle, index, first, normal, components, friction);
+        else if (kind <= 4)
+            returned += Api::set_capsule(handle, index, first, kind == 4 ? first : last, components,
+                                         radius < 1e-60 ? 1e-60 : radius, friction);
+        else if (kind == 5) returned += Api::set_velocity(handle, index, velocity, components);
+        else if (kind == 6) returned += Api::remove(handle, index);
+        for (size_t k = 0; k < 3; ++k) first[k] += radius, normal[k] += 0.25;
+    }
+    if (random.chance(0.3)) returned += Api::set_thickness(handle, size * random.any_of({0, 0.001, 0.05}));
+}
+
+#define COLLIDER_API(Name, object, most_at_once)                                  \
+    struct Name {                                                                 \
+        static constexpr size_t most = most_at_once;                              \
+        static constexpr auto get_colliders = cd_##object##_get_colliders;        \
+        static constexpr auto set_colliders = cd_##object##_set_colliders;        \
+        static constexpr auto set_plane = cd_##object##_set_plane;                \
+        static constexpr auto set_capsule = cd_##object##_set_capsule;            \
+        static constexpr auto set_velocity = cd_##object##_set_collider_velocity; \
+        static constexpr auto remove = cd_##object##_remove_collider;             \
+        static constexpr auto set_thickness = cd_##object##_set_thickness;        \
+    }
+COLLIDER_API(RopeThings, chain, 4);
+COLLIDER_API(ClothThings, membrane, 6); // more than a node heeds
+#undef COLLIDER_API
+
 // ---- chains ---------------------------------------------------------------------------------------------------------
 
 // A turn from one component towards the next.
@@ -132,8 +173,10 @@ struct ChainScene {
         const bool of_springs = field == CD_STIFFNESS || (field >= CD_REST_LENGTH && field != CD_WIND);
         const bool of_strands =
             field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET || field == CD_WIND;
-        return {of_strands ? strands : field == CD_BEND ? 1 : own_strands(chain), of_springs ? springs(chain) : nodes,
-                of_strands ? components : 1};
+        return {of_strands         ? strands
+                : field == CD_BEND ? 1
+                                   : own_strands(chain),
+                of_springs ? springs(chain) : nodes, of_strands ? components : 1};
     }
     cd_status write(Handle* chain, cd_field field, size_t strand, size_t count, size_t first, size_t n,
                     const std::vector<double>& values) const {
@@ -155,7 +198,6 @@ struct ChainScene {
     }
     void become_rope(Handle* chain, Random& random, Returned& returned) const;
     void act_on_rope(Handle* chain, Random& random, Returned& returned) const;
-    void meet_things(Handle* chain, Random& random, Returned& returned) const;
     void write_numbers(Handle* chain, cd_field field, Random& random, Returned& returned) const {
         write_part(*this, chain, field, random, returned, [&] { return size * random.uniform(-1, 1); });
     }
@@ -223,37 +265,12 @@ inline void ChainScene::become_rope(Handle* chain, Random& random, Returned& ret
     returned += cd_chain_set_rest_length(chain, length < 1e-60 ? 1e-60 : length);
 }
 
-// Planes and capsules near the nodes, some of which lie in them.
-inline void ChainScene::meet_things(Handle* chain, Random& random, Returned& returned) const {
-    size_t count = 0;
-    returned += cd_chain_get_colliders(chain, &count);
-    if (count == 0 || random.chance(0.2)) returned += cd_chain_set_colliders(chain, count = random.below(4));
-    const auto number = [&] { return size * random.uniform(-1.5, 1.5); };
-    double first[3], last[3], velocity[3], normal[3];
-    for (size_t k = 0; k < 3; ++k) {
-        first[k] = number(), last[k] = number(), velocity[k] = number();
-        normal[k] = random.uniform(-1, 1);
-    }
-    const double radius = size * random.decades(-2, 0), friction = random.chance(0.3) ? 0 : random.uniform(0, 2);
-    for (size_t index = 0; index < count; ++index) {
-        const size_t kind = random.below(8);
-        if (kind <= 1) returned += cd_chain_set_plane(chain, index, first, normal, components, friction);
-        else if (kind <= 4)
-            returned += cd_chain_set_capsule(chain, index, first, kind == 4 ? first : last, components,
-                                             radius < 1e-60 ? 1e-60 : radius, friction);
-        else if (kind == 5) returned += cd_chain_set_collider_velocity(chain, index, velocity, components);
-        else if (kind == 6) returned += cd_chain_remove_collider(chain, index);
-        for (size_t k = 0; k < 3; ++k) first[k] += radius, normal[k] += 0.25;
-    }
-    if (random.chance(0.3)) returned += cd_chain_set_thickness(chain, size * random.any_of({0, 0.001, 0.05}));
-}
-
 // What only ropes have. A hard one that ends short of its tolerance steps to the same bits, too.
 inline void ChainScene::act_on_rope(Handle* chain, Random& random, Returned& returned) const {
     switch (random.below(16)) {
     case 13:
     case 14:
-    case 15: return meet_things(chain, random, returned);
+    case 15: return meet_things<RopeThings>(chain, components, size, random, returned);
     case 0:
     case 1:
     case 8: return become_rope(chain, random, returned);
@@ -333,8 +350,9 @@ inline void ChainScene::act(Handle* chain, Random& random, Returned& returned) c
             return field == CD_BEND ? random.decades(-4, 0) : random.decades(-2, 2);
         });
     case 6:
-        return write_part(*this, chain, CD_PIN, random, returned,
-                          [&] { return random.chance(0.1) ? random.any_of({1, 2, CD_NODE_POSED}) : 0; });
+        return write_part(*this, chain, CD_PIN, random, returned, [&] {
+            return random.chance(0.1) ? random.any_of({1, 2, CD_NODE_POSED}) : 0;
+        });
     case 7: returned += cd_chain_set_mass(chain, random.decades(-1, 1)); break;
     case 8: returned += cd_chain_set_stiffness(chain, random.chance(0.1) ? 0 : random.decades(-1, 4)); break;
     case 9: returned += cd_chain_set_bend(chain, random.chance(0.5) ? 0 : random.decades(-5, -1)); break;
@@ -364,134 +382,6 @@ inline void ChainScene::act(Handle* chain, Random& random, Returned& returned) c
         } else {
             const size_t strand = random.below(own_strands(chain)), spring = random.below(springs(chain));
             returned += random.chance(0.5) ? cd_chain_cut(chain, strand, spring) : cd_chain_weld(chain, strand, spring);
-        }
-    }
-}
-
-// ---- membranes ------------------------------------------------------------------------------------------------------
-
-struct MembraneScene {
-    using Handle = cd_membrane;
-    static constexpr const char* name = "membrane";
-    size_t columns, rows, components;
-    cd_precision precision;
-    double size;
-
-    explicit MembraneScene(Random& random) {
-        const Lines lines(random);
-        const bool turned = random.chance(0.5);
-        columns = turned ? lines.count : lines.length, rows = turned ? lines.length : lines.count;
-        components = columns * rows > 600 ? 1 : random.from_to(1, 4);
-        precision = cd_precision(random.below(2));
-        size = random_size(random, precision);
-    }
-    Handle* make() const {
-        Handle* membrane = nullptr;
-        cd_membrane_create(columns - 1, rows - 1, components, precision, nullptr, &membrane);
-        return membrane;
-    }
-    size_t numbers() const { return rows * columns * components; }
-    Size size_of(const Handle* membrane, cd_field field) const {
-        int32_t u = 0, v = 0;
-        cd_membrane_get_ring(membrane, &u, &v);
-        if (field == CD_STIFFNESS_U) return {rows, columns - 1 + size_t(u), 1};
-        if (field == CD_STIFFNESS_V) return {rows - 1 + size_t(v), columns, 1};
-        return {rows, columns, field == CD_MASS || field == CD_PIN || field == CD_MASK ? 1 : components};
-    }
-    cd_status write(Handle* membrane, cd_field field, size_t row, size_t n_rows, size_t column, size_t n_columns,
-                    const std::vector<double>& values) const {
-        return cd_membrane_write_f64(membrane, field, column, row, n_columns, n_rows, values.data(), values.size());
-    }
-    cd_status read(const Handle* membrane, cd_field field, std::vector<double>& out) const {
-        const Size s = size_of(membrane, field);
-        out.resize(s.rows * s.columns * s.components);
-        return cd_membrane_read_f64(membrane, field, 0, 0, s.columns, s.rows, out.data(), out.size());
-    }
-
-    void begin(Handle* membrane, Random& random, size_t busy, Returned& returned) const {
-        const double tolerance = random.decades(-12, -2), along_u = random.decades(-1, 3);
-        returned += cd_membrane_set_tolerance(membrane, tolerance, random.from_to(1, 12));
-        returned += cd_membrane_set_stiffness(membrane, along_u, random.decades(-1, 3));
-        write_numbers(membrane, CD_POSITION, random, returned);
-        write_numbers(membrane, CD_VELOCITY, random, returned);
-        if (random.chance(0.3)) returned += cd_membrane_set_method(membrane, cd_method(random.below(4)));
-        for (size_t k = random.below(busy); k > 0; --k) act(membrane, random, returned);
-    }
-    void write_numbers(Handle* membrane, cd_field field, Random& random, Returned& returned) const {
-        write_part(*this, membrane, field, random, returned, [&] { return size * random.uniform(-1, 1); });
-    }
-    void act(Handle* membrane, Random& random, Returned& returned) const;
-    double pick_dt(const Handle* membrane, Random& random, Returned& returned) const {
-        return ChainScene::chain_or_membrane_dt(membrane, cd_membrane_get_method, cd_membrane_get_lambda,
-                                                cd_membrane_stable_dt, random, returned);
-    }
-    void measure(const Handle* membrane, Returned& returned) const {
-        double k = 0, e = 0, g = 0, residual = 0;
-        size_t iterations = 0;
-        returned += cd_membrane_get_energy(membrane, &k, &e, &g);
-        returned += cd_membrane_get_convergence(membrane, &iterations, &residual);
-        returned += k, returned += e, returned += g, returned += residual, returned += double(iterations);
-    }
-};
-
-inline void MembraneScene::act(Handle* membrane, Random& random, Returned& returned) const {
-    static const cd_field optional[] = {CD_FORCE, CD_MASS, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_TARGET, CD_PIN, CD_MASK};
-    const cd_field field = optional[random.below(7)];
-    double vector[4];
-    for (double& x : vector) x = size * random.uniform(-1, 1);
-    switch (random.below(22)) {
-    case 20: returned += cd_membrane_teleport(membrane, Turn(random, components).rotation, vector, components); break;
-    case 0: return write_numbers(membrane, CD_POSITION, random, returned);
-    case 1: return write_numbers(membrane, CD_VELOCITY, random, returned);
-    case 2: returned += cd_membrane_disable_field(membrane, field); break;
-    case 3:
-    case 4:
-    case 5:
-        returned += cd_membrane_enable_field(membrane, field);
-        if (field == CD_FORCE || field == CD_TARGET) return write_numbers(membrane, field, random, returned);
-        return write_part(*this, membrane, field, random, returned, [&] {
-            if (field == CD_PIN) return random.chance(0.1) ? random.any_of({1, 2, CD_NODE_POSED}) : 0;
-            if (field == CD_MASK) return double(random.chance(0.9));
-            return field != CD_MASS && random.chance(0.1) ? 0 : random.decades(-2, 2);
-        });
-    case 6: returned += cd_membrane_set_mass(membrane, random.decades(-1, 1)); break;
-    case 7: {
-        const double along_u = random.chance(0.1) ? 0 : random.decades(-1, 4);
-        returned += cd_membrane_set_stiffness(membrane, along_u, random.chance(0.1) ? 0 : random.decades(-1, 4));
-        break;
-    }
-    case 8: returned += cd_membrane_set_bend(membrane, random.chance(0.5) ? 0 : random.decades(-5, -1)); break;
-    case 9: returned += cd_membrane_set_drag(membrane, random.any_of({0, 0.1, 3})); break;
-    case 10: returned += cd_membrane_set_stiffness_damping(membrane, random.any_of({0, 0.001, 0.1})); break;
-    case 11: returned += cd_membrane_set_gravity(membrane, vector, components); break;
-    case 12: {
-        const int32_t along_u = int32_t(random.below(2));
-        returned += cd_membrane_set_ring(membrane, along_u, int32_t(random.below(2)));
-        break;
-    }
-    case 13:
-    case 14: {
-        const cd_edge edge = cd_edge(random.below(4));
-        returned += cd_membrane_set_edge(membrane, edge, cd_node(random.below(5)));
-        break;
-    }
-    case 15: returned += cd_membrane_set_mass_rule(membrane, cd_mass_rule(random.below(2))); break;
-    case 16: returned += cd_membrane_set_method(membrane, cd_method(random.chance(0.5) ? 0 : random.below(4))); break;
-    case 17: returned += cd_membrane_set_lambda(membrane, random.any_of({0.5, 0.5, 0.6, 0.75, 1, 0.3})); break;
-    case 18: returned += cd_membrane_set_solver(membrane, cd_solver(random.chance(0.3))); break;
-    case 19: {
-        const size_t u = random.below(columns), v = random.below(rows);
-        const double stiffness = random.decades(-1, 3), damping = random.any_of({0, 1});
-        returned += random.chance(0.3) ? cd_membrane_detach(membrane, u, v)
-                                       : cd_membrane_attach(membrane, u, v, stiffness, damping, vector, components);
-        break;
-    }
-    default:
-        if (random.chance(0.5)) {
-            returned += cd_membrane_set_pressure(membrane, random.chance(0.5) ? 0 : random.uniform(-1, 1));
-        } else {
-            const double u = random.uniform(0, double(columns - 1)), v = random.uniform(0, double(rows - 1));
-            returned += cd_membrane_impulse(membrane, u, v, random.uniform(0, 5), vector, components);
         }
     }
 }

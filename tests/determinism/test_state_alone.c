@@ -3,7 +3,9 @@
 #include <math.h>
 
 #include "check.h"
+#include "cloth.h"
 #include "scene.h"
+#include "sheet.h"
 
 enum { COLUMNS = 9, ROWS = 6, MOST = COLUMNS * ROWS };
 
@@ -32,7 +34,7 @@ static void strips(cd_membrane* m) { ok(cd_membrane_set_stiffness(m, 2, 0)); }
 static change* const changes[] = {nothing, tube,   torus,   coupled, plate, stiff_second, explicit_steps,
                                   edge,    masses, springs, pins,    hole,  strips};
 
-static cd_membrane* sheet(size_t columns, size_t rows) {
+static cd_membrane* wild_sheet(size_t columns, size_t rows) {
     cd_membrane* m;
     double x[MOST];
     uint64_t seed = 3;
@@ -52,7 +54,7 @@ static void a_sheet_steps_as_its_fresh_copy_does(void** state) {
                 if (s > 0 && (changes[first] == pins || changes[second] == pins || changes[first] == hole ||
                               changes[second] == hole))
                     continue; /* of nodes that a small sheet has not */
-                cd_membrane *m = sheet(sizes[s][0], sizes[s][1]), *fresh = sheet(sizes[s][0], sizes[s][1]);
+                cd_membrane *m = wild_sheet(sizes[s][0], sizes[s][1]), *fresh = wild_sheet(sizes[s][0], sizes[s][1]);
                 ok(cd_membrane_step(m, 10, 1));
                 changes[first](m);
                 ok(cd_membrane_step(m, 0.01, 1));
@@ -74,7 +76,7 @@ static void a_diverged_sheet_leaves_no_trace_after_a_reset(void** state) {
     for (cd_method before = CD_METHOD_IMPLICIT; before <= CD_METHOD_STIFF_SECOND; ++before)
         for (cd_method after = CD_METHOD_IMPLICIT; after <= CD_METHOD_STIFF_SECOND; ++after)
             for (cd_solver solver = CD_SOLVER_ALTERNATING; solver <= CD_SOLVER_COUPLED; ++solver) {
-                cd_membrane *m = sheet(COLUMNS, ROWS), *fresh = sheet(COLUMNS, ROWS);
+                cd_membrane *m = wild_sheet(COLUMNS, ROWS), *fresh = wild_sheet(COLUMNS, ROWS);
                 ok(cd_membrane_set_method(m, before));
                 ok(cd_membrane_set_solver(m, CD_SOLVER_COUPLED - solver));
                 ok(cd_membrane_write_f64(m, CD_POSITION, 0, 0, 1, 1, &far, 1));
@@ -193,10 +195,80 @@ static void a_rope_steps_as_its_fresh_copy_does(void** state) {
             }
 }
 
+/* And of cloth. */
+static void shorter(cd_membrane* m) { ok(cd_membrane_set_rest_length(m, 0.7, 0.45)); }
+static void no_cloth(cd_membrane* m) { ok(cd_membrane_set_rest_length(m, 0, 0)); }
+static int is_cloth(const cd_membrane* m) {
+    double length[2];
+    ok(cd_membrane_get_rest_length(m, &length[0], &length[1]));
+    return length[0] > 0;
+}
+static void own_cloth_lengths(cd_membrane* m) {
+    if (!is_cloth(m)) return;
+    ok(cd_membrane_enable_field(m, CD_REST_LENGTH_U));
+    sheet_set(m, CD_REST_LENGTH_U, 3, 2, 0.0625);
+}
+static void sheared(cd_membrane* m) {
+    if (is_cloth(m)) ok(cd_membrane_set_shear(m, 70));
+}
+static void uncrumpled(cd_membrane* m) {
+    if (is_cloth(m)) ok(cd_membrane_set_compression(m, 300));
+}
+static void laboured(cd_membrane* m) {
+    if (is_cloth(m)) ok(cd_membrane_set_effort(m, 5, 40));
+}
+static void blown_at(cd_membrane* m) {
+    const double wind[3] = {1, 2, 3};
+    if (is_cloth(m)) ok(cd_membrane_set_air(m, 0.125, 1));
+    if (is_cloth(m)) ok(cd_membrane_set_wind(m, wind, 3));
+}
+static void surrounded(cd_membrane* m) {
+    if (is_cloth(m)) cloth_meet(m);
+}
+static void alone(cd_membrane* m) {
+    if (is_cloth(m)) ok(cd_membrane_set_colliders(m, 0));
+}
+static void slower(cd_membrane* m) { ok(cd_membrane_set_lambda(m, 0.75)); }
+static void posed(cd_membrane* m) { ok(cd_membrane_set_edge(m, CD_EDGE_U_LAST, CD_NODE_POSED)); }
+static void tied_down(cd_membrane* m) { ok(cd_membrane_attach(m, 4, 2, 30, 1, NULL, 3)); }
+static void blown_up(cd_membrane* m) { ok(cd_membrane_set_pressure(m, 0.5)); }
+static change* const cloth_changes[] = {nothing, shorter,    no_cloth, own_cloth_lengths, sheared, uncrumpled, laboured,
+                                        blown_at, surrounded, alone,   slower,      posed,   tied_down,  blown_up,
+                                        plate,   tube,       torus,    masses,      springs, pins,       hole};
+
+static cd_membrane* flat_cloth(void) {
+    cd_membrane* m = cloth(COLUMNS - 1, ROWS - 1, 3, CD_FLOAT64);
+    ok(cd_membrane_set_rest_length(m, 0.8, 0.5));
+    ok(cd_membrane_set_stiffness(m, 300, 200));
+    cloth_lay_out(m, 0.1);
+    cloth_shake(m, 0.05, 3);
+    return m;
+}
+
+static void cloth_steps_as_its_fresh_copy_does(void** state) {
+    (void)state;
+    for (size_t first = 0; first < COUNT(cloth_changes); ++first)
+        for (size_t second = 0; second < COUNT(cloth_changes); ++second) {
+            cd_membrane *m = flat_cloth(), *fresh = cloth(COLUMNS - 1, ROWS - 1, 3, CD_FLOAT64);
+            ok(cd_membrane_step(m, 10, 1));
+            cloth_changes[first](m);
+            ok(cd_membrane_step(m, 0.01, 1));
+            cloth_changes[second](m);
+            ok(cd_membrane_copy_state(fresh, m));
+            ok(cd_membrane_step(m, 0.01, 2));
+            ok(cd_membrane_step(fresh, 0.01, 2));
+            if (hash_of(m) != hash_of(fresh))
+                fail_msg("change %zu and then %zu: another step than a fresh copy's", first, second);
+            cd_membrane_destroy(m);
+            cd_membrane_destroy(fresh);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sheet_steps_as_its_fresh_copy_does),
         cmocka_unit_test(a_rope_steps_as_its_fresh_copy_does),
+        cmocka_unit_test(cloth_steps_as_its_fresh_copy_does),
         cmocka_unit_test(a_diverged_sheet_leaves_no_trace_after_a_reset),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

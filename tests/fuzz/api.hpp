@@ -66,6 +66,24 @@ FUZZ_API(MembraneApi, membrane);
 FUZZ_API(WaterApi, water);
 #undef FUZZ_API
 
+// Those of what ropes and cloth touch.
+template <class Api> struct Colliders;
+#define FUZZ_COLLIDERS(Name, object)                                                       \
+    template <> struct Colliders<Name> {                                                   \
+        static constexpr auto set_colliders = cd_##object##_set_colliders;                 \
+        static constexpr auto get_colliders = cd_##object##_get_colliders;                 \
+        static constexpr auto set_plane = cd_##object##_set_plane;                         \
+        static constexpr auto set_capsule = cd_##object##_set_capsule;                     \
+        static constexpr auto remove_collider = cd_##object##_remove_collider;             \
+        static constexpr auto set_collider_velocity = cd_##object##_set_collider_velocity; \
+        static constexpr auto get_collider = cd_##object##_get_collider;                   \
+        static constexpr auto set_thickness = cd_##object##_set_thickness;                 \
+        static constexpr auto get_thickness = cd_##object##_get_thickness;                 \
+    }
+FUZZ_COLLIDERS(ChainApi, chain);
+FUZZ_COLLIDERS(MembraneApi, membrane);
+#undef FUZZ_COLLIDERS
+
 // Calls a function that writes or reads a field. A chain's take strands first, a sheet's take what lies closest first.
 template <class Api, class Function, class Number>
 cd_status on_part(Function function, typename Api::Handle* handle, cd_field field, const Part& p, Number* numbers) {

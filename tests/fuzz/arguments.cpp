@@ -59,7 +59,9 @@ static double pick_value(cd_field field, double size, bool at_rest) {
     case CD_BED: return at_rest ? 0 : uniform(-2, 2);
     case CD_SOURCE: return uniform(-0.1, 0.1);
     case CD_PRESSURE: return uniform(-1000, 1000);
-    case CD_REST_LENGTH: return decades(-3, 0);
+    case CD_REST_LENGTH:
+    case CD_REST_LENGTH_U:
+    case CD_REST_LENGTH_V: return decades(-3, 0);
     case CD_STRENGTH: return chance(0.3) ? double(INFINITY) : decades(-1, 5);
     case CD_TENSION: return at_rest ? 0 : chance(0.9) ? decades(-2, 3) : uniform(-size, size);
     case CD_VELOCITY:

@@ -26,6 +26,24 @@ protected:
     void before_step(double dt) override;
     void after_step(const Step& step) override;
 
+    // Of ropes and cloth, and what those touch: colliders.cpp.
+    virtual bool has_lengths() const = 0;
+    struct Thing { // a collider, as it is told
+        cd_shape shape;
+        double first[4], second[4], velocity[4], radius, friction;
+    };
+    std::vector<Thing> things() const;
+    static bool moves(const Thing& thing);
+    static bool same(const Thing& a, const Thing& b);
+    double depth_in(const Thing& thing, const double* x) const; // less than 0 outside
+    void set_colliders();
+    void set_plane();
+    void set_capsule();
+    void remove_collider();
+    void set_collider_velocity();
+    void set_thickness();
+    void get_collider();
+
     void set_gravity(cd_status (*setter)(Handle*, const double*, size_t));
     void get_gravity(cd_status (*getter)(const Handle*, double*, size_t));
     void get_energy(cd_status (*getter)(const Handle*, double*, double*, double*));
@@ -57,6 +75,13 @@ private:
     double energy_before = 0, room_before = 0;
 
     double room_for_energy(double dt) const;
+    struct Place {
+        double at[4];
+        bool moderate;
+        size_t count;
+    };
+    Place pick_place(double size) const;
+    size_t pick_collider() const;
 };
 
 } // namespace fuzz

@@ -28,6 +28,7 @@ protected:
     bool falls_astray() const override;
     bool is_driven() const override;
     bool keeps_its_energy() const override { return !ended_short; }
+    bool has_lengths() const override;
 
 private:
     size_t strands, springs;
@@ -36,7 +37,7 @@ private:
     bool likes_things;        // and meets colliders then
     Doubles stretched;        // before the step, how much too long each spring of fixed length was
     double momentum_before[4], velocity_before, position_before, step_before;
-    double depth_before = 0;    // how deep the deepest node lay in a collider
+    double depth_before = 0;   // how deep the deepest node lay in a collider
     bool began_inside = false; // and whether that was more than a step may leave
 
     size_t springs_now() const; // a ring has one more
@@ -55,7 +56,7 @@ private:
     double stiffest_tie() const;
 
     // Of ropes: chain_rope.cpp.
-    bool is_rope() const;
+    bool is_rope() const { return has_lengths(); }
     size_t own_strands() const; // that have pins, masses and the like of their own
     bool has_matched() const;
     bool lacks_something() const; // that ropes need to step
@@ -72,31 +73,9 @@ private:
     void set_wind();
     void get_convergence();
     void set_strength();
-    struct Thing { // a collider, as it is told
-        cd_shape shape;
-        double first[4], second[4], velocity[4], radius, friction;
-    };
-    std::vector<Thing> things() const;
-    static bool moves(const Thing& thing);
-    static bool same(const Thing& a, const Thing& b);
-    double depth_in(const Thing& thing, const double* x) const; // less than 0 outside
-    double deepest(const std::vector<Thing>& of) const;         // of all free nodes
-    double room_for_depth(const std::vector<Thing>& of) const;  // that a step may leave
+    double deepest(const std::vector<Thing>& of) const;        // of all free nodes
+    double room_for_depth(const std::vector<Thing>& of) const; // that a step may leave
     double longest() const;
-    void set_colliders();
-    void set_plane();
-    void set_capsule();
-    void remove_collider();
-    void set_collider_velocity();
-    void set_thickness();
-    void get_collider();
-    struct Place {
-        double at[4];
-        bool moderate;
-        size_t count;
-    };
-    Place pick_place(double size) const;
-    size_t pick_collider() const;
     void check_depth(const Step& step);
     void get_reaction();
     void check_rope(const Step& step);

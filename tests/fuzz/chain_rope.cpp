@@ -6,7 +6,7 @@
 
 namespace fuzz {
 
-bool Chain::is_rope() const {
+bool Chain::has_lengths() const {
     double length = 0;
     cd_chain_get_rest_length(first(), &length);
     return length > 0;
@@ -66,49 +66,6 @@ bool Chain::is_free() const {
     double along = 0, across = 0;
     cd_chain_get_air(first(), &along, &across);
     return drag + along + across == 0 && !is_driven() && all_of(CD_TARGET).empty() && things().empty();
-}
-
-std::vector<Chain::Thing> Chain::things() const {
-    size_t count = 0;
-    cd_chain_get_colliders(first(), &count);
-    std::vector<Thing> all(count);
-    for (size_t i = 0; i < count; ++i) {
-        Thing& thing = all[i] = {};
-        cd_chain_get_collider(first(), i, &thing.shape, thing.first, thing.second, thing.velocity, components,
-                              &thing.radius, &thing.friction);
-    }
-    return all;
-}
-
-bool Chain::moves(const Thing& thing) {
-    for (double v : thing.velocity)
-        if (v != 0 && thing.shape != CD_SHAPE_NONE) return true;
-    return false;
-}
-
-bool Chain::same(const Thing& a, const Thing& b) {
-    bool same = a.shape == b.shape && a.radius == b.radius && a.friction == b.friction;
-    for (size_t c = 0; c < 4; ++c)
-        same &= a.first[c] == b.first[c] && a.second[c] == b.second[c] && a.velocity[c] == b.velocity[c];
-    return same;
-}
-
-double Chain::depth_in(const Thing& thing, const double* x) const {
-    double thickness = 0, along = 0, square = 0, away = 0;
-    cd_chain_get_thickness(first(), &thickness);
-    if (thing.shape == CD_SHAPE_NONE) return -HUGE_VAL;
-    if (thing.shape == CD_SHAPE_PLANE) {
-        for (size_t c = 0; c < components; ++c) away += (x[c] - thing.first[c]) * thing.second[c];
-        return thickness - away;
-    }
-    for (size_t c = 0; c < components; ++c) {
-        const double way = thing.second[c] - thing.first[c];
-        along += way * (x[c] - thing.first[c]), square += way * way;
-    }
-    const double share = square > 0 ? fmin(fmax(along / square, 0), 1) : 0;
-    for (size_t c = 0; c < components; ++c)
-        away += pow(x[c] - thing.first[c] - share * (thing.second[c] - thing.first[c]), 2);
-    return thing.radius + thickness - sqrt(away);
 }
 
 double Chain::deepest(const std::vector<Thing>& of) const {

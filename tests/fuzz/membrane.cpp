@@ -13,6 +13,8 @@ Membrane::Membrane() {
     nv = pick_springs();
     components = chance(0.4) ? 3 : 1 + below(4);
     nodes = (nu + 1) * (nv + 1);
+    likes_lengths = nu > 0 && nv > 0 && components == 3 && chance(0.7);
+    likes_things = likes_lengths && chance(0.5);
     precision = cd_precision(below(2));
     trace(text("membrane_create %zu x %zu springs, %zu components, precision %d", nu, nv, components, int(precision)));
     create();
@@ -39,6 +41,13 @@ bool Membrane::extent(cd_field field, Extent& out) const {
     case CD_MASK: out = {nv + 1, nu + 1, 1}; return true;
     case CD_STIFFNESS_U: out = {nv + 1, nu + rings().u, 1}; return true;
     case CD_STIFFNESS_V: out = {nv + rings().v, nu + 1, 1}; return true;
+    case CD_WIND: out = {nv + 1, nu + 1, components}; return has_lengths();
+    case CD_REST_LENGTH_U:
+    case CD_TENSION_U:
+    case CD_STRAIN_U: out = {nv + 1, nu + rings().u, 1}; return has_lengths();
+    case CD_REST_LENGTH_V:
+    case CD_TENSION_V:
+    case CD_STRAIN_V: out = {nv + rings().v, nu + 1, 1}; return has_lengths();
     default: return false;
     }
 }
@@ -79,12 +88,14 @@ void Membrane::check_state() {
 double Membrane::energy() const {
     double kinetic = 0, elastic = 0, gravity = 0;
     cd_membrane_get_energy(first(), &kinetic, &elastic, &gravity);
-    return kinetic + elastic + gravity;
+    return kinetic + elastic + gravity + of_contacts().sum;
 }
 
 double Membrane::stiffest() const {
     const double columns = double(nu + 2), rows = double(nv + 2);
-    double along_u = 0, along_v = 0, bend = 0, tie = 0;
+    double along_u = 0, along_v = 0, bend = 0, tie = 0, shear = 0, compression = 0;
+    cd_membrane_get_shear(first(), &shear);
+    cd_membrane_get_compression(first(), &compression);
     cd_membrane_get_stiffness(first(), &along_u, &along_v);
     cd_membrane_get_bend(first(), &bend);
     double stretch = along_u * columns + along_v * rows;
@@ -97,7 +108,7 @@ double Membrane::stiffest() const {
             cd_membrane_get_attachment(first(), u, v, &stiffness, &damping);
             tie = fmax(tie, stiffness);
         }
-    return stretch + bend + tie;
+    return stretch + bend + tie + shear + heaviest() * compression * (columns + rows);
 }
 
 double Membrane::heaviest() const {
@@ -115,9 +126,18 @@ double Membrane::gravity() const {
 }
 
 bool Membrane::is_driven() const {
-    double pressure = 0;
+    double pressure = 0, wind[4] = {};
     cd_membrane_get_pressure(first(), &pressure);
     if (pressure != 0) return true;
+    cd_membrane_get_wind(first(), wind, components);
+    for (double v : wind)
+        if (v != 0) return true;
+    for (double v : all_of(CD_WIND))
+        if (v != 0) return true;
+    const std::vector<Thing> all = things();
+    if (all.size() > 3) return true; // a node heeds no more at once
+    for (const Thing& thing : all)
+        if (moves(thing)) return true;
     for (double force : all_of(CD_FORCE))
         if (force != 0) return true;
     for (double pin : all_of(CD_PIN))
@@ -134,13 +154,13 @@ bool Membrane::is_driven() const {
 bool Membrane::keeps_its_energy() const {
     cd_solver solver = CD_SOLVER_ALTERNATING;
     cd_membrane_get_solver(first(), &solver);
-    return solver == CD_SOLVER_COUPLED;
+    return solver == CD_SOLVER_COUPLED || has_lengths();
 }
 
 // ---- setters -------------------------------------------------------------------------------------------------------
 
 void Membrane::act_by_kind() {
-    switch (below(30)) {
+    switch (below(has_lengths() || likes_lengths ? 56 : 33)) {
     case 0: set_number("set_mass", cd_membrane_set_mass, pick_number(-2, 3), {1e-3, 1e4}); break;
     case 1:
     case 2: set_stiffness(); break;
@@ -175,6 +195,32 @@ void Membrane::act_by_kind() {
     case 26: get_shape(); break;
     case 27: chance(0.5) ? get_edge() : get_attachment(); break;
     case 28: teleport(); break;
+    case 29: get_of_cloth(); break;
+    case 30: set_air(); break;
+    case 31: chance(0.5) ? set_shear() : set_compression(); break;
+    case 32: get_parameter(); break;
+    case 33:
+    case 34:
+    case 35: set_rest_length(); break;
+    case 36:
+    case 37: set_shear(); break;
+    case 38:
+    case 39: set_compression(); break;
+    case 40:
+    case 41: set_effort(); break;
+    case 42:
+    case 43: set_air(); break;
+    case 44: set_wind(); break;
+    case 45: set_colliders(); break;
+    case 46:
+    case 47: set_plane(); break;
+    case 48:
+    case 49:
+    case 50: set_capsule(); break;
+    case 51: remove_collider(); break;
+    case 52: set_collider_velocity(); break;
+    case 53: set_thickness(); break;
+    case 54: get_collider(); break;
     default: get_parameter();
     }
 }

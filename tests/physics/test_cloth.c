@@ -92,7 +92,8 @@ static cd_membrane* any_sheet(uint64_t* seed, double noise) {
             double x[3] = {spacing[0] * (double)u, spacing[1] * (double)v, 0};
             if (ring[0]) x[0] = r[0] * cos(a), x[2] = r[0] * sin(a);
             if (ring[1] && !ring[0]) x[1] = r[1] * cos(b), x[2] = r[1] * sin(b);
-            if (ring[1] && ring[0]) x[0] += r[1] * cos(b) * cos(a), x[2] += r[1] * cos(b) * sin(a), x[1] = r[1] * sin(b);
+            if (ring[1] && ring[0])
+                x[0] += r[1] * cos(b) * cos(a), x[2] += r[1] * cos(b) * sin(a), x[1] = r[1] * sin(b);
             for (int k = 0; k < 3; ++k) x[k] += noise * spacing[0] * random_number(seed);
             ok(cd_membrane_write_f64(m, CD_POSITION, u, v, 1, 1, x, 3));
             if (one_in(seed, 10)) {
@@ -142,7 +143,9 @@ static void what_a_step_does_is_the_gradient_of_the_energy(void** state) {
             if (held) assert_true(found == 0);
             else off = fmax(off, fabs(found - force[i]) / largest);
         }
-        if (off > 1e-6) fail_msg("scene %d of %zu x %zu nodes: off by %.1e of %.3g N", (int)scene, all.columns, all.rows, off, largest);
+        if (off > 1e-6)
+            fail_msg("scene %d of %zu x %zu nodes: off by %.1e of %.3g N", (int)scene, all.columns, all.rows, off,
+                     largest);
         worst = fmax(worst, off);
         cd_membrane_destroy(m);
     }
@@ -241,7 +244,8 @@ static void a_pulled_edge_comes_as_far_as_the_springs_let_it(void** state) {
                     ok(cd_membrane_read_f64(m, CD_POSITION, way ? u : u + 1, way ? v + 1 : v, 1, 1, x, 3));
                     assert_near(x[way], (double)(j + 1) * now, 1e-9, 1);
                     assert_near(sheet_get(m, way ? CD_STRAIN_V : CD_STRAIN_U, u, v), now / length[way] - 1, 1e-8, 1);
-                    assert_near(sheet_get(m, way ? CD_TENSION_V : CD_TENSION_U, u, v), pulls[p] / (double)lines, 1e-8, pulls[p]);
+                    assert_near(sheet_get(m, way ? CD_TENSION_V : CD_TENSION_U, u, v), pulls[p] / (double)lines, 1e-8,
+                                pulls[p]);
                 }
             cd_membrane_destroy(m);
         }
@@ -290,7 +294,8 @@ static void free_fall_is_exact(void** state) {
                             worst = fmax(worst, fabs(x1[i] - x0[i] - fallen) / size);
                     }
                 }
-                print_message("free fall, %s, lambda %g, dt %g: to %.1e\n", crumpled ? "crumpled" : "flat", lambdas[l], dt, worst);
+                print_message("free fall, %s, lambda %g, dt %g: to %.1e\n", crumpled ? "crumpled" : "flat", lambdas[l],
+                              dt, worst);
                 assert_true(worst < 1e-12);
                 cd_membrane_destroy(m);
             }
@@ -428,8 +433,8 @@ static void a_clamped_strip_bends_as_a_beam(void** state) {
     (void)state;
     double off[4];
     for (int r = 0; r < 4; ++r) off[r] = strip_misses_by((size_t)4 << r);
-    print_message("strip of 4, 8, 16, 32 springs: sag of its end off by %.2e, %.2e, %.2e, %.2e\n", off[0], off[1], off[2],
-                  off[3]);
+    print_message("strip of 4, 8, 16, 32 springs: sag of its end off by %.2e, %.2e, %.2e, %.2e\n", off[0], off[1],
+                  off[2], off[3]);
     for (int r = 0; r < 3; ++r) assert_true(off[r + 1] < 0.3 * off[r]);
     assert_true(off[3] < 2e-3);
 }
@@ -438,7 +443,7 @@ static void a_clamped_strip_bends_as_a_beam(void** state) {
 static void a_cut_takes_the_bend_of_its_ends_with_it(void** state) {
     (void)state;
     enum { NU = 4, NV = 4 };
-    const double b = 0.3, node = b * NU * NU * NU / (NV + 1), curve = 2 * 0.1 * 0.1 / 2; /* half of |curve|^2, at a right angle */
+    const double b = 0.3, node = b * NU * NU * NU / (NV + 1), curve = 2 * 0.1 * 0.1 / 2; /* half of |x_uu|^2 there */
     cd_membrane* m = flat(NU, NV, NU * 0.1, NV * 0.1);
     ok(cd_membrane_set_bend(m, b));
     for (size_t v = 0; v <= NV; ++v)

@@ -101,8 +101,8 @@ static void a_dropped_sheet_comes_to_rest(void** state) {
                 ok(cd_membrane_step(m, steps[s], (size_t)(8 / steps[s]) + 100));
                 const double speed = fastest(m), gap = least_gap(m) - thicknesses[t];
                 const double yields = 9.81 * steps[s] * steps[s] / 1e4;
-                print_message("dropped, dt %.4f, tilt %g: at %.1e m/s, yields %.3f of what it may\n", steps[s], tilts[a],
-                              speed, -gap / yields);
+                print_message("dropped, dt %.4f, tilt %g: at %.1e m/s, yields %.3f of what it may\n", steps[s],
+                              tilts[a], speed, -gap / yields);
                 assert_true(speed < (a == 0 ? 1e-6 : 1e-3)); /* what landed crumpled creeps against its friction */
                 assert_true(gap > -1.01 * yields);
                 if (a == 0) assert_near(gap, -yields, 1e-3, 0);
@@ -174,8 +174,8 @@ static void a_belt_takes_the_sheet_along(void** state) {
     cd_membrane_destroy(m);
 }
 
-/* At 50 m/s, at a plane, a sphere, a thin capsule: no node is in them after any step, but for what a contact yields that
- * stops so much in a step, and those that met the plane stay on its side. */
+/* At 50 m/s, at a plane, a sphere, a thin capsule: no node is in them after any step, but for what a contact yields
+ * that stops so much in a step, and those that met the plane stay on its side. */
 static void nothing_goes_through_however_fast(void** state) {
     (void)state;
     double deepest = 0;
@@ -246,8 +246,8 @@ static void what_starts_inside_comes_out_and_is_not_thrown(void** state) {
         const double first = -least_gap(m);
         for (int n = 0; n < 60; ++n) ok(cd_membrane_step(m, dt, 1)), fast = fmax(fast, fastest(m));
         const double then = -least_gap(m);
-        print_message("began inside, way %d: %.1e m deep after a step, %.1e m after more, at most %.1e m/s\n", way, first,
-                      then, fast);
+        print_message("began inside, way %d: %.1e m deep after a step, %.1e m after more, at most %.1e m/s\n", way,
+                      first, then, fast);
         if (way < 2) assert_true(first < 1.01 * 0.05 / 1e4);
         assert_true(then < 1e-5);
         assert_true(fast < (way < 2 ? 1e-5 : 0.2 * 0.05 / dt)); /* the springs that are drawn out pull */

@@ -26,8 +26,9 @@ static size_t numbers_of(const cd_membrane* m) { return cloth_extent(m, CD_POSIT
 
 /* ---- air --------------------------------------------------------------------------------------------------------- */
 
-/* All of a sheet's nodes fall alike, broadside and edgewise: v1 = v + dt (g - a v) / (1 + lambda dt a), a the resistance
- * over mass per area. In the end g / a. Edgewise is not stable: rounding grows, in long steps to 1e-4 of the speed. */
+/* All of a sheet's nodes fall alike, broadside and edgewise: v1 = v + dt (g - a v) / (1 + lambda dt a), with a the
+ * resistance over mass per area. In the end g / a. Edgewise is not stable: rounding grows, in long steps to 1e-4 of the
+ * speed. */
 static void a_flat_sheet_falls_as_the_air_lets_it(void** state) {
     (void)state;
     static const double lambdas[] = {1, 0.75}, steps[] = {1e-3, 1 / 60.0, 1};
@@ -215,7 +216,7 @@ static void swing(double lambda, int steps, double* x) {
 }
 
 /* A step takes the springs' pull where it ends, at any lambda: with w = omega dt a swing's amplitude falls by
- * 1 / sqrt(1 + lambda w^2) in each. So halving dt halves what is missed, and lambda = 1/2 misses half of what 1 does. */
+ * 1 / sqrt(1 + lambda w^2) in each. Halving dt halves what is missed, and lambda = 1/2 misses half of what 1 does. */
 static void a_taut_sheet_swings_to_first_order(void** state) {
     (void)state;
     static double x[2][3 * MOST];

@@ -4,16 +4,10 @@
 #include <cmath>
 
 #include "chain_parts.hpp"
+#include "each_width.hpp"
 #include "format.hpp"
 #include "plot.hpp"
 #include "timing.hpp"
-
-// Compiled for each width of vectors, as the library's kernels are; the best is taken when the program starts.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define REPORT_EACH_WIDTH __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define REPORT_EACH_WIDTH
-#endif
 
 namespace report {
 namespace {

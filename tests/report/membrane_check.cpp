@@ -82,6 +82,23 @@ void coupled_solves_take_few_iterations() {
     expect(seen.size() == 5, "a kind of sheet is missing");
 }
 
+void cloth_keeps_its_size_and_falls_as_it_should() {
+    std::size_t of_the_library = 0;
+    for (const Row& row : rows_of("cloth_drop.csv")) {
+        const std::string what = row.at("way") + " of " + row.at("nodes") + " nodes a side";
+        const double worst = real(row, "worst_stretch"), fallen = real(row, "fallen_m");
+        if (row.at("way") == "position_based.30x1")
+            expect(worst > 0.1, what + " stretches as little, so that this comparison shows nothing");
+        if (row.at("highest_rise_j").empty()) continue;
+        ++of_the_library;
+        expect(real(row, "highest_rise_j") < 1e-9, what + " gains energy in a step");
+        if (row.at("way") != "one.2x20" || real(row, "nodes") > 64) continue;
+        expect(worst < 0.05 && real(row, "rms_stretch") < 0.0035, what + " stretches");
+        expect(std::fabs(fallen / real(row, "converged_fallen_m") - 1) < 0.04, what + " falls as through syrup");
+    }
+    expect(of_the_library >= 10, "a way is missing");
+}
+
 }  // namespace
 
 Checks membrane_checks() {
@@ -90,5 +107,6 @@ Checks membrane_checks() {
             {"modes_swing_as_theory_says", modes_swing_as_theory_says},
             {"a_stiff_drum_gives_way_at_once_when_coupled", a_stiff_drum_gives_way_at_once_when_coupled},
             {"the_notes_factors_blow_up_and_the_library_does_not", the_notes_factors_blow_up_and_the_library_does_not},
-            {"coupled_solves_take_few_iterations", coupled_solves_take_few_iterations}};
+            {"coupled_solves_take_few_iterations", coupled_solves_take_few_iterations},
+            {"cloth_keeps_its_size_and_falls_as_it_should", cloth_keeps_its_size_and_falls_as_it_should}};
 }

@@ -10,6 +10,7 @@ namespace report {
 void report_membrane_precision(Report& report);
 void report_membrane_stiff(Report& report);
 void report_membrane_sluggish(Report& report);
+void report_cloth_drop(Report& report);
 void report_membrane_growth(Report& report);
 void report_membrane_atlas(Report& report);
 void report_membrane_survival(Report& report);

@@ -18,7 +18,26 @@ void ok(cd_status status) {
     if (status != CD_OK) fail_msg("%s: %s", cd_status_name(status), cd_error_message());
 }
 
-// The two objects under one set of names.
+// get: of an object of kComponents components
+template <auto get, int kComponents, class Handle> bool colliders_are_possible(const Handle* object, size_t count) {
+    bool good = count <= 4096;
+    for (size_t i = 0; i < count; ++i) {
+        cd_shape shape = -1;
+        double first[kComponents], second[kComponents], velocity[kComponents], radius = -1, friction = -1, normal = 0;
+        ok(get(object, i, &shape, first, second, velocity, kComponents, &radius, &friction));
+        good &= shape >= CD_SHAPE_NONE && shape <= CD_SHAPE_CAPSULE && radius >= 0 && radius <= 1e60;
+        good &= friction >= 0 && friction <= 1e60;
+        for (int k = 0; k < kComponents; ++k) {
+            good &= std::isfinite(first[k]) && std::isfinite(second[k]) && std::isfinite(velocity[k]);
+            normal += second[k] * second[k];
+        }
+        good &= shape != CD_SHAPE_PLANE || std::fabs(normal - 1) < 1e-11;
+        good &= shape != CD_SHAPE_CAPSULE || radius >= 1e-60;
+    }
+    return good;
+}
+
+// The objects under one set of names.
 struct ChainCalls {
     using Handle = cd_chain;
     static constexpr cd::Kind kind = {1, "", {}};
@@ -99,20 +118,7 @@ struct RopeCalls : ChainCalls {
         double thickness = -1;
         ok(cd_chain_get_colliders(chain, &count));
         ok(cd_chain_get_thickness(chain, &thickness));
-        bool good = count <= 4096 && thickness >= 0 && thickness <= 1e60;
-        for (size_t i = 0; i < count; ++i) {
-            cd_shape shape = -1;
-            double first[2], second[2], velocity[2], radius = -1, friction = -1;
-            ok(cd_chain_get_collider(chain, i, &shape, first, second, velocity, 2, &radius, &friction));
-            good &= shape >= CD_SHAPE_NONE && shape <= CD_SHAPE_CAPSULE && radius >= 0 && radius <= 1e60;
-            good &= friction >= 0 && friction <= 1e60;
-            for (int k = 0; k < 2; ++k)
-                good &= std::isfinite(first[k]) && std::isfinite(second[k]) && std::isfinite(velocity[k]);
-            const double normal = second[0] * second[0] + second[1] * second[1];
-            good &= shape != CD_SHAPE_PLANE || std::fabs(normal - 1) < 1e-11;
-            good &= shape != CD_SHAPE_CAPSULE || radius >= 1e-60;
-        }
-        return good;
+        return thickness >= 0 && thickness <= 1e60 && colliders_are_possible<cd_chain_get_collider, 2>(chain, count);
     }
     static bool is_possible(const Handle* chain) {
         double length = 0, tolerance = 0, stiffness = 0, time;
@@ -191,6 +197,64 @@ struct MembraneCalls {
     }
 };
 
+// Cloth: its lengths, winds and colliders are numbers among the others.
+struct ClothCalls : MembraneCalls {
+    static Handle* make() {
+        Handle* membrane = nullptr;
+        ok(cd_membrane_create(3, 2, 3, CD_FLOAT32, nullptr, &membrane));
+        return membrane;
+    }
+    static void fill(Handle* membrane) {
+        const double there[3] = {1, -2, 0.5}, up[3] = {0.25, 0, 1};
+        ok(cd_membrane_set_rest_length(membrane, 3, 2));
+        ok(cd_membrane_set_shear(membrane, 2));
+        ok(cd_membrane_set_compression(membrane, 3));
+        ok(cd_membrane_set_effort(membrane, 3, 7));
+        ok(cd_membrane_set_air(membrane, 0.25, 2));
+        ok(cd_membrane_set_wind(membrane, there, 3));
+        ok(cd_membrane_set_thickness(membrane, 0.125));
+        ok(cd_membrane_set_colliders(membrane, 3));
+        ok(cd_membrane_set_plane(membrane, 0, there, up, 3, 0.5));
+        ok(cd_membrane_set_capsule(membrane, 1, there, up, 3, 0.25, 1));
+        ok(cd_membrane_set_collider_velocity(membrane, 1, there, 3));
+        for (cd_field field : {CD_MASS, CD_STIFFNESS_U, CD_REST_LENGTH_U, CD_REST_LENGTH_V, CD_WIND, CD_PIN, CD_MASK})
+            ok(cd_membrane_enable_field(membrane, field));
+        ok(cd_membrane_set_gravity(membrane, there, 3));
+        ok(cd_membrane_set_edge(membrane, CD_EDGE_V_FIRST, CD_NODE_PINNED));
+        ok(cd_membrane_attach(membrane, 2, 1, 3, 1, nullptr, 0));
+        ok(cd_membrane_step(membrane, 0.125, 3));
+    }
+    // What only cloth has is there all together or not at all, and in the ranges of the header.
+    static bool is_possible(const Handle* membrane) {
+        double length[2], shear, rate, air[2], wind[3], thickness, v[36], time;
+        size_t newton, gradient, count;
+        ok(cd_membrane_get_rest_length(membrane, &length[0], &length[1]));
+        ok(cd_membrane_get_shear(membrane, &shear));
+        ok(cd_membrane_get_compression(membrane, &rate));
+        ok(cd_membrane_get_effort(membrane, &newton, &gradient));
+        ok(cd_membrane_get_air(membrane, &air[0], &air[1]));
+        ok(cd_membrane_get_wind(membrane, wind, 3));
+        ok(cd_membrane_get_thickness(membrane, &thickness));
+        ok(cd_membrane_get_colliders(membrane, &count));
+        ok(cd_membrane_get_time(membrane, &time));
+        if (length[0] == 0)
+            return length[1] == 0 && shear == 0 && air[0] == 0 && air[1] == 0 && thickness == 0 && count == 0 &&
+                   wind[0] == 0 && wind[1] == 0 && wind[2] == 0 &&
+                   cd_membrane_read_f64(membrane, CD_WIND, 0, 0, 4, 3, v, 36) == CD_ERROR_UNSUPPORTED;
+        bool good = newton >= 1 && newton <= 1000 && gradient >= 1 && gradient <= 10000 && std::isfinite(time);
+        for (double l : length) good &= l >= 1e-60 && l <= 1e60;
+        for (double number : {shear, rate, air[0], air[1], thickness}) good &= number >= 0 && number <= 1e60;
+        for (double number : wind) good &= std::isfinite(number);
+        if (cd_membrane_read_f64(membrane, CD_WIND, 0, 0, 4, 3, v, 36) == CD_OK)
+            for (double number : v) good &= std::isfinite(number);
+        if (cd_membrane_read_f64(membrane, CD_REST_LENGTH_U, 0, 0, 3, 3, v, 9) == CD_OK)
+            for (size_t i = 0; i < 9; ++i) good &= v[i] > 0 && std::isfinite(v[i]);
+        if (cd_membrane_read_f64(membrane, CD_REST_LENGTH_V, 0, 0, 4, 2, v, 8) == CD_OK)
+            for (size_t i = 0; i < 8; ++i) good &= v[i] > 0 && std::isfinite(v[i]);
+        return good && colliders_are_possible<cd_membrane_get_collider, 3>(membrane, count);
+    }
+};
+
 template <class C> std::vector<unsigned char> saved(const typename C::Handle* object) {
     size_t size = 0;
     ok(C::save_size(object, &size));
@@ -214,7 +278,7 @@ template <class C> bool is_taken(const std::vector<unsigned char>& changed, bool
         assert_true(saved<C>(object) == again && C::is_possible(object));
         const cd_status stepped = C::step(object, 0.125, 2);
         assert_true(stepped == CD_OK || stepped == CD_ERROR_DIVERGED || stepped == CD_ERROR_TOLERANCE ||
-                    stepped == CD_ERROR_UNSUPPORTED); // which a rope says that cannot have what was loaded
+                    stepped == CD_ERROR_UNSUPPORTED); // which ropes and cloth say that cannot have what was loaded
         assert_true(C::is_possible(object));
     } else {
         assert_true(status == CD_ERROR_FORMAT || status == CD_ERROR_MISMATCH);
@@ -256,6 +320,7 @@ int main() {
         cmocka_unit_test(any_bytes_with_a_good_checksum_are_refused_or_of_use<ChainCalls>),
         cmocka_unit_test(any_bytes_with_a_good_checksum_are_refused_or_of_use<RopeCalls>),
         cmocka_unit_test(any_bytes_with_a_good_checksum_are_refused_or_of_use<MembraneCalls>),
+        cmocka_unit_test(any_bytes_with_a_good_checksum_are_refused_or_of_use<ClothCalls>),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
