@@ -18,7 +18,8 @@ protected:
     virtual double gravity() const = 0;  // the largest of its components
     virtual bool is_ring() const = 0;    // along one axis at least
     virtual bool falls_astray() const { return is_ring(); }
-    virtual bool keeps_its_energy() const = 0; // an implicit step adds none to what energy() tells
+    virtual bool keeps_its_energy() const = 0;       // an implicit step adds none to what energy() tells
+    virtual double room_for_energy(double dt) const; // by how much rounding may change it in a step
     // By how much the step just made may have changed the energy beyond rounding.
     virtual double room_of_kind() const { return 0; }
 
@@ -74,7 +75,6 @@ protected:
 private:
     double energy_before = 0, room_before = 0;
 
-    double room_for_energy(double dt) const;
     struct Place {
         double at[4];
         bool moderate;

@@ -20,6 +20,7 @@ protected:
     void before_step(double dt) override;
     void after_step(const Step& step) override;
     double energy() const override;
+    double room_for_energy(double dt) const override;
     double room_of_kind() const override;
     double stiffest() const override;
     double heaviest() const override;

@@ -97,6 +97,21 @@ void Membrane::before_step(double dt) {
     cd_membrane_get_momentum(first(), momentum_before, components);
 }
 
+// What is stored rounded, of springs by what they pull.
+double Membrane::room_for_energy(double dt) const {
+    if (!has_lengths()) return Body<MembraneApi>::room_for_energy(dt);
+    const bool wide = precision == CD_FLOAT64;
+    const double x = largest_of({CD_POSITION, CD_TARGET}), v = largest_of({CD_VELOCITY}),
+                 n = double(nodes * components);
+    const double off = (wide ? 1e-15 : 1e-6) * x, smallest = wide ? 0x1p-500 : 0x1p-80;
+    const double k = stiffest(), m = heaviest();
+    double kinetic = 0, elastic = 0;
+    cd_membrane_get_energy(first(), &kinetic, &elastic, nullptr);
+    const double all = kinetic + fabs(elastic) + of_contacts().sum + n * m * gravity() * x;
+    return (wide ? 1e-12 : 1e-5) * all + 4 * n * (sqrt(2 * k * all) + k * off) * off +
+           4 * n * smallest * (8 * k * x + m * v + m * gravity() + smallest * (k + m));
+}
+
 // What contacts and the two parts of the springs against crumpling round to.
 double Membrane::room_of_kind() const {
     if (!has_lengths()) return 0;
