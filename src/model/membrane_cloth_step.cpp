@@ -250,20 +250,27 @@ struct ClothStep {
             for (size_t u = 0; u < m.columns; ++u) f(w.place(u, v));
     }
 
-    // Scales what w has beside the mean motion, so that Phi does not rise along it.
+    // Scales what w has beside the mean motion, so that Phi does not rise along it. The mean, which may be as good as
+    // nothing beside the rest, is what all of it is added to.
     void scale() const {
         double mean[3];
         take_pushes(w, contacts, dt);
         share_momentum(mean);
         double* const* const way = w.direction;
-        for (int k = 0; k < 3; ++k) each_place([&](size_t at) { way[k][at] = w.moves[at] * (w.w[k][at] - mean[k]); });
-        const double end = slope(w.w, 0, way);
-        if (!(end > 0)) return;
-        // Phi's second derivative along `way` is at least that of the ground.
-        for (int k = 0; k < 3; ++k) each_place([&](size_t at) { w.image[k][at] = w.inertia[at] * way[k][at]; });
-        const double least_bend = dot(way, w.image), least = fmax(-1, -end / least_bend);
-        const double falls = least < 0 ? slope(w.w, least, way) : 0;
-        const double share = falls < 0 ? share_of(w.w, way, least, falls, 0, end) : least;
+        for (int k = 0; k < 3; ++k)
+            each_place([&](size_t at) {
+                way[k][at] = w.moves[at] * (w.w[k][at] - mean[k]);
+                if (w.moves[at] > 0) w.w[k][at] = mean[k];
+            });
+        const double end = slope(w.w, 1, way);
+        double share = 1;
+        if (end > 0) {
+            // Phi's second derivative along `way` is at least that of the ground.
+            for (int k = 0; k < 3; ++k) each_place([&](size_t at) { w.image[k][at] = w.inertia[at] * way[k][at]; });
+            const double least_bend = dot(way, w.image), least = fmax(0, 1 - end / least_bend);
+            const double falls = least < 1 ? slope(w.w, least, way) : 0;
+            share = falls < 0 ? share_of(w.w, way, least, falls, 1, end) : least;
+        }
         combine(1, w.w, share, way);
     }
 

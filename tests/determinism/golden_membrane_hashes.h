@@ -59,6 +59,6 @@
 {9, 3, 0, {0x3d0fe91e35e3c78f, 0x13e574cf65ab894a}}, /* everything, tube */
 {9, 0, 1, {0xa4ef117df485c60e, 0x3aa02685528d926d}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xb0aa63d2596dfa77}}, /* everything, tube */
-{10, 0, 0, {0xc1992b33cd86060b, 0xe1223cbac5c851b3}}, /* sail */
-{11, 0, 0, {0x3ad497ed8467b412, 0xde42be36ad16ae6d}}, /* lengths */
-{12, 0, 0, {0x5c8f0be388ac8e43, 0x268b76c1952b37f4}}, /* lengths, tube */
+{10, 0, 0, {0x1e8276c80c157d2f, 0x5882769cb8229713}}, /* sail */
+{11, 0, 0, {0x3ad497ed8467b412, 0xbb5d466ff04b5bc0}}, /* lengths */
+{12, 0, 0, {0x5c8f0be388ac8e43, 0x9b11c1673341f262}}, /* lengths, tube */

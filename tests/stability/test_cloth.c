@@ -167,8 +167,7 @@ static cd_membrane* make(enum scene scene, size_t n, double stiffness) {
         }
         if (scene == FREE) v[3 * i] = 3 * (double)i / nodes, v[3 * i + 1] = 2 * sin(6.0 * (double)(i % n) / (double)n);
     }
-    cloth_write(m, CD_POSITION, x);
-    cloth_write(m, CD_VELOCITY, v);
+    cloth_write(m, CD_POSITION, x), cloth_write(m, CD_VELOCITY, v);
     if (scene == DROP || scene == HEAVY_CORNER || scene == STRETCHED) {
         ok(cd_membrane_enable_field(m, CD_PIN));
         sheet_set(m, CD_PIN, 0, 0, CD_NODE_PINNED), sheet_set(m, CD_PIN, n - 1, 0, CD_NODE_PINNED);
@@ -322,7 +321,8 @@ static void energy_of_random_sheets_never_rises(void** state) {
         for (int number = 0; number < (bits == 32 ? count / 4 : count); ++number) {
             uint64_t seed = 1000 + (uint64_t)number;
             cd_membrane* m = random_sheet(&seed, precision);
-            const double dt = chance(&seed, 0.5) ? 1.0 / 60 : decades(&seed, -3, 1);
+            const double most = bits == 32 || chance(&seed, 0.7) ? 1 : 20;
+            const double dt = chance(&seed, 0.5) ? 1.0 / 60 : decades(&seed, -3, most);
             const struct run r = run(m, dt, 25);
             cd_membrane_destroy(m);
             gain = fmax(gain, r.gain), of_allowed = fmax(of_allowed, r.of_allowed);
