@@ -17,7 +17,7 @@ Vector3 operator-(Vector3 a, Vector3 b) { return {{a[0] - b[0], a[1] - b[1], a[2
 Vector3 operator*(double s, Vector3 a) { return {{s * a[0], s * a[1], s * a[2]}}; }
 double dot(Vector3 a, Vector3 b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
 
-// planes += weight (a b^T), for the order of ClothMatrix::ground.
+// planes += weight a a^T, in the order of ClothMatrix::ground.
 void add_square(double* const* planes, size_t at, double weight, Vector3 a) {
     static constexpr int kRow[6] = {0, 1, 2, 0, 0, 1}, kColumn[6] = {0, 1, 2, 1, 2, 2};
     for (int k = 0; k < 6; ++k) planes[k][at] += weight * a[kRow[k]] * a[kColumn[k]];
