@@ -89,7 +89,8 @@ CD_API cd_status cd_chain_set_stiffness(cd_chain* chain, double stiffness);
 CD_API cd_status cd_chain_get_stiffness(const cd_chain* chain, double* out_stiffness);
 
 /* Bend stiffness b [N/m], >= 0. Per node with two neighbours: b times the cube of the number of springs (Kass 1997,
- * eq. 5; eq. 8 prints the square). Errors: CD_ERROR_MEMORY when bend is switched on. */
+ * eq. 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam of the rigidity E I [N m^2].
+ * Errors: CD_ERROR_MEMORY when bend is switched on. */
 CD_API cd_status cd_chain_set_bend(cd_chain* chain, double bend);
 CD_API cd_status cd_chain_get_bend(const cd_chain* chain, double* out_bend);
 
@@ -133,21 +134,29 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
  * 2 T e + k e^2, where e = tolerance * length, k e^2 counts for springs that yield, and T is the tension or, where the
  * interior point was needed, the mean force on the nodes if that is larger. A spring that is longer than its tension
  * makes it, because positions were written so, comes back within the step at any speed.
- * Ropes need CD_METHOD_IMPLICIT with lambda in [1/2, 1], and have no bend, ring, matched end or stiffness damping:
- * cd_chain_step says CD_ERROR_UNSUPPORTED. */
+ * Ropes need CD_METHOD_IMPLICIT with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
+ * cd_chain_step says CD_ERROR_UNSUPPORTED.
+ *
+ * With bend a rope is a rod, or hair, which is straight at rest: its bend energy at a node is b_i / 2 |d r_i|^2, d r_i
+ * the difference of the spring vectors beside it, each over its rest length and times the mean of the two. Two pinned
+ * nodes at an end clamp it: the inner one, at the clamp, should have twice the bend of the others. Springs that only
+ * pull let a rod shorten under pressure about as far as the same force across would bend it: hair that is to stand at
+ * its length needs springs that push. Any bend is stable; but where pinned nodes hold a rod bent with more than 1e5
+ * times the energy m g L of the rope, rounding may let a step end short of its tolerance. */
 
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
  * where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
- * its own pins, masses, stiffnesses, rest lengths and attachments, at first those that they shared. Length 0 switches
- * CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little every
- * step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring,
+ * its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
+ * switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little
+ * every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring,
  * in a build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness would
  * weld all springs or two held nodes. */
 CD_API cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
 
 /* Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
- * Newton's method alone, which may fail from a crumpled start. Errors: CD_ERROR_VALUE. */
+ * Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps.
+ * Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_chain_set_push(cd_chain* chain, int32_t push);
 CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
 
@@ -162,9 +171,10 @@ CD_API cd_status cd_chain_get_strength(const cd_chain* chain, double* out_streng
 /* How many springs broke in the last call of cd_chain_step that made steps: those whose CD_STIFFNESS became 0. */
 CD_API cd_status cd_chain_get_broken(const cd_chain* chain, size_t* out_springs);
 
-/* The force [N], one number per component, with which the springs of a rope pull at a node: of a held node, what the
- * rope does to whatever holds it. It is the sum of their tensions, along the directions that they have now; 0 of a
- * spring without length. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
+/* The force [N], one number per component, with which the springs of a rope pull at a node, and its bend: of a held
+ * node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have
+ * now, 0 of a spring without length, and of what the bend there and at the nodes beside it does.
+ * Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
 CD_API cd_status cd_chain_get_reaction(const cd_chain* chain, size_t strand, size_t node, double* out_force,
                                        size_t count);
 
@@ -251,7 +261,7 @@ CD_API cd_status cd_chain_get_thickness(const cd_chain* chain, double* out_radiu
  *  CD_TARGET     strand, node     m       finite; where cd_chain_attach pulls to, and where CD_NODE_POSED goes
  *  CD_MASS       (strand), node   kg      > 0
  *  CD_STIFFNESS  (strand), spring N/m     >= 0; 0: cut; INFINITY: welded, see cd_chain_weld; in ropes of fixed length
- *  CD_BEND       node             N/m     >= 0; that of the two ends of an open chain is kept and not used
+ *  CD_BEND       (strand), node   N/m     >= 0; that of the two ends of an open chain is kept and not used
  *  CD_PIN        (strand), node   -       a cd_node
  *  CD_REST_LENGTH strand, spring  m       1e-60 to 1e60; of ropes only
  *  CD_TENSION    strand, spring   N       finite; of ropes only: what the last step found and the next one starts from
@@ -324,7 +334,7 @@ CD_API cd_status cd_chain_get_attachment(const cd_chain* chain, size_t strand, s
  * (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that momentum is
  * kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or welded
  * spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is not cut with the spring:
- * write CD_BEND. In a rope welding fixes the spring's length only.
+ * write CD_BEND. In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length only.
  * Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held nodes. */
 CD_API cd_status cd_chain_cut(cd_chain* chain, size_t strand, size_t spring);
 CD_API cd_status cd_chain_weld(cd_chain* chain, size_t strand, size_t spring);

@@ -98,12 +98,12 @@ template <class T> static bool strands_agree(const Chain& c, const Array<T>& fie
 // Whether the chain can do without lengths: what strands will then share, and what will be welded.
 static cd_status can_lose_lengths(const char* function, const Chain& c) {
     const bool agree = strands_agree(c, c.pin) && strands_agree(c, c.node_mass) &&
-                       strands_agree(c, c.spring_stiffness) && strands_agree(c, c.attach_stiffness) &&
-                       strands_agree(c, c.attach_damping);
+                       strands_agree(c, c.spring_stiffness) && strands_agree(c, c.node_bend) &&
+                       strands_agree(c, c.attach_stiffness) && strands_agree(c, c.attach_damping);
     if (!agree)
         return fail(
             CD_ERROR_UNSUPPORTED, function,
-            "length is 0, but strands differ in pins, masses, stiffnesses or attachments, which they would share");
+            "length is 0, but strands differ in pins, masses, stiffnesses, bends or attachments, which they would share");
     if (isinf(c.stiffness)) return fail(CD_ERROR_UNSUPPORTED, function, "length is 0, but the stiffness is infinite");
     if (groups_are_sound(
             c.nodes, c.ring != 0, [&](size_t i) { return is_rigid(c, own_place(c, 0, i)); },

@@ -68,16 +68,13 @@ struct Part {
     double get(const Chain& c, const Place& p) const {
         if (field == CD_PIN) return c.pin[own_place(c, p.strand, p.item)];
         if (field == CD_STRAIN) return strain_of(c, p.strand, p.item);
-        if (!is_state(field)) return shared_of(c, field)[place_in_shared(c, p)];
+        if (!is_state(field)) return shared_of(c, field)[own_place(c, p.strand, p.item)];
         return get_number(c, state_of(c, field), place(c, p.strand, p.item, p.component));
     }
     void set(Chain& c, const Place& p, double value) const {
         if (field == CD_PIN) c.pin[own_place(c, p.strand, p.item)] = uint8_t(value);
         else if (is_state(field)) set_number(c, state_of(c, field), place(c, p.strand, p.item, p.component), value);
-        else shared_of(c, field)[place_in_shared(c, p)] = value;
-    }
-    size_t place_in_shared(const Chain& c, const Place& p) const {
-        return field == CD_BEND ? p.item : own_place(c, p.strand, p.item);
+        else shared_of(c, field)[own_place(c, p.strand, p.item)] = value;
     }
 
     void written(Chain& c) const {

@@ -40,7 +40,7 @@ inline AirSettings& air_of(Chain& c) { return c.air; }
 inline const AirSettings& air_of(const Chain& c) { return c.air; }
 // How many strands have one of their own.
 inline size_t strands_of(const Chain& c, cd_field field) {
-    return is_state(field) ? c.strands : field == CD_BEND ? 1 : own_strands(c);
+    return is_state(field) ? c.strands : own_strands(c);
 }
 namespace shared {
 inline cd_status disable_field(const char* function, Chain& c, cd_field field) {

@@ -29,6 +29,19 @@ template <int N> struct RopeBundle {
     using V = Vector<N>;
     using M = Matrix<N>;
 
+    // What hangs on the left of a node: y + c phi is the node's velocity under the impulse phi. Of a rod, phi acts on
+    // the node and psi on its link, the spring on its left: the node's velocity is y + c phi + across psi, and that of
+    // the link, the difference of its nodes', is link_y + back phi + link psi.
+    struct Hung {
+        M c;
+        V y;
+        M across, back, link;
+        V link_y;
+    };
+    struct Impulses {
+        V phi, psi;
+    };
+    // An impulse of what resists: wished - by . phi, and of a rod less by_link . psi.
     struct Resisted {
         L wished;
         V by;
@@ -56,6 +69,15 @@ template <int N> struct RopeBundle {
         L follows, along, wished, across;
         Resisted pressed, rubbed[2];
     };
+    // Of a rod's node i, its link, and the joint at the node before.
+    struct Joint {
+        L stiffness, ratio; // of the joint, per velocity; rest length of the link over that of the one before
+        M stiff, reach;     // the joint's impulse is wished - stiff (phi / m + reach psi)
+        V wished, impulse; // impulse: of the last elimination
+        M across;
+        Resisted pulled[4]; // by the link: its transverse stiffness along x, y, z, and along itself
+        V by_link[4];
+    };
     // Of spring i from node i to node i + 1.
     struct Spring {
         L length, per_length, compliance;
@@ -78,6 +100,8 @@ template <int N> struct RopeBundle {
     Spring* const springs;
     InAir* const in_air;        // if there is air
     Contact* const contacts;    // of node after node, with each collider
+    Joint* const joints;        // of rods
+    V* const by_link;           // of rods: three of each node for the air, then three of each contact
     size_t first, count;        // strands
     L lambda, per_lambda, open; // open: 1 where a strand is still to be solved
     L iterations{}, reached{}, failed{};
@@ -165,17 +189,32 @@ template <int N> struct RopeBundle {
         const V side = (one() / root(dot(off, off))) * off;
         return {way, side, cross(way, side)};
     }
-    // Of a node with this mobility, and y where it would go by itself: both once something resists it, along the unit
-    // vector n as it moves and along `acting` as it pushes back, by an impulse k (n . u - n . w), which is
-    // resisted.wished - resisted.by . phi.
-    static void resist(L k, V n, V acting, V u, M& mobility, V& y, Resisted& resisted) {
-        const V right = mobility * acting, left = transposed_times(mobility, n);
+    // Takes from what hangs on a node what resists it, along the unit vector n as it moves and along `acting` as it
+    // pushes back, by an impulse k (n . u - n . w), which is resisted.wished - resisted.by . phi.
+    template <bool rod> static void resist(L k, V n, V acting, V u, Hung& hung, Resisted& resisted, V* by_link) {
+        const V right = hung.c * acting, left = transposed_times(hung.c, n);
         const L share = k / (one() + k * dot(n, right));
-        resisted = {share * dot(n, u - y), share * left};
-        y = y + resisted.wished * right;
-        mobility.x = mobility.x - right.x * resisted.by;
-        mobility.y = mobility.y - right.y * resisted.by;
-        mobility.z = mobility.z - right.z * resisted.by;
+        resisted = {share * dot(n, u - hung.y), share * left};
+        if constexpr (rod) {
+            const V link_right = hung.back * acting;
+            *by_link = share * transposed_times(hung.across, n);
+            hung.link_y = hung.link_y + resisted.wished * link_right;
+            take_from(hung.across, right, *by_link);
+            take_from(hung.back, link_right, resisted.by);
+            take_from(hung.link, link_right, *by_link);
+        }
+        hung.y = hung.y + resisted.wished * right;
+        take_from(hung.c, right, resisted.by);
+    }
+    static void take_from(M& a, V column, V row) {
+        a.x = a.x - column.x * row;
+        a.y = a.y - column.y * row;
+        a.z = a.z - column.z * row;
+    }
+    template <bool rod> static L impulse_of(const Resisted& resisted, const V* by_link, const Impulses& from_right) {
+        const L impulse = resisted.wished - dot(resisted.by, from_right.phi);
+        if constexpr (rod) return impulse - dot(*by_link, from_right.psi);
+        return impulse;
     }
     // The length of the rope that feels the air at node i [m].
     L share_of(size_t i) const {
@@ -190,23 +229,24 @@ template <int N> struct RopeBundle {
         if (ropes.wind.data) return load(ropes.wind, i);
         return {L::splat(stage.wind[0]), L::splat(stage.wind[1]), L::splat(stage.wind[2])};
     }
-    void resist(size_t i, M& mobility, V& y) {
+    V* links_of_air(size_t i) const { return by_link + 3 * i; }
+    template <bool rod> void resist(size_t i, Hung& hung) {
         InAir& n = in_air[i];
         const L free = opposite(held(i));
         const L along = free * resistance(i, stage.along), across = free * resistance(i, stage.across);
         const V u = wind(i);
         const Axes to = axes(n.way);
-        resist(along, to.way, to.way, u, mobility, y, n.along);
-        resist(across, to.side, to.side, u, mobility, y, n.side);
-        resist(across, to.normal, to.normal, u, mobility, y, n.normal);
+        resist<rod>(along, to.way, to.way, u, hung, n.along, links_of_air(i));
+        resist<rod>(across, to.side, to.side, u, hung, n.side, links_of_air(i) + 1);
+        resist<rod>(across, to.normal, to.normal, u, hung, n.normal, links_of_air(i) + 2);
     }
-    // What is left of the impulse phi from the right, at node i.
-    V resisted(size_t i, V phi) const {
+    // What is left of the impulses from the right, at node i.
+    template <bool rod> void resisted(size_t i, Impulses& left) const {
         const InAir& n = in_air[i];
         const Axes to = axes(n.way);
-        phi = phi + (n.normal.wished - dot(n.normal.by, phi)) * to.normal;
-        phi = phi + (n.side.wished - dot(n.side.by, phi)) * to.side;
-        return phi + (n.along.wished - dot(n.along.by, phi)) * to.way;
+        left.phi = left.phi + impulse_of<rod>(n.normal, links_of_air(i) + 2, left) * to.normal;
+        left.phi = left.phi + impulse_of<rod>(n.side, links_of_air(i) + 1, left) * to.side;
+        left.phi = left.phi + impulse_of<rod>(n.along, links_of_air(i), left) * to.way;
     }
 
     // ---- what it touches, in rope_contact.hh ------------------------------------------------------------------------
@@ -223,8 +263,9 @@ template <int N> struct RopeBundle {
     void set_friction(double friction, L slip, Contact& c) const;
     __attribute__((noinline)) L touch(size_t i, size_t iteration);
     L touches() const;
-    __attribute__((noinline)) void press(size_t i, M& mobility, V& y);
-    __attribute__((noinline)) V pressed(size_t i, V phi);
+    V* links_of_contact(size_t at) const { return by_link + 3 * ((has_air() ? ropes.nodes : 0) + at); }
+    template <bool rod> __attribute__((noinline)) void press(size_t i, Hung& hung);
+    template <bool rod> __attribute__((noinline)) void pressed(size_t i, Impulses& left);
     void forget_overlaps();
 
     // ---- the start of a step ----------------------------------------------------------------------------------------
@@ -285,6 +326,7 @@ template <int N> struct RopeBundle {
             left = right;
         }
         for (size_t i = 0; i < ropes.nodes && has_air(); ++i) in_air[i].way = way_at(i);
+        if (is_rod()) begin_joints();
     }
 
     // ---- one iteration ----------------------------------------------------------------------------------------------
@@ -380,11 +422,13 @@ template <int N> struct RopeBundle {
 
     // Solves the linear system: phi_i = s (dw - e) + u tau, c . (dw - e) = axial tau, into `next`.
     void eliminate() {
-        M mobility = M::diagonal(nodes[0].mobility);
-        V y = nodes[0].b;
+        Hung hung;
+        M& mobility = hung.c;
+        V& y = hung.y;
+        mobility = M::diagonal(nodes[0].mobility), y = nodes[0].b;
         const bool resists = has_air();
-        if (resists) resist(0, mobility, y);
-        if (has_contacts()) press(0, mobility, y);
+        if (resists) resist<false>(0, hung);
+        if (has_contacts()) press<false>(0, hung);
         nodes[0].c = mobility, nodes[0].y = y;
         for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
             const Spring& s = springs[i];
@@ -409,27 +453,32 @@ template <int N> struct RopeBundle {
                             select(fixed, V{}, mobility.z)};
                 y = select(fixed, node.b, y);
             }
-            if (resists) resist(i + 1, mobility, y);
-            if (has_contacts()) press(i + 1, mobility, y);
+            if (resists) resist<false>(i + 1, hung);
+            if (has_contacts()) press<false>(i + 1, hung);
             node.c = mobility;
             node.y = y;
         }
-        V phi{};
+        Impulses left{};
+        V& phi = left.phi;
         for (size_t i = ropes.nodes; i-- > 0;) {
             Node& node = nodes[i];
             node.next = node.y + node.c * phi;
-            if (has_contacts()) phi = pressed(i, phi);
+            if (has_contacts()) pressed<false>(i, left);
             if (i == 0) break;
             Spring& s = springs[i - 1];
-            if (resists) phi = resisted(i, phi);
+            if (resists) resisted<false>(i, left);
             phi = phi - node.ground * (node.next - node.b);
             const L fixed = held(i);
             if (any_positive(fixed)) phi = select(fixed, into_held(i), phi);
-            s.impulse = phi;
-            const L next = s.taut * (dot(phi, s.acting) / (stage.dt * lambda));
-            s.next = stage.push ? next : positive(next);
-            s.pushed = s.next - next;
+            pulls(s, phi);
         }
+    }
+    // What the linear system has for spring s: its impulse.
+    void pulls(Spring& s, V impulse) const {
+        s.impulse = impulse;
+        const L next = s.taut * (dot(impulse, s.acting) / (stage.dt * lambda));
+        s.next = stage.push ? next : positive(next);
+        s.pushed = s.next - next;
     }
 
     // The impulse of the spring on the left of held node i.
@@ -445,6 +494,15 @@ template <int N> struct RopeBundle {
         const L tau = (dot(s.along, (nodes[i].next - left.y) - left.c * q) - s.wished) * pull;
         return q + tau * u;
     }
+
+    // ---- rods, in rope_rod.hh ---------------------------------------------------------------------------------------
+
+    bool is_rod() const { return stage.bends; }
+    void begin_joints();
+    void look_at_joints(Seen& seen) const;
+    void join(size_t i, Hung& hung);
+    void pull(const Spring& s, Joint& joint, Hung& hung) const;
+    __attribute__((noinline)) void eliminate_rod();
 
     // ---- the step, in rope_step.cpp ---------------------------------------------------------------------------------
 

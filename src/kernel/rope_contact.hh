@@ -116,19 +116,21 @@ template <int N> Lanes<N> RopeBundle<N>::touches() const {
     return any;
 }
 
-// Keeps node i out of what it touches: of its mobility, and of y where it would go by itself.
-template <int N> void RopeBundle<N>::press(size_t i, M& mobility, V& y) {
+// Keeps node i out of what it touches.
+template <int N> template <bool rod> void RopeBundle<N>::press(size_t i, Hung& hung) {
     for (size_t k = 0; k < stage.collider_count; ++k) {
-        Contact& c = contacts[i * stage.collider_count + k];
+        const size_t at = i * stage.collider_count + k;
+        Contact& c = contacts[at];
         if (!any_positive(c.on)) continue;
+        V* const links = links_of_contact(at);
         const Axes to = surface_axes(c.normal, c.slip);
         set_friction(stage.colliders[k].friction, dot(to.side, c.slip), c);
         const V u = velocity_of(stage.colliders[k]);
         // A strand that is held altogether has no mass, and touches nothing.
         const L stiffness = kContactStiffness * heavy, out = leaving(i, c) + select(c.on, c.push / stiffness, L{});
-        resist(c.on * stiffness, to.way, c.acting - c.follows * to.side, out * to.way, mobility, y, c.pressed);
-        resist(c.along, to.side, to.side, u + c.wished * to.side, mobility, y, c.rubbed[0]);
-        resist(c.across, to.normal, to.normal, u, mobility, y, c.rubbed[1]);
+        resist<rod>(c.on * stiffness, to.way, c.acting - c.follows * to.side, out * to.way, hung, c.pressed, links);
+        resist<rod>(c.along, to.side, to.side, u + c.wished * to.side, hung, c.rubbed[0], links + 1);
+        resist<rod>(c.across, to.normal, to.normal, u, hung, c.rubbed[1], links + 2);
     }
 }
 // Linearizes friction about a slip of this size.
@@ -138,19 +140,20 @@ template <int N> void RopeBundle<N>::set_friction(double friction, L slip, Conta
     c.follows = c.wished = L{};
     if (newtonian) c.along = c.along * (sticks / speed), c.follows = friction * slip / speed, c.wished = slip;
 }
-// What is left of the impulse phi from the right, at node i.
-template <int N> Vector<N> RopeBundle<N>::pressed(size_t i, V phi) {
+// What is left of the impulses from the right, at node i.
+template <int N> template <bool rod> void RopeBundle<N>::pressed(size_t i, Impulses& left) {
     for (size_t k = stage.collider_count; k-- > 0;) {
-        Contact& c = contacts[i * stage.collider_count + k];
+        const size_t at = i * stage.collider_count + k;
+        Contact& c = contacts[at];
         if (!any_positive(c.on)) continue;
+        const V* const links = links_of_contact(at);
         const Axes to = surface_axes(c.normal, c.slip);
-        phi = phi + (c.rubbed[1].wished - dot(c.rubbed[1].by, phi)) * to.normal;
-        phi = phi + (c.rubbed[0].wished - dot(c.rubbed[0].by, phi)) * to.side;
-        const L push = c.on * (c.pressed.wished - dot(c.pressed.by, phi));
+        left.phi = left.phi + impulse_of<rod>(c.rubbed[1], links + 2, left) * to.normal;
+        left.phi = left.phi + impulse_of<rod>(c.rubbed[0], links + 1, left) * to.side;
+        const L push = c.on * impulse_of<rod>(c.pressed, links, left);
         c.push = select(open, push, c.push);
-        phi = phi + push * (c.acting - c.follows * to.side);
+        left.phi = left.phi + push * (c.acting - c.follows * to.side);
     }
-    return phi;
 }
 
 // What lay inside a collider before the step comes out of it, but is not thrown.

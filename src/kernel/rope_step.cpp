@@ -1,5 +1,5 @@
 // Steps of strands whose springs have a length: Newton's method, and what stands behind it.
-#include "kernel/rope_contact.hh"
+#include "kernel/rope_rod.hh"
 
 namespace cd {
 namespace CD_ISA {
@@ -9,6 +9,8 @@ namespace CD_ISA {
 constexpr double kSettleSoftly = 1e-12;
 constexpr double kMostError = 1e300; // of lengths, over rest lengths: beyond it, no iteration helps
 constexpr size_t kMostNewton = 8;    // iterations before a safer step is tried
+// How much shorter than its length a slack spring is at least, over that length, whatever the tolerance.
+constexpr double kLeastSlack = 1e-9;
 // Of the interior point.
 constexpr double kFirstGap = 0.1;    // the least gap to start with, over the rest length
 constexpr double kBarrierFall = 0.1; // the barrier of an iteration over that of the one before
@@ -21,6 +23,7 @@ constexpr double kInside = 0.95;     // how much of the way to a tension or gap 
 template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L weight, size_t iteration) {
     Seen seen;
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, barrier, interior, seen);
+    if (is_rod()) look_at_joints(seen);
     for (size_t i = 0; i < ropes.nodes && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, iteration));
     const L worth = larger(seen.worth, larger(weight, least_worth));
     const L wrong = larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths);
@@ -43,7 +46,7 @@ template <int N> void RopeBundle<N>::newton(size_t most) {
     for (size_t k = 0;; ++k) {
         linearize_all(L{}, false, L{}, k);
         if (k == most || !any_positive(open)) return;
-        eliminate();
+        is_rod() ? eliminate_rod() : eliminate();
         iterations = iterations + open;
         for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].w = select(open, nodes[i].next, nodes[i].w);
         for (size_t i = 0; i + 1 < ropes.nodes; ++i)
@@ -103,7 +106,7 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
         const L barrier = (kBarrierFall * share) * sum;
         linearize_all(barrier, true, weight, k);
         if (k == most || !any_positive(open)) return;
-        eliminate();
+        is_rod() ? eliminate_rod() : eliminate();
         iterations = iterations + open;
         step_inside(barrier);
     }
@@ -260,8 +263,10 @@ template <int N> RopeResult RopeBundle<N>::step() {
         store(n.next, ropes.velocity, i);
     }
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
-        double lane[N];
-        springs[i].tension.store(lane);
+        const Spring& s = springs[i];
+        const L slack = (1 - fmax(stage.tolerance, kLeastSlack)) * s.length - long_after(i);
+        double lane[N]; // the interior point leaves a tension to what is slack
+        (stage.push ? s.tension : select(slack, L{}, s.tension)).store(lane);
         for (int j = 0; j < N && size_t(j) < count; ++j)
             ropes.tension[tension_place(i, j)] = isfinite(lane[j]) ? lane[j] : 0;
     }
@@ -281,7 +286,11 @@ template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopePar
     auto* const in_air = reinterpret_cast<typename Here::InAir*>(springs + ropes.nodes);
     static_assert(sizeof(typename Here::Contact) == kContactScratch * N * sizeof(double));
     auto* const contacts = reinterpret_cast<typename Here::Contact*>(in_air + (stage.has_air() ? ropes.nodes : 0));
-    Here bundle{ropes, c, stage, nodes, springs, in_air, contacts, first, count, {}, {}, {}};
+    const size_t contact_count = ropes.nodes * stage.collider_count;
+    static_assert(sizeof(typename Here::Joint) == kJointScratch * N * sizeof(double));
+    auto* const joints = reinterpret_cast<typename Here::Joint*>(contacts + contact_count);
+    auto* const by_link = reinterpret_cast<typename Here::V*>(joints + (stage.bends ? ropes.nodes : 0));
+    Here bundle{ropes, c, stage, nodes, springs, in_air, contacts, joints, by_link, first, count, {}, {}, {}};
     return bundle.step();
 }
 

@@ -39,6 +39,7 @@ template <class T> struct RopeNumbers {
 struct RopeParameters {
     RopeNumbers<double> mass, tie, tie_damping; // [kg], of attachments [N/m], [N s/m]
     RopeNumbers<double> length, stiffness;      // [m], [N/m]: 0: cut, INFINITY: of fixed length
+    RopeNumbers<double> bend;                   // [N/m], of nodes with two springs
     RopeNumbers<uint8_t> pin;                   // cd_node
     double drag;                                // [1/s]
 };
@@ -48,6 +49,7 @@ struct RopeStage {
     double gravity[3];
     double along, across, wind[3]; // of the air; wind: where a node has none of its own
     bool push;                     // springs push as well
+    bool bends;                    // whether any node has a bend stiffness
     double tolerance;              // of the length that a spring should have, over its rest length
     size_t most_iterations;
     const Collider* colliders;
@@ -69,9 +71,10 @@ struct RopeResult {
     }
 };
 
-// The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand,
-// without air and beyond that with it; a call with one strand needs no more than that strand's.
+// The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand:
+// always, for the air, and for each collider; a call with one strand needs no more than that strand's.
 constexpr size_t kRopeStrands = 8, kRopeScratch = 55, kAirScratch = 15, kContactScratch = 30;
+constexpr size_t kJointScratch = 63, kLinkScratch = 9; // of rods: the latter for the air, and for each collider
 
 namespace CD_ISA {
 

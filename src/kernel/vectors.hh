@@ -26,10 +26,21 @@ template <int N> struct Matrix {
     V x, y, z;
 
     friend V operator*(const Matrix& a, V b) { return {dot(a.x, b), dot(a.y, b), dot(a.z, b)}; }
+    friend Matrix operator+(const Matrix& a, const Matrix& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Matrix operator-(const Matrix& a, const Matrix& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Matrix operator*(L s, const Matrix& a) { return {s * a.x, s * a.y, s * a.z}; }
     static Matrix diagonal(L d) { return {{d, L{}, L{}}, {L{}, d, L{}}, {L{}, L{}, d}}; }
 };
 template <int N> Vector<N> transposed_times(const Matrix<N>& a, Vector<N> b) {
     return b.x * a.x + (b.y * a.y + b.z * a.z);
+}
+template <int N> Matrix<N> operator*(const Matrix<N>& a, const Matrix<N>& b) {
+    return {transposed_times(b, a.x), transposed_times(b, a.y), transposed_times(b, a.z)};
+}
+// a + d times the identity.
+template <int N> Matrix<N> plus_diagonal(Matrix<N> a, Lanes<N> d) {
+    a.x.x = a.x.x + d, a.y.y = a.y.y + d, a.z.z = a.z.z + d;
+    return a;
 }
 template <int N> Vector<N> cross(Vector<N> a, Vector<N> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

@@ -22,9 +22,18 @@ double uniform_bend(const Chain& c) {
     return c.bend * (n * n * n);
 }
 
-double bend_of(const Chain& c, size_t node) {
+double bend_of(const Chain& c, size_t node, size_t at) {
     if (!c.ring && (node == 0 || node + 1 >= c.nodes)) return 0;
-    return c.node_bend ? c.node_bend[node] : uniform_bend(c);
+    return c.node_bend ? c.node_bend[at] : uniform_bend(c);
+}
+
+Joint joint_of(const Chain& c, size_t strand, size_t node) {
+    const double bend = bend_of(c, node, own_place(c, strand, node));
+    if (!has_lengths(c) || bend == 0) return {bend, 1, 1};
+    const size_t left = own_place(c, strand, node > 0 ? node - 1 : c.springs), right = own_place(c, strand, node);
+    if (stiffness_of(c, left) == 0 || stiffness_of(c, right) == 0) return {0, 1, 1};
+    const double mean = 0.5 * (length_of(c, left) + length_of(c, right));
+    return {bend, mean / length_of(c, left), mean / length_of(c, right)};
 }
 
 bool has_bend(const Chain& c) { return c.node_bend || c.bend > 0; }
@@ -75,8 +84,8 @@ struct Needs {
 // How many rows of one number per node the sweeps read (chain_step.cpp hands them out), and how many they leave between
 // their two ways.
 Needs needs_of(const Chain& c, const Features& f) {
-    if (f.length) return {rope_coefficients(c, f.colliders), rope_scratch(c, f.air, f.colliders), 0};
     const bool bends = f.bend || f.node_bend, rod = bends || f.ring;
+    if (f.length) return {rope_coefficients(c, f.colliders), rope_scratch(c, {bends, f.air, f.colliders}), 0};
     const size_t gains = 2 + size_t(f.force) + size_t(f.target), stages = f.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
     if (is_explicit(f.method)) return {(gains + 2 + size_t(bends)) * row_length(c), 0, 0};
     const bool segments = takes_segments(c, rod);
@@ -95,7 +104,7 @@ bool set_features(Chain& c, const Features& wanted) {
     BodyChanges body(c, wanted, c.nodes * own, needs.coefficients, needs.scratch);
     Change<uint8_t> pin{c.pin, c.nodes * own};
     Change<double> stiffness{c.spring_stiffness, wanted.spring_stiffness ? springs * own : 0};
-    Change<double> bend{c.node_bend, wanted.node_bend ? c.nodes : 0};
+    Change<double> bend{c.node_bend, wanted.node_bend ? c.nodes * own : 0};
     Change<double> length{c.spring_length, wanted.spring_length ? springs * own : 0};
     Change<double> tension{c.tension, wanted.length ? springs * c.strands : 0};
     Change<double> strength{c.spring_strength, wanted.spring_strength ? springs * own : 0};
@@ -108,7 +117,7 @@ bool set_features(Chain& c, const Features& wanted) {
     if (wanted.method == c.method && wanted.ring == (c.ring != 0) && keep_all(all)) return true;
     if (!take_all(c.memory, all)) return false;
     pin.spread(c.nodes), body.attach_stiffness.spread(c.nodes), body.attach_damping.spread(c.nodes);
-    const bool has_mass = body.mass.spread(c.nodes);
+    const bool has_mass = body.mass.spread(c.nodes), has_bend = bend.spread(c.nodes);
     const bool has_stiffness = wanted.ring == (c.ring != 0) && stiffness.spread(springs);
     body.colliders.carry_over();
     put_all(c.memory, all);
@@ -116,7 +125,7 @@ bool set_features(Chain& c, const Features& wanted) {
     c.method = wanted.method;
     if (!has_mass) fill_uniform(c, CD_MASS);
     if (!has_stiffness) fill_uniform(c, CD_STIFFNESS);
-    if (bend.is_new()) fill_uniform(c, CD_BEND);
+    if (!has_bend) fill_uniform(c, CD_BEND);
     if (length.is_new()) fill_uniform(c, CD_REST_LENGTH);
     if (tension.is_new()) memset(c.tension.data, 0, c.tension.bytes());
     if (strength.is_new()) fill_uniform(c, CD_STRENGTH);
@@ -137,7 +146,7 @@ void fill_uniform(Chain& c, cd_field field) {
     if (field == CD_STRENGTH && c.spring_strength)
         for (size_t i = 0; i < c.spring_strength.count; ++i) c.spring_strength[i] = c.rope.strength;
     if (field == CD_BEND && c.node_bend)
-        for (size_t i = 0; i < c.nodes; ++i) c.node_bend[i] = uniform_bend(c);
+        for (size_t i = 0; i < c.node_bend.count; ++i) c.node_bend[i] = uniform_bend(c);
     if (field == CD_WIND && c.wind)
         for (size_t i = 0; i < c.nodes; ++i)
             for (size_t line = 0; line < c.pitch; ++line)

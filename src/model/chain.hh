@@ -113,8 +113,14 @@ inline double strength_of(const Chain& c, size_t at) {
     return c.spring_strength ? c.spring_strength[at] : c.rope.strength;
 }
 inline bool can_break(const Chain& c) { return c.spring_strength || c.rope.breaks(); }
-double bend_of(const Chain& c, size_t node); // 0 at the ends of an open chain
+double bend_of(const Chain& c, size_t node, size_t at); // 0 at the ends of an open chain
+inline double bend_of(const Chain& c, size_t node) { return bend_of(c, node, node); }
 bool has_bend(const Chain& c);
+// The bend energy at a node is stiffness / 2 |right d_right - left d_left|^2, of the vectors d of the springs beside it.
+struct Joint {
+    double stiffness, left, right;
+};
+Joint joint_of(const Chain& c, size_t strand, size_t node);
 // An infinite stiffness welds the nodes of a spring that has no length; one that has it keeps it.
 inline bool is_rigid(const Chain& c, size_t at) { return stiffness_of(c, at) > 1.7976931348623157e308; }
 inline bool welded(const Chain& c, size_t spring) { return is_rigid(c, spring) && !has_lengths(c); }
@@ -185,7 +191,11 @@ double stable_dt(const Chain& c); // chain_limit.cpp
 // Why such a chain can't make its next step, or null.
 const char* what_ropes_lack(const Chain& c);
 // Of strands that are stepped at once: the doubles of scratch; and of the coefficients.
-size_t rope_scratch(const Chain& c, bool air, size_t colliders);
+struct RopeNeeds {
+    bool bend, air;
+    size_t colliders;
+};
+size_t rope_scratch(const Chain& c, const RopeNeeds& needs);
 size_t rope_coefficients(const Chain& c, size_t colliders);
 // As step_chain; leaves `iterations`, `residual` and `broken`.
 uint64_t step_ropes(Chain& c, double dt, size_t count);

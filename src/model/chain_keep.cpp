@@ -106,7 +106,7 @@ struct ChainKeep {
         if (s.on(CD_STIFFNESS))
             check.numbers<double>(springs,
                                   [](double k, size_t i) { return valid_shared(k, i) || (isinf(k) && k > 0); });
-        if (s.on(CD_BEND)) check.numbers<double>(c.nodes, valid_shared);
+        if (s.on(CD_BEND)) check.numbers<double>(nodes, valid_shared);
         if (s.on(CD_REST_LENGTH)) check.numbers<double>(springs, valid_shared_mass);
         if (s.on(CD_STRENGTH))
             check.numbers<double>(springs, [](double t, size_t) { return valid_mass(t) || (isinf(t) && t > 0); });

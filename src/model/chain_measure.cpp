@@ -46,10 +46,12 @@ template <class T> struct Measure {
             if (!is_rigid(c, own)) elastic.add(0.5 * stiffness_of(c, own) * stretches(i, own, part));
         });
         each(c.nodes, [&](size_t i, size_t own, Part part) {
-            if (bend_of(c, i) > 0) {
+            const Joint joint = joint_of(c, part.first / c.components, i);
+            if (joint.stiffness > 0) {
                 const size_t left = i > 0 ? i - 1 : c.nodes - 1, right = after(i);
-                elastic.add(0.5 * bend_of(c, i) * squares(part, [&](size_t l) {
-                                return (at(x, right, l) - at(x, i, l)) - (at(x, i, l) - at(x, left, l));
+                elastic.add(0.5 * joint.stiffness * squares(part, [&](size_t l) {
+                                return joint.right * (at(x, right, l) - at(x, i, l)) -
+                                       joint.left * (at(x, i, l) - at(x, left, l));
                             }));
             }
             if (c.target)
@@ -114,6 +116,15 @@ void reaction(const Chain& c, size_t strand, size_t node, double* out) {
     };
     if (node > 0 || c.ring) pull(node > 0 ? node - 1 : c.springs, -1);
     if (node < springs_in_all(c)) pull(node, 1);
+    for (size_t i = node > 0 ? node - 1 : 0; i <= node + 1 && has_bend(c); ++i) { // of joints beside it
+        const Joint joint = i < c.nodes ? joint_of(c, strand, i) : Joint{};
+        if (!(joint.stiffness > 0)) continue;
+        double left[4], right[4];
+        vector_of(c, strand, i > 0 ? i - 1 : c.springs, left), vector_of(c, strand, i, right);
+        const double share = i == node ? joint.left + joint.right : i < node ? -joint.right : -joint.left;
+        for (size_t k = 0; k < c.components; ++k)
+            out[k] += share * joint.stiffness * (joint.right * right[k] - joint.left * left[k]);
+    }
 }
 
 } // namespace cd

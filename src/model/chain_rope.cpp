@@ -13,19 +13,18 @@ constexpr size_t kMostTasks = 16;
 
 size_t groups_of(const Chain& c) { return (c.strands + kRopeStrands - 1) / kRopeStrands; }
 size_t tasks_of(const Chain& c) { return groups_of(c) < kMostTasks ? groups_of(c) : kMostTasks; }
-size_t scratch_of_node(const Chain& c, bool air, size_t colliders) {
-    const size_t of_node = kRopeScratch + (air ? kAirScratch : 0) + colliders * kContactScratch;
+size_t scratch_of_node(const Chain& c, const RopeNeeds& needs) {
+    const size_t more = needs.bend ? kLinkScratch : 0;
+    const size_t of_node = kRopeScratch + (needs.air ? kAirScratch + more : 0) +
+                           needs.colliders * (kContactScratch + more) + (needs.bend ? kJointScratch : 0);
     return of_node * (c.strands > 1 ? kRopeStrands : 1);
-}
-size_t scratch_of_task(const Chain& c, bool air, size_t colliders) {
-    return c.nodes * scratch_of_node(c, air, colliders);
 }
 
 RopeParameters parameters_of(Chain& c, bool changed) {
     // Numbers that all strands have in common: of each node, what the total comes to; of all springs; and none.
     double *const mass = c.coefficients.data, *const one = mass + c.nodes;
     for (size_t i = 0; i < c.nodes && changed; ++i) mass[i] = uniform_mass(c, i);
-    if (changed) one[0] = uniform_length(c), one[1] = uniform_stiffness(c), one[2] = 0;
+    if (changed) one[0] = uniform_length(c), one[1] = uniform_stiffness(c), one[2] = 0, one[3] = uniform_bend(c);
     const auto own = [&](const Array<double>& field, const double* common, size_t of_item) {
         return field ? RopeNumbers<double>{field.data, c.strands, 1} : RopeNumbers<double>{common, of_item, 0};
     };
@@ -34,6 +33,7 @@ RopeParameters parameters_of(Chain& c, bool changed) {
             own(c.attach_damping, one + 2, 0),
             own(c.spring_length, one, 0),
             own(c.spring_stiffness, one + 1, 0),
+            own(c.node_bend, one + 3, 0),
             {c.pin.data, c.strands, 1},
             c.drag};
 }
@@ -61,7 +61,6 @@ size_t break_springs(Chain& c, size_t first, size_t strands) {
 const char* what_ropes_lack(const Chain& c) {
     if (c.method != CD_METHOD_IMPLICIT) return "method but CD_METHOD_IMPLICIT";
     if (c.lambda < 0.5) return "lambda below 1/2";
-    if (has_bend(c)) return "bend";
     if (c.ring) return "ring";
     if (c.damping > 0) return "stiffness damping";
     for (size_t s = 0; s < c.strands; ++s)
@@ -70,10 +69,13 @@ const char* what_ropes_lack(const Chain& c) {
     return nullptr;
 }
 
-size_t rope_coefficients(const Chain& c, size_t colliders) { return c.nodes + 3 + colliders * kColliderNumbers; }
-size_t rope_scratch(const Chain& c, bool air, size_t colliders) {
+// Numbers that all strands have in common: see parameters_of.
+static size_t common_numbers(const Chain& c) { return c.nodes + 4; }
+
+size_t rope_coefficients(const Chain& c, size_t colliders) { return common_numbers(c) + colliders * kColliderNumbers; }
+size_t rope_scratch(const Chain& c, const RopeNeeds& needs) {
     size_t numbers;
-    const bool fits = multiply(tasks_of(c) * c.nodes, scratch_of_node(c, air, colliders), numbers);
+    const bool fits = multiply(tasks_of(c) * c.nodes, scratch_of_node(c, needs), numbers);
     return fits ? numbers : SIZE_MAX; // more than there is
 }
 
@@ -95,7 +97,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                          state_of(c, c.target),
                          state_of(c, c.wind),
                          c.tension.data};
-    Collider* const colliders = reinterpret_cast<Collider*>(c.coefficients.data + c.nodes + 3);
+    Collider* const colliders = reinterpret_cast<Collider*>(c.coefficients.data + common_numbers(c));
     const RopeStage stage = {dt,
                              c.lambda,
                              {c.gravity[0], c.gravity[1], c.gravity[2]},
@@ -103,6 +105,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                              c.air.across,
                              {c.air.wind[0], c.air.wind[1], c.air.wind[2]},
                              c.rope.push != 0,
+                             has_bend(c),
                              c.rope.tolerance,
                              size_t(c.rope.most_iterations),
                              colliders,
@@ -113,9 +116,10 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
     uint64_t bad[kMostTasks];
     size_t broken[kMostTasks] = {};
     const size_t groups = groups_of(c), tasks = tasks_of(c);
+    const size_t of_task = c.nodes * scratch_of_node(c, {stage.bends, stage.has_air(), stage.collider_count});
     auto task = [&](size_t t) {
         RopeStage now = stage;
-        double* const scratch = c.scratch.data + t * scratch_of_task(c, stage.has_air(), stage.collider_count);
+        double* const scratch = c.scratch.data + t * of_task;
         bad[t] = UINT64_MAX;
         for (size_t g = t * groups / tasks; g < (t + 1) * groups / tasks; ++g) {
             const size_t first = g * kRopeStrands, left = c.strands - first,

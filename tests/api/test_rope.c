@@ -135,10 +135,6 @@ static void implicit(cd_chain* c) { ok(cd_chain_set_method(c, CD_METHOD_IMPLICIT
 static void explicit_lambda(cd_chain* c) { ok(cd_chain_set_lambda(c, 0)); }
 static void low_lambda(cd_chain* c) { ok(cd_chain_set_lambda(c, nextafter(0.5, 0))); }
 static void half(cd_chain* c) { ok(cd_chain_set_lambda(c, 0.5)); }
-static void bend(cd_chain* c) { ok(cd_chain_set_bend(c, 0.01)); }
-static void no_bend(cd_chain* c) { ok(cd_chain_set_bend(c, 0)); }
-static void node_bend(cd_chain* c) { ok(cd_chain_enable_field(c, CD_BEND)); }
-static void no_node_bend(cd_chain* c) { ok(cd_chain_disable_field(c, CD_BEND)); }
 static void ring(cd_chain* c) { ok(cd_chain_set_ring(c, 1)); }
 static void no_ring(cd_chain* c) { ok(cd_chain_set_ring(c, 0)); }
 static void damping(cd_chain* c) { ok(cd_chain_set_stiffness_damping(c, 1e-3)); }
@@ -158,8 +154,6 @@ static const struct lack {
     {stiff_second, implicit, "~|length|method|CD_METHOD_IMPLICIT"},
     {explicit_lambda, half, "~|length|lambda below 1/2"},
     {low_lambda, half, "~|length|lambda below 1/2"},
-    {bend, no_bend, "~|length|bend"},
-    {node_bend, no_node_bend, "~|length|bend"},
     {ring, no_ring, "~|length|ring"},
     {damping, no_damping, "~|length|stiffness damping"},
     {first_matched, first_free, "~|length|matched end"},

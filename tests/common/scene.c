@@ -56,7 +56,7 @@ size_t scene_own_strands(const cd_chain* chain) {
 }
 
 size_t scene_field_strands(const cd_chain* chain, cd_field field) {
-    return is_per_strand(field) ? scene_strands(chain) : field == CD_BEND ? 1 : scene_own_strands(chain);
+    return is_per_strand(field) ? scene_strands(chain) : scene_own_strands(chain);
 }
 
 size_t scene_field_items(const cd_chain* chain, cd_field field) {

@@ -173,10 +173,8 @@ struct ChainScene {
         const bool of_springs = field == CD_STIFFNESS || (field >= CD_REST_LENGTH && field != CD_WIND);
         const bool of_strands =
             field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET || field == CD_WIND;
-        return {of_strands         ? strands
-                : field == CD_BEND ? 1
-                                   : own_strands(chain),
-                of_springs ? springs(chain) : nodes, of_strands ? components : 1};
+        return {of_strands ? strands : own_strands(chain), of_springs ? springs(chain) : nodes,
+                of_strands ? components : 1};
     }
     cd_status write(Handle* chain, cd_field field, size_t strand, size_t count, size_t first, size_t n,
                     const std::vector<double>& values) const {
@@ -253,8 +251,6 @@ inline void ChainScene::become_rope(Handle* chain, Random& random, Returned& ret
     const double lambda = random.any_of({0.5, 0.5, 0.75, 1}), length = size * random.decades(-1, 1);
     returned += cd_chain_set_method(chain, CD_METHOD_IMPLICIT);
     returned += cd_chain_set_lambda(chain, lambda);
-    returned += cd_chain_disable_field(chain, CD_BEND);
-    returned += cd_chain_set_bend(chain, 0);
     returned += cd_chain_set_stiffness_damping(chain, 0);
     returned += cd_chain_set_ring(chain, 0);
     for (cd_end end = CD_END_FIRST; end <= CD_END_LAST; ++end) {

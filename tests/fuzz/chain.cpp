@@ -35,7 +35,7 @@ bool Chain::extent(cd_field field, Extent& out) const {
     case CD_FORCE:
     case CD_TARGET: out = {strands, springs + 1, components}; return true;
     case CD_WIND: out = {strands, springs + 1, components}; return is_rope();
-    case CD_BEND: out = {1, springs + 1, 1}; return true;
+    case CD_BEND:
     case CD_MASS:
     case CD_PIN: out = {own_strands(), springs + 1, 1}; return true;
     case CD_STIFFNESS: out = {own_strands(), springs_now(), 1}; return true;

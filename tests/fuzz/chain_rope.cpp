@@ -22,13 +22,12 @@ bool Chain::has_matched() const {
 
 bool Chain::lacks_something() const {
     cd_method method = CD_METHOD_IMPLICIT;
-    double lambda = 1, bend = 0, damping = 0;
+    double lambda = 1, damping = 0;
     cd_chain_get_method(first(), &method);
     cd_chain_get_lambda(first(), &lambda);
-    cd_chain_get_bend(first(), &bend);
     cd_chain_get_stiffness_damping(first(), &damping);
-    return method != CD_METHOD_IMPLICIT || lambda < 0.5 || bend > 0 || !all_of(CD_BEND).empty() || damping > 0 ||
-           is_ring() || has_matched();
+    return method != CD_METHOD_IMPLICIT || lambda < 0.5 || damping > 0 || is_ring() ||
+           has_matched();
 }
 
 Doubles Chain::lengths() const {

@@ -21,8 +21,6 @@ void Chain::get_ready() {
     both("set_method 0", 0, [&](cd_chain* chain, int) { return cd_chain_set_method(chain, CD_METHOD_IMPLICIT); });
     both(text("set_lambda %g", lambda), kNoMemory,
          [&](cd_chain* chain, int) { return cd_chain_set_lambda(chain, lambda); });
-    both("set_bend 0", 0, [&](cd_chain* chain, int) { return cd_chain_set_bend(chain, 0); });
-    both("disable_field 5", 0, [&](cd_chain* chain, int) { return cd_chain_disable_field(chain, CD_BEND); });
     both("set_stiffness_damping 0", kNoMemory,
          [&](cd_chain* chain, int) { return cd_chain_set_stiffness_damping(chain, 0); });
     both("set_ring 0", 0, [&](cd_chain* chain, int) { return cd_chain_set_ring(chain, 0); });
@@ -118,6 +116,7 @@ void Chain::get_reaction() {
     must_agree("get_reaction", force[0], force[1], 4);
     double most = 0;
     for (double t : all_of(CD_TENSION)) most += fabs(t);
+    most += stiffest() * 8 * largest_of({CD_POSITION}); // of bend
     for (double f : force[0])
         if (status == CD_OK && past.moderate && !past.crafted && is_finite() && !(fabs(f) <= 1.01 * most))
             problem("get_reaction tells %g, tensions are %g together", f, most);

@@ -241,7 +241,7 @@ FIELDS: Dict[str, Dict[int, FieldInfo]] = {
         Field.TARGET: FieldInfo(("strand", "node"), True, False, True, False, False, False),
         Field.MASS: FieldInfo(("strand", "node"), False, False, False, False, True, False),
         Field.STIFFNESS: FieldInfo(("strand", "spring"), False, False, False, False, True, False),
-        Field.BEND: FieldInfo(("node",), False, False, False, False, False, False),
+        Field.BEND: FieldInfo(("strand", "node"), False, False, False, False, True, False),
         Field.PIN: FieldInfo(("strand", "node"), False, True, False, False, True, False),
         Field.REST_LENGTH: FieldInfo(("strand", "spring"), False, False, False, True, False, False),
         Field.TENSION: FieldInfo(("strand", "spring"), False, True, False, True, False, False),

@@ -29,7 +29,7 @@ class Chain(Body, kind="chain"):
     """`strands` strands of `springs` springs and springs + 1 nodes, which share masses, pins and the like.
 
     Arrays of positions, velocities, forces and targets have the shape (strands, nodes, components); those of masses,
-    bends and pins (nodes,); of stiffnesses (springs,), in a ring one more. Strands of ropes share but the bends: masses
+    bends and pins (nodes,); of stiffnesses (springs,), in a ring one more. Strands of ropes share none: masses, bends
     and pins are (strands, nodes); stiffnesses, rest lengths, tensions, strengths and strains (strands, springs).
 
     Rest length is zero, unless rest_length makes the chain a rope: a free chain draws together, and one stretched
@@ -70,10 +70,10 @@ class Chain(Body, kind="chain"):
     rest_length = Setting(float, "Rest length of a strand [m], dealt out evenly to its springs; default 0: they have "
                                  "none. A chain with a rest length is a rope: its 1 to 3 components are directions of "
                                  "space, its springs pull along themselves once they are longer than their length, and "
-                                 "it steps by Method.IMPLICIT with lambda in [1/2, 1], without bend, ring, matched end "
-                                 "and stiffness damping. It has the fields Field.TENSION and Field.STRAIN and, to be "
-                                 "switched on, Field.REST_LENGTH, Field.STRENGTH and Field.WIND; it may have air and "
-                                 "wind, and its springs may break.")
+                                 "it steps by Method.IMPLICIT with lambda in [1/2, 1], without ring, matched end and "
+                                 "stiffness damping; with bend it is a rod. It has the fields Field.TENSION and "
+                                 "Field.STRAIN and, to be switched on, Field.REST_LENGTH, Field.STRENGTH and "
+                                 "Field.WIND; it may have air and wind, and its springs may break.")
     push = Setting(bool, "Whether springs that are shorter than their length push; default False: they are slack.")
     strength = Setting(float, "The tension at which a spring of a rope breaks [N]; default math.inf: none does. A step "
                               "cuts at most one spring of each strand, the one most beyond its strength. "

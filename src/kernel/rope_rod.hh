@@ -1,0 +1,134 @@
+// Ropes that resist bending: rods. The elimination passes on the mobilities of a node and its link together.
+// (model.md, 49, 50)
+//
+// A joint is a node with a link on either side. With r = w_{i+1} - w_i - ratio (w_i - w_{i-1}), the links' difference
+// as it changes, and D what it is when the step begins, the joint gives the impulse p = -h B (D + h r) along r: on node
+// i + 1, against node i, and ratio times against the link before. `ratio` is the links' rest lengths' ratio, so that a
+// straight rod of uneven links is at rest.
+//
+// A node that joins what hangs on the left of it has the mobility R = 1 / m; the joint then takes its share of the
+// variance of r, S = R + 1 / (h^2 B) + c, with c that of w_i + ratio u_i alone. What is left is written as products of
+// R, 1 / S and what hangs, without the differences in which a stiff joint would lose its digits; and with 1 / S as
+// h^2 B Z, so that a node without bend is a joint of B = 0.
+#pragma once
+
+#include "kernel/rope_contact.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+// The joints' stiffness per velocity, and the ratio of the links' lengths. A joint of a cut spring has none.
+template <int N> void RopeBundle<N>::begin_joints() {
+    const L h = stage.dt * lambda;
+    for (size_t i = 1; i < ropes.nodes; ++i) {
+        Joint& joint = joints[i];
+        joint.stiffness = L{}, joint.ratio = one(), joint.impulse = V{};
+        if (i == 1) continue;
+        const Spring &before = springs[i - 2], &link = springs[i - 1];
+        const L mean = 0.5 * (before.length + link.length), share = mean * link.per_length;
+        joint.ratio = link.length * before.per_length;
+        joint.stiffness = select(uncut(before) * uncut(link), (h * share) * (h * share) * of(c.bend, i - 1), L{});
+    }
+}
+
+// The energy that joints give by the guess beyond the work that their impulses took, and what rounding may make of it:
+// forces add up to moments along the rod, and their roundings with them.
+template <int N> void RopeBundle<N>::look_at_joints(Seen& seen) const {
+    const double rounding = kRounding * double(ropes.nodes) * double(ropes.nodes) / stage.tolerance;
+    const L per_h = L::splat(1 / stage.dt) * per_lambda;
+    for (size_t i = 2; i < ropes.nodes; ++i) {
+        const Joint& joint = joints[i];
+        const V before = springs[i - 1].before - joint.ratio * springs[i - 2].before;
+        const V r = (nodes[i].w - nodes[i - 1].w) - joint.ratio * (nodes[i - 1].w - nodes[i - 2].w);
+        const V change = L::splat(stage.dt) * r, after = before + change;
+        const L stiffness = 0.5 * (per_h * per_h * joint.stiffness); // half of it
+        seen.gained = seen.gained + stiffness * dot(change, before + after) + per_lambda * dot(joint.impulse, r);
+        seen.worth = seen.worth + rounding * stiffness * (dot(before, before) + dot(after, after));
+    }
+}
+
+// Node i joins what hangs on the node before.
+template <int N> void RopeBundle<N>::join(size_t i, Hung& hung) {
+    Joint& joint = joints[i];
+    const Node& node = nodes[i];
+    const L mobility = node.mobility, stiffness = joint.stiffness, ratio = joint.ratio;
+    const M across = ratio * hung.across, back = ratio * hung.back, link = (ratio * ratio) * hung.link;
+    const M of_node = hung.c + across, own = back + link; // E, and c - E
+    const M all = of_node + own, both = across + link;
+    const M yielding = inverse(plus_diagonal(stiffness * plus_diagonal(all, mobility), one())); // Z
+    const M stiff = stiffness * yielding;
+    const M reach = plus_diagonal(hung.c + back, mobility);
+    const V bent = L::splat(1 / stage.dt) * per_lambda *
+                   (i > 1 ? springs[i - 1].before - ratio * springs[i - 2].before : V{});
+    const V wished = stiff * (((hung.y + ratio * hung.link_y) - node.b) - bent);
+    const M at_link = of_node * stiff;
+
+    joint.stiff = stiff, joint.reach = reach, joint.wished = wished;
+    hung.link = (mobility * (yielding + stiff * both) + hung.c) - at_link * reach;
+    hung.c = mobility * (yielding + stiff * all);
+    hung.across = mobility * (yielding + stiff * both);
+    hung.back = mobility * (yielding + own * stiff);
+    hung.link_y = (node.b - hung.y) + (mobility * wished + of_node * wished);
+    hung.y = node.b + mobility * wished;
+}
+
+// The spring on the left of a node pulls at its link: by its transverse stiffness, whatever the way, and along itself.
+template <int N> void RopeBundle<N>::pull(const Spring& s, Joint& joint, Hung& hung) const {
+    const auto take = [&](size_t k, V right, V link_right, V row, V link_row, L share, L wished) {
+        Resisted& by = joint.pulled[k];
+        by = {share * wished, share * row};
+        joint.by_link[k] = share * link_row;
+        hung.y = hung.y + by.wished * right, hung.link_y = hung.link_y + by.wished * link_right;
+        take_from(hung.c, right, by.by), take_from(hung.across, right, joint.by_link[k]);
+        take_from(hung.back, link_right, by.by), take_from(hung.link, link_right, joint.by_link[k]);
+    };
+    const L stiff = s.transverse;
+    const auto across = [&](size_t k, V way, L wish, L y) {
+        const V link_right = hung.link * way;
+        take(k, hung.across * way, link_right, transposed_times(hung.back, way), transposed_times(hung.link, way),
+             stiff / (one() + stiff * dot(way, link_right)), wish - y);
+    };
+    across(0, {one(), L{}, L{}}, s.wish.x, hung.link_y.x);
+    across(1, {L{}, one(), L{}}, s.wish.y, hung.link_y.y);
+    across(2, {L{}, L{}, one()}, s.wish.z, hung.link_y.z);
+    const V link_right = hung.link * s.acting;
+    const L yields = s.axial + positive(dot(s.along, link_right));
+    take(3, hung.across * s.acting, link_right, transposed_times(hung.back, s.along),
+         transposed_times(hung.link, s.along), select(s.taut * size_of(yields), s.taut / yields, L{}),
+         s.wished - dot(s.along, hung.link_y));
+}
+
+template <int N> void RopeBundle<N>::eliminate_rod() {
+    Hung hung{};
+    hung.c = M::diagonal(nodes[0].mobility), hung.y = nodes[0].b;
+    for (size_t i = 0; i < ropes.nodes; ++i) {
+        if (i > 0) join(i, hung), pull(springs[i - 1], joints[i], hung);
+        if (has_air()) resist<true>(i, hung);
+        if (has_contacts()) press<true>(i, hung);
+        nodes[i].c = hung.c, nodes[i].y = hung.y, joints[i].across = hung.across;
+    }
+    Impulses left{};
+    for (size_t i = ropes.nodes; i-- > 0;) {
+        Node& node = nodes[i];
+        Joint& joint = joints[i];
+        node.next = (node.y + node.c * left.phi) + joint.across * left.psi;
+        if (i == 0) return;
+        if (has_contacts()) pressed<true>(i, left);
+        if (has_air()) resisted<true>(i, left);
+        Spring& s = springs[i - 1];
+        V impulse{};
+        const auto take = [&](size_t k, V way) {
+            const V by = impulse_of<true>(joint.pulled[k], &joint.by_link[k], left) * way;
+            left.psi = left.psi + by, impulse = impulse - by;
+        };
+        take(3, s.acting), take(2, {L{}, L{}, one()}), take(1, {L{}, one(), L{}}), take(0, {one(), L{}, L{}});
+        pulls(s, impulse);
+        const V bend = joint.impulse = joint.wished - joint.stiff * (node.mobility * left.phi + joint.reach * left.psi);
+        // A free node takes what makes its momentum right; where it is held, what is left is what its link does.
+        left.phi = select(held(i), (V{} - left.psi) - bend, left.phi - node.ground * (node.next - node.b));
+        left.psi = V{} - joint.ratio * bend;
+    }
+}
+
+} // namespace CD_ISA
+} // namespace cd
