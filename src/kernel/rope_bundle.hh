@@ -193,18 +193,26 @@ template <int N> struct RopeBundle {
     // pushes back, by an impulse k (n . u - n . w), which is resisted.wished - resisted.by . phi.
     template <bool rod> static void resist(L k, V n, V acting, V u, Hung& hung, Resisted& resisted, V* by_link) {
         const V right = hung.c * acting, left = transposed_times(hung.c, n);
-        const L share = k / (one() + k * dot(n, right));
-        resisted = {share * dot(n, u - hung.y), share * left};
+        const L share = k / (one() + k * dot(n, right)), wished = share * dot(n, u - hung.y);
         if constexpr (rod) {
-            const V link_right = hung.back * acting;
-            *by_link = share * transposed_times(hung.across, n);
-            hung.link_y = hung.link_y + resisted.wished * link_right;
-            take_from(hung.across, right, *by_link);
-            take_from(hung.back, link_right, resisted.by);
-            take_from(hung.link, link_right, *by_link);
+            const V link_left = transposed_times(hung.across, n);
+            take(hung, {right, hung.back * acting}, {wished, share * left}, share * link_left, resisted, *by_link);
+        } else {
+            resisted = {wished, share * left};
+            hung.y = hung.y + wished * right;
+            take_from(hung.c, right, resisted.by);
         }
-        hung.y = hung.y + resisted.wished * right;
-        take_from(hung.c, right, resisted.by);
+    }
+    // Of a rod: how the node and its link move by an impulse of 1, and the impulse that resists.
+    struct Column {
+        V node, link;
+    };
+    __attribute__((noinline)) static void take(Hung& hung, Column moves, Resisted by, V by_link, Resisted& resisted,
+                                               V& resisted_link) {
+        resisted = by, resisted_link = by_link;
+        hung.y = hung.y + by.wished * moves.node, hung.link_y = hung.link_y + by.wished * moves.link;
+        take_from(hung.c, moves.node, by.by), take_from(hung.across, moves.node, by_link);
+        take_from(hung.back, moves.link, by.by), take_from(hung.link, moves.link, by_link);
     }
     static void take_from(M& a, V column, V row) {
         a.x = a.x - column.x * row;
@@ -500,8 +508,8 @@ template <int N> struct RopeBundle {
     bool is_rod() const { return stage.bends; }
     void begin_joints();
     void look_at_joints(Seen& seen) const;
-    void join(size_t i, Hung& hung);
-    void pull(const Spring& s, Joint& joint, Hung& hung) const;
+    __attribute__((noinline)) void join(size_t i, Hung& hung);
+    __attribute__((noinline)) void pull(const Spring& s, Joint& joint, Hung& hung) const;
     __attribute__((noinline)) void eliminate_rod();
 
     // ---- the step, in rope_step.cpp ---------------------------------------------------------------------------------

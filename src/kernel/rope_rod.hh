@@ -74,28 +74,17 @@ template <int N> void RopeBundle<N>::join(size_t i, Hung& hung) {
 
 // The spring on the left of a node pulls at its link: by its transverse stiffness, whatever the way, and along itself.
 template <int N> void RopeBundle<N>::pull(const Spring& s, Joint& joint, Hung& hung) const {
-    const auto take = [&](size_t k, V right, V link_right, V row, V link_row, L share, L wished) {
-        Resisted& by = joint.pulled[k];
-        by = {share * wished, share * row};
-        joint.by_link[k] = share * link_row;
-        hung.y = hung.y + by.wished * right, hung.link_y = hung.link_y + by.wished * link_right;
-        take_from(hung.c, right, by.by), take_from(hung.across, right, joint.by_link[k]);
-        take_from(hung.back, link_right, by.by), take_from(hung.link, link_right, joint.by_link[k]);
-    };
-    const L stiff = s.transverse;
-    const auto across = [&](size_t k, V way, L wish, L y) {
-        const V link_right = hung.link * way;
-        take(k, hung.across * way, link_right, transposed_times(hung.back, way), transposed_times(hung.link, way),
-             stiff / (one() + stiff * dot(way, link_right)), wish - y);
-    };
-    across(0, {one(), L{}, L{}}, s.wish.x, hung.link_y.x);
-    across(1, {L{}, one(), L{}}, s.wish.y, hung.link_y.y);
-    across(2, {L{}, L{}, one()}, s.wish.z, hung.link_y.z);
-    const V link_right = hung.link * s.acting;
-    const L yields = s.axial + positive(dot(s.along, link_right));
-    take(3, hung.across * s.acting, link_right, transposed_times(hung.back, s.along),
-         transposed_times(hung.link, s.along), select(s.taut * size_of(yields), s.taut / yields, L{}),
-         s.wished - dot(s.along, hung.link_y));
+    const V ways[3] = {{one(), L{}, L{}}, {L{}, one(), L{}}, {L{}, L{}, one()}};
+    for (size_t k = 0; k < 4; ++k) {
+        const V acting = k < 3 ? ways[k] : s.acting, along = k < 3 ? ways[k] : s.along;
+        const Column moves{hung.across * acting, hung.link * acting};
+        const L yields = dot(along, moves.link), axial = s.axial + positive(yields);
+        const L share = k < 3 ? s.transverse / (one() + s.transverse * yields)
+                              : select(s.taut * size_of(axial), s.taut / axial, L{});
+        const L wished = share * ((k < 3 ? dot(along, s.wish) : s.wished) - dot(along, hung.link_y));
+        take(hung, moves, {wished, share * transposed_times(hung.back, along)},
+             share * transposed_times(hung.link, along), joint.pulled[k], joint.by_link[k]);
+    }
 }
 
 template <int N> void RopeBundle<N>::eliminate_rod() {
@@ -117,11 +106,11 @@ template <int N> void RopeBundle<N>::eliminate_rod() {
         if (has_air()) resisted<true>(i, left);
         Spring& s = springs[i - 1];
         V impulse{};
-        const auto take = [&](size_t k, V way) {
-            const V by = impulse_of<true>(joint.pulled[k], &joint.by_link[k], left) * way;
+        const V ways[4] = {{one(), L{}, L{}}, {L{}, one(), L{}}, {L{}, L{}, one()}, s.acting};
+        for (size_t k = 4; k-- > 0;) {
+            const V by = impulse_of<true>(joint.pulled[k], &joint.by_link[k], left) * ways[k];
             left.psi = left.psi + by, impulse = impulse - by;
-        };
-        take(3, s.acting), take(2, {L{}, L{}, one()}), take(1, {L{}, one(), L{}}), take(0, {one(), L{}, L{}});
+        }
         pulls(s, impulse);
         const V bend = joint.impulse = joint.wished - joint.stiff * (node.mobility * left.phi + joint.reach * left.psi);
         // A free node takes what makes its momentum right; where it is held, what is left is what its link does.
