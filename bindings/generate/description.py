@@ -59,6 +59,9 @@ def comment(text, start, width=WIDTH):
 def fitted(lines, width=WIDTH):
     """The lines, those that are too long broken after commas; what goes on is indented by four."""
     for line in lines:
+        if line.lstrip().startswith(("//", "--")):
+            yield line
+            continue
         indent = " " * (len(line) - len(line.lstrip()) + 4)
         while len(line) > width and ", " in line[len(indent):width]:
             at = line.rindex(", ", len(indent), width) + 1
