@@ -451,13 +451,13 @@ def callback_struct(struct, enums):
                 native.append(f"IntPtr {v}")
                 names = ", ".join(variable(q["name"]) for q in rest)
                 values = ", ".join(variable(q["name"]) if q["name"] == inner[p["name"]][1] else
-                                   to_native(variable(q["name"]), q["type"]) for q in p["parameters"])
+                                   to_native(variable(q["name"]), q["type"], enums) for q in p["parameters"])
                 call.append(f"({names}) => {v}Function({values})")
             else:
                 native.append(f"{plain_type(p['type'], enums)} {v}")
                 if p["name"] != "user" and p["name"] not in bound:
                     given.append(f"{public_type(p['type'], enums)} {v}")
-                    call.append(f"(long){v}" if p["type"] == "size_t" else v)
+                    call.append(from_native(v, p["type"], enums))
         kind, returns = pascal(m["name"]), m["returns"]
         result = "void" if returns == "void" else public_type(returns, enums)
         raw = "void" if returns == "void" else plain_type(returns, enums)
@@ -484,7 +484,7 @@ def callback_struct(struct, enums):
         if raw == "void":
             yield f"            {value};"
         else:
-            yield f"            return {to_native(value, returns)};"
+            yield f"            return {to_native(value, returns, enums)};"
         yield "        }"
         yield "        catch (Exception raised)"
         yield "        {"
@@ -513,8 +513,12 @@ def public_type(text, enums):
     return "IntPtr" if "*" in text else pascal(text) if text in enums else PUBLIC.get(text, NATIVE[text])
 
 
-def to_native(value, text):
-    return f"(UIntPtr)(ulong){value}" if text == "size_t" else value
+def to_native(value, text, enums):
+    return f"(UIntPtr)(ulong){value}" if text == "size_t" else f"(int){value}" if text in enums else value
+
+
+def from_native(value, text, enums):
+    return f"(long){value}" if text == "size_t" else f"({pascal(text)}){value}" if text in enums else value
 
 
 def api_module(api):
@@ -575,6 +579,8 @@ def literal(p, kind, value):
         return f"new {element}[] {{ {numbers} }}"
     if kind == "room":
         return f"new {NATIVE[p.base]}[{value}]"
+    if kind == "made":
+        return f"Make{pascal(value)}()"
     return {"bytes": "saved", "buffer": f"new byte[{value}]", "other": "other", "none": "null"}[kind]
 
 

@@ -57,14 +57,18 @@ def comment(text, start, width=WIDTH):
 
 
 def fitted(lines, width=WIDTH):
-    """The lines, those that are too long broken after commas; what goes on is indented by four."""
+    """The lines, those that are too long broken after commas outside of quotes; what goes on is indented by four."""
     for line in lines:
         if line.lstrip().startswith(("//", "--")):
             yield line
             continue
         indent = " " * (len(line) - len(line.lstrip()) + 4)
-        while len(line) > width and ", " in line[len(indent):width]:
-            at = line.rindex(", ", len(indent), width) + 1
+        while len(line) > width:
+            places = [at for at in range(len(indent), width) if line[at - 1:at + 1] == ", " and
+                      line.count('"', 0, at) % 2 == 0]
+            if not places:
+                break
+            at = places[-1]
             yield line[:at]
             line = indent + line[at + 1:]
         yield line
@@ -76,8 +80,10 @@ class Parameter:
         self.is_in = entry["direction"] == "in"
         self.null = entry.get("null", False)
         self.length, self.times, self.of = entry.get("length"), entry.get("times"), entry.get("of", [])
+        if self.role == "array" and self.base in enums:
+            self.base = "int32_t"  # enumerators in arrays are plain numbers
         self.enum = self.base if self.base in enums else None
-        self.is_flag = self.base == "int32_t" and not self.enum
+        self.is_flag = self.base == "int32_t" and self.role in ("value", "result")
         self.is_const = self.type.startswith("const ")
 
     @property

@@ -39,15 +39,16 @@ def numbers(function, array):
     count = elements(function, array)
     if array.name in ("rotation", "normal"):  # a normal has the first numbers of these
         return [float(x) for x in check_api.IDENTITY[:count]]
-    return [0.0] * count
+    return [0.0 if array.base in ("double", "float") else 0] * count
 
 
 def arguments(thing, function, enums):
     """Of each argument what it is and its value: ("number", n), ("flag", b), ("enum", short), ("array", numbers),
-    ("room", how many), ("bytes", None), ("buffer", None), ("other", None), ("none", None)."""
+    ("room", how many), ("bytes", None), ("buffer", how many bytes), ("other", None), ("made", the name of another kind
+    of object), ("none", None)."""
     for p in function.arguments:
         if p.role == "handle":
-            yield p, "other", None
+            yield (p, "other", None) if p.base == thing.handle else (p, "made", p.base[3:])
         elif p.role == "callbacks":
             yield p, "none", None
         elif p.role == "bytes":

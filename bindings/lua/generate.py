@@ -315,7 +315,10 @@ def module(api):
 # ---- tests ----------------------------------------------------------------------------------------------------------
 
 
-def literal(kind, value):
+def literal(kind, value, api):
+    if kind == "made":
+        thing = next(o for o in api.objects if o.name == value)
+        return f'require("contdyn").{pascal(value)}({", ".join(map(repr, sweep.sizes(thing)))})'
     if kind == "number":
         return repr(value)
     if kind == "flag":
@@ -338,7 +341,10 @@ def tests(api):
         sizes = ", ".join(map(repr, sweep.sizes(thing)))
         yield f'  {{class = "{name}", sizes = {{{sizes}}}, calls = {{'
         for f in thing.methods:
-            given = {p.name: literal(kind, value) for p, kind, value in sweep.arguments(thing, f, api.enums)}
+            given = {p.name: literal(kind, value, api) for p, kind, value in sweep.arguments(thing, f, api.enums)}
+            for p in f.arguments:
+                if p.role == "array" and not p.is_in and not f.out_count(p, thing.has_components):
+                    given[p.name] = f'ffi.new("{p.base}[?]", {sweep.elements(f, p)})'
             may = ", may_fail = true" if sweep.may_fail(f) else ""
             values = ", ".join(given[p.name] for p in taken(f))
             yield f'    {{name = "{f.name}"{may}, call = function(o, other, saved)'

@@ -471,7 +471,9 @@ def literal(p, kind, value):
     if kind == "array":
         text = f"&[{', '.join(map(repr, value))}]"
     elif kind == "room":
-        text = f"&mut [0.0; {value}]"
+        text = f"&mut [{'0.0' if p.base in ('double', 'float') else '0'}; {value}]"
+    elif kind == "made":
+        return f"&make_{value}()"
     else:
         return {"bytes": "saved", "buffer": f"&mut vec![0; {value}]", "other": "other", "none": "None"}[kind]
     return f"Some({text})" if p.null else text
@@ -555,7 +557,8 @@ def scene_calls(api):
 
 def word(p, k):
     if p.role == "array":
-        text = f"w.{'doubles' if p.base == 'double' else 'floats'}({k}).as_deref()"
+        kind = {"double": "doubles", "float": "floats"}.get(p.base, f"integers::<{PLAIN[p.base]}>")
+        text = f"w.{kind}({k}).as_deref()"
         return text if p.null else f"{text}.unwrap()"
     if p.enum:
         return f"w.enumerator({k}, {pascal(p.enum)}::from_raw)?"

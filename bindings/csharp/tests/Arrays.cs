@@ -23,6 +23,7 @@ static class Arrays
     {
         Tests.Run("reads give what was written", Reads);
         Tests.Run("whole fields", WholeFields);
+        Tests.Run("sizes of rings, ropes and faces", Sizes);
         Tests.Run("results", Results);
         Tests.Run("lengths that do not fit", Lengths);
         Tests.Run("views", Views);
@@ -86,6 +87,28 @@ static class Arrays
         }
         Tests.True(read > 60, "fields");
         Tests.Refused(Status.ErrorEnum, "cd_chain_read_f64", () => Rope().GetSize(Field.Depth));
+    }
+
+    static void Sizes()
+    {
+        var chain = new Chain(2, 5, 3);
+        var sheet = new Membrane(4, 3, 3);
+        Field[] ofChain = { Field.Position, Field.Mass, Field.Stiffness };
+        Field[] ofSheet = { Field.Position, Field.StiffnessU, Field.StiffnessV };
+        Func<LibraryObject, Field[], string> sizes = (made, fields) => string.Join(" ", fields.Select(made.GetSize));
+        Tests.Equal(sizes(chain, ofChain), "36 6 5");
+        Tests.Equal(chain.GetSize(Field.Bend), 6);
+        chain.Ring = true;
+        Tests.Equal(sizes(chain, ofChain), "36 6 6");
+        chain.Ring = false;
+        chain.RestLength = 1;
+        Tests.Equal(sizes(chain, ofChain), "36 12 10");
+        Tests.Equal(sizes(sheet, ofSheet), "60 16 15");
+        sheet.SetRing(true, false);
+        Tests.Equal(sizes(sheet, ofSheet), "60 20 15");
+        sheet.SetRing(false, true);
+        Tests.Equal(sizes(sheet, ofSheet), "60 16 20");
+        Tests.Equal(sizes(new Water(5, 4, 1, 1), new[] { Field.Depth, Field.VelocityX, Field.VelocityY }), "20 24 25");
     }
 
     static void Results()

@@ -74,6 +74,11 @@ static class Conformance
         return string.Concat(name.Split('_').Select(part => char.ToUpper(part[0]) + part.Substring(1)));
     }
 
+    static Type Named(string name)
+    {
+        return typeof(Chain).Assembly.GetType("Contdyn." + Pascal(name));
+    }
+
     sealed class Player
     {
         readonly Precision precision;
@@ -107,7 +112,7 @@ static class Conformance
 
         LibraryObject Make()
         {
-            var type = typeof(Chain).Assembly.GetType("Contdyn." + Pascal(madeBy[1]));
+            var type = Named(madeBy[1]);
             var result = (LibraryObject)Invoke(type.GetConstructors()[0], null, Arguments(madeBy.Skip(2)));
             type.GetProperty("Kernels").SetValue(result, kernels, null);
             return result;
@@ -170,9 +175,28 @@ static class Conformance
     public static void All()
     {
         var text = File.ReadAllText(Path.Combine(Tests.Bindings, "api.json"));
-        const string described = "\"name\": \"(CD_\\w+)\",\\s+\"short\": \"\\w+\",\\s+\"value\": (\\d+)";
+        const string described = "\"name\": \"(CD_\\w+)\",\\s+\"short\": \"(\\w+)\",\\s+\"value\": (\\d+)";
         enumerators = Regex.Matches(text, described).Cast<Match>()
-            .ToDictionary(m => m.Groups[1].Value, m => int.Parse(m.Groups[2].Value));
+            .ToDictionary(m => m.Groups[1].Value, m => int.Parse(m.Groups[3].Value));
+        Tests.Run("enumerators have C's values", () =>
+        {
+            Type type = null;
+            int checkedOnes = 0;
+            text = text.Substring(0, text.IndexOf("\"callbacks\""));
+            foreach (Match match in Regex.Matches(text, described + "|\"name\": \"(cd_\\w+)\""))
+            {
+                var found = match.Groups;
+                if (found[4].Success)
+                {
+                    type = Named(found[4].Value.Substring(3));
+                    continue;
+                }
+                var value = (int)Enum.Parse(type, Pascal(found[2].Value));
+                Tests.Equal(value, int.Parse(found[3].Value), found[1].Value);
+                ++checkedOnes;
+            }
+            Tests.True(checkedOnes > 60, "enumerators");
+        });
         Tests.Run("conformance", () =>
         {
             var statements = Statements();

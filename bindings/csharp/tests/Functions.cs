@@ -1,5 +1,6 @@
 // Every method is called, with success; getters tell what setters were given; a disposed object refuses all.
 using System;
+using System.IO;
 using Contdyn;
 
 static class Functions
@@ -58,6 +59,8 @@ static class Functions
             var version = Library.Version();
             Tests.Equal(Library.VersionString(),
                 version / 1000000 + "." + version / 1000 % 1000 + "." + version % 1000);
+            var project = File.ReadAllText(Path.Combine(Tests.Bindings, "csharp", "Contdyn.csproj"));
+            Tests.True(project.Contains("<Version>" + Library.VersionString() + "</Version>"), "the project's version");
             Tests.True(Library.BuildInfo().Contains("objects: "), "what the build has");
             Tests.Refused(Status.ErrorValue, "mass is -1", () => new Chain(1, 2, 2).Mass = -1);
             Tests.True(Library.ErrorMessage().Contains("mass is -1"), "the message");

@@ -74,6 +74,28 @@ test("sizes of whole fields are those that the library has", function()
   assert(checked > 60)
 end)
 
+test("sizes of rings, ropes and faces", function()
+  local chain, sheet, pool = contdyn.Chain(2, 5, 3), contdyn.Membrane(4, 3, 3), contdyn.Water(5, 4, 1, 1)
+  local function sizes(made, fields)
+    local found = {}
+    for _, field in ipairs(fields) do found[#found + 1] = made:get_size(field) end
+    return table.concat(found, " ")
+  end
+  local of_chains, of_sheets = {"position", "mass", "stiffness", "bend"}, {"position", "stiffness_u", "stiffness_v"}
+  equal(sizes(chain, of_chains), "36 6 5 6")
+  chain:set_ring(true)
+  equal(sizes(chain, of_chains), "36 6 6 6")
+  chain:set_ring(false)
+  chain:set_rest_length(1)
+  equal(sizes(chain, {"position", "mass", "stiffness"}), "36 12 10")
+  equal(sizes(sheet, of_sheets), "60 16 15")
+  sheet:set_ring(true, false)
+  equal(sizes(sheet, of_sheets), "60 20 15")
+  sheet:set_ring(false, true)
+  equal(sizes(sheet, of_sheets), "60 16 20")
+  equal(sizes(pool, {"depth", "velocity_x", "velocity_y"}), "20 24 25")
+end)
+
 test("outputs of functions", function()
   local made = rope()
   made:set_gravity({0, -9.81})

@@ -43,6 +43,24 @@ for _, kind in ipairs(require("every_function")) do
   end)
 end
 
+test("enumerators have C's values", function()
+  local file = assert(io.open(BINDINGS .. "api.json"))
+  local text = file:read("*a")
+  file:close()
+  text = text:sub((text:find('"enums"', 1, true)), (text:find('"callbacks"', 1, true)))
+  local enum, checked = nil, 0
+  for name, at in text:gmatch('"name": "([%w_]+)"()') do
+    if name:find("^cd_") then
+      enum = contdyn[name:sub(4)]
+    else
+      local short, value = text:match('^,%s+"short": "([%w_]+)",%s+"value": (%d+)', at)
+      equal(enum[short], tonumber(value), name)
+      checked = checked + 1
+    end
+  end
+  assert(checked > 60)
+end)
+
 test("functions of no object", function()
   equal(contdyn.status_name("error_value"), "CD_ERROR_VALUE")
   equal(contdyn.status_name(1000), "CD_ERROR_UNKNOWN")

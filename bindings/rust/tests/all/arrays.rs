@@ -70,6 +70,30 @@ fn sizes_of_whole_fields_are_those_that_the_library_has() {
 }
 
 #[test]
+fn sizes_of_rings_ropes_and_faces() {
+    let mut chain = Chain::new(2, 5, 3, Precision::Float64).unwrap();
+    let mut sheet = Membrane::new(4, 3, 3, Precision::Float64).unwrap();
+    let pool = Water::new(5, 4, 1.0, 1.0, Precision::Float64).unwrap();
+    let of_chain = |made: &Chain| [Field::Position, Field::Mass, Field::Stiffness].map(|f| made.get_size(f).unwrap());
+    let of_sheet =
+        |made: &Membrane| [Field::Position, Field::StiffnessU, Field::StiffnessV].map(|f| made.get_size(f).unwrap());
+    assert_eq!(of_chain(&chain), [36, 6, 5]);
+    assert_eq!(chain.get_size(Field::Bend), Ok(6));
+    chain.set_ring(true).unwrap();
+    assert_eq!(of_chain(&chain), [36, 6, 6]);
+    chain.set_ring(false).unwrap();
+    chain.set_rest_length(1.0).unwrap();
+    assert_eq!(of_chain(&chain), [36, 12, 10]);
+    assert_eq!(of_sheet(&sheet), [60, 16, 15]);
+    sheet.set_ring(true, false).unwrap();
+    assert_eq!(of_sheet(&sheet), [60, 20, 15]);
+    sheet.set_ring(false, true).unwrap();
+    assert_eq!(of_sheet(&sheet), [60, 16, 20]);
+    let sizes = [Field::Depth, Field::VelocityX, Field::VelocityY].map(|f| pool.get_size(f).unwrap());
+    assert_eq!(sizes, [20, 24, 25]);
+}
+
+#[test]
 fn results() {
     let (mut made, _) = rope(Precision::Float64);
     made.set_gravity(&[0.0, -9.81]).unwrap();

@@ -72,6 +72,11 @@ impl<'a> Words<'a> {
         (!null).then(|| words.iter().map(|word| number_of(word)).collect())
     }
 
+    #[allow(dead_code)] // for calls with arrays of whole numbers
+    pub fn integers<T: TryFrom<i64>>(&self, k: usize) -> Option<Vec<T>> {
+        Some(self.doubles(k)?.into_iter().map(|number| T::try_from(number as i64).ok().unwrap()).collect())
+    }
+
     pub fn floats(&self, k: usize) -> Option<Vec<f32>> {
         Some(self.doubles(k)?.into_iter().map(|number| number as f32).collect())
     }

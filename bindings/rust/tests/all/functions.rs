@@ -52,7 +52,10 @@ fn waters() {
 
 #[test]
 fn functions_of_no_object() {
-    assert_eq!(status_name(Status::ErrorValue), "CD_ERROR_VALUE");
+    for status in Status::ALL {
+        let name = status_name(status).replace("CD_", "").replace('_', "").to_lowercase();
+        assert_eq!(name, format!("{status:?}").to_lowercase());
+    }
     assert_eq!(kernels_name(Kernels::Avx512), "AVX-512");
     assert_eq!(runnable_kernels() & 1, 1);
     assert!(build_info().contains("objects: "));
