@@ -9,6 +9,7 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 HERE = Path(__file__).resolve().parent
+sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE.parent / "generate"))
 import sweep  # noqa: E402
 from description import WIDTH, Description, bound_context, camel, comment, escaped, fitted, pascal  # noqa: E402

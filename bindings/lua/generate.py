@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE.parent / "generate"))
 import sweep  # noqa: E402
 from description import Description, bound_context, comment, escaped, fitted, pascal, written_or_checked  # noqa: E402

@@ -10,6 +10,7 @@ import textwrap
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE.parent / "generate"))
 from description import pascal as class_name  # noqa: E402
 from description import written_or_checked  # noqa: E402
