@@ -347,8 +347,8 @@ def life(thing):
             passed.append(f"{v}.map_or(std::ptr::null(), |c| c as *const _)")
         else:
             passed.append(f"{v} as i32" if p.enum else v)
-    yield f"    check(sys::{create.name}({', '.join([*passed, '&mut made'])}))?;"
-    yield f"    Ok({name}::from_raw(made))"
+    yield f"    check(unsafe {{ sys::{create.name}({', '.join([*passed, '&mut made'])}) }})?;"
+    yield f"    Ok(unsafe {{ {name}::from_raw(made) }})"
     yield "}"
     yield ""
     yield "/// Takes a handle over."

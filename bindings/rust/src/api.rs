@@ -630,9 +630,9 @@ impl Chain {
         allocator: Option<&sys::cd_allocator>) -> Result<Chain> {
         check_version()?;
         let mut made = std::ptr::null_mut();
-        check(sys::cd_chain_create(strands, springs, components, precision as i32, allocator.map_or(std::ptr::null(),
-            |c| c as *const _), &mut made))?;
-        Ok(Chain::from_raw(made))
+        check(unsafe { sys::cd_chain_create(strands, springs, components, precision as i32,
+            allocator.map_or(std::ptr::null(), |c| c as *const _), &mut made) })?;
+        Ok(unsafe { Chain::from_raw(made) })
     }
 
     /// Takes a handle over.
@@ -1612,9 +1612,9 @@ impl Membrane {
         allocator: Option<&sys::cd_allocator>) -> Result<Membrane> {
         check_version()?;
         let mut made = std::ptr::null_mut();
-        check(sys::cd_membrane_create(nu, nv, components, precision as i32, allocator.map_or(std::ptr::null(),
-            |c| c as *const _), &mut made))?;
-        Ok(Membrane::from_raw(made))
+        check(unsafe { sys::cd_membrane_create(nu, nv, components, precision as i32, allocator.map_or(std::ptr::null(),
+            |c| c as *const _), &mut made) })?;
+        Ok(unsafe { Membrane::from_raw(made) })
     }
 
     /// Takes a handle over.
@@ -2675,9 +2675,9 @@ impl Water {
         allocator: Option<&sys::cd_allocator>) -> Result<Water> {
         check_version()?;
         let mut made = std::ptr::null_mut();
-        check(sys::cd_water_create(nx, ny, dx, dy, precision as i32, allocator.map_or(std::ptr::null(),
-            |c| c as *const _), &mut made))?;
-        Ok(Water::from_raw(made))
+        check(unsafe { sys::cd_water_create(nx, ny, dx, dy, precision as i32, allocator.map_or(std::ptr::null(),
+            |c| c as *const _), &mut made) })?;
+        Ok(unsafe { Water::from_raw(made) })
     }
 
     /// Takes a handle over.

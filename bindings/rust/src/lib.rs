@@ -5,6 +5,8 @@
 //!
 //! Objects are `Send` and not `Sync`: each may be used from any thread, by one at a time.
 
+#![deny(unsafe_op_in_unsafe_fn)]
+
 mod api;
 mod support;
 #[allow(non_camel_case_types)]

@@ -45,7 +45,7 @@ impl std::error::Error for Error {}
 /// # Safety
 /// `text` must be a C string, valid for the call.
 pub(crate) unsafe fn string_of(text: *const c_char) -> String {
-    CStr::from_ptr(text).to_string_lossy().into_owned()
+    unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned()
 }
 
 pub(crate) fn check(status: sys::cd_status) -> Result<()> {
