@@ -114,10 +114,11 @@ def build_sdist(directory, _settings=None):
     with tempfile.TemporaryDirectory() as folder, tarfile.open(Path(directory, name), "w:gz") as archive:
         tree = Path(folder, NAME)
         shutil.copytree(HERE, tree, ignore=shutil.ignore_patterns("__pycache__", ".*", "build", "library"))
+        others = shutil.ignore_patterns("__pycache__", "python", "lua", "rust", "csharp")
         for part in ("CMakeLists.txt", "include", "src", "pkgconfig", "bindings"):
             source, target = SOURCES / part, tree / "library" / part
             if source.is_dir():
-                shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__", "python"))
+                shutil.copytree(source, target, ignore=others)
             else:
                 target.parent.mkdir(exist_ok=True)
                 shutil.copy(source, target)

@@ -10,6 +10,11 @@ import textwrap
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(HERE.parent / "generate"))
+from description import pascal as class_name  # noqa: E402
+from description import written_or_checked  # noqa: E402
+
 DESCRIPTION = HERE.parent / "api.json"
 OUTPUT = HERE / "contdyn" / "_api.py"
 
@@ -53,11 +58,6 @@ ROLES = {
     "address": "pointer*",
 }
 WIDTH = 120
-
-
-def class_name(c_name):
-    """cd_mass_rule -> MassRule."""
-    return "".join(part.capitalize() for part in c_name.split("_")[1:])
 
 
 def type_of(parameter, enums):
@@ -187,13 +187,7 @@ def module(api):
 
 def main():
     text = "\n".join(module(json.loads(DESCRIPTION.read_text(encoding="utf-8")))) + "\n"
-    if sys.argv[1:] == ["--check"]:
-        if OUTPUT.read_text(encoding="utf-8") != text:
-            sys.exit(f"{OUTPUT.name} is out of date: run {Path(__file__).name}")
-    elif sys.argv[1:]:
-        sys.exit(__doc__)
-    else:
-        OUTPUT.write_text(text, encoding="utf-8")
+    written_or_checked(__doc__, {OUTPUT: text})
 
 
 if __name__ == "__main__":

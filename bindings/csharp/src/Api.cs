@@ -1,0 +1,4540 @@
+// The library's objects. Made by generate.py from ../api.json: do not edit.
+#if NETSTANDARD2_1_OR_GREATER || NETCOREAPP2_1_OR_GREATER || UNITY_2021_2_OR_NEWER
+#define CONTDYN_SPANS
+#endif
+using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
+
+namespace Contdyn
+{
+    /// <summary>What a call of the C library returns.</summary>
+    public enum Status
+    {
+        Ok = 0,
+        /// <summary>a pointer that may not be null is null</summary>
+        ErrorNull = 1,
+        /// <summary>the handle is of another kind of object</summary>
+        ErrorHandle = 2,
+        /// <summary>a number outside its valid range, or NaN or infinity where it has no meaning</summary>
+        ErrorValue = 3,
+        /// <summary>not one of the enumeration's values</summary>
+        ErrorEnum = 4,
+        /// <summary>an index, a range or a buffer length that does not fit the object</summary>
+        ErrorRange = 5,
+        /// <summary>a size that cannot be represented in memory</summary>
+        ErrorSize = 6,
+        /// <summary>the allocator returned null</summary>
+        ErrorMemory = 7,
+        /// <summary>the field is not switched on: see cd_*_enable_field</summary>
+        ErrorDisabled = 8,
+        /// <summary>a combination this object or this build cannot do</summary>
+        ErrorUnsupported = 9,
+        /// <summary>the state left the finite range during a step, or has not come back to it</summary>
+        ErrorDiverged = 10,
+        /// <summary>the bytes to load are damaged, or of another version or kind</summary>
+        ErrorFormat = 11,
+        /// <summary>the two objects, or the object and the bytes, differ in shape or precision</summary>
+        ErrorMismatch = 12,
+        /// <summary>steps were made, but an iterative solve ended short of its tolerance</summary>
+        ErrorTolerance = 13,
+    }
+
+    /// <summary>What an object stores its state in; chosen when it is made. Steps compute in double precision
+    /// whatever it is, but for those that an object's header names.</summary>
+    public enum Precision
+    {
+        Float32 = 0,
+        Float64 = 1,
+    }
+
+    /// <summary>How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. What is
+    /// bounded, and keeps energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that
+    /// its velocity would carry it, and in a ring or with bend of the way that it would fall in dt, which shows
+    /// where dt is longer than 1e12 times the time of the fastest swing.</summary>
+    public enum Method
+    {
+        /// <summary>Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is backward Euler; for
+        /// lambda &gt;= 1/2 bounded at every dt</summary>
+        Implicit = 0,
+        /// <summary>Kass 1997, eq. 13; without damping it grows at every dt</summary>
+        ForwardEuler = 1,
+        /// <summary>the new velocity moves the position, of water in its symmetric form (velocity Verlet); bounded up
+        /// to cd_*_stable_dt</summary>
+        SymplecticEuler = 2,
+        /// <summary>two implicit stages with gamma = 1 - 1/sqrt(2) (SDIRK2): second order, and L-stable: motion too
+        /// fast for dt dies out</summary>
+        StiffSecond = 3,
+    }
+
+    /// <summary>How the two-dimensional system of a membrane's implicit step is solved.</summary>
+    public enum Solver
+    {
+        /// <summary>rows, then columns: Kass 1997, section 9</summary>
+        Alternating = 0,
+        /// <summary>both at once, to a tolerance</summary>
+        Coupled = 1,
+    }
+
+    /// <summary>How the total mass is dealt out to the nodes.</summary>
+    public enum MassRule
+    {
+        /// <summary>every node the same: the notes' rule, first order in space</summary>
+        Equal = 0,
+        /// <summary>nodes on a border half as heavy as those inside: second order in space</summary>
+        HalfEnds = 1,
+    }
+
+    /// <summary>The instructions that steps are made of. All give the same bits, as long as those are of finite
+    /// numbers: how far what is not finite spreads in steps that end with CD_ERROR_DIVERGED may differ. A new
+    /// object has the fastest that its processor runs.</summary>
+    public enum Kernels
+    {
+        /// <summary>what every processor of the target has: SSE2 on x86-64, NEON on AArch64, and on WebAssembly SIMD128
+        /// where that was built with -msimd128</summary>
+        Plain = 0,
+        Avx2 = 1,
+        /// <summary>the parts F and DQ of AVX-512</summary>
+        Avx512 = 2,
+    }
+
+    /// <summary>What holds a node. The values are also those of the field CD_PIN.</summary>
+    public enum Node
+    {
+        Free = 0,
+        /// <summary>infinite mass, at rest</summary>
+        Pinned = 1,
+        /// <summary>infinite mass, moves with the velocity written to it</summary>
+        Driven = 2,
+        /// <summary>border nodes only: free, with the impedance sqrt(stiffness mass) that sends no echo back</summary>
+        Matched = 3,
+        /// <summary>infinite mass; each call of cd_*_step moves it to where CD_TARGET is, evenly, and there it stays
+        /// until CD_TARGET is written again. Without that field as CD_NODE_DRIVEN</summary>
+        Posed = 4,
+    }
+
+    /// <summary>What a collider of ropes and cloth is.</summary>
+    public enum Shape
+    {
+        None = 0,
+        Plane = 1,
+        Capsule = 2,
+    }
+
+    /// <summary>Per-node and per-spring data; which object has which is in its own header.</summary>
+    public enum Field
+    {
+        Position = 0,
+        Velocity = 1,
+        Force = 2,
+        Mass = 3,
+        Stiffness = 4,
+        Bend = 5,
+        Pin = 6,
+        Target = 7,
+        StiffnessU = 8,
+        StiffnessV = 9,
+        Mask = 10,
+        Depth = 11,
+        Bed = 12,
+        Surface = 13,
+        VelocityX = 14,
+        VelocityY = 15,
+        Source = 16,
+        Pressure = 17,
+        ForceX = 18,
+        ForceY = 19,
+        WallX = 20,
+        WallY = 21,
+        RestLength = 22,
+        Tension = 23,
+        Wind = 24,
+        Strength = 25,
+        Strain = 26,
+        RestLengthU = 27,
+        RestLengthV = 28,
+        TensionU = 29,
+        TensionV = 30,
+        StrainU = 31,
+        StrainV = 32,
+    }
+
+    /// <summary>The two ends of a chain.</summary>
+    public enum End
+    {
+        First = 0,
+        Last = 1,
+    }
+
+    /// <summary>The four edges of a membrane. A corner belongs to two.</summary>
+    public enum Edge
+    {
+        /// <summary>the nodes with u = 0</summary>
+        UFirst = 0,
+        /// <summary>u = nu</summary>
+        ULast = 1,
+        /// <summary>v = 0</summary>
+        VFirst = 2,
+        /// <summary>v = nv</summary>
+        VLast = 3,
+    }
+
+    /// <summary>The four sides.</summary>
+    public enum Side
+    {
+        /// <summary>x = 0</summary>
+        XFirst = 0,
+        /// <summary>x = nx dx</summary>
+        XLast = 1,
+        /// <summary>y = 0</summary>
+        YFirst = 2,
+        /// <summary>y = ny dy</summary>
+        YLast = 3,
+    }
+
+    /// <summary>What is at a side.</summary>
+    public enum Border
+    {
+        Wall = 0,
+        /// <summary>water of a given level outside, into which waves run without an echo</summary>
+        Open = 1,
+        /// <summary>a given discharge comes in; if negative, leaves as far as there is water</summary>
+        Inflow = 2,
+        /// <summary>goes on at the opposite side</summary>
+        Periodic = 3,
+        /// <summary>holds a given level for what flows out slower than its waves: a lake, a weir</summary>
+        Level = 4,
+    }
+
+    /// <summary>Whether water carries its momentum along.</summary>
+    public enum Momentum
+    {
+        Linear = 0,
+        Advected = 1,
+    }
+
+    /// <summary>What a write to CD_BED leaves as it is.</summary>
+    public enum BedRule
+    {
+        /// <summary>the depth: water rides on the bed, volume is kept</summary>
+        LiftsWater = 0,
+        /// <summary>the surface of wet cells: the account tells the volume that a write brings or takes</summary>
+        KeepsSurface = 1,
+    }
+
+    /// <summary>Memory from the caller. allocate returns `size` bytes aligned to `alignment` (a power of two, at
+    /// most 64), or null; release gets back what allocate gave, with the same size and alignment. Both are called
+    /// only from inside a call on the object, on the caller's thread, never from a step, a read or a write. Copied
+    /// at create.</summary>
+    public sealed unsafe class AllocatorCallbacks : Callbacks
+    {
+        public delegate IntPtr AllocateFunction(long size, long alignment);
+
+        public AllocateFunction Allocate;
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        private delegate IntPtr AllocateNative(IntPtr user, UIntPtr size, UIntPtr alignment);
+
+        private IntPtr CallAllocate(IntPtr user, UIntPtr size, UIntPtr alignment)
+        {
+            try
+            {
+                return Allocate((long)size, (long)alignment);
+            }
+            catch (Exception raised)
+            {
+                Raised(raised);
+                return default(IntPtr);
+            }
+        }
+
+        public delegate void ReleaseFunction(IntPtr pointer, long size, long alignment);
+
+        public ReleaseFunction Release;
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        private delegate void ReleaseNative(IntPtr user, IntPtr pointer, UIntPtr size, UIntPtr alignment);
+
+        private void CallRelease(IntPtr user, IntPtr pointer, UIntPtr size, UIntPtr alignment)
+        {
+            try
+            {
+                Release(pointer, (long)size, (long)alignment);
+            }
+            catch (Exception raised)
+            {
+                Raised(raised);
+            }
+        }
+
+        internal override void* Struct()
+        {
+            return Made(null, (Allocate == null ? null : new AllocateNative(CallAllocate)),
+                (Release == null ? null : new ReleaseNative(CallRelease)));
+        }
+    }
+
+    /// <summary>Parallel work from the caller. run calls task(context, i) once for every i in [0, count), in any
+    /// order, on any threads, and returns when all are done. Results do not depend on it, bit for bit, as long as
+    /// they are finite. Copied when it is set.</summary>
+    public sealed unsafe class ParallelCallbacks : Callbacks
+    {
+        public delegate void RunFunction(long count, Action<long> task);
+
+        public RunFunction Run;
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        private delegate void RunNative(IntPtr user, UIntPtr count, IntPtr task, IntPtr context);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        private delegate void TaskNative(IntPtr context, UIntPtr index);
+
+        private void CallRun(IntPtr user, UIntPtr count, IntPtr task, IntPtr context)
+        {
+            try
+            {
+                var taskFunction = (TaskNative)Marshal.GetDelegateForFunctionPointer(task, typeof(TaskNative));
+                Run((long)count, (index) => taskFunction(context, (UIntPtr)(ulong)index));
+            }
+            catch (Exception raised)
+            {
+                Raised(raised);
+            }
+        }
+
+        internal override void* Struct()
+        {
+            return Made(null, (Run == null ? null : new RunNative(CallRun)));
+        }
+    }
+
+    /// <summary>The library's functions that belong to no object.</summary>
+    public static class Library
+    {
+        /// <summary>C's SIZE_MAX, where a function gives it a meaning.</summary>
+        public const long SizeMax = -1;
+
+        /// <summary>Name of a status, such as "CD_ERROR_VALUE"; "CD_ERROR_UNKNOWN" for a number that is none. A static
+        /// string.</summary>
+        public static string StatusName(Status status)
+        {
+            return Native.Text(Native.cd_status_name((int)status));
+        }
+
+        /// <summary>Why the last failed call on this thread failed: the function, the argument, its value, what would
+        /// be valid. Empty before the first failure; successful calls leave it as it is. The string belongs to the
+        /// library and stays valid until the next failure on the same thread.</summary>
+        public static string ErrorMessage()
+        {
+            return Native.Text(Native.cd_error_message());
+        }
+
+        /// <summary>The kernels that this build has and this processor runs: the sum of 1 &lt;&lt; k for each of them,
+        /// k a cd_kernels. The largest k is the fastest. CD_KERNELS_PLAIN is always there.</summary>
+        public static uint RunnableKernels()
+        {
+            return Native.cd_runnable_kernels();
+        }
+
+        /// <summary>The instructions' name, such as "AVX-512"; of CD_KERNELS_PLAIN those that it was built with:
+        /// "SSE2", "NEON", "SIMD128", or "plain" for one number at a time. "unknown" for a number that is no
+        /// cd_kernels. A static string.</summary>
+        public static string KernelsName(Kernels kernels)
+        {
+            return Native.Text(Native.cd_kernels_name((int)kernels));
+        }
+
+        /// <summary>Version of the library that runs: major * 1000000 + minor * 1000 + patch. The macros tell that of
+        /// the header.</summary>
+        public static uint Version()
+        {
+            return Native.cd_version();
+        }
+
+        /// <summary>The same as text, "0.1.0". A static string.</summary>
+        public static string VersionString()
+        {
+            return Native.Text(Native.cd_version_string());
+        }
+
+        /// <summary>Compiler, target and what was left out of this build, in one line. A static string.</summary>
+        public static string BuildInfo()
+        {
+            return Native.Text(Native.cd_build_info());
+        }
+    }
+
+    /// <summary>What Chain.GetShape tells.</summary>
+    public struct ChainShape
+    {
+        public readonly long Strands;
+        public readonly long Springs;
+        public readonly long Components;
+        public readonly Precision Precision;
+
+        internal ChainShape(long strands, long springs, long components, Precision precision)
+        {
+            Strands = strands;
+            Springs = springs;
+            Components = components;
+            Precision = precision;
+        }
+    }
+
+    /// <summary>What Chain.GetAir tells.</summary>
+    public struct ChainAir
+    {
+        public readonly double Along;
+        public readonly double Across;
+
+        internal ChainAir(double along, double across)
+        {
+            Along = along;
+            Across = across;
+        }
+    }
+
+    /// <summary>What Chain.GetTolerance tells.</summary>
+    public struct ChainTolerance
+    {
+        public readonly double Tolerance;
+        public readonly long MostIterations;
+
+        internal ChainTolerance(double tolerance, long mostIterations)
+        {
+            Tolerance = tolerance;
+            MostIterations = mostIterations;
+        }
+    }
+
+    /// <summary>What Chain.GetConvergence tells.</summary>
+    public struct ChainConvergence
+    {
+        public readonly long Iterations;
+        public readonly double Residual;
+
+        internal ChainConvergence(long iterations, double residual)
+        {
+            Iterations = iterations;
+            Residual = residual;
+        }
+    }
+
+    /// <summary>What Chain.GetCollider tells.</summary>
+    public struct ChainCollider
+    {
+        public readonly Shape Shape;
+        public readonly double Radius;
+        public readonly double Friction;
+
+        internal ChainCollider(Shape shape, double radius, double friction)
+        {
+            Shape = shape;
+            Radius = radius;
+            Friction = friction;
+        }
+    }
+
+    /// <summary>What Chain.GetAttachment tells.</summary>
+    public struct ChainAttachment
+    {
+        public readonly double Stiffness;
+        public readonly double Damping;
+
+        internal ChainAttachment(double stiffness, double damping)
+        {
+            Stiffness = stiffness;
+            Damping = damping;
+        }
+    }
+
+    /// <summary>What Chain.GetEnergy tells.</summary>
+    public struct ChainEnergy
+    {
+        public readonly double Kinetic;
+        public readonly double Elastic;
+        public readonly double Gravity;
+
+        internal ChainEnergy(double kinetic, double elastic, double gravity)
+        {
+            Kinetic = kinetic;
+            Elastic = elastic;
+            Gravity = gravity;
+        }
+    }
+
+    /// <summary>contdyn: a chain of nodes joined by springs: massive spring, rope, hair, spline.
+    /// A chain has `springs` springs and nodes = springs + 1 nodes; spring i joins node i to node i + 1. A ring has
+    /// one spring more, number `springs`, from the last node to the first. A node has 1 to 4 components that never
+    /// mix. One handle holds one or many strands: they share mass, stiffness, pins and attachments, and so one
+    /// factorization; position, velocity, force and target are each strand's own. Strands of ropes share the totals
+    /// only.
+    /// Energy E = 1/2 sum k_i |x_{i+1} - x_i|^2 + 1/2 sum b_i |x_{i+1} - 2 x_i + x_{i-1}|^2 (Kass 1997, eq. 2 and
+    /// 5) Motion M x'' + C x' + K x = M g + f, K = the Hessian of E, C = drag M + stiffness_damping K
+    /// Rest length is zero, unless cd_chain_set_rest_length makes the chain a rope: a free chain draws together,
+    /// and one stretched evenly is held by its ends. A new chain lies with every node at the origin, at rest, all
+    /// nodes free, mass 1, stiffness 1, no bend, no gravity, no damping, CD_METHOD_IMPLICIT with lambda 1/2.
+    /// All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are
+    /// stored in. (Steps of symplectic Euler on uniform chains without damping and forces compute in float32 and
+    /// are as exact.) Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are
+    /// taken for 0 where a step stores them, so that a scene at rest is never slow. Parameters may be as large as
+    /// 1e60, masses as small as 1e-60.
+    /// Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind;
+    /// the comments name the other errors.</summary>
+    public sealed unsafe class Chain : LibraryObject
+    {
+        internal new ChainHandle Handle { get { return (ChainHandle)base.Handle; } }
+
+        /// <summary>Makes a chain. strands &gt;= 1; springs &gt;= 0 (0: a single node); components 1 to 4. allocator
+        /// may be null (malloc). The caller owns *out_chain and releases it with cd_chain_destroy; on failure
+        /// *out_chain is left alone. Errors: CD_ERROR_VALUE, CD_ERROR_ENUM, CD_ERROR_SIZE, CD_ERROR_MEMORY;
+        /// CD_ERROR_UNSUPPORTED for a precision that this build leaves out.</summary>
+        public Chain(long strands, long springs, long components, Precision precision = Precision.Float64,
+            AllocatorCallbacks allocator = null)
+        {
+            void* allocatorStruct = allocator == null ? null : allocator.Struct();
+            IntPtr made;
+            Native.CheckVersion();
+            Native.Check(Native.cd_chain_create(Native.Size(strands, "cd_chain_create", "strands"),
+                Native.Size(springs, "cd_chain_create", "springs"), Native.Size(components, "cd_chain_create",
+                "components"), (int)precision, allocatorStruct, &made), allocator);
+            Own(new ChainHandle(made));
+            Handle.Keep("allocator", allocator);
+        }
+
+        private static readonly Dictionary<Field, FieldRow> rows = new Dictionary<Field, FieldRow>
+        {
+            { Field.Position, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, true, false) },
+            { Field.Velocity, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, true, false) },
+            { Field.Force, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, true, false) },
+            { Field.Target, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, true, false) },
+            { Field.Mass, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, false, true) },
+            { Field.Stiffness, new FieldRow(new[] { 1, 0, 0, 2, 0, 1 }, false, true) },
+            { Field.Bend, new FieldRow(new[] { 0, 1, 0, 2, 1, 0 }, false, false) },
+            { Field.Pin, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, false, true) },
+            { Field.RestLength, new FieldRow(new[] { 1, 0, 0, 2, 0, 1 }, false, false) },
+            { Field.Tension, new FieldRow(new[] { 1, 0, 0, 2, 0, 1 }, false, false) },
+            { Field.Wind, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, true, false) },
+            { Field.Strength, new FieldRow(new[] { 1, 0, 0, 2, 0, 1 }, false, false) },
+            { Field.Strain, new FieldRow(new[] { 1, 0, 0, 2, 0, 1 }, false, false) },
+        };
+
+        internal override Whole Extents(Field field)
+        {
+            FieldRow row;
+            if (!rows.TryGetValue(field, out row)) return new Whole();
+            var shape = GetShape();
+            return new Whole(row, new[] { shape.Strands, shape.Springs }, new[] { Ring },
+                row.OneButInRopes && RestLength > 0, shape.Components);
+        }
+
+        internal override Precision Stored { get { return GetShape().Precision; } }
+
+        internal override void ReadWhole(Field field, Whole whole, float* outValues, long count)
+        {
+            var range = whole.Range(true);
+            ReadF32Core(field, range[0], range[1], range[2], range[3], outValues, count);
+        }
+
+        internal override void ReadWhole(Field field, Whole whole, double* outValues, long count)
+        {
+            var range = whole.Range(true);
+            ReadF64Core(field, range[0], range[1], range[2], range[3], outValues, count);
+        }
+
+        internal override void WriteWhole(Field field, Whole whole, float* values, long count)
+        {
+            var range = whole.Range(true);
+            WriteF32Core(field, range[0], range[1], range[2], range[3], values, count);
+        }
+
+        internal override void WriteWhole(Field field, Whole whole, double* values, long count)
+        {
+            var range = whole.Range(true);
+            WriteF64Core(field, range[0], range[1], range[2], range[3], values, count);
+        }
+
+        /// <summary>What cd_chain_create was given. Each output may be null.</summary>
+        public ChainShape GetShape()
+        {
+            UIntPtr outStrands;
+            UIntPtr outSprings;
+            UIntPtr outComponents;
+            int outPrecision;
+            Check(Native.cd_chain_get_shape(Handle, &outStrands, &outSprings, &outComponents, &outPrecision));
+            return new ChainShape((long)outStrands, (long)outSprings, (long)outComponents, (Precision)outPrecision);
+        }
+
+        /// <summary>How steps are made. Methods differ in the memory they need: implicit ones a factorization and a row
+        /// of scratch, CD_METHOD_STIFF_SECOND a second row. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY.</summary>
+        public Method Method
+        {
+            get
+            {
+                int outMethod;
+                Check(Native.cd_chain_get_method(Handle, &outMethod));
+                return (Method)outMethod;
+            }
+            set
+            {
+                var method = value;
+                Changed();
+                Check(Native.cd_chain_set_method(Handle, (int)method));
+            }
+        }
+
+        /// <summary>lambda of CD_METHOD_IMPLICIT, in [0, 1]; default 1/2. Errors: CD_ERROR_VALUE.</summary>
+        public double Lambda
+        {
+            get
+            {
+                double outLambda;
+                Check(Native.cd_chain_get_lambda(Handle, &outLambda));
+                return outLambda;
+            }
+            set
+            {
+                var lambda = value;
+                Changed();
+                Check(Native.cd_chain_set_lambda(Handle, lambda));
+            }
+        }
+
+        /// <summary>Spreads the strands of a step over the caller's threads. Null turns it off. Errors: CD_ERROR_NULL
+        /// for a table without run.</summary>
+        public void SetParallel(ParallelCallbacks parallel)
+        {
+            void* parallelStruct = parallel == null ? null : parallel.Struct();
+            Changed();
+            Check(Native.cd_chain_set_parallel(Handle, parallelStruct));
+            Handle.Keep("parallel", parallel);
+        }
+
+        /// <summary>The instructions that steps are made of, from here on: for tests and measurements, as all give the
+        /// same bits and a new chain has the fastest that its processor runs. Not part of the saved state. Errors:
+        /// CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.</summary>
+        public Kernels Kernels
+        {
+            get
+            {
+                int outKernels;
+                Check(Native.cd_chain_get_kernels(Handle, &outKernels));
+                return (Kernels)outKernels;
+            }
+            set
+            {
+                var kernels = value;
+                Changed();
+                Check(Native.cd_chain_set_kernels(Handle, (int)kernels));
+            }
+        }
+
+        /// <summary>Mass [kg], &gt; 0. Per node, CD_MASS_EQUAL: mass / nodes; CD_MASS_HALF_ENDS: mass / springs, half
+        /// of it at the two ends (in a ring, and with no spring, the rules agree). Kass 1997, eq. 6.</summary>
+        public double Mass
+        {
+            get
+            {
+                double outMass;
+                Check(Native.cd_chain_get_mass(Handle, &outMass));
+                return outMass;
+            }
+            set
+            {
+                var mass = value;
+                Changed();
+                Check(Native.cd_chain_set_mass(Handle, mass));
+            }
+        }
+
+        /// <summary>Mass [kg], &gt; 0. Per node, CD_MASS_EQUAL: mass / nodes; CD_MASS_HALF_ENDS: mass / springs, half
+        /// of it at the two ends (in a ring, and with no spring, the rules agree). Kass 1997, eq. 6.</summary>
+        public MassRule MassRule
+        {
+            get
+            {
+                int outRule;
+                Check(Native.cd_chain_get_mass_rule(Handle, &outRule));
+                return (MassRule)outRule;
+            }
+            set
+            {
+                var rule = value;
+                Changed();
+                Check(Native.cd_chain_set_mass_rule(Handle, (int)rule));
+            }
+        }
+
+        /// <summary>Stretch stiffness k [N/m], &gt;= 0, of ropes up to INFINITY. Per spring: k times the number of
+        /// springs. Kass 1997, eq. 7. Waves run along the chain in sqrt(mass / k) seconds.</summary>
+        public double Stiffness
+        {
+            get
+            {
+                double outStiffness;
+                Check(Native.cd_chain_get_stiffness(Handle, &outStiffness));
+                return outStiffness;
+            }
+            set
+            {
+                var stiffness = value;
+                Changed();
+                Check(Native.cd_chain_set_stiffness(Handle, stiffness));
+            }
+        }
+
+        /// <summary>Bend stiffness b [N/m], &gt;= 0. Per node with two neighbours: b times the cube of the number of
+        /// springs (Kass 1997, eq. 5; eq. 8 prints the square). Errors: CD_ERROR_MEMORY when bend is switched
+        /// on.</summary>
+        public double Bend
+        {
+            get
+            {
+                double outBend;
+                Check(Native.cd_chain_get_bend(Handle, &outBend));
+                return outBend;
+            }
+            set
+            {
+                var bend = value;
+                Changed();
+                Check(Native.cd_chain_set_bend(Handle, bend));
+            }
+        }
+
+        /// <summary>Drag [1/s], &gt;= 0: every node loses velocity at this rate.</summary>
+        public double Drag
+        {
+            get
+            {
+                double outDrag;
+                Check(Native.cd_chain_get_drag(Handle, &outDrag));
+                return outDrag;
+            }
+            set
+            {
+                var drag = value;
+                Changed();
+                Check(Native.cd_chain_set_drag(Handle, drag));
+            }
+        }
+
+        /// <summary>Stiffness damping [s], &gt;= 0: stretch and bend damp at this time constant; a mode of angular
+        /// frequency w loses amplitude at the rate (drag + stiffness_damping w^2) / 2.</summary>
+        public double StiffnessDamping
+        {
+            get
+            {
+                double outSeconds;
+                Check(Native.cd_chain_get_stiffness_damping(Handle, &outSeconds));
+                return outSeconds;
+            }
+            set
+            {
+                var seconds = value;
+                Changed();
+                Check(Native.cd_chain_set_stiffness_damping(Handle, seconds));
+            }
+        }
+
+        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
+        /// components.</summary>
+        public void SetGravity(params double[] gravity)
+        {
+            fixed (double* gravityPointer = gravity)
+                SetGravityCore(gravityPointer, Native.Length(gravity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
+        /// components.</summary>
+        public void SetGravity(ReadOnlySpan<double> gravity)
+        {
+            fixed (double* gravityPointer = &MemoryMarshal.GetReference(gravity))
+                SetGravityCore(gravity.Length == 0 ? null : gravityPointer, gravity.Length);
+        }
+
+#endif
+        private void SetGravityCore(double* gravity, long gravityLength)
+        {
+            long count = Native.Count(gravityLength, 1, "cd_chain_set_gravity", "gravity");
+            Changed();
+            Check(Native.cd_chain_set_gravity(Handle, gravity, Native.Size(count, "cd_chain_set_gravity", "count")));
+        }
+
+        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
+        /// components.</summary>
+        public void GetGravity(double[] outGravity)
+        {
+            fixed (double* outGravityPointer = outGravity)
+                GetGravityCore(outGravityPointer, Native.Length(outGravity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
+        /// components.</summary>
+        public void GetGravity(Span<double> outGravity)
+        {
+            fixed (double* outGravityPointer = &MemoryMarshal.GetReference(outGravity))
+                GetGravityCore(outGravity.Length == 0 ? null : outGravityPointer, outGravity.Length);
+        }
+
+#endif
+        private void GetGravityCore(double* outGravity, long outGravityLength)
+        {
+            long count = Native.Count(outGravityLength, 1, "cd_chain_get_gravity", "out_gravity");
+            Check(Native.cd_chain_get_gravity(Handle, outGravity, Native.Size(count, "cd_chain_get_gravity", "count")));
+        }
+
+        /// <summary>What holds an end: the same as writing the field CD_PIN at the first or last node of every strand;
+        /// the getter tells that of the first strand. Pinning stops the node; driving leaves its velocity, which is
+        /// then written through CD_VELOCITY; posing switches CD_TARGET on and sets the end's target to where it is:
+        /// write the next one there. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED
+        /// on a ring; CD_ERROR_DIVERGED for CD_NODE_POSED where the state is not finite.</summary>
+        public void SetEnd(End end, Node kind)
+        {
+            Changed();
+            Check(Native.cd_chain_set_end(Handle, (int)end, (int)kind));
+        }
+
+        /// <summary>What holds an end: the same as writing the field CD_PIN at the first or last node of every strand;
+        /// the getter tells that of the first strand. Pinning stops the node; driving leaves its velocity, which is
+        /// then written through CD_VELOCITY; posing switches CD_TARGET on and sets the end's target to where it is:
+        /// write the next one there. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED for CD_NODE_MATCHED
+        /// on a ring; CD_ERROR_DIVERGED for CD_NODE_POSED where the state is not finite.</summary>
+        public Node GetEnd(End end)
+        {
+            int outKind;
+            Check(Native.cd_chain_get_end(Handle, (int)end, &outKind));
+            return (Node)outKind;
+        }
+
+        /// <summary>Joins the last node to the first (1) or opens the ring (0). A ring has as many springs as nodes,
+        /// and with bend a bend term at every node; totals are dealt out anew, and a per-spring stiffness field gets
+        /// the uniform value. Needs 3 nodes. Errors: CD_ERROR_VALUE for anything but 0 and 1; CD_ERROR_UNSUPPORTED with
+        /// fewer than 3 nodes or a matched end; CD_ERROR_MEMORY.</summary>
+        public bool Ring
+        {
+            get
+            {
+                int outRing;
+                Check(Native.cd_chain_get_ring(Handle, &outRing));
+                return outRing != 0;
+            }
+            set
+            {
+                var ring = value;
+                Changed();
+                Check(Native.cd_chain_set_ring(Handle, ring ? 1 : 0));
+            }
+        }
+
+        /// <summary>Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length /
+        /// springs; nodes stay where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands
+        /// are individuals: each has its own pins, masses, stiffnesses, rest lengths and attachments, at first those
+        /// that they shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders
+        /// too. Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
+        /// CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build without ropes, and for 0 where strands
+        /// differ in what they would share, or an infinite stiffness would weld all springs or two held
+        /// nodes.</summary>
+        public double RestLength
+        {
+            get
+            {
+                double outLength;
+                Check(Native.cd_chain_get_rest_length(Handle, &outLength));
+                return outLength;
+            }
+            set
+            {
+                var length = value;
+                Changed();
+                Check(Native.cd_chain_set_rest_length(Handle, length));
+            }
+        }
+
+        /// <summary>Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push
+        /// are solved by Newton's method alone, which may fail from a crumpled start. Errors: CD_ERROR_VALUE.</summary>
+        public bool Push
+        {
+            get
+            {
+                int outPush;
+                Check(Native.cd_chain_get_push(Handle, &outPush));
+                return outPush != 0;
+            }
+            set
+            {
+                var push = value;
+                Changed();
+                Check(Native.cd_chain_set_push(Handle, push ? 1 : 0));
+            }
+        }
+
+        /// <summary>The tension at which a spring breaks [N], 1e-60 to 1e60, or INFINITY, the default: springs hold. A
+        /// rope's step ends by cutting, of each strand, the spring whose tension is most beyond its strength: its
+        /// stiffness and tension become 0, and the next step shows what the others bear. Mend it by writing
+        /// CD_STIFFNESS, which a finite strength switches on and keeps on. The field CD_STRENGTH has one for each
+        /// spring. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
+        public double Strength
+        {
+            get
+            {
+                double outStrength;
+                Check(Native.cd_chain_get_strength(Handle, &outStrength));
+                return outStrength;
+            }
+            set
+            {
+                var strength = value;
+                Changed();
+                Check(Native.cd_chain_set_strength(Handle, strength));
+            }
+        }
+
+        /// <summary>How many springs broke in the last call of cd_chain_step that made steps: those whose CD_STIFFNESS
+        /// became 0.</summary>
+        public long GetBroken()
+        {
+            UIntPtr outSprings;
+            Check(Native.cd_chain_get_broken(Handle, &outSprings));
+            return (long)outSprings;
+        }
+
+        /// <summary>The force [N], one number per component, with which the springs of a rope pull at a node: of a held
+        /// node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that
+        /// they have now; 0 of a spring without length. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is
+        /// no rope.</summary>
+        public void GetReaction(long strand, long node, double[] outForce)
+        {
+            fixed (double* outForcePointer = outForce)
+                GetReactionCore(strand, node, outForcePointer, Native.Length(outForce));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The force [N], one number per component, with which the springs of a rope pull at a node: of a held
+        /// node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that
+        /// they have now; 0 of a spring without length. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is
+        /// no rope.</summary>
+        public void GetReaction(long strand, long node, Span<double> outForce)
+        {
+            fixed (double* outForcePointer = &MemoryMarshal.GetReference(outForce))
+                GetReactionCore(strand, node, outForce.Length == 0 ? null : outForcePointer, outForce.Length);
+        }
+
+#endif
+        private void GetReactionCore(long strand, long node, double* outForce, long outForceLength)
+        {
+            long count = Native.Count(outForceLength, 1, "cd_chain_get_reaction", "out_force");
+            Check(Native.cd_chain_get_reaction(Handle, Native.Size(strand, "cd_chain_get_reaction", "strand"),
+                Native.Size(node, "cd_chain_get_reaction", "node"), outForce, Native.Size(count,
+                "cd_chain_get_reaction", "count")));
+        }
+
+        /// <summary>Resistance of the air, per length of a rope [N s/m^2], in [0, 1e60], default 0: a piece of length s
+        /// whose velocity through the air is w, w_t along the rope and w_n across it, is pushed by -s (along w_t +
+        /// across w_n). Implicit, so that it only takes energy, as seen from the air, at any dt; the rope's direction
+        /// is the one that it would have lambda dt after the step began. A node bears half of its two springs' rest
+        /// lengths; cut springs feel no air. A round rope of diameter d has about across = 0.6 density d |w_n|, and
+        /// `along` some hundredth of that. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain
+        /// that is no rope.</summary>
+        public void SetAir(double along, double across)
+        {
+            Changed();
+            Check(Native.cd_chain_set_air(Handle, along, across));
+        }
+
+        /// <summary>Resistance of the air, per length of a rope [N s/m^2], in [0, 1e60], default 0: a piece of length s
+        /// whose velocity through the air is w, w_t along the rope and w_n across it, is pushed by -s (along w_t +
+        /// across w_n). Implicit, so that it only takes energy, as seen from the air, at any dt; the rope's direction
+        /// is the one that it would have lambda dt after the step began. A node bears half of its two springs' rest
+        /// lengths; cut springs feel no air. A round rope of diameter d has about across = 0.6 density d |w_n|, and
+        /// `along` some hundredth of that. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain
+        /// that is no rope.</summary>
+        public ChainAir GetAir()
+        {
+            double outAlong;
+            double outAcross;
+            Check(Native.cd_chain_get_air(Handle, &outAlong, &outAcross));
+            return new ChainAir(outAlong, outAcross);
+        }
+
+        /// <summary>Velocity of that air [m/s], one number per component, default 0; the field CD_WIND has one for each
+        /// node. Errors: CD_ERROR_VALUE; CD_ERROR_RANGE if count is not the number of components; set:
+        /// CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
+        public void SetWind(params double[] velocity)
+        {
+            fixed (double* velocityPointer = velocity)
+                SetWindCore(velocityPointer, Native.Length(velocity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Velocity of that air [m/s], one number per component, default 0; the field CD_WIND has one for each
+        /// node. Errors: CD_ERROR_VALUE; CD_ERROR_RANGE if count is not the number of components; set:
+        /// CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
+        public void SetWind(ReadOnlySpan<double> velocity)
+        {
+            fixed (double* velocityPointer = &MemoryMarshal.GetReference(velocity))
+                SetWindCore(velocity.Length == 0 ? null : velocityPointer, velocity.Length);
+        }
+
+#endif
+        private void SetWindCore(double* velocity, long velocityLength)
+        {
+            long count = Native.Count(velocityLength, 1, "cd_chain_set_wind", "velocity");
+            Changed();
+            Check(Native.cd_chain_set_wind(Handle, velocity, Native.Size(count, "cd_chain_set_wind", "count")));
+        }
+
+        /// <summary>Velocity of that air [m/s], one number per component, default 0; the field CD_WIND has one for each
+        /// node. Errors: CD_ERROR_VALUE; CD_ERROR_RANGE if count is not the number of components; set:
+        /// CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
+        public void GetWind(double[] outVelocity)
+        {
+            fixed (double* outVelocityPointer = outVelocity)
+                GetWindCore(outVelocityPointer, Native.Length(outVelocity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Velocity of that air [m/s], one number per component, default 0; the field CD_WIND has one for each
+        /// node. Errors: CD_ERROR_VALUE; CD_ERROR_RANGE if count is not the number of components; set:
+        /// CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
+        public void GetWind(Span<double> outVelocity)
+        {
+            fixed (double* outVelocityPointer = &MemoryMarshal.GetReference(outVelocity))
+                GetWindCore(outVelocity.Length == 0 ? null : outVelocityPointer, outVelocity.Length);
+        }
+
+#endif
+        private void GetWindCore(double* outVelocity, long outVelocityLength)
+        {
+            long count = Native.Count(outVelocityLength, 1, "cd_chain_get_wind", "out_velocity");
+            Check(Native.cd_chain_get_wind(Handle, outVelocity, Native.Size(count, "cd_chain_get_wind", "count")));
+        }
+
+        /// <summary>When a step of a rope is content: every spring is as long as its tension makes it, but for
+        /// `tolerance` times its length, and springs gave no more energy than that is worth; a slack one may keep a
+        /// tension of about the tolerance times the largest force on the nodes. In [1e-14, 1/2], default 1e-6.
+        /// most_iterations, 1 to 10000, default 200, are those that a step may take by the slow and sure method, an
+        /// interior point, after at most 16 by Newton's. A tolerance looser than 1e-4 costs more time, not less: what a
+        /// step leaves wrong, the next one must mend. Errors: CD_ERROR_VALUE.</summary>
+        public void SetTolerance(double tolerance, long mostIterations)
+        {
+            Changed();
+            Check(Native.cd_chain_set_tolerance(Handle, tolerance, Native.Size(mostIterations,
+                "cd_chain_set_tolerance", "most_iterations")));
+        }
+
+        /// <summary>When a step of a rope is content: every spring is as long as its tension makes it, but for
+        /// `tolerance` times its length, and springs gave no more energy than that is worth; a slack one may keep a
+        /// tension of about the tolerance times the largest force on the nodes. In [1e-14, 1/2], default 1e-6.
+        /// most_iterations, 1 to 10000, default 200, are those that a step may take by the slow and sure method, an
+        /// interior point, after at most 16 by Newton's. A tolerance looser than 1e-4 costs more time, not less: what a
+        /// step leaves wrong, the next one must mend. Errors: CD_ERROR_VALUE.</summary>
+        public ChainTolerance GetTolerance()
+        {
+            double outTolerance;
+            UIntPtr outMostIterations;
+            Check(Native.cd_chain_get_tolerance(Handle, &outTolerance, &outMostIterations));
+            return new ChainTolerance(outTolerance, (long)outMostIterations);
+        }
+
+        /// <summary>What the last call of cd_chain_step did with ropes: the most iterations that a step of a strand
+        /// took, and the largest error it ended with, as the tolerance counts it: INFINITY where that is no number. 0
+        /// and 0 without ropes. Each output may be null.</summary>
+        public ChainConvergence GetConvergence()
+        {
+            UIntPtr outIterations;
+            double outResidual;
+            Check(Native.cd_chain_get_convergence(Handle, &outIterations, &outResidual));
+            return new ChainConvergence((long)outIterations, outResidual);
+        }
+
+        /// <summary>How many colliders there are, 0 to 4096, default 0: new ones are CD_SHAPE_NONE, those that stay
+        /// keep what they are. Rest length 0 takes them away. Errors: CD_ERROR_MEMORY.</summary>
+        public long Colliders
+        {
+            get
+            {
+                UIntPtr outCount;
+                Check(Native.cd_chain_get_colliders(Handle, &outCount));
+                return (long)outCount;
+            }
+            set
+            {
+                var count = value;
+                Changed();
+                Check(Native.cd_chain_set_colliders(Handle, Native.Size(count, "cd_chain_set_colliders", "count")));
+            }
+        }
+
+        /// <summary>Makes a collider the half space behind the plane through `point` [m] that `normal`, of any length
+        /// but 0, points out of; one number per component each, at most 1e60 in size. friction, 0 to 1e60, is Coulomb's
+        /// coefficient.</summary>
+        public void SetPlane(long index, double[] point, double[] normal, double friction)
+        {
+            fixed (double* pointPointer = point)
+            fixed (double* normalPointer = normal)
+                SetPlaneCore(index, pointPointer, Native.Length(point), normalPointer, Native.Length(normal), friction);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Makes a collider the half space behind the plane through `point` [m] that `normal`, of any length
+        /// but 0, points out of; one number per component each, at most 1e60 in size. friction, 0 to 1e60, is Coulomb's
+        /// coefficient.</summary>
+        public void SetPlane(long index, ReadOnlySpan<double> point, ReadOnlySpan<double> normal, double friction)
+        {
+            fixed (double* pointPointer = &MemoryMarshal.GetReference(point))
+            fixed (double* normalPointer = &MemoryMarshal.GetReference(normal))
+                SetPlaneCore(index, point.Length == 0 ? null : pointPointer, point.Length,
+                    normal.Length == 0 ? null : normalPointer, normal.Length, friction);
+        }
+
+#endif
+        private void SetPlaneCore(long index, double* point, long pointLength, double* normal, long normalLength,
+            double friction)
+        {
+            long count = Native.Count(pointLength, 1, "cd_chain_set_plane", "point");
+            Native.Same(normal, normalLength, count, "cd_chain_set_plane", "normal");
+            Changed();
+            Check(Native.cd_chain_set_plane(Handle, Native.Size(index, "cd_chain_set_plane", "index"), point, normal,
+                Native.Size(count, "cd_chain_set_plane", "count"), friction));
+        }
+
+        /// <summary>Makes a collider all that is less than `radius` [m], 1e-60 to 1e60, away from the line between two
+        /// ends: a sphere where they are the same.</summary>
+        public void SetCapsule(long index, double[] first, double[] last, double radius, double friction)
+        {
+            fixed (double* firstPointer = first)
+            fixed (double* lastPointer = last)
+                SetCapsuleCore(index, firstPointer, Native.Length(first), lastPointer, Native.Length(last), radius,
+                    friction);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Makes a collider all that is less than `radius` [m], 1e-60 to 1e60, away from the line between two
+        /// ends: a sphere where they are the same.</summary>
+        public void SetCapsule(long index, ReadOnlySpan<double> first, ReadOnlySpan<double> last, double radius,
+            double friction)
+        {
+            fixed (double* firstPointer = &MemoryMarshal.GetReference(first))
+            fixed (double* lastPointer = &MemoryMarshal.GetReference(last))
+                SetCapsuleCore(index, first.Length == 0 ? null : firstPointer, first.Length,
+                    last.Length == 0 ? null : lastPointer, last.Length, radius, friction);
+        }
+
+#endif
+        private void SetCapsuleCore(long index, double* first, long firstLength, double* last, long lastLength,
+            double radius, double friction)
+        {
+            long count = Native.Count(firstLength, 1, "cd_chain_set_capsule", "first");
+            Native.Same(last, lastLength, count, "cd_chain_set_capsule", "last");
+            Changed();
+            Check(Native.cd_chain_set_capsule(Handle, Native.Size(index, "cd_chain_set_capsule", "index"), first, last,
+                Native.Size(count, "cd_chain_set_capsule", "count"), radius, friction));
+        }
+
+        /// <summary>Makes a collider CD_SHAPE_NONE, at rest: nothing touches it.</summary>
+        public void RemoveCollider(long index)
+        {
+            Changed();
+            Check(Native.cd_chain_remove_collider(Handle, Native.Size(index, "cd_chain_remove_collider", "index")));
+        }
+
+        /// <summary>Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move
+        /// it, and it carries what it touches along. It keeps its velocity when it is made another plane or
+        /// capsule.</summary>
+        public void SetColliderVelocity(long index, params double[] velocity)
+        {
+            fixed (double* velocityPointer = velocity)
+                SetColliderVelocityCore(index, velocityPointer, Native.Length(velocity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move
+        /// it, and it carries what it touches along. It keeps its velocity when it is made another plane or
+        /// capsule.</summary>
+        public void SetColliderVelocity(long index, ReadOnlySpan<double> velocity)
+        {
+            fixed (double* velocityPointer = &MemoryMarshal.GetReference(velocity))
+                SetColliderVelocityCore(index, velocity.Length == 0 ? null : velocityPointer, velocity.Length);
+        }
+
+#endif
+        private void SetColliderVelocityCore(long index, double* velocity, long velocityLength)
+        {
+            long count = Native.Count(velocityLength, 1, "cd_chain_set_collider_velocity", "velocity");
+            Changed();
+            Check(Native.cd_chain_set_collider_velocity(Handle, Native.Size(index, "cd_chain_set_collider_velocity",
+                "index"), velocity, Native.Size(count, "cd_chain_set_collider_velocity", "count")));
+        }
+
+        /// <summary>What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule
+        /// its two ends; of what is none, zeros, but for its velocity. One number per component in each array. Each
+        /// output may be null. Errors: CD_ERROR_RANGE for an index that no collider has, or a count that is not the
+        /// number of components.</summary>
+        public ChainCollider GetCollider(long index, double[] outFirst, double[] outSecond, double[] outVelocity)
+        {
+            fixed (double* outFirstPointer = outFirst)
+            fixed (double* outSecondPointer = outSecond)
+            fixed (double* outVelocityPointer = outVelocity)
+                return GetColliderCore(index, outFirstPointer, Native.Length(outFirst), outSecondPointer,
+                    Native.Length(outSecond), outVelocityPointer, Native.Length(outVelocity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule
+        /// its two ends; of what is none, zeros, but for its velocity. One number per component in each array. Each
+        /// output may be null. Errors: CD_ERROR_RANGE for an index that no collider has, or a count that is not the
+        /// number of components.</summary>
+        public ChainCollider GetCollider(long index, Span<double> outFirst, Span<double> outSecond,
+            Span<double> outVelocity)
+        {
+            fixed (double* outFirstPointer = &MemoryMarshal.GetReference(outFirst))
+            fixed (double* outSecondPointer = &MemoryMarshal.GetReference(outSecond))
+            fixed (double* outVelocityPointer = &MemoryMarshal.GetReference(outVelocity))
+                return GetColliderCore(index, outFirst.Length == 0 ? null : outFirstPointer, outFirst.Length,
+                    outSecond.Length == 0 ? null : outSecondPointer, outSecond.Length,
+                    outVelocity.Length == 0 ? null : outVelocityPointer, outVelocity.Length);
+        }
+
+#endif
+        private ChainCollider GetColliderCore(long index, double* outFirst, long outFirstLength, double* outSecond,
+            long outSecondLength, double* outVelocity, long outVelocityLength)
+        {
+            long count = Native.Count(Math.Max((outFirst != null ? outFirstLength : outSecondLength),
+                outVelocityLength), 1, "cd_chain_get_collider", "out_first");
+            Native.Same(outSecond, outSecondLength, count, "cd_chain_get_collider", "out_second");
+            Native.Same(outVelocity, outVelocityLength, count, "cd_chain_get_collider", "out_velocity");
+            int outShape;
+            double outRadius;
+            double outFriction;
+            Check(Native.cd_chain_get_collider(Handle, Native.Size(index, "cd_chain_get_collider", "index"), &outShape,
+                outFirst, outSecond, outVelocity, Native.Size(count, "cd_chain_get_collider", "count"), &outRadius,
+                &outFriction));
+            return new ChainCollider((Shape)outShape, outRadius, outFriction);
+        }
+
+        /// <summary>How thick ropes are, as a radius [m] in [0, 1e60], default 0: nodes stay this far outside of
+        /// colliders.</summary>
+        public double Thickness
+        {
+            get
+            {
+                double outRadius;
+                Check(Native.cd_chain_get_thickness(Handle, &outRadius));
+                return outRadius;
+            }
+            set
+            {
+                var radius = value;
+                Changed();
+                Check(Native.cd_chain_set_thickness(Handle, radius));
+            }
+        }
+
+        /// <summary>Switches a field on, filled with the present uniform values (force 0, target the present position).
+        /// On already: nothing happens. CD_STRENGTH switches CD_STIFFNESS on too. Errors: CD_ERROR_ENUM,
+        /// CD_ERROR_MEMORY; here and below CD_ERROR_UNSUPPORTED for the fields of ropes of a chain that is
+        /// none.</summary>
+        public void EnableField(Field field)
+        {
+            Changed();
+            Check(Native.cd_chain_enable_field(Handle, (int)field));
+        }
+
+        /// <summary>Switches a field off and releases its memory: uniform values again, no forces, all attachments
+        /// loosened. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position, velocity, pin, tension and strain, and
+        /// for stiffness where springs may break.</summary>
+        public void DisableField(Field field)
+        {
+            Changed();
+            Check(Native.cd_chain_disable_field(Handle, (int)field));
+        }
+
+        /// <summary>Writes or reads values[strand][node][component], dense, of strands [first_strand, first_strand +
+        /// strands) and nodes (or springs) [first, first + n). Fields without components have one value per node;
+        /// fields that the strands share have the single strand 0. `count` is the number of values in the buffer:
+        /// strands * n * components. Numbers are rounded once, to the precision of the side that is narrower. Never
+        /// allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first
+        /// bad index, and CD_ERROR_UNSUPPORTED for CD_STRAIN.</summary>
+        public void WriteF32(Field field, long firstStrand, long strands, long first, long n, params float[] values)
+        {
+            fixed (float* valuesPointer = values)
+                WriteF32Core(field, firstStrand, strands, first, n, valuesPointer, Native.Length(values));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes or reads values[strand][node][component], dense, of strands [first_strand, first_strand +
+        /// strands) and nodes (or springs) [first, first + n). Fields without components have one value per node;
+        /// fields that the strands share have the single strand 0. `count` is the number of values in the buffer:
+        /// strands * n * components. Numbers are rounded once, to the precision of the side that is narrower. Never
+        /// allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first
+        /// bad index, and CD_ERROR_UNSUPPORTED for CD_STRAIN.</summary>
+        public void WriteF32(Field field, long firstStrand, long strands, long first, long n,
+            ReadOnlySpan<float> values)
+        {
+            fixed (float* valuesPointer = &MemoryMarshal.GetReference(values))
+                WriteF32Core(field, firstStrand, strands, first, n, values.Length == 0 ? null : valuesPointer,
+                    values.Length);
+        }
+
+#endif
+        private void WriteF32Core(Field field, long firstStrand, long strands, long first, long n, float* values,
+            long valuesLength)
+        {
+            long count = Native.Count(valuesLength, 1, "cd_chain_write_f32", "values");
+            Changed();
+            Check(Native.cd_chain_write_f32(Handle, (int)field, Native.Size(firstStrand, "cd_chain_write_f32",
+                "first_strand"), Native.Size(strands, "cd_chain_write_f32", "strands"), Native.Size(first,
+                "cd_chain_write_f32", "first"), Native.Size(n, "cd_chain_write_f32", "n"), values, Native.Size(count,
+                "cd_chain_write_f32", "count")));
+        }
+
+        /// <summary>Writes or reads values[strand][node][component], dense, of strands [first_strand, first_strand +
+        /// strands) and nodes (or springs) [first, first + n). Fields without components have one value per node;
+        /// fields that the strands share have the single strand 0. `count` is the number of values in the buffer:
+        /// strands * n * components. Numbers are rounded once, to the precision of the side that is narrower. Never
+        /// allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first
+        /// bad index, and CD_ERROR_UNSUPPORTED for CD_STRAIN.</summary>
+        public void WriteF64(Field field, long firstStrand, long strands, long first, long n, params double[] values)
+        {
+            fixed (double* valuesPointer = values)
+                WriteF64Core(field, firstStrand, strands, first, n, valuesPointer, Native.Length(values));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes or reads values[strand][node][component], dense, of strands [first_strand, first_strand +
+        /// strands) and nodes (or springs) [first, first + n). Fields without components have one value per node;
+        /// fields that the strands share have the single strand 0. `count` is the number of values in the buffer:
+        /// strands * n * components. Numbers are rounded once, to the precision of the side that is narrower. Never
+        /// allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first
+        /// bad index, and CD_ERROR_UNSUPPORTED for CD_STRAIN.</summary>
+        public void WriteF64(Field field, long firstStrand, long strands, long first, long n,
+            ReadOnlySpan<double> values)
+        {
+            fixed (double* valuesPointer = &MemoryMarshal.GetReference(values))
+                WriteF64Core(field, firstStrand, strands, first, n, values.Length == 0 ? null : valuesPointer,
+                    values.Length);
+        }
+
+#endif
+        private void WriteF64Core(Field field, long firstStrand, long strands, long first, long n, double* values,
+            long valuesLength)
+        {
+            long count = Native.Count(valuesLength, 1, "cd_chain_write_f64", "values");
+            Changed();
+            Check(Native.cd_chain_write_f64(Handle, (int)field, Native.Size(firstStrand, "cd_chain_write_f64",
+                "first_strand"), Native.Size(strands, "cd_chain_write_f64", "strands"), Native.Size(first,
+                "cd_chain_write_f64", "first"), Native.Size(n, "cd_chain_write_f64", "n"), values, Native.Size(count,
+                "cd_chain_write_f64", "count")));
+        }
+
+        /// <summary>Writes or reads values[strand][node][component], dense, of strands [first_strand, first_strand +
+        /// strands) and nodes (or springs) [first, first + n). Fields without components have one value per node;
+        /// fields that the strands share have the single strand 0. `count` is the number of values in the buffer:
+        /// strands * n * components. Numbers are rounded once, to the precision of the side that is narrower. Never
+        /// allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first
+        /// bad index, and CD_ERROR_UNSUPPORTED for CD_STRAIN.</summary>
+        public void ReadF32(Field field, long firstStrand, long strands, long first, long n, float[] outValues)
+        {
+            fixed (float* outValuesPointer = outValues)
+                ReadF32Core(field, firstStrand, strands, first, n, outValuesPointer, Native.Length(outValues));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes or reads values[strand][node][component], dense, of strands [first_strand, first_strand +
+        /// strands) and nodes (or springs) [first, first + n). Fields without components have one value per node;
+        /// fields that the strands share have the single strand 0. `count` is the number of values in the buffer:
+        /// strands * n * components. Numbers are rounded once, to the precision of the side that is narrower. Never
+        /// allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first
+        /// bad index, and CD_ERROR_UNSUPPORTED for CD_STRAIN.</summary>
+        public void ReadF32(Field field, long firstStrand, long strands, long first, long n, Span<float> outValues)
+        {
+            fixed (float* outValuesPointer = &MemoryMarshal.GetReference(outValues))
+                ReadF32Core(field, firstStrand, strands, first, n, outValues.Length == 0 ? null : outValuesPointer,
+                    outValues.Length);
+        }
+
+#endif
+        private void ReadF32Core(Field field, long firstStrand, long strands, long first, long n, float* outValues,
+            long outValuesLength)
+        {
+            long count = Native.Count(outValuesLength, 1, "cd_chain_read_f32", "out_values");
+            Check(Native.cd_chain_read_f32(Handle, (int)field, Native.Size(firstStrand, "cd_chain_read_f32",
+                "first_strand"), Native.Size(strands, "cd_chain_read_f32", "strands"), Native.Size(first,
+                "cd_chain_read_f32", "first"), Native.Size(n, "cd_chain_read_f32", "n"), outValues, Native.Size(count,
+                "cd_chain_read_f32", "count")));
+        }
+
+        /// <summary>Writes or reads values[strand][node][component], dense, of strands [first_strand, first_strand +
+        /// strands) and nodes (or springs) [first, first + n). Fields without components have one value per node;
+        /// fields that the strands share have the single strand 0. `count` is the number of values in the buffer:
+        /// strands * n * components. Numbers are rounded once, to the precision of the side that is narrower. Never
+        /// allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first
+        /// bad index, and CD_ERROR_UNSUPPORTED for CD_STRAIN.</summary>
+        public void ReadF64(Field field, long firstStrand, long strands, long first, long n, double[] outValues)
+        {
+            fixed (double* outValuesPointer = outValues)
+                ReadF64Core(field, firstStrand, strands, first, n, outValuesPointer, Native.Length(outValues));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes or reads values[strand][node][component], dense, of strands [first_strand, first_strand +
+        /// strands) and nodes (or springs) [first, first + n). Fields without components have one value per node;
+        /// fields that the strands share have the single strand 0. `count` is the number of values in the buffer:
+        /// strands * n * components. Numbers are rounded once, to the precision of the side that is narrower. Never
+        /// allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first
+        /// bad index, and CD_ERROR_UNSUPPORTED for CD_STRAIN.</summary>
+        public void ReadF64(Field field, long firstStrand, long strands, long first, long n, Span<double> outValues)
+        {
+            fixed (double* outValuesPointer = &MemoryMarshal.GetReference(outValues))
+                ReadF64Core(field, firstStrand, strands, first, n, outValues.Length == 0 ? null : outValuesPointer,
+                    outValues.Length);
+        }
+
+#endif
+        private void ReadF64Core(Field field, long firstStrand, long strands, long first, long n, double* outValues,
+            long outValuesLength)
+        {
+            long count = Native.Count(outValuesLength, 1, "cd_chain_read_f64", "out_values");
+            Check(Native.cd_chain_read_f64(Handle, (int)field, Native.Size(firstStrand, "cd_chain_read_f64",
+                "first_strand"), Native.Size(strands, "cd_chain_read_f64", "strands"), Native.Size(first,
+                "cd_chain_read_f64", "first"), Native.Size(n, "cd_chain_read_f64", "n"), outValues, Native.Size(count,
+                "cd_chain_read_f64", "count")));
+        }
+
+        /// <summary>Where a field lies in the chain's own memory, in the chain's precision, to read without a copy: the
+        /// value of (strand, node, component) is at byte *out_data + strand * strand_stride + node * node_stride +
+        /// component * component_stride. Position, velocity, force and target only. The pointer is good until the field
+        /// is switched off or the chain released; the numbers change with every write and step. Do not write through
+        /// it. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_UNSUPPORTED.</summary>
+        public View View(Field field)
+        {
+            return new View(this, field);
+        }
+
+        internal override IntPtr Lie(Field field, long[] strides)
+        {
+            IntPtr data;
+            UIntPtr* s = stackalloc UIntPtr[4];
+            Check(Native.cd_chain_view(Handle, (int)field, &data, s + 0, s + 1, s + 2));
+            strides[0] = (long)s[0];
+            strides[1] = (long)s[1];
+            strides[2] = (long)s[2];
+            return data;
+        }
+
+        /// <summary>Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in
+        /// a welded group by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE,
+        /// CD_ERROR_VALUE.</summary>
+        public void Impulse(long strand, long node, params double[] impulse)
+        {
+            fixed (double* impulsePointer = impulse)
+                ImpulseCore(strand, node, impulsePointer, Native.Length(impulse));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in
+        /// a welded group by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE,
+        /// CD_ERROR_VALUE.</summary>
+        public void Impulse(long strand, long node, ReadOnlySpan<double> impulse)
+        {
+            fixed (double* impulsePointer = &MemoryMarshal.GetReference(impulse))
+                ImpulseCore(strand, node, impulse.Length == 0 ? null : impulsePointer, impulse.Length);
+        }
+
+#endif
+        private void ImpulseCore(long strand, long node, double* impulse, long impulseLength)
+        {
+            long count = Native.Count(impulseLength, 1, "cd_chain_impulse", "impulse");
+            Changed();
+            Check(Native.cd_chain_impulse(Handle, Native.Size(strand, "cd_chain_impulse", "strand"), Native.Size(node,
+                "cd_chain_impulse", "node"), impulse, Native.Size(count, "cd_chain_impulse", "count")));
+        }
+
+        /// <summary>Moves a strand as a whole, as if it had always been there: every position and target becomes
+        /// rotation * x + offset, every velocity rotation * v; tensions stay. rotation: components rows of as many
+        /// numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count counts. Errors:
+        /// CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not
+        /// finite.</summary>
+        public void Teleport(long strand, double[] rotation, params double[] offset)
+        {
+            fixed (double* rotationPointer = rotation)
+            fixed (double* offsetPointer = offset)
+                TeleportCore(strand, rotationPointer, Native.Length(rotation), offsetPointer, Native.Length(offset));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Moves a strand as a whole, as if it had always been there: every position and target becomes
+        /// rotation * x + offset, every velocity rotation * v; tensions stay. rotation: components rows of as many
+        /// numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count counts. Errors:
+        /// CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not
+        /// finite.</summary>
+        public void Teleport(long strand, ReadOnlySpan<double> rotation, ReadOnlySpan<double> offset)
+        {
+            fixed (double* rotationPointer = &MemoryMarshal.GetReference(rotation))
+            fixed (double* offsetPointer = &MemoryMarshal.GetReference(offset))
+                TeleportCore(strand, rotation.Length == 0 ? null : rotationPointer, rotation.Length,
+                    offset.Length == 0 ? null : offsetPointer, offset.Length);
+        }
+
+#endif
+        private void TeleportCore(long strand, double* rotation, long rotationLength, double* offset, long offsetLength)
+        {
+            long count = Native.Count(offsetLength, 1, "cd_chain_teleport", "offset");
+            Native.Same(rotation, rotationLength, count * count, "cd_chain_teleport", "rotation");
+            Changed();
+            Check(Native.cd_chain_teleport(Handle, Native.Size(strand, "cd_chain_teleport", "strand"), rotation,
+                offset, Native.Size(count, "cd_chain_teleport", "count")));
+        }
+
+        /// <summary>Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its
+        /// target by a spring of `stiffness` [N/m] &gt;= 0 and `damping` [N s/m] &gt;= 0, as a mouse drag does. target,
+        /// one number per component, is given to every strand that is tied; null: each node's present position, and
+        /// count means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches
+        /// CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.</summary>
+        public void Attach(long strand, long node, double stiffness, double damping, params double[] target)
+        {
+            fixed (double* targetPointer = target)
+                AttachCore(strand, node, stiffness, damping, targetPointer, Native.Length(target));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its
+        /// target by a spring of `stiffness` [N/m] &gt;= 0 and `damping` [N s/m] &gt;= 0, as a mouse drag does. target,
+        /// one number per component, is given to every strand that is tied; null: each node's present position, and
+        /// count means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches
+        /// CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.</summary>
+        public void Attach(long strand, long node, double stiffness, double damping, ReadOnlySpan<double> target)
+        {
+            fixed (double* targetPointer = &MemoryMarshal.GetReference(target))
+                AttachCore(strand, node, stiffness, damping, target.Length == 0 ? null : targetPointer, target.Length);
+        }
+
+#endif
+        private void AttachCore(long strand, long node, double stiffness, double damping, double* target,
+            long targetLength)
+        {
+            long count = Native.Count(targetLength, 1, "cd_chain_attach", "target");
+            Changed();
+            Check(Native.cd_chain_attach(Handle, Native.Size(strand, "cd_chain_attach", "strand"), Native.Size(node,
+                "cd_chain_attach", "node"), stiffness, damping, target, Native.Size(count, "cd_chain_attach",
+                "count")));
+        }
+
+        /// <summary>Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its
+        /// target by a spring of `stiffness` [N/m] &gt;= 0 and `damping` [N s/m] &gt;= 0, as a mouse drag does. target,
+        /// one number per component, is given to every strand that is tied; null: each node's present position, and
+        /// count means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches
+        /// CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.</summary>
+        public void Detach(long strand, long node)
+        {
+            Changed();
+            Check(Native.cd_chain_detach(Handle, Native.Size(strand, "cd_chain_detach", "strand"), Native.Size(node,
+                "cd_chain_detach", "node")));
+        }
+
+        /// <summary>Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its
+        /// target by a spring of `stiffness` [N/m] &gt;= 0 and `damping` [N s/m] &gt;= 0, as a mouse drag does. target,
+        /// one number per component, is given to every strand that is tied; null: each node's present position, and
+        /// count means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches
+        /// CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.</summary>
+        public ChainAttachment GetAttachment(long strand, long node)
+        {
+            double outStiffness;
+            double outDamping;
+            Check(Native.cd_chain_get_attachment(Handle, Native.Size(strand, "cd_chain_get_attachment", "strand"),
+                Native.Size(node, "cd_chain_get_attachment", "node"), &outStiffness, &outDamping));
+            return new ChainAttachment(outStiffness, outDamping);
+        }
+
+        /// <summary>Cuts a spring (stiffness 0) of a rope's strand, or with strand 0 of every strand of another chain;
+        /// or welds it (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass,
+        /// so that momentum is kept, and their offset stays as it is. Welding to a held node gives that node's
+        /// velocity. A cut or welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS
+        /// on. Bend is not cut with the spring: write CD_BEND. In a rope welding fixes the spring's length only.
+        /// Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held
+        /// nodes.</summary>
+        public void Cut(long strand, long spring)
+        {
+            Changed();
+            Check(Native.cd_chain_cut(Handle, Native.Size(strand, "cd_chain_cut", "strand"), Native.Size(spring,
+                "cd_chain_cut", "spring")));
+        }
+
+        /// <summary>Cuts a spring (stiffness 0) of a rope's strand, or with strand 0 of every strand of another chain;
+        /// or welds it (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass,
+        /// so that momentum is kept, and their offset stays as it is. Welding to a held node gives that node's
+        /// velocity. A cut or welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS
+        /// on. Bend is not cut with the spring: write CD_BEND. In a rope welding fixes the spring's length only.
+        /// Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held
+        /// nodes.</summary>
+        public void Weld(long strand, long spring)
+        {
+            Changed();
+            Check(Native.cd_chain_weld(Handle, Native.Size(strand, "cd_chain_weld", "strand"), Native.Size(spring,
+                "cd_chain_weld", "spring")));
+        }
+
+        /// <summary>Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is
+        /// proportional to count * strands * nodes * components. Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number
+        /// leaves the finite range: all steps are made, the message gives the first bad one, the chain can be read, and
+        /// steps again after cd_chain_reset, a load, or once finite positions and velocities have been written; of
+        /// ropes CD_ERROR_UNSUPPORTED for what they can't have, and CD_ERROR_TOLERANCE if a step ended short of its
+        /// tolerance: all steps are made, and good to the error that cd_chain_get_convergence tells.</summary>
+        public void Step(double dt, long count = 1)
+        {
+            Changed();
+            Check(Native.cd_chain_step(Handle, dt, Native.Size(count, "cd_chain_step", "count")));
+        }
+
+        /// <summary>The longest dt at which CD_METHOD_SYMPLECTIC_EULER stays bounded, whatever method is set: the
+        /// largest dt with 4 M - 2 dt C - dt^2 K positive definite. Exact for stretch with drag and stiffness damping;
+        /// with bend a lower bound, exact in the limit of many nodes; with matched ends and attachment damping a lower
+        /// bound, and close. INFINITY if nothing can swing. Errors: CD_ERROR_UNSUPPORTED of ropes.</summary>
+        public double StableDt()
+        {
+            double outDt;
+            Check(Native.cd_chain_stable_dt(Handle, &outDt));
+            return outDt;
+        }
+
+        /// <summary>Simulated time [s] and steps made since create or reset, those before a load or a copied state
+        /// included.</summary>
+        public double GetTime()
+        {
+            double outTime;
+            Check(Native.cd_chain_get_time(Handle, &outTime));
+            return outTime;
+        }
+
+        /// <summary>Simulated time [s] and steps made since create or reset, those before a load or a copied state
+        /// included.</summary>
+        public ulong GetSteps()
+        {
+            ulong outSteps;
+            Check(Native.cd_chain_get_steps(Handle, &outSteps));
+            return outSteps;
+        }
+
+        /// <summary>How many factorizations the chain has made: one at the first implicit step and one at the first
+        /// after each change of dt, lambda, method or a parameter. Ropes make none. Not part of the saved
+        /// state.</summary>
+        public ulong GetFactorizations()
+        {
+            ulong outCount;
+            Check(Native.cd_chain_get_factorizations(Handle, &outCount));
+            return outCount;
+        }
+
+        /// <summary>Energies of all strands together [J]; each output may be null. Kinetic: of the free nodes. Elastic:
+        /// stretch, bend and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. lambda =
+        /// 1/2 keeps their sum.</summary>
+        public ChainEnergy GetEnergy()
+        {
+            double outKinetic;
+            double outElastic;
+            double outGravity;
+            Check(Native.cd_chain_get_energy(Handle, &outKinetic, &outElastic, &outGravity));
+            return new ChainEnergy(outKinetic, outElastic, outGravity);
+        }
+
+        /// <summary>Momentum of the free nodes of all strands together [kg m/s], one number per component. Errors:
+        /// CD_ERROR_RANGE if count is not the number of components.</summary>
+        public void GetMomentum(double[] outMomentum)
+        {
+            fixed (double* outMomentumPointer = outMomentum)
+                GetMomentumCore(outMomentumPointer, Native.Length(outMomentum));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Momentum of the free nodes of all strands together [kg m/s], one number per component. Errors:
+        /// CD_ERROR_RANGE if count is not the number of components.</summary>
+        public void GetMomentum(Span<double> outMomentum)
+        {
+            fixed (double* outMomentumPointer = &MemoryMarshal.GetReference(outMomentum))
+                GetMomentumCore(outMomentum.Length == 0 ? null : outMomentumPointer, outMomentum.Length);
+        }
+
+#endif
+        private void GetMomentumCore(double* outMomentum, long outMomentumLength)
+        {
+            long count = Native.Count(outMomentumLength, 1, "cd_chain_get_momentum", "out_momentum");
+            Check(Native.cd_chain_get_momentum(Handle, outMomentum, Native.Size(count, "cd_chain_get_momentum",
+                "count")));
+        }
+
+        /// <summary>Positions of one strand at places along it, linear between nodes: at[j] in [0, springs] (ring: to
+        /// springs + 1), out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE if there is no
+        /// such strand or out_count is another number; CD_ERROR_VALUE for a place beyond the strand.</summary>
+        public void Sample(long strand, double[] at, double[] outPositions)
+        {
+            fixed (double* atPointer = at)
+            fixed (double* outPositionsPointer = outPositions)
+                SampleCore(strand, atPointer, Native.Length(at), outPositionsPointer, Native.Length(outPositions));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Positions of one strand at places along it, linear between nodes: at[j] in [0, springs] (ring: to
+        /// springs + 1), out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE if there is no
+        /// such strand or out_count is another number; CD_ERROR_VALUE for a place beyond the strand.</summary>
+        public void Sample(long strand, ReadOnlySpan<double> at, Span<double> outPositions)
+        {
+            fixed (double* atPointer = &MemoryMarshal.GetReference(at))
+            fixed (double* outPositionsPointer = &MemoryMarshal.GetReference(outPositions))
+                SampleCore(strand, at.Length == 0 ? null : atPointer, at.Length,
+                    outPositions.Length == 0 ? null : outPositionsPointer, outPositions.Length);
+        }
+
+#endif
+        private void SampleCore(long strand, double* at, long atLength, double* outPositions, long outPositionsLength)
+        {
+            long n = Native.Count(atLength, 1, "cd_chain_sample", "at");
+            long outCount = Native.Count(outPositionsLength, 1, "cd_chain_sample", "out_positions");
+            Check(Native.cd_chain_sample(Handle, Native.Size(strand, "cd_chain_sample", "strand"), at, Native.Size(n,
+                "cd_chain_sample", "n"), outPositions, Native.Size(outCount, "cd_chain_sample", "out_count")));
+        }
+
+        /// <summary>Bytes the chain holds from its allocator.</summary>
+        public long GetMemory()
+        {
+            UIntPtr outBytes;
+            Check(Native.cd_chain_get_memory(Handle, &outBytes));
+            return (long)outBytes;
+        }
+
+        /// <summary>A 64-bit hash of everything cd_chain_save would write. Equal on every machine, compiler and vector
+        /// width.</summary>
+        public ulong Hash()
+        {
+            ulong outHash;
+            Check(Native.cd_chain_hash(Handle, &outHash));
+            return outHash;
+        }
+
+        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
+        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_chain_save_size and tells what it wrote. load needs a chain of the same shape and precision; it switches
+        /// fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are refused
+        /// and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public long SaveSize()
+        {
+            UIntPtr outSize;
+            Check(Native.cd_chain_save_size(Handle, &outSize));
+            return (long)outSize;
+        }
+
+        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
+        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_chain_save_size and tells what it wrote. load needs a chain of the same shape and precision; it switches
+        /// fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are refused
+        /// and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public long Save<T>(T[] buffer) where T : struct
+        {
+            using (var bufferPinned = new Pinned<T>(buffer))
+                return SaveCore(bufferPinned.Pointer, bufferPinned.Length);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
+        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_chain_save_size and tells what it wrote. load needs a chain of the same shape and precision; it switches
+        /// fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are refused
+        /// and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public long Save(Span<byte> buffer)
+        {
+            fixed (byte* bufferPointer = &MemoryMarshal.GetReference(buffer))
+                return SaveCore(buffer.Length == 0 ? null : bufferPointer, buffer.Length);
+        }
+
+#endif
+        private long SaveCore(void* buffer, long bufferLength)
+        {
+            long size = bufferLength;
+            UIntPtr outWritten;
+            Check(Native.cd_chain_save(Handle, buffer, Native.Size(size, "cd_chain_save", "size"), &outWritten));
+            return (long)outWritten;
+        }
+
+        /// <summary>The same into a new array.</summary>
+        public byte[] Save()
+        {
+            var bytes = new byte[SaveSize()];
+            Array.Resize(ref bytes, (int)Save(bytes));
+            return bytes;
+        }
+
+        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
+        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_chain_save_size and tells what it wrote. load needs a chain of the same shape and precision; it switches
+        /// fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are refused
+        /// and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public void Load<T>(T[] bytes) where T : struct
+        {
+            using (var bytesPinned = new Pinned<T>(bytes))
+                LoadCore(bytesPinned.Pointer, bytesPinned.Length);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
+        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_chain_save_size and tells what it wrote. load needs a chain of the same shape and precision; it switches
+        /// fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are refused
+        /// and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public void Load(ReadOnlySpan<byte> bytes)
+        {
+            fixed (byte* bytesPointer = &MemoryMarshal.GetReference(bytes))
+                LoadCore(bytes.Length == 0 ? null : bytesPointer, bytes.Length);
+        }
+
+#endif
+        private void LoadCore(void* bytes, long bytesLength)
+        {
+            long size = bytesLength;
+            Changed();
+            Check(Native.cd_chain_load(Handle, bytes, Native.Size(size, "cd_chain_load", "size")));
+        }
+
+        /// <summary>Makes `chain` what `source` is, as save and load would, without the bytes: the two must agree in
+        /// shape and precision. Allocates only if they differ in the fields switched on. Errors: CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public void CopyState(Chain source)
+        {
+            Changed();
+            Check(Native.cd_chain_copy_state(Handle, Native.NotNull(source, "source").Handle));
+        }
+
+        /// <summary>Positions, velocities, tensions, time and steps back to 0. Parameters, fields and pins stay;
+        /// targets too.</summary>
+        public void Reset()
+        {
+            Changed();
+            Check(Native.cd_chain_reset(Handle));
+        }
+    }
+
+    /// <summary>What Membrane.GetShape tells.</summary>
+    public struct MembraneShape
+    {
+        public readonly long Nu;
+        public readonly long Nv;
+        public readonly long Components;
+        public readonly Precision Precision;
+
+        internal MembraneShape(long nu, long nv, long components, Precision precision)
+        {
+            Nu = nu;
+            Nv = nv;
+            Components = components;
+            Precision = precision;
+        }
+    }
+
+    /// <summary>What Membrane.GetTolerance tells.</summary>
+    public struct MembraneTolerance
+    {
+        public readonly double Tolerance;
+        public readonly long MostIterations;
+
+        internal MembraneTolerance(double tolerance, long mostIterations)
+        {
+            Tolerance = tolerance;
+            MostIterations = mostIterations;
+        }
+    }
+
+    /// <summary>What Membrane.GetConvergence tells.</summary>
+    public struct MembraneConvergence
+    {
+        public readonly long Iterations;
+        public readonly double Residual;
+
+        internal MembraneConvergence(long iterations, double residual)
+        {
+            Iterations = iterations;
+            Residual = residual;
+        }
+    }
+
+    /// <summary>What Membrane.GetStiffness tells.</summary>
+    public struct MembraneStiffness
+    {
+        public readonly double AlongU;
+        public readonly double AlongV;
+
+        internal MembraneStiffness(double alongU, double alongV)
+        {
+            AlongU = alongU;
+            AlongV = alongV;
+        }
+    }
+
+    /// <summary>What Membrane.GetRing tells.</summary>
+    public struct MembraneRing
+    {
+        public readonly bool AlongU;
+        public readonly bool AlongV;
+
+        internal MembraneRing(bool alongU, bool alongV)
+        {
+            AlongU = alongU;
+            AlongV = alongV;
+        }
+    }
+
+    /// <summary>What Membrane.GetRestLength tells.</summary>
+    public struct MembraneRestLength
+    {
+        public readonly double AlongU;
+        public readonly double AlongV;
+
+        internal MembraneRestLength(double alongU, double alongV)
+        {
+            AlongU = alongU;
+            AlongV = alongV;
+        }
+    }
+
+    /// <summary>What Membrane.GetEffort tells.</summary>
+    public struct MembraneEffort
+    {
+        public readonly long Newton;
+        public readonly long Gradient;
+
+        internal MembraneEffort(long newton, long gradient)
+        {
+            Newton = newton;
+            Gradient = gradient;
+        }
+    }
+
+    /// <summary>What Membrane.GetAir tells.</summary>
+    public struct MembraneAir
+    {
+        public readonly double Along;
+        public readonly double Across;
+
+        internal MembraneAir(double along, double across)
+        {
+            Along = along;
+            Across = across;
+        }
+    }
+
+    /// <summary>What Membrane.GetCollider tells.</summary>
+    public struct MembraneCollider
+    {
+        public readonly Shape Shape;
+        public readonly double Radius;
+        public readonly double Friction;
+
+        internal MembraneCollider(Shape shape, double radius, double friction)
+        {
+            Shape = shape;
+            Radius = radius;
+            Friction = friction;
+        }
+    }
+
+    /// <summary>What Membrane.GetAttachment tells.</summary>
+    public struct MembraneAttachment
+    {
+        public readonly double Stiffness;
+        public readonly double Damping;
+
+        internal MembraneAttachment(double stiffness, double damping)
+        {
+            Stiffness = stiffness;
+            Damping = damping;
+        }
+    }
+
+    /// <summary>What Membrane.GetEnergy tells.</summary>
+    public struct MembraneEnergy
+    {
+        public readonly double Kinetic;
+        public readonly double Elastic;
+        public readonly double Gravity;
+
+        internal MembraneEnergy(double kinetic, double elastic, double gravity)
+        {
+            Kinetic = kinetic;
+            Elastic = elastic;
+            Gravity = gravity;
+        }
+    }
+
+    /// <summary>contdyn: a membrane: a sheet of nodes joined by springs in two directions: drum, balloon, thin
+    /// plate; with rest lengths cloth, flags and capes.
+    /// A membrane has `nu` springs along u and `nv` along v, and (nu + 1) (nv + 1) nodes; node (u, v) has the
+    /// number v (nu + 1) + u wherever nodes are listed. A node has 1 to 4 components that never mix. A direction
+    /// can be closed to a ring: its last nodes are then joined to the first by one spring more.
+    /// Energy E = 1/2 sum k_u |x_{u+1,v} - x_{u,v}|^2 + 1/2 sum k_v |x_{u,v+1} - x_{u,v}|^2 + 1/2 sum b (|x_uu|^2 +
+    /// 2 |x_uv|^2 + |x_vv|^2) (Kass 1997, section 8; the thin plate's energy) Motion M x'' + C x' + K x = M g + f +
+    /// pressure along the normal, K = the Hessian of E, C = drag M + stiffness_damping K
+    /// Rest length is zero, unless cd_membrane_set_rest_length makes the membrane cloth: a free sheet draws
+    /// together, and one stretched evenly is held by its edges. A new membrane lies with every node at the origin,
+    /// at rest, all nodes free, mass 1, stiffness 1 along both directions, no bend, no gravity, no damping,
+    /// CD_METHOD_IMPLICIT with lambda 1/2, CD_SOLVER_ALTERNATING.
+    /// Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve.
+    /// CD_SOLVER_ALTERNATING rows, then columns (Kass 1997, section 9). Its cost is fixed, and it is stable at any
+    /// stiffness and dt. Its price: a motion with the angular frequencies w_u and w_v along the two directions
+    /// moves as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both
+    /// directions for the step is slowed down, and the sheet seems sluggish. Take it where both w h are at most
+    /// about 1 for the motion that matters: drums, soft sheets. Where it comes to rest does not depend on dt. So it
+    /// is on uniform sheets held by whole rows and columns, closed forms and all. On any other sheet (single pins,
+    /// a mask, attachments, masses or springs of their own, bend with free edges) the factored system would blow
+    /// up; there a step is the best, in energy, that the lines' answers, the present velocity and a motion of all
+    /// nodes alike can be combined to. It is a little slower, and not quite linear: sums of scenes move as sums
+    /// only about. CD_SOLVER_COUPLED the system itself, to a tolerance, by conjugate gradients, and as stiff as it
+    /// should be. On uniform sheets without bend and rings, held by whole rows and columns, it takes one or two
+    /// iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. Take it for
+    /// stiff sheets that hang, bear loads, are driven or thrown, and for stiff parts that move against each other,
+    /// of which alternating finds the common motion only. It needs many iterations where springs or masses vary at
+    /// random by decades, and where a plate with free edges has much more bend than stretch. Without rest lengths
+    /// lambda = 1/2 keeps the energy and lambda &gt; 1/2 never adds any, coupled whatever its tolerance; the
+    /// momentum of a free sheet is kept too, of one torn into parts that of each part. On uniform sheets,
+    /// alternating, the energy so kept counts the extra mass in what moves; in CD_FLOAT32 each rounding of a
+    /// velocity is then a kick of so many times its energy: take CD_FLOAT64 or the coupled solver where (w_u h)
+    /// (w_v h) is beyond 1e4. Plates with stiffness damping are first order in time under the alternating solver,
+    /// all else is second.
+    /// All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are
+    /// stored in. (Steps of symplectic Euler on uniform sheets without damping and forces compute in float32 and
+    /// are as exact.) Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are
+    /// taken for 0 where a step stores them, so that a scene at rest is never slow. Parameters may be as large as
+    /// 1e60, masses as small as 1e-60.
+    /// Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind;
+    /// the comments name the other errors. Functions that the chain has too mean the same here.</summary>
+    public sealed unsafe class Membrane : LibraryObject
+    {
+        internal new MembraneHandle Handle { get { return (MembraneHandle)base.Handle; } }
+
+        /// <summary>Makes a membrane. nu, nv &gt;= 0 (0: a single row or column of nodes); components 1 to 4. allocator
+        /// may be null (malloc). The caller owns *out_membrane and releases it with cd_membrane_destroy; on failure
+        /// *out_membrane is left alone. Errors: CD_ERROR_VALUE, CD_ERROR_ENUM, CD_ERROR_SIZE, CD_ERROR_MEMORY;
+        /// CD_ERROR_UNSUPPORTED for a precision that this build leaves out.</summary>
+        public Membrane(long nu, long nv, long components, Precision precision = Precision.Float64,
+            AllocatorCallbacks allocator = null)
+        {
+            void* allocatorStruct = allocator == null ? null : allocator.Struct();
+            IntPtr made;
+            Native.CheckVersion();
+            Native.Check(Native.cd_membrane_create(Native.Size(nu, "cd_membrane_create", "nu"), Native.Size(nv,
+                "cd_membrane_create", "nv"), Native.Size(components, "cd_membrane_create", "components"),
+                (int)precision, allocatorStruct, &made), allocator);
+            Own(new MembraneHandle(made));
+            Handle.Keep("allocator", allocator);
+        }
+
+        private static readonly Dictionary<Field, FieldRow> rows = new Dictionary<Field, FieldRow>
+        {
+            { Field.Position, new FieldRow(new[] { 1, 1, 0, 2, 1, 0 }, true, false) },
+            { Field.Velocity, new FieldRow(new[] { 1, 1, 0, 2, 1, 0 }, true, false) },
+            { Field.Force, new FieldRow(new[] { 1, 1, 0, 2, 1, 0 }, true, false) },
+            { Field.Target, new FieldRow(new[] { 1, 1, 0, 2, 1, 0 }, true, false) },
+            { Field.Mass, new FieldRow(new[] { 1, 1, 0, 2, 1, 0 }, false, false) },
+            { Field.StiffnessU, new FieldRow(new[] { 1, 0, 1, 2, 1, 0 }, false, false) },
+            { Field.StiffnessV, new FieldRow(new[] { 1, 1, 0, 2, 0, 2 }, false, false) },
+            { Field.Pin, new FieldRow(new[] { 1, 1, 0, 2, 1, 0 }, false, false) },
+            { Field.Mask, new FieldRow(new[] { 1, 1, 0, 2, 1, 0 }, false, false) },
+            { Field.RestLengthU, new FieldRow(new[] { 1, 0, 1, 2, 1, 0 }, false, false) },
+            { Field.RestLengthV, new FieldRow(new[] { 1, 1, 0, 2, 0, 2 }, false, false) },
+            { Field.Wind, new FieldRow(new[] { 1, 1, 0, 2, 1, 0 }, true, false) },
+            { Field.TensionU, new FieldRow(new[] { 1, 0, 1, 2, 1, 0 }, false, false) },
+            { Field.TensionV, new FieldRow(new[] { 1, 1, 0, 2, 0, 2 }, false, false) },
+            { Field.StrainU, new FieldRow(new[] { 1, 0, 1, 2, 1, 0 }, false, false) },
+            { Field.StrainV, new FieldRow(new[] { 1, 1, 0, 2, 0, 2 }, false, false) },
+        };
+
+        internal override Whole Extents(Field field)
+        {
+            FieldRow row;
+            if (!rows.TryGetValue(field, out row)) return new Whole();
+            var shape = GetShape();
+            return new Whole(row, new[] { shape.Nu, shape.Nv }, new[] { GetRing().AlongU, GetRing().AlongV }, false,
+                shape.Components);
+        }
+
+        internal override Precision Stored { get { return GetShape().Precision; } }
+
+        internal override void ReadWhole(Field field, Whole whole, float* outValues, long count)
+        {
+            var range = whole.Range(false);
+            ReadF32Core(field, range[0], range[1], range[2], range[3], outValues, count);
+        }
+
+        internal override void ReadWhole(Field field, Whole whole, double* outValues, long count)
+        {
+            var range = whole.Range(false);
+            ReadF64Core(field, range[0], range[1], range[2], range[3], outValues, count);
+        }
+
+        internal override void WriteWhole(Field field, Whole whole, float* values, long count)
+        {
+            var range = whole.Range(false);
+            WriteF32Core(field, range[0], range[1], range[2], range[3], values, count);
+        }
+
+        internal override void WriteWhole(Field field, Whole whole, double* values, long count)
+        {
+            var range = whole.Range(false);
+            WriteF64Core(field, range[0], range[1], range[2], range[3], values, count);
+        }
+
+        /// <summary>What cd_membrane_create was given. Each output may be null.</summary>
+        public MembraneShape GetShape()
+        {
+            UIntPtr outNu;
+            UIntPtr outNv;
+            UIntPtr outComponents;
+            int outPrecision;
+            Check(Native.cd_membrane_get_shape(Handle, &outNu, &outNv, &outComponents, &outPrecision));
+            return new MembraneShape((long)outNu, (long)outNv, (long)outComponents, (Precision)outPrecision);
+        }
+
+        /// <summary>How steps are made. Methods and solvers differ in the memory they need. Errors: CD_ERROR_ENUM;
+        /// CD_ERROR_MEMORY.</summary>
+        public Method Method
+        {
+            get
+            {
+                int outMethod;
+                Check(Native.cd_membrane_get_method(Handle, &outMethod));
+                return (Method)outMethod;
+            }
+            set
+            {
+                var method = value;
+                Changed();
+                Check(Native.cd_membrane_set_method(Handle, (int)method));
+            }
+        }
+
+        /// <summary>lambda of CD_METHOD_IMPLICIT, in [0, 1]; default 1/2. Errors: CD_ERROR_VALUE.</summary>
+        public double Lambda
+        {
+            get
+            {
+                double outLambda;
+                Check(Native.cd_membrane_get_lambda(Handle, &outLambda));
+                return outLambda;
+            }
+            set
+            {
+                var lambda = value;
+                Changed();
+                Check(Native.cd_membrane_set_lambda(Handle, lambda));
+            }
+        }
+
+        /// <summary>How implicit steps solve their system; see above. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY.</summary>
+        public Solver Solver
+        {
+            get
+            {
+                int outSolver;
+                Check(Native.cd_membrane_get_solver(Handle, &outSolver));
+                return (Solver)outSolver;
+            }
+            set
+            {
+                var solver = value;
+                Changed();
+                Check(Native.cd_membrane_set_solver(Handle, (int)solver));
+            }
+        }
+
+        /// <summary>When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from
+        /// (Euclidean norm, per component), in [1e-14, 1/2], default 1e-6; and how many iterations it may take, &gt;=
+        /// 1, default 100. A solve ends, too, when 500 iterations have not halved its residual, for rounding may keep
+        /// it from falling. When it ends short of the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE.
+        /// Errors: CD_ERROR_VALUE.</summary>
+        public void SetTolerance(double tolerance, long mostIterations)
+        {
+            Changed();
+            Check(Native.cd_membrane_set_tolerance(Handle, tolerance, Native.Size(mostIterations,
+                "cd_membrane_set_tolerance", "most_iterations")));
+        }
+
+        /// <summary>When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from
+        /// (Euclidean norm, per component), in [1e-14, 1/2], default 1e-6; and how many iterations it may take, &gt;=
+        /// 1, default 100. A solve ends, too, when 500 iterations have not halved its residual, for rounding may keep
+        /// it from falling. When it ends short of the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE.
+        /// Errors: CD_ERROR_VALUE.</summary>
+        public MembraneTolerance GetTolerance()
+        {
+            double outTolerance;
+            UIntPtr outMostIterations;
+            Check(Native.cd_membrane_get_tolerance(Handle, &outTolerance, &outMostIterations));
+            return new MembraneTolerance(outTolerance, (long)outMostIterations);
+        }
+
+        /// <summary>What the last call of cd_membrane_step did with CD_SOLVER_COUPLED: the most iterations that a solve
+        /// took, and the largest residual it ended with, as a fraction of the one it started from: INFINITY where its
+        /// square is. 0 and 0 if there was no such solve. Each output may be null.</summary>
+        public MembraneConvergence GetConvergence()
+        {
+            UIntPtr outIterations;
+            double outResidual;
+            Check(Native.cd_membrane_get_convergence(Handle, &outIterations, &outResidual));
+            return new MembraneConvergence((long)outIterations, outResidual);
+        }
+
+        /// <summary>Spreads a step over the caller's threads. Null turns it off. Errors: CD_ERROR_NULL for a table
+        /// without run.</summary>
+        public void SetParallel(ParallelCallbacks parallel)
+        {
+            void* parallelStruct = parallel == null ? null : parallel.Struct();
+            Changed();
+            Check(Native.cd_membrane_set_parallel(Handle, parallelStruct));
+            Handle.Keep("parallel", parallel);
+        }
+
+        /// <summary>The instructions that steps are made of, from here on: for tests and measurements, as all give the
+        /// same bits and a new membrane has the fastest that its processor runs. Not part of the saved state. Errors:
+        /// CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.</summary>
+        public Kernels Kernels
+        {
+            get
+            {
+                int outKernels;
+                Check(Native.cd_membrane_get_kernels(Handle, &outKernels));
+                return (Kernels)outKernels;
+            }
+            set
+            {
+                var kernels = value;
+                Changed();
+                Check(Native.cd_membrane_set_kernels(Handle, (int)kernels));
+            }
+        }
+
+        /// <summary>Mass [kg], &gt; 0. CD_MASS_EQUAL: mass / ((nu + 1) (nv + 1)) per node. CD_MASS_HALF_ENDS: an edge
+        /// line counts half, in its masses and in the springs and bends along it: mass / (nu nv) per node inside, half
+        /// of it on an edge, a quarter at a corner. In a direction that is a ring or has no spring the rules agree, and
+        /// in what follows its nu + 1 and nu (or nv + 1 and nv) are both the number of its nodes. The rule deals out
+        /// mass and stiffness anew.</summary>
+        public double Mass
+        {
+            get
+            {
+                double outMass;
+                Check(Native.cd_membrane_get_mass(Handle, &outMass));
+                return outMass;
+            }
+            set
+            {
+                var mass = value;
+                Changed();
+                Check(Native.cd_membrane_set_mass(Handle, mass));
+            }
+        }
+
+        /// <summary>Mass [kg], &gt; 0. CD_MASS_EQUAL: mass / ((nu + 1) (nv + 1)) per node. CD_MASS_HALF_ENDS: an edge
+        /// line counts half, in its masses and in the springs and bends along it: mass / (nu nv) per node inside, half
+        /// of it on an edge, a quarter at a corner. In a direction that is a ring or has no spring the rules agree, and
+        /// in what follows its nu + 1 and nu (or nv + 1 and nv) are both the number of its nodes. The rule deals out
+        /// mass and stiffness anew.</summary>
+        public MassRule MassRule
+        {
+            get
+            {
+                int outRule;
+                Check(Native.cd_membrane_get_mass_rule(Handle, &outRule));
+                return (MassRule)outRule;
+            }
+            set
+            {
+                var rule = value;
+                Changed();
+                Check(Native.cd_membrane_set_mass_rule(Handle, (int)rule));
+            }
+        }
+
+        /// <summary>Stretch stiffness along u and along v [N/m], &gt;= 0: a sheet stretched evenly along u by the
+        /// length d holds the energy k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and
+        /// half of it along the edges; along v likewise. Waves run across the sheet along u in sqrt(mass / k_u)
+        /// seconds.</summary>
+        public void SetStiffness(double alongU, double alongV)
+        {
+            Changed();
+            Check(Native.cd_membrane_set_stiffness(Handle, alongU, alongV));
+        }
+
+        /// <summary>Stretch stiffness along u and along v [N/m], &gt;= 0: a sheet stretched evenly along u by the
+        /// length d holds the energy k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and
+        /// half of it along the edges; along v likewise. Waves run across the sheet along u in sqrt(mass / k_u)
+        /// seconds.</summary>
+        public MembraneStiffness GetStiffness()
+        {
+            double outAlongU;
+            double outAlongV;
+            Check(Native.cd_membrane_get_stiffness(Handle, &outAlongU, &outAlongV));
+            return new MembraneStiffness(outAlongU, outAlongV);
+        }
+
+        /// <summary>Bend stiffness b [N/m], &gt;= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2
+        /// over the unit square of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3
+        /// / nv and half of it along the edges; along v likewise; per cell, on the squared twist: twice the geometric
+        /// mean of the two. The plate is not cut with a spring: take nodes out by CD_MASK. Errors: CD_ERROR_MEMORY when
+        /// bend is switched on.</summary>
+        public double Bend
+        {
+            get
+            {
+                double outBend;
+                Check(Native.cd_membrane_get_bend(Handle, &outBend));
+                return outBend;
+            }
+            set
+            {
+                var bend = value;
+                Changed();
+                Check(Native.cd_membrane_set_bend(Handle, bend));
+            }
+        }
+
+        /// <summary>Drag [1/s], &gt;= 0: every node loses velocity at this rate.</summary>
+        public double Drag
+        {
+            get
+            {
+                double outDrag;
+                Check(Native.cd_membrane_get_drag(Handle, &outDrag));
+                return outDrag;
+            }
+            set
+            {
+                var drag = value;
+                Changed();
+                Check(Native.cd_membrane_set_drag(Handle, drag));
+            }
+        }
+
+        /// <summary>Stiffness damping [s], &gt;= 0: stretch and bend damp at this time constant; a mode of angular
+        /// frequency w loses amplitude at the rate (drag + stiffness_damping w^2) / 2.</summary>
+        public double StiffnessDamping
+        {
+            get
+            {
+                double outSeconds;
+                Check(Native.cd_membrane_get_stiffness_damping(Handle, &outSeconds));
+                return outSeconds;
+            }
+            set
+            {
+                var seconds = value;
+                Changed();
+                Check(Native.cd_membrane_set_stiffness_damping(Handle, seconds));
+            }
+        }
+
+        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
+        /// components.</summary>
+        public void SetGravity(params double[] gravity)
+        {
+            fixed (double* gravityPointer = gravity)
+                SetGravityCore(gravityPointer, Native.Length(gravity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
+        /// components.</summary>
+        public void SetGravity(ReadOnlySpan<double> gravity)
+        {
+            fixed (double* gravityPointer = &MemoryMarshal.GetReference(gravity))
+                SetGravityCore(gravity.Length == 0 ? null : gravityPointer, gravity.Length);
+        }
+
+#endif
+        private void SetGravityCore(double* gravity, long gravityLength)
+        {
+            long count = Native.Count(gravityLength, 1, "cd_membrane_set_gravity", "gravity");
+            Changed();
+            Check(Native.cd_membrane_set_gravity(Handle, gravity, Native.Size(count, "cd_membrane_set_gravity",
+                "count")));
+        }
+
+        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
+        /// components.</summary>
+        public void GetGravity(double[] outGravity)
+        {
+            fixed (double* outGravityPointer = outGravity)
+                GetGravityCore(outGravityPointer, Native.Length(outGravity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
+        /// components.</summary>
+        public void GetGravity(Span<double> outGravity)
+        {
+            fixed (double* outGravityPointer = &MemoryMarshal.GetReference(outGravity))
+                GetGravityCore(outGravity.Length == 0 ? null : outGravityPointer, outGravity.Length);
+        }
+
+#endif
+        private void GetGravityCore(double* outGravity, long outGravityLength)
+        {
+            long count = Native.Count(outGravityLength, 1, "cd_membrane_get_gravity", "out_gravity");
+            Check(Native.cd_membrane_get_gravity(Handle, outGravity, Native.Size(count, "cd_membrane_get_gravity",
+                "count")));
+        }
+
+        /// <summary>Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the
+        /// force on a node is pressure times the gradient of the volume under the sheet, at the positions a step starts
+        /// from. 3 components only; it costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for another number
+        /// of components unless 0; CD_ERROR_MEMORY.</summary>
+        public double Pressure
+        {
+            get
+            {
+                double outPressure;
+                Check(Native.cd_membrane_get_pressure(Handle, &outPressure));
+                return outPressure;
+            }
+            set
+            {
+                var pressure = value;
+                Changed();
+                Check(Native.cd_membrane_set_pressure(Handle, pressure));
+            }
+        }
+
+        /// <summary>What holds an edge; a corner is pinned if either of its edges is, else driven, else posed if either
+        /// is. Pinning stops the nodes; driving leaves their velocity, which is then written through CD_VELOCITY;
+        /// posing switches CD_TARGET on and sets the edge's targets to where it is: write the next ones there.
+        /// CD_NODE_MATCHED leaves the edge free, with the impedance that sends no echo back to a wave that runs
+        /// straight at it. Where CD_PIN is switched on, all but matched are written to it along the edge. The getter
+        /// tells what was set last, whatever was written to CD_PIN since. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED
+        /// for CD_NODE_MATCHED in the direction of a ring; CD_ERROR_MEMORY; CD_ERROR_DIVERGED for CD_NODE_POSED where
+        /// the state is not finite.</summary>
+        public void SetEdge(Edge edge, Node kind)
+        {
+            Changed();
+            Check(Native.cd_membrane_set_edge(Handle, (int)edge, (int)kind));
+        }
+
+        /// <summary>What holds an edge; a corner is pinned if either of its edges is, else driven, else posed if either
+        /// is. Pinning stops the nodes; driving leaves their velocity, which is then written through CD_VELOCITY;
+        /// posing switches CD_TARGET on and sets the edge's targets to where it is: write the next ones there.
+        /// CD_NODE_MATCHED leaves the edge free, with the impedance that sends no echo back to a wave that runs
+        /// straight at it. Where CD_PIN is switched on, all but matched are written to it along the edge. The getter
+        /// tells what was set last, whatever was written to CD_PIN since. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED
+        /// for CD_NODE_MATCHED in the direction of a ring; CD_ERROR_MEMORY; CD_ERROR_DIVERGED for CD_NODE_POSED where
+        /// the state is not finite.</summary>
+        public Node GetEdge(Edge edge)
+        {
+            int outKind;
+            Check(Native.cd_membrane_get_edge(Handle, (int)edge, &outKind));
+            return (Node)outKind;
+        }
+
+        /// <summary>Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out
+        /// anew, and the fields of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors:
+        /// CD_ERROR_VALUE for anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge;
+        /// CD_ERROR_MEMORY.</summary>
+        public void SetRing(bool alongU, bool alongV)
+        {
+            Changed();
+            Check(Native.cd_membrane_set_ring(Handle, alongU ? 1 : 0, alongV ? 1 : 0));
+        }
+
+        /// <summary>Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out
+        /// anew, and the fields of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors:
+        /// CD_ERROR_VALUE for anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge;
+        /// CD_ERROR_MEMORY.</summary>
+        public MembraneRing GetRing()
+        {
+            int outAlongU;
+            int outAlongV;
+            Check(Native.cd_membrane_get_ring(Handle, &outAlongU, &outAlongV));
+            return new MembraneRing(outAlongU != 0, outAlongV != 0);
+        }
+
+        /// <summary>Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in
+        /// [1e-60, 1e60]. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a
+        /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too.
+        /// Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both
+        /// directions, and in a build without cloth.</summary>
+        public void SetRestLength(double alongU, double alongV)
+        {
+            Changed();
+            Check(Native.cd_membrane_set_rest_length(Handle, alongU, alongV));
+        }
+
+        /// <summary>Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in
+        /// [1e-60, 1e60]. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a
+        /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too.
+        /// Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both
+        /// directions, and in a build without cloth.</summary>
+        public MembraneRestLength GetRestLength()
+        {
+            double outAlongU;
+            double outAlongV;
+            Check(Native.cd_membrane_get_rest_length(Handle, &outAlongU, &outAlongV));
+            return new MembraneRestLength(outAlongU, outAlongV);
+        }
+
+        /// <summary>Shear stiffness [N/m], &gt;= 0, default 0, of a spring along each diagonal of every cell, with the
+        /// law and the mean rest lengths of the cell's springs. Of square cells the shear modulus is half of it [N/m].
+        /// Errors here and below: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a membrane that is no cloth.</summary>
+        public double Shear
+        {
+            get
+            {
+                double outStiffness;
+                Check(Native.cd_membrane_get_shear(Handle, &outStiffness));
+                return outStiffness;
+            }
+            set
+            {
+                var stiffness = value;
+                Changed();
+                Check(Native.cd_membrane_set_shear(Handle, stiffness));
+            }
+        }
+
+        /// <summary>What keeps cloth from crumpling within its own plane: springs along u and v shorter than their
+        /// length push by c (L - l), longer ones pull by as much, c dealt out as a stiffness of mass * rate is. rate
+        /// [1/s^2] &gt;= 0, default 10. It damps turning a little: raise it for stiffer folds, 0 for none.</summary>
+        public double Compression
+        {
+            get
+            {
+                double outRate;
+                Check(Native.cd_membrane_get_compression(Handle, &outRate));
+                return outRate;
+            }
+            set
+            {
+                var rate = value;
+                Changed();
+                Check(Native.cd_membrane_set_compression(Handle, rate));
+            }
+        }
+
+        /// <summary>How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients
+        /// in each, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of
+        /// the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
+        /// dearest step took, and the largest gradient that a step left, over the one it started from.</summary>
+        public void SetEffort(long newton, long gradient)
+        {
+            Changed();
+            Check(Native.cd_membrane_set_effort(Handle, Native.Size(newton, "cd_membrane_set_effort", "newton"),
+                Native.Size(gradient, "cd_membrane_set_effort", "gradient")));
+        }
+
+        /// <summary>How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients
+        /// in each, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of
+        /// the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
+        /// dearest step took, and the largest gradient that a step left, over the one it started from.</summary>
+        public MembraneEffort GetEffort()
+        {
+            UIntPtr outNewton;
+            UIntPtr outGradient;
+            Check(Native.cd_membrane_get_effort(Handle, &outNewton, &outGradient));
+            return new MembraneEffort((long)outNewton, (long)outGradient);
+        }
+
+        /// <summary>Resistance of the air, per area of cloth [N s/m^3], in [0, 1e60], default 0: a piece of area a
+        /// whose velocity through the air is w, w_t along the cloth and w_n across it, is pushed by -a (along w_t +
+        /// across w_n). Implicit, so that it only takes energy, as seen from the air, at any dt; areas and directions
+        /// are those that the step starts from. Air of density 1.2 kg/m^3 that passes at the speed s has about across =
+        /// 1.2 s and along = 0.02 s. Errors: CD_ERROR_MEMORY too.</summary>
+        public void SetAir(double along, double across)
+        {
+            Changed();
+            Check(Native.cd_membrane_set_air(Handle, along, across));
+        }
+
+        /// <summary>Resistance of the air, per area of cloth [N s/m^3], in [0, 1e60], default 0: a piece of area a
+        /// whose velocity through the air is w, w_t along the cloth and w_n across it, is pushed by -a (along w_t +
+        /// across w_n). Implicit, so that it only takes energy, as seen from the air, at any dt; areas and directions
+        /// are those that the step starts from. Air of density 1.2 kg/m^3 that passes at the speed s has about across =
+        /// 1.2 s and along = 0.02 s. Errors: CD_ERROR_MEMORY too.</summary>
+        public MembraneAir GetAir()
+        {
+            double outAlong;
+            double outAcross;
+            Check(Native.cd_membrane_get_air(Handle, &outAlong, &outAcross));
+            return new MembraneAir(outAlong, outAcross);
+        }
+
+        /// <summary>Velocity of that air [m/s], one number per component, default 0; the field CD_WIND has one for each
+        /// node. Errors: CD_ERROR_RANGE too, if count is not the number of components.</summary>
+        public void SetWind(params double[] velocity)
+        {
+            fixed (double* velocityPointer = velocity)
+                SetWindCore(velocityPointer, Native.Length(velocity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Velocity of that air [m/s], one number per component, default 0; the field CD_WIND has one for each
+        /// node. Errors: CD_ERROR_RANGE too, if count is not the number of components.</summary>
+        public void SetWind(ReadOnlySpan<double> velocity)
+        {
+            fixed (double* velocityPointer = &MemoryMarshal.GetReference(velocity))
+                SetWindCore(velocity.Length == 0 ? null : velocityPointer, velocity.Length);
+        }
+
+#endif
+        private void SetWindCore(double* velocity, long velocityLength)
+        {
+            long count = Native.Count(velocityLength, 1, "cd_membrane_set_wind", "velocity");
+            Changed();
+            Check(Native.cd_membrane_set_wind(Handle, velocity, Native.Size(count, "cd_membrane_set_wind", "count")));
+        }
+
+        /// <summary>Velocity of that air [m/s], one number per component, default 0; the field CD_WIND has one for each
+        /// node. Errors: CD_ERROR_RANGE too, if count is not the number of components.</summary>
+        public void GetWind(double[] outVelocity)
+        {
+            fixed (double* outVelocityPointer = outVelocity)
+                GetWindCore(outVelocityPointer, Native.Length(outVelocity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Velocity of that air [m/s], one number per component, default 0; the field CD_WIND has one for each
+        /// node. Errors: CD_ERROR_RANGE too, if count is not the number of components.</summary>
+        public void GetWind(Span<double> outVelocity)
+        {
+            fixed (double* outVelocityPointer = &MemoryMarshal.GetReference(outVelocity))
+                GetWindCore(outVelocity.Length == 0 ? null : outVelocityPointer, outVelocity.Length);
+        }
+
+#endif
+        private void GetWindCore(double* outVelocity, long outVelocityLength)
+        {
+            long count = Native.Count(outVelocityLength, 1, "cd_membrane_get_wind", "out_velocity");
+            Check(Native.cd_membrane_get_wind(Handle, outVelocity, Native.Size(count, "cd_membrane_get_wind",
+                "count")));
+        }
+
+        /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
+        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
+        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
+        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
+        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
+        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
+        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
+        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
+        /// ranges are those of the functions of cd_chain.</summary>
+        public long Colliders
+        {
+            get
+            {
+                UIntPtr outCount;
+                Check(Native.cd_membrane_get_colliders(Handle, &outCount));
+                return (long)outCount;
+            }
+            set
+            {
+                var count = value;
+                Changed();
+                Check(Native.cd_membrane_set_colliders(Handle, Native.Size(count, "cd_membrane_set_colliders",
+                    "count")));
+            }
+        }
+
+        /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
+        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
+        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
+        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
+        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
+        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
+        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
+        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
+        /// ranges are those of the functions of cd_chain.</summary>
+        public void SetPlane(long index, double[] point, double[] normal, double friction)
+        {
+            fixed (double* pointPointer = point)
+            fixed (double* normalPointer = normal)
+                SetPlaneCore(index, pointPointer, Native.Length(point), normalPointer, Native.Length(normal), friction);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
+        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
+        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
+        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
+        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
+        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
+        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
+        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
+        /// ranges are those of the functions of cd_chain.</summary>
+        public void SetPlane(long index, ReadOnlySpan<double> point, ReadOnlySpan<double> normal, double friction)
+        {
+            fixed (double* pointPointer = &MemoryMarshal.GetReference(point))
+            fixed (double* normalPointer = &MemoryMarshal.GetReference(normal))
+                SetPlaneCore(index, point.Length == 0 ? null : pointPointer, point.Length,
+                    normal.Length == 0 ? null : normalPointer, normal.Length, friction);
+        }
+
+#endif
+        private void SetPlaneCore(long index, double* point, long pointLength, double* normal, long normalLength,
+            double friction)
+        {
+            long count = Native.Count(pointLength, 1, "cd_membrane_set_plane", "point");
+            Native.Same(normal, normalLength, count, "cd_membrane_set_plane", "normal");
+            Changed();
+            Check(Native.cd_membrane_set_plane(Handle, Native.Size(index, "cd_membrane_set_plane", "index"), point,
+                normal, Native.Size(count, "cd_membrane_set_plane", "count"), friction));
+        }
+
+        /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
+        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
+        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
+        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
+        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
+        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
+        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
+        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
+        /// ranges are those of the functions of cd_chain.</summary>
+        public void SetCapsule(long index, double[] first, double[] last, double radius, double friction)
+        {
+            fixed (double* firstPointer = first)
+            fixed (double* lastPointer = last)
+                SetCapsuleCore(index, firstPointer, Native.Length(first), lastPointer, Native.Length(last), radius,
+                    friction);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
+        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
+        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
+        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
+        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
+        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
+        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
+        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
+        /// ranges are those of the functions of cd_chain.</summary>
+        public void SetCapsule(long index, ReadOnlySpan<double> first, ReadOnlySpan<double> last, double radius,
+            double friction)
+        {
+            fixed (double* firstPointer = &MemoryMarshal.GetReference(first))
+            fixed (double* lastPointer = &MemoryMarshal.GetReference(last))
+                SetCapsuleCore(index, first.Length == 0 ? null : firstPointer, first.Length,
+                    last.Length == 0 ? null : lastPointer, last.Length, radius, friction);
+        }
+
+#endif
+        private void SetCapsuleCore(long index, double* first, long firstLength, double* last, long lastLength,
+            double radius, double friction)
+        {
+            long count = Native.Count(firstLength, 1, "cd_membrane_set_capsule", "first");
+            Native.Same(last, lastLength, count, "cd_membrane_set_capsule", "last");
+            Changed();
+            Check(Native.cd_membrane_set_capsule(Handle, Native.Size(index, "cd_membrane_set_capsule", "index"), first,
+                last, Native.Size(count, "cd_membrane_set_capsule", "count"), radius, friction));
+        }
+
+        /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
+        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
+        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
+        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
+        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
+        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
+        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
+        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
+        /// ranges are those of the functions of cd_chain.</summary>
+        public void RemoveCollider(long index)
+        {
+            Changed();
+            Check(Native.cd_membrane_remove_collider(Handle, Native.Size(index, "cd_membrane_remove_collider",
+                "index")));
+        }
+
+        /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
+        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
+        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
+        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
+        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
+        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
+        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
+        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
+        /// ranges are those of the functions of cd_chain.</summary>
+        public void SetColliderVelocity(long index, params double[] velocity)
+        {
+            fixed (double* velocityPointer = velocity)
+                SetColliderVelocityCore(index, velocityPointer, Native.Length(velocity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
+        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
+        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
+        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
+        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
+        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
+        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
+        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
+        /// ranges are those of the functions of cd_chain.</summary>
+        public void SetColliderVelocity(long index, ReadOnlySpan<double> velocity)
+        {
+            fixed (double* velocityPointer = &MemoryMarshal.GetReference(velocity))
+                SetColliderVelocityCore(index, velocity.Length == 0 ? null : velocityPointer, velocity.Length);
+        }
+
+#endif
+        private void SetColliderVelocityCore(long index, double* velocity, long velocityLength)
+        {
+            long count = Native.Count(velocityLength, 1, "cd_membrane_set_collider_velocity", "velocity");
+            Changed();
+            Check(Native.cd_membrane_set_collider_velocity(Handle, Native.Size(index,
+                "cd_membrane_set_collider_velocity", "index"), velocity, Native.Size(count,
+                "cd_membrane_set_collider_velocity", "count")));
+        }
+
+        /// <summary>Each output may be null.</summary>
+        public MembraneCollider GetCollider(long index, double[] outFirst, double[] outSecond, double[] outVelocity)
+        {
+            fixed (double* outFirstPointer = outFirst)
+            fixed (double* outSecondPointer = outSecond)
+            fixed (double* outVelocityPointer = outVelocity)
+                return GetColliderCore(index, outFirstPointer, Native.Length(outFirst), outSecondPointer,
+                    Native.Length(outSecond), outVelocityPointer, Native.Length(outVelocity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Each output may be null.</summary>
+        public MembraneCollider GetCollider(long index, Span<double> outFirst, Span<double> outSecond,
+            Span<double> outVelocity)
+        {
+            fixed (double* outFirstPointer = &MemoryMarshal.GetReference(outFirst))
+            fixed (double* outSecondPointer = &MemoryMarshal.GetReference(outSecond))
+            fixed (double* outVelocityPointer = &MemoryMarshal.GetReference(outVelocity))
+                return GetColliderCore(index, outFirst.Length == 0 ? null : outFirstPointer, outFirst.Length,
+                    outSecond.Length == 0 ? null : outSecondPointer, outSecond.Length,
+                    outVelocity.Length == 0 ? null : outVelocityPointer, outVelocity.Length);
+        }
+
+#endif
+        private MembraneCollider GetColliderCore(long index, double* outFirst, long outFirstLength, double* outSecond,
+            long outSecondLength, double* outVelocity, long outVelocityLength)
+        {
+            long count = Native.Count(Math.Max((outFirst != null ? outFirstLength : outSecondLength),
+                outVelocityLength), 1, "cd_membrane_get_collider", "out_first");
+            Native.Same(outSecond, outSecondLength, count, "cd_membrane_get_collider", "out_second");
+            Native.Same(outVelocity, outVelocityLength, count, "cd_membrane_get_collider", "out_velocity");
+            int outShape;
+            double outRadius;
+            double outFriction;
+            Check(Native.cd_membrane_get_collider(Handle, Native.Size(index, "cd_membrane_get_collider", "index"),
+                &outShape, outFirst, outSecond, outVelocity, Native.Size(count, "cd_membrane_get_collider", "count"),
+                &outRadius, &outFriction));
+            return new MembraneCollider((Shape)outShape, outRadius, outFriction);
+        }
+
+        /// <summary>How thick cloth is, as a distance [m] in [0, 1e60], default 0, that nodes keep from
+        /// colliders.</summary>
+        public double Thickness
+        {
+            get
+            {
+                double outDistance;
+                Check(Native.cd_membrane_get_thickness(Handle, &outDistance));
+                return outDistance;
+            }
+            set
+            {
+                var distance = value;
+                Changed();
+                Check(Native.cd_membrane_set_thickness(Handle, distance));
+            }
+        }
+
+        /// <summary>Switches a field on, filled with the present uniform values (force 0, target the present position,
+        /// mask 1, pin what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here
+        /// and below CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is none.</summary>
+        public void EnableField(Field field)
+        {
+            Changed();
+            Check(Native.cd_membrane_enable_field(Handle, (int)field));
+        }
+
+        /// <summary>Switches a field off and releases its memory: uniform values again, no forces, all attachments
+        /// loosened, all nodes there, none held but on edges. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position,
+        /// velocity, tension and strain.</summary>
+        public void DisableField(Field field)
+        {
+            Changed();
+            Check(Native.cd_membrane_disable_field(Handle, (int)field));
+        }
+
+        /// <summary>Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [first_u,
+        /// first_u + n_u) x [first_v, first_v + n_v). Fields without components have one value per node or spring;
+        /// there are nu (ring: nu + 1) springs along u and nv + 1 rows of them, and likewise along v. `count` is the
+        /// number of values in the buffer: n_u * n_v * components. Numbers are rounded once, to the precision of the
+        /// side that is narrower. Never allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write:
+        /// CD_ERROR_VALUE, with the first bad index, and CD_ERROR_UNSUPPORTED for tension and strain.</summary>
+        public void WriteF32(Field field, long firstU, long firstV, long nU, long nV, params float[] values)
+        {
+            fixed (float* valuesPointer = values)
+                WriteF32Core(field, firstU, firstV, nU, nV, valuesPointer, Native.Length(values));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [first_u,
+        /// first_u + n_u) x [first_v, first_v + n_v). Fields without components have one value per node or spring;
+        /// there are nu (ring: nu + 1) springs along u and nv + 1 rows of them, and likewise along v. `count` is the
+        /// number of values in the buffer: n_u * n_v * components. Numbers are rounded once, to the precision of the
+        /// side that is narrower. Never allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write:
+        /// CD_ERROR_VALUE, with the first bad index, and CD_ERROR_UNSUPPORTED for tension and strain.</summary>
+        public void WriteF32(Field field, long firstU, long firstV, long nU, long nV, ReadOnlySpan<float> values)
+        {
+            fixed (float* valuesPointer = &MemoryMarshal.GetReference(values))
+                WriteF32Core(field, firstU, firstV, nU, nV, values.Length == 0 ? null : valuesPointer, values.Length);
+        }
+
+#endif
+        private void WriteF32Core(Field field, long firstU, long firstV, long nU, long nV, float* values,
+            long valuesLength)
+        {
+            long count = Native.Count(valuesLength, 1, "cd_membrane_write_f32", "values");
+            Changed();
+            Check(Native.cd_membrane_write_f32(Handle, (int)field, Native.Size(firstU, "cd_membrane_write_f32",
+                "first_u"), Native.Size(firstV, "cd_membrane_write_f32", "first_v"), Native.Size(nU,
+                "cd_membrane_write_f32", "n_u"), Native.Size(nV, "cd_membrane_write_f32", "n_v"), values,
+                Native.Size(count, "cd_membrane_write_f32", "count")));
+        }
+
+        /// <summary>Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [first_u,
+        /// first_u + n_u) x [first_v, first_v + n_v). Fields without components have one value per node or spring;
+        /// there are nu (ring: nu + 1) springs along u and nv + 1 rows of them, and likewise along v. `count` is the
+        /// number of values in the buffer: n_u * n_v * components. Numbers are rounded once, to the precision of the
+        /// side that is narrower. Never allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write:
+        /// CD_ERROR_VALUE, with the first bad index, and CD_ERROR_UNSUPPORTED for tension and strain.</summary>
+        public void WriteF64(Field field, long firstU, long firstV, long nU, long nV, params double[] values)
+        {
+            fixed (double* valuesPointer = values)
+                WriteF64Core(field, firstU, firstV, nU, nV, valuesPointer, Native.Length(values));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [first_u,
+        /// first_u + n_u) x [first_v, first_v + n_v). Fields without components have one value per node or spring;
+        /// there are nu (ring: nu + 1) springs along u and nv + 1 rows of them, and likewise along v. `count` is the
+        /// number of values in the buffer: n_u * n_v * components. Numbers are rounded once, to the precision of the
+        /// side that is narrower. Never allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write:
+        /// CD_ERROR_VALUE, with the first bad index, and CD_ERROR_UNSUPPORTED for tension and strain.</summary>
+        public void WriteF64(Field field, long firstU, long firstV, long nU, long nV, ReadOnlySpan<double> values)
+        {
+            fixed (double* valuesPointer = &MemoryMarshal.GetReference(values))
+                WriteF64Core(field, firstU, firstV, nU, nV, values.Length == 0 ? null : valuesPointer, values.Length);
+        }
+
+#endif
+        private void WriteF64Core(Field field, long firstU, long firstV, long nU, long nV, double* values,
+            long valuesLength)
+        {
+            long count = Native.Count(valuesLength, 1, "cd_membrane_write_f64", "values");
+            Changed();
+            Check(Native.cd_membrane_write_f64(Handle, (int)field, Native.Size(firstU, "cd_membrane_write_f64",
+                "first_u"), Native.Size(firstV, "cd_membrane_write_f64", "first_v"), Native.Size(nU,
+                "cd_membrane_write_f64", "n_u"), Native.Size(nV, "cd_membrane_write_f64", "n_v"), values,
+                Native.Size(count, "cd_membrane_write_f64", "count")));
+        }
+
+        /// <summary>Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [first_u,
+        /// first_u + n_u) x [first_v, first_v + n_v). Fields without components have one value per node or spring;
+        /// there are nu (ring: nu + 1) springs along u and nv + 1 rows of them, and likewise along v. `count` is the
+        /// number of values in the buffer: n_u * n_v * components. Numbers are rounded once, to the precision of the
+        /// side that is narrower. Never allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write:
+        /// CD_ERROR_VALUE, with the first bad index, and CD_ERROR_UNSUPPORTED for tension and strain.</summary>
+        public void ReadF32(Field field, long firstU, long firstV, long nU, long nV, float[] outValues)
+        {
+            fixed (float* outValuesPointer = outValues)
+                ReadF32Core(field, firstU, firstV, nU, nV, outValuesPointer, Native.Length(outValues));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [first_u,
+        /// first_u + n_u) x [first_v, first_v + n_v). Fields without components have one value per node or spring;
+        /// there are nu (ring: nu + 1) springs along u and nv + 1 rows of them, and likewise along v. `count` is the
+        /// number of values in the buffer: n_u * n_v * components. Numbers are rounded once, to the precision of the
+        /// side that is narrower. Never allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write:
+        /// CD_ERROR_VALUE, with the first bad index, and CD_ERROR_UNSUPPORTED for tension and strain.</summary>
+        public void ReadF32(Field field, long firstU, long firstV, long nU, long nV, Span<float> outValues)
+        {
+            fixed (float* outValuesPointer = &MemoryMarshal.GetReference(outValues))
+                ReadF32Core(field, firstU, firstV, nU, nV, outValues.Length == 0 ? null : outValuesPointer,
+                    outValues.Length);
+        }
+
+#endif
+        private void ReadF32Core(Field field, long firstU, long firstV, long nU, long nV, float* outValues,
+            long outValuesLength)
+        {
+            long count = Native.Count(outValuesLength, 1, "cd_membrane_read_f32", "out_values");
+            Check(Native.cd_membrane_read_f32(Handle, (int)field, Native.Size(firstU, "cd_membrane_read_f32",
+                "first_u"), Native.Size(firstV, "cd_membrane_read_f32", "first_v"), Native.Size(nU,
+                "cd_membrane_read_f32", "n_u"), Native.Size(nV, "cd_membrane_read_f32", "n_v"), outValues,
+                Native.Size(count, "cd_membrane_read_f32", "count")));
+        }
+
+        /// <summary>Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [first_u,
+        /// first_u + n_u) x [first_v, first_v + n_v). Fields without components have one value per node or spring;
+        /// there are nu (ring: nu + 1) springs along u and nv + 1 rows of them, and likewise along v. `count` is the
+        /// number of values in the buffer: n_u * n_v * components. Numbers are rounded once, to the precision of the
+        /// side that is narrower. Never allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write:
+        /// CD_ERROR_VALUE, with the first bad index, and CD_ERROR_UNSUPPORTED for tension and strain.</summary>
+        public void ReadF64(Field field, long firstU, long firstV, long nU, long nV, double[] outValues)
+        {
+            fixed (double* outValuesPointer = outValues)
+                ReadF64Core(field, firstU, firstV, nU, nV, outValuesPointer, Native.Length(outValues));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [first_u,
+        /// first_u + n_u) x [first_v, first_v + n_v). Fields without components have one value per node or spring;
+        /// there are nu (ring: nu + 1) springs along u and nv + 1 rows of them, and likewise along v. `count` is the
+        /// number of values in the buffer: n_u * n_v * components. Numbers are rounded once, to the precision of the
+        /// side that is narrower. Never allocates. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write:
+        /// CD_ERROR_VALUE, with the first bad index, and CD_ERROR_UNSUPPORTED for tension and strain.</summary>
+        public void ReadF64(Field field, long firstU, long firstV, long nU, long nV, Span<double> outValues)
+        {
+            fixed (double* outValuesPointer = &MemoryMarshal.GetReference(outValues))
+                ReadF64Core(field, firstU, firstV, nU, nV, outValues.Length == 0 ? null : outValuesPointer,
+                    outValues.Length);
+        }
+
+#endif
+        private void ReadF64Core(Field field, long firstU, long firstV, long nU, long nV, double* outValues,
+            long outValuesLength)
+        {
+            long count = Native.Count(outValuesLength, 1, "cd_membrane_read_f64", "out_values");
+            Check(Native.cd_membrane_read_f64(Handle, (int)field, Native.Size(firstU, "cd_membrane_read_f64",
+                "first_u"), Native.Size(firstV, "cd_membrane_read_f64", "first_v"), Native.Size(nU,
+                "cd_membrane_read_f64", "n_u"), Native.Size(nV, "cd_membrane_read_f64", "n_v"), outValues,
+                Native.Size(count, "cd_membrane_read_f64", "count")));
+        }
+
+        /// <summary>Where a field lies in the membrane's own memory, in the membrane's precision, to read without a
+        /// copy: the value of (u, v, component) is at byte *out_data + u * u_stride + v * v_stride + component *
+        /// component_stride. Position, velocity, force and target only. The pointer is good until the field is switched
+        /// off or the membrane released; the numbers change with every write and step. Do not write through it. Errors:
+        /// CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_UNSUPPORTED.</summary>
+        public View View(Field field)
+        {
+            return new View(this, field);
+        }
+
+        internal override IntPtr Lie(Field field, long[] strides)
+        {
+            IntPtr data;
+            UIntPtr* s = stackalloc UIntPtr[4];
+            Check(Native.cd_membrane_view(Handle, (int)field, &data, s + 0, s + 1, s + 2));
+            strides[0] = (long)s[0];
+            strides[1] = (long)s[1];
+            strides[2] = (long)s[2];
+            return data;
+        }
+
+        /// <summary>Adds impulse [N s], one number per component, spread over the nodes that are less than `radius`
+        /// springs away from the place (u, v), counted on the lattice and not round a ring, by the weights (1 -
+        /// (distance / radius)^2)^2, which are scaled to sum to 1; all on the nearest node if there is none. A node's
+        /// velocity changes by its share / its mass; held and absent nodes take none of it, and their shares are lost.
+        /// u in [0, nu], v in [0, nv], radius &gt;= 0. Errors: CD_ERROR_RANGE for count; CD_ERROR_VALUE.</summary>
+        public void Impulse(double u, double v, double radius, params double[] impulse)
+        {
+            fixed (double* impulsePointer = impulse)
+                ImpulseCore(u, v, radius, impulsePointer, Native.Length(impulse));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Adds impulse [N s], one number per component, spread over the nodes that are less than `radius`
+        /// springs away from the place (u, v), counted on the lattice and not round a ring, by the weights (1 -
+        /// (distance / radius)^2)^2, which are scaled to sum to 1; all on the nearest node if there is none. A node's
+        /// velocity changes by its share / its mass; held and absent nodes take none of it, and their shares are lost.
+        /// u in [0, nu], v in [0, nv], radius &gt;= 0. Errors: CD_ERROR_RANGE for count; CD_ERROR_VALUE.</summary>
+        public void Impulse(double u, double v, double radius, ReadOnlySpan<double> impulse)
+        {
+            fixed (double* impulsePointer = &MemoryMarshal.GetReference(impulse))
+                ImpulseCore(u, v, radius, impulse.Length == 0 ? null : impulsePointer, impulse.Length);
+        }
+
+#endif
+        private void ImpulseCore(double u, double v, double radius, double* impulse, long impulseLength)
+        {
+            long count = Native.Count(impulseLength, 1, "cd_membrane_impulse", "impulse");
+            Changed();
+            Check(Native.cd_membrane_impulse(Handle, u, v, radius, impulse, Native.Size(count, "cd_membrane_impulse",
+                "count")));
+        }
+
+        /// <summary>Moves the sheet as a whole, as if it had always been there: every position and target becomes
+        /// rotation * x + offset, every velocity rotation * v. rotation: components rows of as many numbers, orthogonal
+        /// to 1e-6; null: none. offset [m]: one number per component, which count counts. Errors: CD_ERROR_RANGE,
+        /// CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite.</summary>
+        public void Teleport(double[] rotation, params double[] offset)
+        {
+            fixed (double* rotationPointer = rotation)
+            fixed (double* offsetPointer = offset)
+                TeleportCore(rotationPointer, Native.Length(rotation), offsetPointer, Native.Length(offset));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Moves the sheet as a whole, as if it had always been there: every position and target becomes
+        /// rotation * x + offset, every velocity rotation * v. rotation: components rows of as many numbers, orthogonal
+        /// to 1e-6; null: none. offset [m]: one number per component, which count counts. Errors: CD_ERROR_RANGE,
+        /// CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite.</summary>
+        public void Teleport(ReadOnlySpan<double> rotation, ReadOnlySpan<double> offset)
+        {
+            fixed (double* rotationPointer = &MemoryMarshal.GetReference(rotation))
+            fixed (double* offsetPointer = &MemoryMarshal.GetReference(offset))
+                TeleportCore(rotation.Length == 0 ? null : rotationPointer, rotation.Length,
+                    offset.Length == 0 ? null : offsetPointer, offset.Length);
+        }
+
+#endif
+        private void TeleportCore(double* rotation, long rotationLength, double* offset, long offsetLength)
+        {
+            long count = Native.Count(offsetLength, 1, "cd_membrane_teleport", "offset");
+            Native.Same(rotation, rotationLength, count * count, "cd_membrane_teleport", "rotation");
+            Changed();
+            Check(Native.cd_membrane_teleport(Handle, rotation, offset, Native.Size(count, "cd_membrane_teleport",
+                "count")));
+        }
+
+        /// <summary>Ties a node to its target by a spring of `stiffness` [N/m] &gt;= 0 and `damping` [N s/m] &gt;= 0,
+        /// as a mouse drag does. target: one number per component; null: the node's present position, and count means
+        /// nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET
+        /// on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.</summary>
+        public void Attach(long u, long v, double stiffness, double damping, params double[] target)
+        {
+            fixed (double* targetPointer = target)
+                AttachCore(u, v, stiffness, damping, targetPointer, Native.Length(target));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Ties a node to its target by a spring of `stiffness` [N/m] &gt;= 0 and `damping` [N s/m] &gt;= 0,
+        /// as a mouse drag does. target: one number per component; null: the node's present position, and count means
+        /// nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET
+        /// on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.</summary>
+        public void Attach(long u, long v, double stiffness, double damping, ReadOnlySpan<double> target)
+        {
+            fixed (double* targetPointer = &MemoryMarshal.GetReference(target))
+                AttachCore(u, v, stiffness, damping, target.Length == 0 ? null : targetPointer, target.Length);
+        }
+
+#endif
+        private void AttachCore(long u, long v, double stiffness, double damping, double* target, long targetLength)
+        {
+            long count = Native.Count(targetLength, 1, "cd_membrane_attach", "target");
+            Changed();
+            Check(Native.cd_membrane_attach(Handle, Native.Size(u, "cd_membrane_attach", "u"), Native.Size(v,
+                "cd_membrane_attach", "v"), stiffness, damping, target, Native.Size(count, "cd_membrane_attach",
+                "count")));
+        }
+
+        /// <summary>Ties a node to its target by a spring of `stiffness` [N/m] &gt;= 0 and `damping` [N s/m] &gt;= 0,
+        /// as a mouse drag does. target: one number per component; null: the node's present position, and count means
+        /// nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET
+        /// on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.</summary>
+        public void Detach(long u, long v)
+        {
+            Changed();
+            Check(Native.cd_membrane_detach(Handle, Native.Size(u, "cd_membrane_detach", "u"), Native.Size(v,
+                "cd_membrane_detach", "v")));
+        }
+
+        /// <summary>Ties a node to its target by a spring of `stiffness` [N/m] &gt;= 0 and `damping` [N s/m] &gt;= 0,
+        /// as a mouse drag does. target: one number per component; null: the node's present position, and count means
+        /// nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET
+        /// on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.</summary>
+        public MembraneAttachment GetAttachment(long u, long v)
+        {
+            double outStiffness;
+            double outDamping;
+            Check(Native.cd_membrane_get_attachment(Handle, Native.Size(u, "cd_membrane_get_attachment", "u"),
+                Native.Size(v, "cd_membrane_get_attachment", "v"), &outStiffness, &outDamping));
+            return new MembraneAttachment(outStiffness, outDamping);
+        }
+
+        /// <summary>Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is
+        /// proportional to count * nodes * components, with CD_SOLVER_COUPLED to the iterations too. Errors:
+        /// CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives
+        /// the first bad one, the membrane can be read, and steps again after cd_membrane_reset, a load, or once finite
+        /// positions and velocities have been written; CD_ERROR_TOLERANCE if a coupled solve ended short of its
+        /// tolerance: all steps are made, and good to the residual that cd_membrane_get_convergence tells.</summary>
+        public void Step(double dt, long count = 1)
+        {
+            Changed();
+            Check(Native.cd_membrane_step(Handle, dt, Native.Size(count, "cd_membrane_step", "count")));
+        }
+
+        /// <summary>The longest dt at which CD_METHOD_SYMPLECTIC_EULER is sure to stay bounded, whatever method is set:
+        /// the largest dt with 4 M - 2 dt C - dt^2 K positive definite, by a bound on K that is exact in the limit of
+        /// many nodes for uniform sheets, and a safe lower bound otherwise. INFINITY if nothing can swing. Errors:
+        /// CD_ERROR_UNSUPPORTED of cloth.</summary>
+        public double StableDt()
+        {
+            double outDt;
+            Check(Native.cd_membrane_stable_dt(Handle, &outDt));
+            return outDt;
+        }
+
+        /// <summary>Simulated time [s] and steps made since create or reset, those before a load or a copied state
+        /// included.</summary>
+        public double GetTime()
+        {
+            double outTime;
+            Check(Native.cd_membrane_get_time(Handle, &outTime));
+            return outTime;
+        }
+
+        /// <summary>Simulated time [s] and steps made since create or reset, those before a load or a copied state
+        /// included.</summary>
+        public ulong GetSteps()
+        {
+            ulong outSteps;
+            Check(Native.cd_membrane_get_steps(Handle, &outSteps));
+            return outSteps;
+        }
+
+        /// <summary>How many factorizations the membrane has made: one at the first implicit step and one at the first
+        /// after each change of dt, lambda, method, solver or a parameter. Not part of the saved state.</summary>
+        public ulong GetFactorizations()
+        {
+            ulong outCount;
+            Check(Native.cd_membrane_get_factorizations(Handle, &outCount));
+            return outCount;
+        }
+
+        /// <summary>Energies [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend and
+        /// attachments. Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps their sum, in cloth at
+        /// most.</summary>
+        public MembraneEnergy GetEnergy()
+        {
+            double outKinetic;
+            double outElastic;
+            double outGravity;
+            Check(Native.cd_membrane_get_energy(Handle, &outKinetic, &outElastic, &outGravity));
+            return new MembraneEnergy(outKinetic, outElastic, outGravity);
+        }
+
+        /// <summary>Momentum of the free nodes [kg m/s], one number per component. Errors: CD_ERROR_RANGE if count is
+        /// not the number of components.</summary>
+        public void GetMomentum(double[] outMomentum)
+        {
+            fixed (double* outMomentumPointer = outMomentum)
+                GetMomentumCore(outMomentumPointer, Native.Length(outMomentum));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Momentum of the free nodes [kg m/s], one number per component. Errors: CD_ERROR_RANGE if count is
+        /// not the number of components.</summary>
+        public void GetMomentum(Span<double> outMomentum)
+        {
+            fixed (double* outMomentumPointer = &MemoryMarshal.GetReference(outMomentum))
+                GetMomentumCore(outMomentum.Length == 0 ? null : outMomentumPointer, outMomentum.Length);
+        }
+
+#endif
+        private void GetMomentumCore(double* outMomentum, long outMomentumLength)
+        {
+            long count = Native.Count(outMomentumLength, 1, "cd_membrane_get_momentum", "out_momentum");
+            Check(Native.cd_membrane_get_momentum(Handle, outMomentum, Native.Size(count, "cd_membrane_get_momentum",
+                "count")));
+        }
+
+        /// <summary>Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's
+        /// normal, each cell the mean of its two triangulations, cells with an absent node left out. Of a drum-head
+        /// whose rim lies in a plane through the origin it is the volume under it; of a closed surface, what it
+        /// encloses. 3 components only. Errors: CD_ERROR_UNSUPPORTED.</summary>
+        public double GetVolume()
+        {
+            double outVolume;
+            Check(Native.cd_membrane_get_volume(Handle, &outVolume));
+            return outVolume;
+        }
+
+        /// <summary>Positions at n places on the sheet, bilinear between nodes: at[j] = {u, v}, u in [0, nu] (ring: to
+        /// nu + 1), v likewise; out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE,
+        /// CD_ERROR_VALUE.</summary>
+        public void Sample(double[] at, double[] outPositions)
+        {
+            fixed (double* atPointer = at)
+            fixed (double* outPositionsPointer = outPositions)
+                SampleCore(atPointer, Native.Length(at), outPositionsPointer, Native.Length(outPositions));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Positions at n places on the sheet, bilinear between nodes: at[j] = {u, v}, u in [0, nu] (ring: to
+        /// nu + 1), v likewise; out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE,
+        /// CD_ERROR_VALUE.</summary>
+        public void Sample(ReadOnlySpan<double> at, Span<double> outPositions)
+        {
+            fixed (double* atPointer = &MemoryMarshal.GetReference(at))
+            fixed (double* outPositionsPointer = &MemoryMarshal.GetReference(outPositions))
+                SampleCore(at.Length == 0 ? null : atPointer, at.Length,
+                    outPositions.Length == 0 ? null : outPositionsPointer, outPositions.Length);
+        }
+
+#endif
+        private void SampleCore(double* at, long atLength, double* outPositions, long outPositionsLength)
+        {
+            long n = Native.Count(atLength, 2, "cd_membrane_sample", "at");
+            long outCount = Native.Count(outPositionsLength, 1, "cd_membrane_sample", "out_positions");
+            Check(Native.cd_membrane_sample(Handle, at, Native.Size(n, "cd_membrane_sample", "n"), outPositions,
+                Native.Size(outCount, "cd_membrane_sample", "out_count")));
+        }
+
+        /// <summary>Bytes the membrane holds from its allocator.</summary>
+        public long GetMemory()
+        {
+            UIntPtr outBytes;
+            Check(Native.cd_membrane_get_memory(Handle, &outBytes));
+            return (long)outBytes;
+        }
+
+        /// <summary>A 64-bit hash of everything cd_membrane_save would write. Equal on every machine, compiler and
+        /// vector width.</summary>
+        public ulong Hash()
+        {
+            ulong outHash;
+            Check(Native.cd_membrane_hash(Handle, &outHash));
+            return outHash;
+        }
+
+        /// <summary>Writes a vertex for every node, in node order, into the caller's buffer: vertex i at byte i *
+        /// stride, its position as 3 floats at position_offset and its unit normal, smooth across the sheet, as 3
+        /// floats at normal_offset. A normal points along x_u x x_v and is zero where the sheet has no area or is not
+        /// finite. Components that are not there are written as 0, and a fourth is not drawn; a membrane of 1 component
+        /// is drawn as the height z over the unit square, x = u / nu, y = v / nv (a direction without a spring: 0; a
+        /// ring: u / (nu + 1), and for the normals the sheet goes on beyond its ends). normal_offset SIZE_MAX: no
+        /// normals. Bytes between are left alone; any offset and stride will do, aligned or not, that keeps the
+        /// vertices apart. Absent nodes get their vertex too, with a zero normal. Errors: CD_ERROR_RANGE if size is
+        /// less than nodes * stride, or an offset and its 12 bytes reach past stride, or the two overlap.</summary>
+        public void WriteVertices<T>(T[] buffer, long stride, long positionOffset, long normalOffset) where T : struct
+        {
+            using (var bufferPinned = new Pinned<T>(buffer))
+                WriteVerticesCore(bufferPinned.Pointer, bufferPinned.Length, stride, positionOffset, normalOffset);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes a vertex for every node, in node order, into the caller's buffer: vertex i at byte i *
+        /// stride, its position as 3 floats at position_offset and its unit normal, smooth across the sheet, as 3
+        /// floats at normal_offset. A normal points along x_u x x_v and is zero where the sheet has no area or is not
+        /// finite. Components that are not there are written as 0, and a fourth is not drawn; a membrane of 1 component
+        /// is drawn as the height z over the unit square, x = u / nu, y = v / nv (a direction without a spring: 0; a
+        /// ring: u / (nu + 1), and for the normals the sheet goes on beyond its ends). normal_offset SIZE_MAX: no
+        /// normals. Bytes between are left alone; any offset and stride will do, aligned or not, that keeps the
+        /// vertices apart. Absent nodes get their vertex too, with a zero normal. Errors: CD_ERROR_RANGE if size is
+        /// less than nodes * stride, or an offset and its 12 bytes reach past stride, or the two overlap.</summary>
+        public void WriteVertices(Span<byte> buffer, long stride, long positionOffset, long normalOffset)
+        {
+            fixed (byte* bufferPointer = &MemoryMarshal.GetReference(buffer))
+                WriteVerticesCore(buffer.Length == 0 ? null : bufferPointer, buffer.Length, stride, positionOffset,
+                    normalOffset);
+        }
+
+#endif
+        private void WriteVerticesCore(void* buffer, long bufferLength, long stride, long positionOffset,
+            long normalOffset)
+        {
+            long size = bufferLength;
+            Check(Native.cd_membrane_write_vertices(Handle, buffer, Native.Size(size, "cd_membrane_write_vertices",
+                "size"), Native.Size(stride, "cd_membrane_write_vertices", "stride"), Native.Size(positionOffset,
+                "cd_membrane_write_vertices", "position_offset"), Native.Size(normalOffset,
+                "cd_membrane_write_vertices", "normal_offset")));
+        }
+
+        /// <summary>How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, 3
+        /// per cell of which three are there. Cells that close a ring are among them, but not of 1 component: they
+        /// would reach back across the unit square.</summary>
+        public long GetIndexCount()
+        {
+            UIntPtr outCount;
+            Check(Native.cd_membrane_get_index_count(Handle, &outCount));
+            return (long)outCount;
+        }
+
+        /// <summary>Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte
+        /// order), counter- clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1,
+        /// v + 1). `size` is that of the buffer in bytes. The numbers change with CD_MASK and cd_membrane_set_ring
+        /// only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never
+        /// written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
+        /// CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes.</summary>
+        public void WriteIndices<T>(T[] buffer, long indexSize) where T : struct
+        {
+            using (var bufferPinned = new Pinned<T>(buffer))
+                WriteIndicesCore(bufferPinned.Pointer, bufferPinned.Length, indexSize);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte
+        /// order), counter- clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1,
+        /// v + 1). `size` is that of the buffer in bytes. The numbers change with CD_MASK and cd_membrane_set_ring
+        /// only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never
+        /// written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
+        /// CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes.</summary>
+        public void WriteIndices(Span<byte> buffer, long indexSize)
+        {
+            fixed (byte* bufferPointer = &MemoryMarshal.GetReference(buffer))
+                WriteIndicesCore(buffer.Length == 0 ? null : bufferPointer, buffer.Length, indexSize);
+        }
+
+#endif
+        private void WriteIndicesCore(void* buffer, long bufferLength, long indexSize)
+        {
+            long size = bufferLength;
+            Check(Native.cd_membrane_write_indices(Handle, buffer, Native.Size(size, "cd_membrane_write_indices",
+                "size"), Native.Size(indexSize, "cd_membrane_write_indices", "index_size")));
+        }
+
+        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
+        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
+        /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
+        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public long SaveSize()
+        {
+            UIntPtr outSize;
+            Check(Native.cd_membrane_save_size(Handle, &outSize));
+            return (long)outSize;
+        }
+
+        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
+        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
+        /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
+        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public long Save<T>(T[] buffer) where T : struct
+        {
+            using (var bufferPinned = new Pinned<T>(buffer))
+                return SaveCore(bufferPinned.Pointer, bufferPinned.Length);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
+        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
+        /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
+        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public long Save(Span<byte> buffer)
+        {
+            fixed (byte* bufferPointer = &MemoryMarshal.GetReference(buffer))
+                return SaveCore(buffer.Length == 0 ? null : bufferPointer, buffer.Length);
+        }
+
+#endif
+        private long SaveCore(void* buffer, long bufferLength)
+        {
+            long size = bufferLength;
+            UIntPtr outWritten;
+            Check(Native.cd_membrane_save(Handle, buffer, Native.Size(size, "cd_membrane_save", "size"), &outWritten));
+            return (long)outWritten;
+        }
+
+        /// <summary>The same into a new array.</summary>
+        public byte[] Save()
+        {
+            var bytes = new byte[SaveSize()];
+            Array.Resize(ref bytes, (int)Save(bytes));
+            return bytes;
+        }
+
+        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
+        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
+        /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
+        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public void Load<T>(T[] bytes) where T : struct
+        {
+            using (var bytesPinned = new Pinned<T>(bytes))
+                LoadCore(bytesPinned.Pointer, bytesPinned.Length);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
+        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
+        /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
+        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public void Load(ReadOnlySpan<byte> bytes)
+        {
+            fixed (byte* bytesPointer = &MemoryMarshal.GetReference(bytes))
+                LoadCore(bytes.Length == 0 ? null : bytesPointer, bytes.Length);
+        }
+
+#endif
+        private void LoadCore(void* bytes, long bytesLength)
+        {
+            long size = bytesLength;
+            Changed();
+            Check(Native.cd_membrane_load(Handle, bytes, Native.Size(size, "cd_membrane_load", "size")));
+        }
+
+        /// <summary>Makes `membrane` what `source` is, as save and load would, without the bytes: the two must agree in
+        /// shape and precision. Allocates only if they differ in the fields switched on. Errors: CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public void CopyState(Membrane source)
+        {
+            Changed();
+            Check(Native.cd_membrane_copy_state(Handle, Native.NotNull(source, "source").Handle));
+        }
+
+        /// <summary>Positions, velocities, time and steps back to 0. Parameters, fields and pins stay; targets
+        /// too.</summary>
+        public void Reset()
+        {
+            Changed();
+            Check(Native.cd_membrane_reset(Handle));
+        }
+    }
+
+    /// <summary>What Water.GetShape tells.</summary>
+    public struct WaterShape
+    {
+        public readonly long Nx;
+        public readonly long Ny;
+        public readonly double Dx;
+        public readonly double Dy;
+        public readonly Precision Precision;
+
+        internal WaterShape(long nx, long ny, double dx, double dy, Precision precision)
+        {
+            Nx = nx;
+            Ny = ny;
+            Dx = dx;
+            Dy = dy;
+            Precision = precision;
+        }
+    }
+
+    /// <summary>What Water.GetSide tells.</summary>
+    public struct WaterSide
+    {
+        public readonly Border Kind;
+        public readonly double Value;
+        public readonly double Rate;
+
+        internal WaterSide(Border kind, double value, double rate)
+        {
+            Kind = kind;
+            Value = value;
+            Rate = rate;
+        }
+    }
+
+    /// <summary>What Water.GetLimited tells.</summary>
+    public struct WaterLimited
+    {
+        public readonly ulong Cells;
+        public readonly double Volume;
+
+        internal WaterLimited(ulong cells, double volume)
+        {
+            Cells = cells;
+            Volume = volume;
+        }
+    }
+
+    /// <summary>What Water.GetAccount tells.</summary>
+    public struct WaterAccount
+    {
+        public readonly double Initial;
+        public readonly double In;
+        public readonly double Out;
+        public readonly double Error;
+
+        internal WaterAccount(double initial, double @in, double @out, double error)
+        {
+            Initial = initial;
+            In = @in;
+            Out = @out;
+            Error = error;
+        }
+    }
+
+    /// <summary>What Water.GetEnergy tells.</summary>
+    public struct WaterEnergy
+    {
+        public readonly double Kinetic;
+        public readonly double Potential;
+
+        internal WaterEnergy(double kinetic, double potential)
+        {
+            Kinetic = kinetic;
+            Potential = potential;
+        }
+    }
+
+    /// <summary>contdyn: water: a height field of columns over a bed: pool, river, tide, flood.
+    /// A water has nx x ny cells of dx x dy metres; ny = 1 is a slice. A cell holds a column of water of depth d
+    /// &gt;= 0 over its bed b; its surface is h = b + d. Velocities live on the faces between cells: x-face (i, j)
+    /// lies between the cells (i - 1, j) and (i, j), so that there are nx + 1 of them in a row; y-face (i, j)
+    /// between (i, j - 1) and (i, j). Cell (i, j) has its centre at ((i + 1/2) dx, (j + 1/2) dy).
+    /// Motion d_t + (d u)_x + (d v)_y = source u_t [+ u u_x + v u_y] = -g h_x - p_x / density + force - friction u,
+    /// and v likewise friction = drag + g manning^2 |u| / d^(4/3) (Kass 1997, eq. 32-33; the bracket: shallow
+    /// water)
+    /// CD_MOMENTUM_LINEAR without the bracket: waves, splashes, tides, floods that creep. Water has no inertia
+    /// beyond its own face: a shore moves with the slope of the surface there, and bores of a tenth, half and twice
+    /// the depth run 1, 5 and 13% too slow. CD_MOMENTUM_ADVECTED with it: moving shores, dam breaks, bores, whirls.
+    /// Momentum goes with the water that leaves a cell, upwind, of second order where depths are even and waves
+    /// cross less than a cell in a step.
+    /// A step sweeps along the rows, then along the columns, in the other order every other step. Along a line the
+    /// fluxes and the surface that they change are solved for at once, by the theta scheme, theta = lambda, in time
+    /// proportional to the cells; a face is as deep as the cells beside it in the mean, nearer to the one that
+    /// gives where they differ a lot; no cell gives more than it has and gets (cd_water_get_limited counts what
+    /// that held back). So depths are never negative, a lake lies still on any bed, and volume changes only by what
+    /// cd_water_get_account tells.
+    /// Waves do not limit the step. Where water runs more than half a cell in a step, a line makes its step in 2,
+    /// 4, ... 64 parts, in each of which it runs no more than that, at the cost of so many steps of the line.
+    /// Faster water, of more than 32 cells a step, is carried all the same, only less exactly, and ripples on it
+    /// may grow; on slower streams they do not, but for linear momentum with lambda = 1/2 over an uneven bed. Waves
+    /// that a step lets cross more than a cell are slowed down, short ones most. Advected, a bore runs 0.1% too
+    /// slow in steps in which waves cross half a cell, and at most 5% in steps in which they cross 2 to 32, over
+    /// which it is drawn out to up to eight times as many cells.
+    /// lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in
+    /// the linear mode, of which shores are steep, take a little more than 1/2. Advected water gains no energy in
+    /// steps in which waves cross half a cell or more, and up to 0.012 in all at shores in shorter ones. Linear
+    /// water gains energy where it deepens under a velocity, h_t u^2 / 2 which its equations do not take away
+    /// again: at random shores some hundredths in all. In steps in which waves cross more than a cell, and depths
+    /// are not smooth, no face gains more energy than its water loses by falling.
+    /// Explicit steps (cd_water_set_method) share all of this but the surface that is solved for: half of the slope
+    /// pushes, the water moves, then the other half (velocity Verlet).
+    /// Rows and columns are solved in turn only. In steps in which waves cross many cells, those that run aslant
+    /// are slower than those along the axes. A solve of the whole plane would not be: but what streams carry with
+    /// them makes its system neither symmetric nor definite, without that ripples grow, and what keeps depths from
+    /// below 0 in it is a problem of its own; it cost tens of times as much and gained and lost water. Shorter
+    /// steps serve better.
+    /// Where it is right: waves much longer than the water is deep, surfaces that do not turn over. Ship wakes and
+    /// anything else that needs dispersion are not in it.
+    /// A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag,
+    /// CD_MOMENTUM_LINEAR, CD_METHOD_IMPLICIT with lambda 0.55.
+    /// All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are
+    /// stored in. Depths below 2^-80 m are taken for 0 where a step stores them, and velocities below 2^-80
+    /// (float32) or 2^-500 m/s.
+    /// Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind;
+    /// the comments name the other errors. Functions that chain and membrane have too mean the same here.</summary>
+    public sealed unsafe class Water : LibraryObject
+    {
+        internal new WaterHandle Handle { get { return (WaterHandle)base.Handle; } }
+
+        /// <summary>Makes a water. nx, ny &gt;= 1; dx, dy [m] in [1e-30, 1e30]. allocator may be null (malloc). The
+        /// caller owns *out_water and releases it with cd_water_destroy; on failure *out_water is left alone. Errors:
+        /// CD_ERROR_VALUE, CD_ERROR_ENUM, CD_ERROR_SIZE, CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED for a precision that
+        /// this build leaves out.</summary>
+        public Water(long nx, long ny, double dx, double dy, Precision precision = Precision.Float64,
+            AllocatorCallbacks allocator = null)
+        {
+            void* allocatorStruct = allocator == null ? null : allocator.Struct();
+            IntPtr made;
+            Native.CheckVersion();
+            Native.Check(Native.cd_water_create(Native.Size(nx, "cd_water_create", "nx"), Native.Size(ny,
+                "cd_water_create", "ny"), dx, dy, (int)precision, allocatorStruct, &made), allocator);
+            Own(new WaterHandle(made));
+            Handle.Keep("allocator", allocator);
+        }
+
+        private static readonly Dictionary<Field, FieldRow> rows = new Dictionary<Field, FieldRow>
+        {
+            { Field.Depth, new FieldRow(new[] { 1, 0, 0, 2, 0, 0 }, false, false) },
+            { Field.Bed, new FieldRow(new[] { 1, 0, 0, 2, 0, 0 }, false, false) },
+            { Field.Surface, new FieldRow(new[] { 1, 0, 0, 2, 0, 0 }, false, false) },
+            { Field.VelocityX, new FieldRow(new[] { 1, 1, 0, 2, 0, 0 }, false, false) },
+            { Field.VelocityY, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, false, false) },
+            { Field.Source, new FieldRow(new[] { 1, 0, 0, 2, 0, 0 }, false, false) },
+            { Field.Pressure, new FieldRow(new[] { 1, 0, 0, 2, 0, 0 }, false, false) },
+            { Field.ForceX, new FieldRow(new[] { 1, 1, 0, 2, 0, 0 }, false, false) },
+            { Field.ForceY, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, false, false) },
+            { Field.Mask, new FieldRow(new[] { 1, 0, 0, 2, 0, 0 }, false, false) },
+            { Field.WallX, new FieldRow(new[] { 1, 1, 0, 2, 0, 0 }, false, false) },
+            { Field.WallY, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, false, false) },
+        };
+
+        internal override Whole Extents(Field field)
+        {
+            FieldRow row;
+            if (!rows.TryGetValue(field, out row)) return new Whole();
+            var shape = GetShape();
+            return new Whole(row, new[] { shape.Nx, shape.Ny }, new bool[0], false, 1);
+        }
+
+        internal override Precision Stored { get { return GetShape().Precision; } }
+
+        internal override void ReadWhole(Field field, Whole whole, float* outValues, long count)
+        {
+            var range = whole.Range(false);
+            ReadF32Core(field, range[0], range[1], range[2], range[3], outValues, count);
+        }
+
+        internal override void ReadWhole(Field field, Whole whole, double* outValues, long count)
+        {
+            var range = whole.Range(false);
+            ReadF64Core(field, range[0], range[1], range[2], range[3], outValues, count);
+        }
+
+        internal override void WriteWhole(Field field, Whole whole, float* values, long count)
+        {
+            var range = whole.Range(false);
+            WriteF32Core(field, range[0], range[1], range[2], range[3], values, count);
+        }
+
+        internal override void WriteWhole(Field field, Whole whole, double* values, long count)
+        {
+            var range = whole.Range(false);
+            WriteF64Core(field, range[0], range[1], range[2], range[3], values, count);
+        }
+
+        /// <summary>What cd_water_create was given, or what has been loaded since. Each output may be null.</summary>
+        public WaterShape GetShape()
+        {
+            UIntPtr outNx;
+            UIntPtr outNy;
+            double outDx;
+            double outDy;
+            int outPrecision;
+            Check(Native.cd_water_get_shape(Handle, &outNx, &outNy, &outDx, &outDy, &outPrecision));
+            return new WaterShape((long)outNx, (long)outNy, outDx, outDy, (Precision)outPrecision);
+        }
+
+        /// <summary>How steps are made: CD_METHOD_IMPLICIT; CD_METHOD_SYMPLECTIC_EULER, here in its symmetric form,
+        /// second order in time and bounded up to cd_water_stable_dt; CD_METHOD_FORWARD_EULER, first order, bounded at
+        /// no dt. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for CD_METHOD_STIFF_SECOND; CD_ERROR_MEMORY.</summary>
+        public Method Method
+        {
+            get
+            {
+                int outMethod;
+                Check(Native.cd_water_get_method(Handle, &outMethod));
+                return (Method)outMethod;
+            }
+            set
+            {
+                var method = value;
+                Changed();
+                Check(Native.cd_water_set_method(Handle, (int)method));
+            }
+        }
+
+        /// <summary>lambda of CD_METHOD_IMPLICIT, in [0, 1]; below 1/2 it grows without bound at most dt. Errors:
+        /// CD_ERROR_VALUE.</summary>
+        public double Lambda
+        {
+            get
+            {
+                double outLambda;
+                Check(Native.cd_water_get_lambda(Handle, &outLambda));
+                return outLambda;
+            }
+            set
+            {
+                var lambda = value;
+                Changed();
+                Check(Native.cd_water_set_lambda(Handle, lambda));
+            }
+        }
+
+        /// <summary>Linear or advected momentum; see above. Sets lambda too, to what suits the mode: 0.55 for linear,
+        /// 1/2 for advected. Advected momentum costs memory. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY.</summary>
+        public Momentum Momentum
+        {
+            get
+            {
+                int outMomentum;
+                Check(Native.cd_water_get_momentum(Handle, &outMomentum));
+                return (Momentum)outMomentum;
+            }
+            set
+            {
+                var momentum = value;
+                Changed();
+                Check(Native.cd_water_set_momentum(Handle, (int)momentum));
+            }
+        }
+
+        /// <summary>Which way the next step sweeps first: along x (0, the default of a new water) or along y (1). Every
+        /// step turns it round. A scene and its transpose, begun opposite ways, stay each other's transpose to the bit.
+        /// Errors: CD_ERROR_VALUE for anything but 0 and 1.</summary>
+        public bool First
+        {
+            get
+            {
+                int outAlongY;
+                Check(Native.cd_water_get_first(Handle, &outAlongY));
+                return outAlongY != 0;
+            }
+            set
+            {
+                var alongY = value;
+                Changed();
+                Check(Native.cd_water_set_first(Handle, alongY ? 1 : 0));
+            }
+        }
+
+        /// <summary>Spreads a step over the caller's threads. Null turns it off. It costs memory, for work that threads
+        /// do not share. Errors: CD_ERROR_NULL for a table without run; CD_ERROR_MEMORY.</summary>
+        public void SetParallel(ParallelCallbacks parallel)
+        {
+            void* parallelStruct = parallel == null ? null : parallel.Struct();
+            Changed();
+            Check(Native.cd_water_set_parallel(Handle, parallelStruct));
+            Handle.Keep("parallel", parallel);
+        }
+
+        /// <summary>The instructions that steps are made of, from here on: for tests and measurements, as all give the
+        /// same bits and a new water has the fastest that its processor runs. Not part of the saved state. Errors:
+        /// CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.</summary>
+        public Kernels Kernels
+        {
+            get
+            {
+                int outKernels;
+                Check(Native.cd_water_get_kernels(Handle, &outKernels));
+                return (Kernels)outKernels;
+            }
+            set
+            {
+                var kernels = value;
+                Changed();
+                Check(Native.cd_water_set_kernels(Handle, (int)kernels));
+            }
+        }
+
+        /// <summary>Gravity [m/s^2], in [0, 1e6]; default 9.81.</summary>
+        public double Gravity
+        {
+            get
+            {
+                double outGravity;
+                Check(Native.cd_water_get_gravity(Handle, &outGravity));
+                return outGravity;
+            }
+            set
+            {
+                var gravity = value;
+                Changed();
+                Check(Native.cd_water_set_gravity(Handle, gravity));
+            }
+        }
+
+        /// <summary>Density [kg/m^3], in [1e-6, 1e6]; default 1000. Only pressure, impulses and energies know
+        /// it.</summary>
+        public double Density
+        {
+            get
+            {
+                double outDensity;
+                Check(Native.cd_water_get_density(Handle, &outDensity));
+                return outDensity;
+            }
+            set
+            {
+                var density = value;
+                Changed();
+                Check(Native.cd_water_set_density(Handle, density));
+            }
+        }
+
+        /// <summary>Drag [1/s], &gt;= 0: velocities die out by exp(-drag t). Default 0.</summary>
+        public double Drag
+        {
+            get
+            {
+                double outDrag;
+                Check(Native.cd_water_get_drag(Handle, &outDrag));
+                return outDrag;
+            }
+            set
+            {
+                var drag = value;
+                Changed();
+                Check(Native.cd_water_set_drag(Handle, drag));
+            }
+        }
+
+        /// <summary>Manning's roughness of the bed [s/m^(1/3)], in [0, 1e3]: 0.01 for glass, 0.03 for a river, 0.1 for
+        /// a flooded wood. Default 0. Water that runs down a slope S settles at d^(2/3) sqrt(S) / manning.</summary>
+        public double Manning
+        {
+            get
+            {
+                double outManning;
+                Check(Native.cd_water_get_manning(Handle, &outManning));
+                return outManning;
+            }
+            set
+            {
+                var manning = value;
+                Changed();
+                Check(Native.cd_water_set_manning(Handle, manning));
+            }
+        }
+
+        /// <summary>What is at a side. `value` now, and how fast it changes, `rate` per second, from now on:
+        /// CD_BORDER_OPEN level of the water outside [m], which is at rest: a tide is its level and rate, set anew as
+        /// it goes. Waves leave without an echo, by u = 2 (sqrt(g d) - sqrt(g D)), d the depth in the cell at the side
+        /// and D that of the level over the same bed; linear, u = sqrt(g d) (1 - D / d). The discharge is u d. Where
+        /// that is faster than the waves, as over a side that lies higher than the level, water falls off: a stream
+        /// that is slower than its waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
+        /// CD_BORDER_LEVEL level [m] that is held at the side itself, whatever flows out: of depth D there water
+        /// crosses it with U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and discharge U D. Waves
+        /// are thrown back. What is faster than its waves falls off as above. CD_BORDER_INFLOW discharge per metre of
+        /// the side [m^2/s] into the water, velocity times depth, whatever the depth is; it comes in at critical depth
+        /// where the cell is shallower. If negative it leaves, as far as there is water CD_BORDER_WALL,
+        /// CD_BORDER_PERIODIC value and rate mean nothing Both sides of a direction are periodic or neither is: setting
+        /// one sets the other, and leaving it leaves both, the opposite one as a wall. Errors: CD_ERROR_ENUM;
+        /// CD_ERROR_VALUE.</summary>
+        public void SetSide(Side side, Border kind, double value, double rate)
+        {
+            Changed();
+            Check(Native.cd_water_set_side(Handle, (int)side, (int)kind, value, rate));
+        }
+
+        /// <summary>The kind, and value and rate as of now; 0 where they mean nothing. Each output may be
+        /// null.</summary>
+        public WaterSide GetSide(Side side)
+        {
+            int outKind;
+            double outValue;
+            double outRate;
+            Check(Native.cd_water_get_side(Handle, (int)side, &outKind, &outValue, &outRate));
+            return new WaterSide((Border)outKind, outValue, outRate);
+        }
+
+        /// <summary>What a write to CD_BED leaves as it is; default CD_BED_LIFTS_WATER. Errors:
+        /// CD_ERROR_ENUM.</summary>
+        public BedRule BedRule
+        {
+            get
+            {
+                int outRule;
+                Check(Native.cd_water_get_bed_rule(Handle, &outRule));
+                return (BedRule)outRule;
+            }
+            set
+            {
+                var rule = value;
+                Changed();
+                Check(Native.cd_water_set_bed_rule(Handle, (int)rule));
+            }
+        }
+
+        /// <summary>Switches a field on: no sources, pressure, force or walls yet, all cells there. On already: nothing
+        /// happens. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for a field of other objects;
+        /// CD_ERROR_MEMORY.</summary>
+        public void EnableField(Field field)
+        {
+            Changed();
+            Check(Native.cd_water_enable_field(Handle, (int)field));
+        }
+
+        /// <summary>Switches a field off and releases its memory. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for a
+        /// field that is always there.</summary>
+        public void DisableField(Field field)
+        {
+            Changed();
+            Check(Native.cd_water_disable_field(Handle, (int)field));
+        }
+
+        /// <summary>Writes or reads values[j][i], dense, of the rectangle of cells or faces [first_x, first_x + n_x) x
+        /// [first_y, first_y + n_y); `count` is n_x * n_y. There are nx + 1 x-faces in a row and ny + 1 rows of
+        /// y-faces. Numbers are rounded once, to the precision of the side that is narrower. Never allocates. Errors:
+        /// CD_ERROR_ENUM, CD_ERROR_UNSUPPORTED, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the
+        /// first bad index.</summary>
+        public void WriteF32(Field field, long firstX, long firstY, long nX, long nY, params float[] values)
+        {
+            fixed (float* valuesPointer = values)
+                WriteF32Core(field, firstX, firstY, nX, nY, valuesPointer, Native.Length(values));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes or reads values[j][i], dense, of the rectangle of cells or faces [first_x, first_x + n_x) x
+        /// [first_y, first_y + n_y); `count` is n_x * n_y. There are nx + 1 x-faces in a row and ny + 1 rows of
+        /// y-faces. Numbers are rounded once, to the precision of the side that is narrower. Never allocates. Errors:
+        /// CD_ERROR_ENUM, CD_ERROR_UNSUPPORTED, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the
+        /// first bad index.</summary>
+        public void WriteF32(Field field, long firstX, long firstY, long nX, long nY, ReadOnlySpan<float> values)
+        {
+            fixed (float* valuesPointer = &MemoryMarshal.GetReference(values))
+                WriteF32Core(field, firstX, firstY, nX, nY, values.Length == 0 ? null : valuesPointer, values.Length);
+        }
+
+#endif
+        private void WriteF32Core(Field field, long firstX, long firstY, long nX, long nY, float* values,
+            long valuesLength)
+        {
+            long count = Native.Count(valuesLength, 1, "cd_water_write_f32", "values");
+            Changed();
+            Check(Native.cd_water_write_f32(Handle, (int)field, Native.Size(firstX, "cd_water_write_f32", "first_x"),
+                Native.Size(firstY, "cd_water_write_f32", "first_y"), Native.Size(nX, "cd_water_write_f32", "n_x"),
+                Native.Size(nY, "cd_water_write_f32", "n_y"), values, Native.Size(count, "cd_water_write_f32",
+                "count")));
+        }
+
+        /// <summary>Writes or reads values[j][i], dense, of the rectangle of cells or faces [first_x, first_x + n_x) x
+        /// [first_y, first_y + n_y); `count` is n_x * n_y. There are nx + 1 x-faces in a row and ny + 1 rows of
+        /// y-faces. Numbers are rounded once, to the precision of the side that is narrower. Never allocates. Errors:
+        /// CD_ERROR_ENUM, CD_ERROR_UNSUPPORTED, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the
+        /// first bad index.</summary>
+        public void WriteF64(Field field, long firstX, long firstY, long nX, long nY, params double[] values)
+        {
+            fixed (double* valuesPointer = values)
+                WriteF64Core(field, firstX, firstY, nX, nY, valuesPointer, Native.Length(values));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes or reads values[j][i], dense, of the rectangle of cells or faces [first_x, first_x + n_x) x
+        /// [first_y, first_y + n_y); `count` is n_x * n_y. There are nx + 1 x-faces in a row and ny + 1 rows of
+        /// y-faces. Numbers are rounded once, to the precision of the side that is narrower. Never allocates. Errors:
+        /// CD_ERROR_ENUM, CD_ERROR_UNSUPPORTED, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the
+        /// first bad index.</summary>
+        public void WriteF64(Field field, long firstX, long firstY, long nX, long nY, ReadOnlySpan<double> values)
+        {
+            fixed (double* valuesPointer = &MemoryMarshal.GetReference(values))
+                WriteF64Core(field, firstX, firstY, nX, nY, values.Length == 0 ? null : valuesPointer, values.Length);
+        }
+
+#endif
+        private void WriteF64Core(Field field, long firstX, long firstY, long nX, long nY, double* values,
+            long valuesLength)
+        {
+            long count = Native.Count(valuesLength, 1, "cd_water_write_f64", "values");
+            Changed();
+            Check(Native.cd_water_write_f64(Handle, (int)field, Native.Size(firstX, "cd_water_write_f64", "first_x"),
+                Native.Size(firstY, "cd_water_write_f64", "first_y"), Native.Size(nX, "cd_water_write_f64", "n_x"),
+                Native.Size(nY, "cd_water_write_f64", "n_y"), values, Native.Size(count, "cd_water_write_f64",
+                "count")));
+        }
+
+        /// <summary>Writes or reads values[j][i], dense, of the rectangle of cells or faces [first_x, first_x + n_x) x
+        /// [first_y, first_y + n_y); `count` is n_x * n_y. There are nx + 1 x-faces in a row and ny + 1 rows of
+        /// y-faces. Numbers are rounded once, to the precision of the side that is narrower. Never allocates. Errors:
+        /// CD_ERROR_ENUM, CD_ERROR_UNSUPPORTED, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the
+        /// first bad index.</summary>
+        public void ReadF32(Field field, long firstX, long firstY, long nX, long nY, float[] outValues)
+        {
+            fixed (float* outValuesPointer = outValues)
+                ReadF32Core(field, firstX, firstY, nX, nY, outValuesPointer, Native.Length(outValues));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes or reads values[j][i], dense, of the rectangle of cells or faces [first_x, first_x + n_x) x
+        /// [first_y, first_y + n_y); `count` is n_x * n_y. There are nx + 1 x-faces in a row and ny + 1 rows of
+        /// y-faces. Numbers are rounded once, to the precision of the side that is narrower. Never allocates. Errors:
+        /// CD_ERROR_ENUM, CD_ERROR_UNSUPPORTED, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the
+        /// first bad index.</summary>
+        public void ReadF32(Field field, long firstX, long firstY, long nX, long nY, Span<float> outValues)
+        {
+            fixed (float* outValuesPointer = &MemoryMarshal.GetReference(outValues))
+                ReadF32Core(field, firstX, firstY, nX, nY, outValues.Length == 0 ? null : outValuesPointer,
+                    outValues.Length);
+        }
+
+#endif
+        private void ReadF32Core(Field field, long firstX, long firstY, long nX, long nY, float* outValues,
+            long outValuesLength)
+        {
+            long count = Native.Count(outValuesLength, 1, "cd_water_read_f32", "out_values");
+            Check(Native.cd_water_read_f32(Handle, (int)field, Native.Size(firstX, "cd_water_read_f32", "first_x"),
+                Native.Size(firstY, "cd_water_read_f32", "first_y"), Native.Size(nX, "cd_water_read_f32", "n_x"),
+                Native.Size(nY, "cd_water_read_f32", "n_y"), outValues, Native.Size(count, "cd_water_read_f32",
+                "count")));
+        }
+
+        /// <summary>Writes or reads values[j][i], dense, of the rectangle of cells or faces [first_x, first_x + n_x) x
+        /// [first_y, first_y + n_y); `count` is n_x * n_y. There are nx + 1 x-faces in a row and ny + 1 rows of
+        /// y-faces. Numbers are rounded once, to the precision of the side that is narrower. Never allocates. Errors:
+        /// CD_ERROR_ENUM, CD_ERROR_UNSUPPORTED, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the
+        /// first bad index.</summary>
+        public void ReadF64(Field field, long firstX, long firstY, long nX, long nY, double[] outValues)
+        {
+            fixed (double* outValuesPointer = outValues)
+                ReadF64Core(field, firstX, firstY, nX, nY, outValuesPointer, Native.Length(outValues));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes or reads values[j][i], dense, of the rectangle of cells or faces [first_x, first_x + n_x) x
+        /// [first_y, first_y + n_y); `count` is n_x * n_y. There are nx + 1 x-faces in a row and ny + 1 rows of
+        /// y-faces. Numbers are rounded once, to the precision of the side that is narrower. Never allocates. Errors:
+        /// CD_ERROR_ENUM, CD_ERROR_UNSUPPORTED, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the
+        /// first bad index.</summary>
+        public void ReadF64(Field field, long firstX, long firstY, long nX, long nY, Span<double> outValues)
+        {
+            fixed (double* outValuesPointer = &MemoryMarshal.GetReference(outValues))
+                ReadF64Core(field, firstX, firstY, nX, nY, outValues.Length == 0 ? null : outValuesPointer,
+                    outValues.Length);
+        }
+
+#endif
+        private void ReadF64Core(Field field, long firstX, long firstY, long nX, long nY, double* outValues,
+            long outValuesLength)
+        {
+            long count = Native.Count(outValuesLength, 1, "cd_water_read_f64", "out_values");
+            Check(Native.cd_water_read_f64(Handle, (int)field, Native.Size(firstX, "cd_water_read_f64", "first_x"),
+                Native.Size(firstY, "cd_water_read_f64", "first_y"), Native.Size(nX, "cd_water_read_f64", "n_x"),
+                Native.Size(nY, "cd_water_read_f64", "n_y"), outValues, Native.Size(count, "cd_water_read_f64",
+                "count")));
+        }
+
+        /// <summary>Where a field lies in the water's own memory, in its precision, to read without a copy: the value
+        /// of (i, j) is at byte *out_data + i * x_stride + j * y_stride. All but CD_SURFACE, CD_MASK and the walls. The
+        /// pointer is good until the field is switched off or the water released; the numbers change with every write
+        /// and step. Do not write through it. Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_UNSUPPORTED.</summary>
+        public View View(Field field)
+        {
+            return new View(this, field);
+        }
+
+        internal override IntPtr Lie(Field field, long[] strides)
+        {
+            IntPtr data;
+            UIntPtr* s = stackalloc UIntPtr[4];
+            Check(Native.cd_water_view(Handle, (int)field, &data, s + 0, s + 1));
+            strides[0] = (long)s[0];
+            strides[1] = (long)s[1];
+            return data;
+        }
+
+        /// <summary>Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's
+        /// share. out_added, which may be null, tells what it came to. The account counts it. Errors:
+        /// CD_ERROR_VALUE.</summary>
+        public double AddVolume(double x, double y, double radius, double volume)
+        {
+            double outAdded;
+            Changed();
+            Check(Native.cd_water_add_volume(Handle, x, y, radius, volume, &outAdded));
+            return outAdded;
+        }
+
+        /// <summary>Adds volume [m^3] evenly over the cells there of a rectangle, or takes it; out_added as above.
+        /// Errors: CD_ERROR_RANGE; CD_ERROR_VALUE.</summary>
+        public double AddVolumeRectangle(long firstX, long firstY, long nX, long nY, double volume)
+        {
+            double outAdded;
+            Changed();
+            Check(Native.cd_water_add_volume_rectangle(Handle, Native.Size(firstX, "cd_water_add_volume_rectangle",
+                "first_x"), Native.Size(firstY, "cd_water_add_volume_rectangle", "first_y"), Native.Size(nX,
+                "cd_water_add_volume_rectangle", "n_x"), Native.Size(nY, "cd_water_add_volume_rectangle", "n_y"),
+                volume, &outAdded));
+            return outAdded;
+        }
+
+        /// <summary>Adds a source of rate [m^3/s] over a disc to CD_SOURCE, or a drain if negative, and switches that
+        /// field on. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
+        public void AddSource(double x, double y, double radius, double rate)
+        {
+            Changed();
+            Check(Native.cd_water_add_source(Handle, x, y, radius, rate));
+        }
+
+        /// <summary>The same evenly over the cells there of a rectangle. Errors: CD_ERROR_RANGE; CD_ERROR_VALUE;
+        /// CD_ERROR_MEMORY.</summary>
+        public void AddSourceRectangle(long firstX, long firstY, long nX, long nY, double rate)
+        {
+            Changed();
+            Check(Native.cd_water_add_source_rectangle(Handle, Native.Size(firstX, "cd_water_add_source_rectangle",
+                "first_x"), Native.Size(firstY, "cd_water_add_source_rectangle", "first_y"), Native.Size(nX,
+                "cd_water_add_source_rectangle", "n_x"), Native.Size(nY, "cd_water_add_source_rectangle", "n_y"),
+                rate));
+        }
+
+        /// <summary>A splash: water of the disc, down to `height` [m] &gt;= 0 at its centre and as far as there is
+        /// water, is heaped up on the wet cells around it, out to twice the radius; volume is kept. Nothing happens
+        /// where no wet cell is there to take it. Errors: CD_ERROR_VALUE.</summary>
+        public void Splash(double x, double y, double radius, double height)
+        {
+            Changed();
+            Check(Native.cd_water_splash(Handle, x, y, radius, height));
+        }
+
+        /// <summary>Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass
+        /// of water at it, shares being in proportion to that mass too; on dry faces nothing happens. Errors:
+        /// CD_ERROR_VALUE.</summary>
+        public void Impulse(double x, double y, double radius, double impulseX, double impulseY)
+        {
+            Changed();
+            Check(Native.cd_water_impulse(Handle, x, y, radius, impulseX, impulseY));
+        }
+
+        /// <summary>Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is
+        /// proportional to count * cells, and to the parts that steps are made in (see above). Errors: CD_ERROR_VALUE;
+        /// CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives the first bad
+        /// one, the water can be read, and steps again after cd_water_reset, a load, or once finite depths and
+        /// velocities have been written.</summary>
+        public void Step(double dt, long count = 1)
+        {
+            Changed();
+            Check(Native.cd_water_step(Handle, dt, Native.Size(count, "cd_water_step", "count")));
+        }
+
+        /// <summary>The longest dt at which CD_METHOD_SYMPLECTIC_EULER stays bounded for small waves on the water as it
+        /// lies now, whatever method is set: the least of both axes, each exact in the limit of many cells for water of
+        /// one depth, a safe lower bound otherwise; for a stream over an uneven bed take 0.8 of it. INFINITY if nothing
+        /// can swing.</summary>
+        public double StableDt()
+        {
+            double outDt;
+            Check(Native.cd_water_stable_dt(Handle, &outDt));
+            return outDt;
+        }
+
+        /// <summary>Simulated time [s] and steps made since create or reset, those before a load or a copied state
+        /// included.</summary>
+        public double GetTime()
+        {
+            double outTime;
+            Check(Native.cd_water_get_time(Handle, &outTime));
+            return outTime;
+        }
+
+        /// <summary>Simulated time [s] and steps made since create or reset, those before a load or a copied state
+        /// included.</summary>
+        public ulong GetSteps()
+        {
+            ulong outSteps;
+            Check(Native.cd_water_get_steps(Handle, &outSteps));
+            return outSteps;
+        }
+
+        /// <summary>How many times lines have been solved along a direction since the water was made: of every sweep
+        /// the most parts that a line made its step in, each a factorization of its own, since depths change. Not part
+        /// of the saved state.</summary>
+        public ulong GetFactorizations()
+        {
+            ulong outCount;
+            Check(Native.cd_water_get_factorizations(Handle, &outCount));
+            return outCount;
+        }
+
+        /// <summary>What the last call of cd_water_step had to hold back so that no cell gave more than it had and got:
+        /// in how many cells, counted once per sweep and part, and how much water [m^3] went or came less through
+        /// faces. Each output may be null.</summary>
+        public WaterLimited GetLimited()
+        {
+            ulong outCells;
+            double outVolume;
+            Check(Native.cd_water_get_limited(Handle, &outCells, &outVolume));
+            return new WaterLimited(outCells, outVolume);
+        }
+
+        /// <summary>Volume [m^3]: the sum of all depths times the cells' area.</summary>
+        public double GetVolume()
+        {
+            double outVolume;
+            Check(Native.cd_water_get_volume(Handle, &outVolume));
+            return outVolume;
+        }
+
+        /// <summary>The volume account [m^3], kept in double whatever the precision: what was there when it was started
+        /// (by create, reset, cd_water_restart_account, or a write of CD_DEPTH, CD_SURFACE or CD_MASK), what came in
+        /// since then (sides, sources, volumes added, beds that keep the surface), what went out, and what the present
+        /// volume has above initial + in - out, which is rounding. Each output may be null.</summary>
+        public WaterAccount GetAccount()
+        {
+            double outInitial;
+            double outIn;
+            double outOut;
+            double outError;
+            Check(Native.cd_water_get_account(Handle, &outInitial, &outIn, &outOut, &outError));
+            return new WaterAccount(outInitial, outIn, outOut, outError);
+        }
+
+        /// <summary>The volume account [m^3], kept in double whatever the precision: what was there when it was started
+        /// (by create, reset, cd_water_restart_account, or a write of CD_DEPTH, CD_SURFACE or CD_MASK), what came in
+        /// since then (sides, sources, volumes added, beds that keep the surface), what went out, and what the present
+        /// volume has above initial + in - out, which is rounding. Each output may be null.</summary>
+        public void RestartAccount()
+        {
+            Changed();
+            Check(Native.cd_water_restart_account(Handle));
+        }
+
+        /// <summary>Energies [J]; each output may be null. Kinetic: density / 2 times area, depth and velocity^2 of the
+        /// faces. Potential: density g times area, depth and the height of the column's middle.</summary>
+        public WaterEnergy GetEnergy()
+        {
+            double outKinetic;
+            double outPotential;
+            Check(Native.cd_water_get_energy(Handle, &outKinetic, &outPotential));
+            return new WaterEnergy(outKinetic, outPotential);
+        }
+
+        /// <summary>Area [m^2] of the cells with depth &gt; 0.</summary>
+        public double GetWetArea()
+        {
+            double outArea;
+            Check(Native.cd_water_get_wet_area(Handle, &outArea));
+            return outArea;
+        }
+
+        /// <summary>The largest Courant number of a step of dt [s], over directions and wet faces: (|u| + sqrt(g d)) dt
+        /// / dx. Errors: CD_ERROR_VALUE.</summary>
+        public double GetCourant(double dt)
+        {
+            double outCourant;
+            Check(Native.cd_water_get_courant(Handle, dt, &outCourant));
+            return outCourant;
+        }
+
+        /// <summary>The water at n places, at[k] = {x, y} in metres inside the scene: surface [m] and depth [m],
+        /// bilinear between cell centres that are there, level beyond the outermost ones; normal of the surface (3
+        /// numbers, unit length, z up); velocity [m/s] (2 numbers), bilinear between faces. A dry place has the bed for
+        /// its surface. Each output may be null. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more
+        /// than fit in memory.</summary>
+        public void Sample(double[] at, double[] outSurface, double[] outDepth, double[] outNormal,
+            double[] outVelocity)
+        {
+            fixed (double* atPointer = at)
+            fixed (double* outSurfacePointer = outSurface)
+            fixed (double* outDepthPointer = outDepth)
+            fixed (double* outNormalPointer = outNormal)
+            fixed (double* outVelocityPointer = outVelocity)
+                SampleCore(atPointer, Native.Length(at), outSurfacePointer, Native.Length(outSurface), outDepthPointer,
+                    Native.Length(outDepth), outNormalPointer, Native.Length(outNormal), outVelocityPointer,
+                    Native.Length(outVelocity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The water at n places, at[k] = {x, y} in metres inside the scene: surface [m] and depth [m],
+        /// bilinear between cell centres that are there, level beyond the outermost ones; normal of the surface (3
+        /// numbers, unit length, z up); velocity [m/s] (2 numbers), bilinear between faces. A dry place has the bed for
+        /// its surface. Each output may be null. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more
+        /// than fit in memory.</summary>
+        public void Sample(ReadOnlySpan<double> at, Span<double> outSurface, Span<double> outDepth,
+            Span<double> outNormal, Span<double> outVelocity)
+        {
+            fixed (double* atPointer = &MemoryMarshal.GetReference(at))
+            fixed (double* outSurfacePointer = &MemoryMarshal.GetReference(outSurface))
+            fixed (double* outDepthPointer = &MemoryMarshal.GetReference(outDepth))
+            fixed (double* outNormalPointer = &MemoryMarshal.GetReference(outNormal))
+            fixed (double* outVelocityPointer = &MemoryMarshal.GetReference(outVelocity))
+                SampleCore(at.Length == 0 ? null : atPointer, at.Length,
+                    outSurface.Length == 0 ? null : outSurfacePointer, outSurface.Length,
+                    outDepth.Length == 0 ? null : outDepthPointer, outDepth.Length,
+                    outNormal.Length == 0 ? null : outNormalPointer, outNormal.Length,
+                    outVelocity.Length == 0 ? null : outVelocityPointer, outVelocity.Length);
+        }
+
+#endif
+        private void SampleCore(double* at, long atLength, double* outSurface, long outSurfaceLength, double* outDepth,
+            long outDepthLength, double* outNormal, long outNormalLength, double* outVelocity, long outVelocityLength)
+        {
+            long n = Native.Count(atLength, 2, "cd_water_sample", "at");
+            Native.Same(outSurface, outSurfaceLength, n, "cd_water_sample", "out_surface");
+            Native.Same(outDepth, outDepthLength, n, "cd_water_sample", "out_depth");
+            Native.Same(outNormal, outNormalLength, n * 3, "cd_water_sample", "out_normal");
+            Native.Same(outVelocity, outVelocityLength, n * 2, "cd_water_sample", "out_velocity");
+            Check(Native.cd_water_sample(Handle, at, Native.Size(n, "cd_water_sample", "n"), outSurface, outDepth,
+                outNormal, outVelocity));
+        }
+
+        /// <summary>Bytes the water holds from its allocator.</summary>
+        public long GetMemory()
+        {
+            UIntPtr outBytes;
+            Check(Native.cd_water_get_memory(Handle, &outBytes));
+            return (long)outBytes;
+        }
+
+        /// <summary>A 64-bit hash of everything cd_water_save would write. Equal on every machine, compiler and vector
+        /// width.</summary>
+        public ulong Hash()
+        {
+            ulong outHash;
+            Check(Native.cd_water_hash(Handle, &outHash));
+            return outHash;
+        }
+
+        /// <summary>Writes a vertex for every cell, cell (i, j) as number j nx + i, into the caller's buffer: vertex k
+        /// at byte k * stride, its position, the cell's centre on the surface, as 3 floats at position_offset; its unit
+        /// normal as 3 floats at normal_offset; its depth as 1 float at depth_offset, 0 where it is dry and -1 where
+        /// the cell is absent, for a shader to fade out shores. normal_offset or depth_offset SIZE_MAX: none. Bytes
+        /// between are left alone; any offset and stride will do that keeps them apart. Errors: CD_ERROR_RANGE if size
+        /// is less than cells * stride, or an offset and its bytes reach past stride, or two overlap.</summary>
+        public void WriteVertices<T>(T[] buffer, long stride, long positionOffset, long normalOffset,
+            long depthOffset) where T : struct
+        {
+            using (var bufferPinned = new Pinned<T>(buffer))
+                WriteVerticesCore(bufferPinned.Pointer, bufferPinned.Length, stride, positionOffset, normalOffset,
+                    depthOffset);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes a vertex for every cell, cell (i, j) as number j nx + i, into the caller's buffer: vertex k
+        /// at byte k * stride, its position, the cell's centre on the surface, as 3 floats at position_offset; its unit
+        /// normal as 3 floats at normal_offset; its depth as 1 float at depth_offset, 0 where it is dry and -1 where
+        /// the cell is absent, for a shader to fade out shores. normal_offset or depth_offset SIZE_MAX: none. Bytes
+        /// between are left alone; any offset and stride will do that keeps them apart. Errors: CD_ERROR_RANGE if size
+        /// is less than cells * stride, or an offset and its bytes reach past stride, or two overlap.</summary>
+        public void WriteVertices(Span<byte> buffer, long stride, long positionOffset, long normalOffset,
+            long depthOffset)
+        {
+            fixed (byte* bufferPointer = &MemoryMarshal.GetReference(buffer))
+                WriteVerticesCore(buffer.Length == 0 ? null : bufferPointer, buffer.Length, stride, positionOffset,
+                    normalOffset, depthOffset);
+        }
+
+#endif
+        private void WriteVerticesCore(void* buffer, long bufferLength, long stride, long positionOffset,
+            long normalOffset, long depthOffset)
+        {
+            long size = bufferLength;
+            Check(Native.cd_water_write_vertices(Handle, buffer, Native.Size(size, "cd_water_write_vertices", "size"),
+                Native.Size(stride, "cd_water_write_vertices", "stride"), Native.Size(positionOffset,
+                "cd_water_write_vertices", "position_offset"), Native.Size(normalOffset, "cd_water_write_vertices",
+                "normal_offset"), Native.Size(depthOffset, "cd_water_write_vertices", "depth_offset")));
+        }
+
+        /// <summary>How many indices cd_water_write_indices writes now: 6 per square of four neighbouring cells that
+        /// are there, 3 per square of which three are. skip_dry 1: squares without a wet cell are left out, so that it
+        /// changes with the water.</summary>
+        public long GetIndexCount(bool skipDry)
+        {
+            UIntPtr outCount;
+            Check(Native.cd_water_get_index_count(Handle, skipDry ? 1 : 0, &outCount));
+            return (long)outCount;
+        }
+
+        /// <summary>Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte
+        /// order), counter- clockwise seen from above. `size` is that of the buffer in bytes. 65535 with 2 bytes and
+        /// 2^32 - 1 with 4 are never written. Errors: CD_ERROR_VALUE for another index_size, or skip_dry neither 0 nor
+        /// 1; CD_ERROR_RANGE if size is too small; CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1
+        /// cells.</summary>
+        public void WriteIndices<T>(bool skipDry, T[] buffer, long indexSize) where T : struct
+        {
+            using (var bufferPinned = new Pinned<T>(buffer))
+                WriteIndicesCore(skipDry, bufferPinned.Pointer, bufferPinned.Length, indexSize);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte
+        /// order), counter- clockwise seen from above. `size` is that of the buffer in bytes. 65535 with 2 bytes and
+        /// 2^32 - 1 with 4 are never written. Errors: CD_ERROR_VALUE for another index_size, or skip_dry neither 0 nor
+        /// 1; CD_ERROR_RANGE if size is too small; CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1
+        /// cells.</summary>
+        public void WriteIndices(bool skipDry, Span<byte> buffer, long indexSize)
+        {
+            fixed (byte* bufferPointer = &MemoryMarshal.GetReference(buffer))
+                WriteIndicesCore(skipDry, buffer.Length == 0 ? null : bufferPointer, buffer.Length, indexSize);
+        }
+
+#endif
+        private void WriteIndicesCore(bool skipDry, void* buffer, long bufferLength, long indexSize)
+        {
+            long size = bufferLength;
+            Check(Native.cd_water_write_indices(Handle, skipDry ? 1 : 0, buffer, Native.Size(size,
+                "cd_water_write_indices", "size"), Native.Size(indexSize, "cd_water_write_indices", "index_size")));
+        }
+
+        /// <summary>The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but
+        /// the callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_water_save_size and tells what it wrote. load needs a water of as many cells and the same precision,
+        /// takes the cells' size over, and switches fields on and off as they were. Bytes that are damaged, cut short,
+        /// of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+        /// CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
+        public long SaveSize()
+        {
+            UIntPtr outSize;
+            Check(Native.cd_water_save_size(Handle, &outSize));
+            return (long)outSize;
+        }
+
+        /// <summary>The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but
+        /// the callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_water_save_size and tells what it wrote. load needs a water of as many cells and the same precision,
+        /// takes the cells' size over, and switches fields on and off as they were. Bytes that are damaged, cut short,
+        /// of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+        /// CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
+        public long Save<T>(T[] buffer) where T : struct
+        {
+            using (var bufferPinned = new Pinned<T>(buffer))
+                return SaveCore(bufferPinned.Pointer, bufferPinned.Length);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but
+        /// the callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_water_save_size and tells what it wrote. load needs a water of as many cells and the same precision,
+        /// takes the cells' size over, and switches fields on and off as they were. Bytes that are damaged, cut short,
+        /// of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+        /// CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
+        public long Save(Span<byte> buffer)
+        {
+            fixed (byte* bufferPointer = &MemoryMarshal.GetReference(buffer))
+                return SaveCore(buffer.Length == 0 ? null : bufferPointer, buffer.Length);
+        }
+
+#endif
+        private long SaveCore(void* buffer, long bufferLength)
+        {
+            long size = bufferLength;
+            UIntPtr outWritten;
+            Check(Native.cd_water_save(Handle, buffer, Native.Size(size, "cd_water_save", "size"), &outWritten));
+            return (long)outWritten;
+        }
+
+        /// <summary>The same into a new array.</summary>
+        public byte[] Save()
+        {
+            var bytes = new byte[SaveSize()];
+            Array.Resize(ref bytes, (int)Save(bytes));
+            return bytes;
+        }
+
+        /// <summary>The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but
+        /// the callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_water_save_size and tells what it wrote. load needs a water of as many cells and the same precision,
+        /// takes the cells' size over, and switches fields on and off as they were. Bytes that are damaged, cut short,
+        /// of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+        /// CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
+        public void Load<T>(T[] bytes) where T : struct
+        {
+            using (var bytesPinned = new Pinned<T>(bytes))
+                LoadCore(bytesPinned.Pointer, bytesPinned.Length);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but
+        /// the callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
+        /// cd_water_save_size and tells what it wrote. load needs a water of as many cells and the same precision,
+        /// takes the cells' size over, and switches fields on and off as they were. Bytes that are damaged, cut short,
+        /// of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+        /// CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
+        public void Load(ReadOnlySpan<byte> bytes)
+        {
+            fixed (byte* bytesPointer = &MemoryMarshal.GetReference(bytes))
+                LoadCore(bytes.Length == 0 ? null : bytesPointer, bytes.Length);
+        }
+
+#endif
+        private void LoadCore(void* bytes, long bytesLength)
+        {
+            long size = bytesLength;
+            Changed();
+            Check(Native.cd_water_load(Handle, bytes, Native.Size(size, "cd_water_load", "size")));
+        }
+
+        /// <summary>Makes `water` what `source` is, as save and load would, without the bytes: the two must agree in
+        /// cells and precision. Allocates only if they differ in the fields switched on. Errors: CD_ERROR_MISMATCH,
+        /// CD_ERROR_MEMORY.</summary>
+        public void CopyState(Water source)
+        {
+            Changed();
+            Check(Native.cd_water_copy_state(Handle, Native.NotNull(source, "source").Handle));
+        }
+
+        /// <summary>Depths, velocities, time, steps and account back to 0. Bed, parameters and the other fields stay.
+        /// What is at sides begins again with time: a level or discharge that changes is what it was at time 0, or by
+        /// its rate would have been if it was set later; then set it anew.</summary>
+        public void Reset()
+        {
+            Changed();
+            Check(Native.cd_water_reset(Handle));
+        }
+    }
+}
