@@ -148,9 +148,9 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
  * where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
  * its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
  * switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little
- * every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring,
- * in a build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness would
- * weld all springs or two held nodes. */
+ * every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
+ * spring, in a build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness
+ * would weld all springs or two held nodes. */
 CD_API cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
 

@@ -12,7 +12,7 @@
 // h^2 B Z, so that a node without bend is a joint of B = 0.
 #pragma once
 
-#include "kernel/rope_contact.hh"
+#include "kernel/rope_elimination.hh"
 
 namespace cd {
 namespace CD_ISA {

@@ -18,7 +18,7 @@ BROKEN = [
     ("chain.h", "enum { CD_END_FIRST = 0, CD_END_LAST = 1 };", "enum { CD_END_FIRST, CD_END_LAST };"),
     ("chain.h", "enum { CD_END_FIRST = 0, CD_END_LAST = 1 };", "enum { CD_END_FIRST = 0, CD_END_LAST = 0 };"),
     ("chain.h", "typedef struct cd_chain cd_chain;", "typedef struct cd_chain cd_chain;\nstruct cd_extra { int a; };"),
-    ("chain.h", " *  CD_BEND       node ", " *  CD_BENDS      node "),
+    ("chain.h", " *  CD_BEND       (strand), node ", " *  CD_BENDS      (strand), node "),
     ("chain.h", "/* ---- measuring ---", "/* ---- Measuring, 2 ---"),
     ("chain.h", "size_t strand, const double* rotation", "size_t strand, const double* turn"),
     ("membrane.h", "cd_membrane_sample(", "cd_membrane_probe("),

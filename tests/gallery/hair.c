@@ -1,5 +1,6 @@
 /* Hair on a moving head: 200 strands of 25 cm, rooted in a head that shakes from side to side for three seconds and then
- * holds still. Roots go from pose to pose; the head is a sphere that the hair lies on. */
+ * holds still. The first two nodes of a strand go from pose to pose, which clamps it; the rest bends, and comes back. The
+ * head is a sphere that the hair lies on. */
 #include <contdyn/contdyn.h>
 #include <math.h>
 #include <stdio.h>
@@ -29,9 +30,14 @@ int main(void) {
     must(cd_chain_set_mass(hair, 1e-4)); /* kg a strand */
     must(cd_chain_set_rest_length(hair, length));
     must(cd_chain_set_stiffness(hair, INFINITY));
+    must(cd_chain_set_bend(hair, 1e-3)); /* bends under its weight, and keeps some of its shape */
     must(cd_chain_set_gravity(hair, gravity, 3));
     must(cd_chain_set_air(hair, 1e-4, 1e-3)); /* along it and across */
-    must(cd_chain_set_end(hair, CD_END_FIRST, CD_NODE_POSED));
+    must(cd_chain_enable_field(hair, CD_TARGET));
+    for (int s = 0; s < kStrands; ++s) {
+        const float posed[2] = {CD_NODE_POSED, CD_NODE_POSED};
+        must(cd_chain_write_f32(hair, CD_PIN, (size_t)s, 1, 0, 2, posed, 2));
+    }
     must(cd_chain_set_colliders(hair, 1));
     must(cd_chain_set_capsule(hair, 0, centre, centre, 3, 0.99 * head, 0.3));
 
@@ -40,8 +46,10 @@ int main(void) {
         const double t = frame * dt, next = t < 3 ? 0.15 * sin(turn * t) : 0;
         const double velocity[3] = {(next - centre[0]) / dt, 0, 0};
         for (int s = 0; s < kStrands; ++s) { /* where the roots are at the end of the frame */
-            const double root[3] = {next + head * way[s][0], head * way[s][1], head * way[s][2]};
-            must(cd_chain_write_f64(hair, CD_TARGET, (size_t)s, 1, 0, 1, root, 3));
+            const double first = head, second = head + length / kSprings;
+            const double root[2][3] = {{next + first * way[s][0], first * way[s][1], first * way[s][2]},
+                                       {next + second * way[s][0], second * way[s][1], second * way[s][2]}};
+            must(cd_chain_write_f64(hair, CD_TARGET, (size_t)s, 1, 0, 2, root[0], 6));
         }
         must(cd_chain_set_collider_velocity(hair, 0, velocity, 3));
         must(cd_chain_step(hair, dt, 1));

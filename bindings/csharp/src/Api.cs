@@ -510,7 +510,7 @@ namespace Contdyn
             { Field.Target, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, true, false) },
             { Field.Mass, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, false, true) },
             { Field.Stiffness, new FieldRow(new[] { 1, 0, 0, 2, 0, 1 }, false, true) },
-            { Field.Bend, new FieldRow(new[] { 0, 1, 0, 2, 1, 0 }, false, false) },
+            { Field.Bend, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, false, true) },
             { Field.Pin, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, false, true) },
             { Field.RestLength, new FieldRow(new[] { 1, 0, 0, 2, 0, 1 }, false, false) },
             { Field.Tension, new FieldRow(new[] { 1, 0, 0, 2, 0, 1 }, false, false) },
@@ -684,8 +684,8 @@ namespace Contdyn
         }
 
         /// <summary>Bend stiffness b [N/m], &gt;= 0. Per node with two neighbours: b times the cube of the number of
-        /// springs (Kass 1997, eq. 5; eq. 8 prints the square). Errors: CD_ERROR_MEMORY when bend is switched
-        /// on.</summary>
+        /// springs (Kass 1997, eq. 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam
+        /// of the rigidity E I [N m^2]. Errors: CD_ERROR_MEMORY when bend is switched on.</summary>
         public double Bend
         {
             get
@@ -831,11 +831,11 @@ namespace Contdyn
 
         /// <summary>Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length /
         /// springs; nodes stay where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands
-        /// are individuals: each has its own pins, masses, stiffnesses, rest lengths and attachments, at first those
-        /// that they shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders
-        /// too. Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
-        /// CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build without ropes, and for 0 where strands
-        /// differ in what they would share, or an infinite stiffness would weld all springs or two held
+        /// are individuals: each has its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first
+        /// those that they shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and
+        /// colliders too. Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE;
+        /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build without ropes, and for 0
+        /// where strands differ in what they would share, or an infinite stiffness would weld all springs or two held
         /// nodes.</summary>
         public double RestLength
         {
@@ -854,7 +854,8 @@ namespace Contdyn
         }
 
         /// <summary>Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push
-        /// are solved by Newton's method alone, which may fail from a crumpled start. Errors: CD_ERROR_VALUE.</summary>
+        /// are solved by Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds
+        /// them at long steps. Errors: CD_ERROR_VALUE.</summary>
         public bool Push
         {
             get
@@ -901,10 +902,10 @@ namespace Contdyn
             return (long)outSprings;
         }
 
-        /// <summary>The force [N], one number per component, with which the springs of a rope pull at a node: of a held
-        /// node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that
-        /// they have now; 0 of a spring without length. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is
-        /// no rope.</summary>
+        /// <summary>The force [N], one number per component, with which the springs of a rope pull at a node, and its
+        /// bend: of a held node, what the rope does to whatever holds it. It is the sum of their tensions, along the
+        /// directions that they have now, 0 of a spring without length, and of what the bend there and at the nodes
+        /// beside it does. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
         public void GetReaction(long strand, long node, double[] outForce)
         {
             fixed (double* outForcePointer = outForce)
@@ -912,10 +913,10 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>The force [N], one number per component, with which the springs of a rope pull at a node: of a held
-        /// node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that
-        /// they have now; 0 of a spring without length. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is
-        /// no rope.</summary>
+        /// <summary>The force [N], one number per component, with which the springs of a rope pull at a node, and its
+        /// bend: of a held node, what the rope does to whatever holds it. It is the sum of their tensions, along the
+        /// directions that they have now, 0 of a spring without length, and of what the bend there and at the nodes
+        /// beside it does. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
         public void GetReaction(long strand, long node, Span<double> outForce)
         {
             fixed (double* outForcePointer = &MemoryMarshal.GetReference(outForce))
@@ -1553,9 +1554,9 @@ namespace Contdyn
         /// or welds it (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass,
         /// so that momentum is kept, and their offset stays as it is. Welding to a held node gives that node's
         /// velocity. A cut or welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS
-        /// on. Bend is not cut with the spring: write CD_BEND. In a rope welding fixes the spring's length only.
-        /// Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held
-        /// nodes.</summary>
+        /// on. Bend is not cut with the spring: write CD_BEND. In a rope it is, as long as the stiffness is 0, and
+        /// welding fixes the spring's length only. Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED
+        /// if it would join two held nodes.</summary>
         public void Cut(long strand, long spring)
         {
             Changed();
@@ -1567,9 +1568,9 @@ namespace Contdyn
         /// or welds it (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass,
         /// so that momentum is kept, and their offset stays as it is. Welding to a held node gives that node's
         /// velocity. A cut or welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS
-        /// on. Bend is not cut with the spring: write CD_BEND. In a rope welding fixes the spring's length only.
-        /// Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held
-        /// nodes.</summary>
+        /// on. Bend is not cut with the spring: write CD_BEND. In a rope it is, as long as the stiffness is 0, and
+        /// welding fixes the spring's length only. Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED
+        /// if it would join two held nodes.</summary>
         public void Weld(long strand, long spring)
         {
             Changed();

@@ -631,7 +631,7 @@ Chain._fields = {
   [7] = {1, 0, 0, 2, 1, 0, true, false},
   [3] = {1, 0, 0, 2, 1, 0, false, true},
   [4] = {1, 0, 0, 2, 0, 1, false, true},
-  [5] = {0, 1, 0, 2, 1, 0, false, false},
+  [5] = {1, 0, 0, 2, 1, 0, false, true},
   [6] = {1, 0, 0, 2, 1, 0, false, true},
   [22] = {1, 0, 0, 2, 0, 1, false, false},
   [23] = {1, 0, 0, 2, 0, 1, false, false},
@@ -783,7 +783,8 @@ function Chain:get_stiffness()
 end
 
 -- Bend stiffness b [N/m], >= 0. Per node with two neighbours: b times the cube of the number of springs (Kass 1997, eq.
--- 5; eq. 8 prints the square). Errors: CD_ERROR_MEMORY when bend is switched on.
+-- 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam of the rigidity E I [N m^2].
+-- Errors: CD_ERROR_MEMORY when bend is switched on.
 function Chain:set_bend(bend)
   local where = "cd_chain_set_bend"
   bend = number_in(bend, where, "bend")
@@ -792,7 +793,8 @@ function Chain:set_bend(bend)
 end
 
 -- Bend stiffness b [N/m], >= 0. Per node with two neighbours: b times the cube of the number of springs (Kass 1997, eq.
--- 5; eq. 8 prints the square). Errors: CD_ERROR_MEMORY when bend is switched on.
+-- 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam of the rigidity E I [N m^2].
+-- Errors: CD_ERROR_MEMORY when bend is switched on.
 function Chain:get_bend()
   local where = "cd_chain_get_bend"
   local out_bend = double_1()
@@ -902,11 +904,11 @@ end
 
 -- Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
 -- where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
--- its own pins, masses, stiffnesses, rest lengths and attachments, at first those that they shared. Length 0 switches
--- CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little every step,
--- it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring, in a
--- build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all
--- springs or two held nodes.
+-- its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
+-- switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little
+-- every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
+-- spring, in a build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness
+-- would weld all springs or two held nodes.
 function Chain:set_rest_length(length)
   local where = "cd_chain_set_rest_length"
   length = number_in(length, where, "length")
@@ -916,11 +918,11 @@ end
 
 -- Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
 -- where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
--- its own pins, masses, stiffnesses, rest lengths and attachments, at first those that they shared. Length 0 switches
--- CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little every step,
--- it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring, in a
--- build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all
--- springs or two held nodes.
+-- its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
+-- switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little
+-- every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
+-- spring, in a build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness
+-- would weld all springs or two held nodes.
 function Chain:get_rest_length()
   local where = "cd_chain_get_rest_length"
   local out_length = double_1()
@@ -929,7 +931,8 @@ function Chain:get_rest_length()
 end
 
 -- Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
--- Newton's method alone, which may fail from a crumpled start. Errors: CD_ERROR_VALUE.
+-- Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps.
+-- Errors: CD_ERROR_VALUE.
 function Chain:set_push(push)
   local where = "cd_chain_set_push"
   push = flag_in(push, where, "push")
@@ -938,7 +941,8 @@ function Chain:set_push(push)
 end
 
 -- Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
--- Newton's method alone, which may fail from a crumpled start. Errors: CD_ERROR_VALUE.
+-- Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps.
+-- Errors: CD_ERROR_VALUE.
 function Chain:get_push()
   local where = "cd_chain_get_push"
   local out_push = int32_t_1()
@@ -978,9 +982,10 @@ function Chain:get_broken()
   return tonumber(out_springs[0])
 end
 
--- The force [N], one number per component, with which the springs of a rope pull at a node: of a held node, what the
--- rope does to whatever holds it. It is the sum of their tensions, along the directions that they have now; 0 of a
--- spring without length. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
+-- The force [N], one number per component, with which the springs of a rope pull at a node, and its bend: of a held
+-- node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have
+-- now, 0 of a spring without length, and of what the bend there and at the nodes beside it does. Errors:
+-- CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
 function Chain:get_reaction(strand, node, out_force)
   local where = "cd_chain_get_reaction"
   strand = integer_in(strand, where, "strand")
@@ -1369,8 +1374,8 @@ end
 -- (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that momentum is
 -- kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or welded spring gets
 -- a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is not cut with the spring: write
--- CD_BEND. In a rope welding fixes the spring's length only. Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld:
--- CD_ERROR_UNSUPPORTED if it would join two held nodes.
+-- CD_BEND. In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length only. Errors:
+-- CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held nodes.
 function Chain:cut(strand, spring)
   local where = "cd_chain_cut"
   strand = integer_in(strand, where, "strand")
@@ -1383,8 +1388,8 @@ end
 -- (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that momentum is
 -- kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or welded spring gets
 -- a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is not cut with the spring: write
--- CD_BEND. In a rope welding fixes the spring's length only. Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld:
--- CD_ERROR_UNSUPPORTED if it would join two held nodes.
+-- CD_BEND. In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length only. Errors:
+-- CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held nodes.
 function Chain:weld(strand, spring)
   local where = "cd_chain_weld"
   strand = integer_in(strand, where, "strand")

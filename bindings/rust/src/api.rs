@@ -662,7 +662,7 @@ impl Chain {
             FieldRow { field: Field::Mass, extents: [1, 0, 0, 2, 1, 0], components: false, one_but_in_ropes: true },
             FieldRow { field: Field::Stiffness, extents: [1, 0, 0, 2, 0, 1], components: false,
                 one_but_in_ropes: true },
-            FieldRow { field: Field::Bend, extents: [0, 1, 0, 2, 1, 0], components: false, one_but_in_ropes: false },
+            FieldRow { field: Field::Bend, extents: [1, 0, 0, 2, 1, 0], components: false, one_but_in_ropes: true },
             FieldRow { field: Field::Pin, extents: [1, 0, 0, 2, 1, 0], components: false, one_but_in_ropes: true },
             FieldRow { field: Field::RestLength, extents: [1, 0, 0, 2, 0, 1], components: false,
                 one_but_in_ropes: false },
@@ -832,13 +832,15 @@ impl Chain {
     }
 
     /// Bend stiffness b \[N/m\], \>= 0. Per node with two neighbours: b times the cube of the number of springs (Kass
-    /// 1997, eq. 5; eq. 8 prints the square). Errors: CD_ERROR_MEMORY when bend is switched on.
+    /// 1997, eq. 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam of the rigidity E I
+    /// \[N m^2\]. Errors: CD_ERROR_MEMORY when bend is switched on.
     pub fn set_bend(&mut self, bend: f64) -> Result<()> {
         check(unsafe { sys::cd_chain_set_bend(self.as_ptr(), bend) })
     }
 
     /// Bend stiffness b \[N/m\], \>= 0. Per node with two neighbours: b times the cube of the number of springs (Kass
-    /// 1997, eq. 5; eq. 8 prints the square). Errors: CD_ERROR_MEMORY when bend is switched on.
+    /// 1997, eq. 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam of the rigidity E I
+    /// \[N m^2\]. Errors: CD_ERROR_MEMORY when bend is switched on.
     pub fn get_bend(&self) -> Result<f64> {
         let mut out_bend = 0.0;
         check(unsafe { sys::cd_chain_get_bend(self.as_ptr(), &mut out_bend) })?;
@@ -923,22 +925,22 @@ impl Chain {
 
     /// Rest length of a strand \[m\], 0 or in \[1e-60, 1e60\]; default 0: no rope. Per spring: length / springs; nodes
     /// stay where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals:
-    /// each has its own pins, masses, stiffnesses, rest lengths and attachments, at first those that they shared.
-    /// Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid
-    /// out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4
-    /// components or no spring, in a build without ropes, and for 0 where strands differ in what they would share, or
-    /// an infinite stiffness would weld all springs or two held nodes.
+    /// each has its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they
+    /// shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in
+    /// or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED
+    /// with 4 components or no spring, in a build without ropes, and for 0 where strands differ in what they would
+    /// share, or an infinite stiffness would weld all springs or two held nodes.
     pub fn set_rest_length(&mut self, length: f64) -> Result<()> {
         check(unsafe { sys::cd_chain_set_rest_length(self.as_ptr(), length) })
     }
 
     /// Rest length of a strand \[m\], 0 or in \[1e-60, 1e60\]; default 0: no rope. Per spring: length / springs; nodes
     /// stay where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals:
-    /// each has its own pins, masses, stiffnesses, rest lengths and attachments, at first those that they shared.
-    /// Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid
-    /// out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4
-    /// components or no spring, in a build without ropes, and for 0 where strands differ in what they would share, or
-    /// an infinite stiffness would weld all springs or two held nodes.
+    /// each has its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they
+    /// shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in
+    /// or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED
+    /// with 4 components or no spring, in a build without ropes, and for 0 where strands differ in what they would
+    /// share, or an infinite stiffness would weld all springs or two held nodes.
     pub fn get_rest_length(&self) -> Result<f64> {
         let mut out_length = 0.0;
         check(unsafe { sys::cd_chain_get_rest_length(self.as_ptr(), &mut out_length) })?;
@@ -946,13 +948,15 @@ impl Chain {
     }
 
     /// Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
-    /// Newton's method alone, which may fail from a crumpled start. Errors: CD_ERROR_VALUE.
+    /// Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps.
+    /// Errors: CD_ERROR_VALUE.
     pub fn set_push(&mut self, push: bool) -> Result<()> {
         check(unsafe { sys::cd_chain_set_push(self.as_ptr(), i32::from(push)) })
     }
 
     /// Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
-    /// Newton's method alone, which may fail from a crumpled start. Errors: CD_ERROR_VALUE.
+    /// Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps.
+    /// Errors: CD_ERROR_VALUE.
     pub fn get_push(&self) -> Result<bool> {
         let mut out_push = 0;
         check(unsafe { sys::cd_chain_get_push(self.as_ptr(), &mut out_push) })?;
@@ -986,9 +990,10 @@ impl Chain {
         Ok(out_springs)
     }
 
-    /// The force \[N\], one number per component, with which the springs of a rope pull at a node: of a held node, what
-    /// the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have now; 0
-    /// of a spring without length. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
+    /// The force \[N\], one number per component, with which the springs of a rope pull at a node, and its bend: of a
+    /// held node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that
+    /// they have now, 0 of a spring without length, and of what the bend there and at the nodes beside it does. Errors:
+    /// CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
     pub fn get_reaction(&self, strand: usize, node: usize, out_force: &mut [f64]) -> Result<()> {
         let count = count_of(out_force.len(), 1, "cd_chain_get_reaction", "out_force")?;
         check(unsafe { sys::cd_chain_get_reaction(self.as_ptr(), strand, node, out_force.as_mut_ptr(), count) })
@@ -1296,8 +1301,8 @@ impl Chain {
     /// (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that
     /// momentum is kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or
     /// welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is not cut with
-    /// the spring: write CD_BEND. In a rope welding fixes the spring's length only. Errors: CD_ERROR_RANGE,
-    /// CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held nodes.
+    /// the spring: write CD_BEND. In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length
+    /// only. Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held nodes.
     pub fn cut(&mut self, strand: usize, spring: usize) -> Result<()> {
         check(unsafe { sys::cd_chain_cut(self.as_ptr(), strand, spring) })
     }
@@ -1306,8 +1311,8 @@ impl Chain {
     /// (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that
     /// momentum is kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or
     /// welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is not cut with
-    /// the spring: write CD_BEND. In a rope welding fixes the spring's length only. Errors: CD_ERROR_RANGE,
-    /// CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held nodes.
+    /// the spring: write CD_BEND. In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length
+    /// only. Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held nodes.
     pub fn weld(&mut self, strand: usize, spring: usize) -> Result<()> {
         check(unsafe { sys::cd_chain_weld(self.as_ptr(), strand, spring) })
     }

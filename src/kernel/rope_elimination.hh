@@ -1,0 +1,79 @@
+// The elimination of a rope: the mobility of what hangs on the left of a node, from node to node, and the way back.
+// (model.md, 24 to 26)
+#pragma once
+
+#include "kernel/rope_contact.hh"
+
+namespace cd {
+namespace CD_ISA {
+
+// Solves the linear system: phi_i = s (dw - e) + u tau, c . (dw - e) = axial tau, into `next`.
+template <int N> void RopeBundle<N>::eliminate() {
+    Hung hung;
+    M& mobility = hung.c;
+    V& y = hung.y;
+    mobility = M::diagonal(nodes[0].mobility), y = nodes[0].b;
+    const bool resists = has_air();
+    if (resists) resist<false>(0, hung);
+    if (has_contacts()) press<false>(0, hung);
+    nodes[0].c = mobility, nodes[0].y = y;
+    for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+        const Spring& s = springs[i];
+        Node& node = nodes[i + 1];
+        const L m = node.ground, stiff = s.transverse, ms = m * stiff, diagonal = m + stiff;
+        M a{ms * mobility.x, ms * mobility.y, ms * mobility.z};
+        a.x.x = a.x.x + diagonal, a.y.y = a.y.y + diagonal, a.z.z = a.z.z + diagonal;
+        const M share = inverse(a);
+        const V right = share * s.acting, left = transposed_times(share, s.along);
+        const L yields = s.axial + dot(s.along, right + m * (mobility * right));
+        const L pull = s.taut / yields;
+        const V q = stiff * (share * ((y - node.b) + s.wish));
+        const L tau = (dot(s.along, (q + m * (mobility * q)) + (node.b - y)) - s.wished) * pull;
+        y = (node.b + q) - tau * right;
+        const V l = pull * left;
+        const V sx = stiff * share.x, sy = stiff * share.y, sz = stiff * share.z;
+        const auto row = [&](V own, V scaled, L r) { return (own + transposed_times(mobility, scaled)) - r * l; };
+        mobility = {row(share.x, sx, right.x), row(share.y, sy, right.y), row(share.z, sz, right.z)};
+        const L fixed = held(i + 1);
+        if (any_positive(fixed)) {
+            mobility = {select(fixed, V{}, mobility.x), select(fixed, V{}, mobility.y),
+                        select(fixed, V{}, mobility.z)};
+            y = select(fixed, node.b, y);
+        }
+        if (resists) resist<false>(i + 1, hung);
+        if (has_contacts()) press<false>(i + 1, hung);
+        node.c = mobility;
+        node.y = y;
+    }
+    Impulses left{};
+    V& phi = left.phi;
+    for (size_t i = ropes.nodes; i-- > 0;) {
+        Node& node = nodes[i];
+        node.next = node.y + node.c * phi;
+        if (has_contacts()) pressed<false>(i, left);
+        if (i == 0) break;
+        Spring& s = springs[i - 1];
+        if (resists) resisted<false>(i, left);
+        phi = phi - node.ground * (node.next - node.b);
+        const L fixed = held(i);
+        if (any_positive(fixed)) phi = select(fixed, into_held(i), phi);
+        pulls(s, phi);
+    }
+}
+
+// The impulse of the spring on the left of held node i.
+template <int N> Vector<N> RopeBundle<N>::into_held(size_t i) const {
+    const Spring& s = springs[i - 1];
+    const Node& left = nodes[i - 1];
+    M a{s.transverse * left.c.x, s.transverse * left.c.y, s.transverse * left.c.z};
+    a.x.x = a.x.x + one(), a.y.y = a.y.y + one(), a.z.z = a.z.z + one();
+    const M share = inverse(a);
+    const V way = (nodes[i].next - left.y) - s.wish, q = s.transverse * (share * way), u = share * s.acting;
+    const L yields = s.axial + dot(s.along, left.c * u);
+    const L pull = select(yields, s.taut / yields, L{}); // 0 between two held nodes
+    const L tau = (dot(s.along, (nodes[i].next - left.y) - left.c * q) - s.wished) * pull;
+    return q + tau * u;
+}
+
+} // namespace CD_ISA
+} // namespace cd
