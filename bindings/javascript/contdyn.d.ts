@@ -1,5 +1,10 @@
 // The types of contdyn. Made by generate.py from ../api.json: do not edit.
-/// <reference lib="esnext.disposable" />
+
+declare global {
+  interface SymbolConstructor {
+    readonly dispose: unique symbol; // as TypeScript has it from 5.2 on
+  }
+}
 
 /** How the library is loaded. */
 export interface LoadOptions {
@@ -17,8 +22,10 @@ export class ContdynError extends Error {
   readonly status: Status;
 }
 
-/** Numbers in one row: a typed array, an array, or nested arrays. */
-export type Numbers = ArrayLike<number> | readonly NestedNumbers[];
+/** Numbers in one row: a typed array, an array, nested arrays, or what a view shows. */
+export type Numbers = TypedArray | readonly NestedNumbers[] | View;
+export type TypedArray = Float32Array | Float64Array | Int8Array | Int16Array | Int32Array | Uint8Array | Uint16Array
+  | Uint32Array;
 export type NestedNumbers = number | readonly NestedNumbers[];
 
 /** An object of the library. `using`, `dispose()`, or in the end the garbage collector releases it. */
@@ -41,6 +48,8 @@ export interface View {
   readonly strides: readonly number[];
   /** One number. */
   at(...place: number[]): number;
+  /** A copy of all numbers, in the order of `read`. */
+  dense(): Float32Array | Float64Array;
 }
 
 export const VERSION: string;

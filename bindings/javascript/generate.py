@@ -503,7 +503,6 @@ class Types:
     def text(self):
         api = self.api
         yield "// The types of contdyn. Made by generate.py from ../api.json: do not edit."
-        yield '/// <reference lib="esnext.disposable" />'
         yield from (HERE / "runtime.d.ts.in").read_text(encoding="utf-8").splitlines()
         yield ""
         yield "export const VERSION: string;"

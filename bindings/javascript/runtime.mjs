@@ -146,6 +146,7 @@ export function take(bytes) {
 
 /** Numbers as a typed array or a flat array; nested arrays are rows. */
 function flat(values, parameter) {
+  if (values instanceof View) return values.dense();
   if (ArrayBuffer.isView(values) && !(values instanceof DataView)) return values;
   if (!Array.isArray(values)) refuse("errorValue", `${parameter} is ${shown(values)}, must be an array of numbers`);
   const numbers = values.some(Array.isArray) ? values.flat(Infinity) : values;
@@ -444,6 +445,19 @@ class View {
     if (shown?.buffer === wasm.memory.buffer && shown.byteOffset === address) return shown;
     const length = this.shape.reduce((last, extent, i) => last + (extent - 1) * this.strides[i], 1);
     return (this.#values = new this.#Kind(wasm.memory.buffer, address, length));
+  }
+
+  /** A copy, in the order of `read`. */
+  dense() {
+    const { values, shape, strides } = this;
+    const copied = new this.#Kind(shape.reduce((product, extent) => product * extent, 1));
+    let k = 0;
+    const copy = (dimension, at) => {
+      if (dimension === shape.length) copied[k++] = values[at];
+      else for (let i = 0; i < shape[dimension]; ++i) copy(dimension + 1, at + i * strides[dimension]);
+    };
+    copy(0, 0);
+    return copied;
   }
 
   at(...place) {
