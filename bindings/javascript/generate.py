@@ -135,13 +135,16 @@ class Api:
 
     @staticmethod
     def is_given(function, parameter):
-        """A length of arrays that are only results, and which neither the components nor another array tells."""
+        """A length that the caller must tell: of arrays that are only results, which hold neither a number per component
+        nor a number per component of each item of another array."""
         if parameter["role"] != "length":
             return False
         counted = [p for p in function["parameters"] if p["name"] in parameter["of"]]
         if any(p["direction"] != "out" or p["role"] == "bytes" for p in counted):
             return False
-        return function.get("no_components", False)
+        others = [p for p in function["parameters"] if p["role"] == "length" and p is not parameter]
+        per_component = parameter["name"] == "count" or parameter["name"] == "out_count" and len(others) == 1
+        return function.get("no_components", False) or not per_component
 
     # -- a call --
 
@@ -193,7 +196,7 @@ class Api:
                                  f'"{camel(other["name"])}");')
             return length
         if self.is_given(function, p):
-            return variable(p["name"])
+            return f'size({variable(p["name"])}, "{camel(p["name"])}")'
         others = [q for q in function["parameters"] if q["role"] == "length" and q is not p]
         items = "".join(f"{camel(q['name'])} * " for q in others)
         return f"{items}componentsOf(this)"
@@ -235,7 +238,11 @@ class Api:
                 arguments.append(f"{at}.address")
             elif p["role"] == "array":
                 count = lengths[p["length"]] + ("" if p["times"] == 1 else f" * {p['times']}")
-                lines.append(f"const {at} = take({ARRAYS[p['base']]}.BYTES_PER_ELEMENT * {count});")
+                room = f"take({ARRAYS[p['base']]}.BYTES_PER_ELEMENT * {count})"
+                given = next(q for q in parameters if q["name"] == p["length"])
+                if p["null"] and self.is_given(function, given):
+                    room = f"{lengths[p['length']]} === 0 ? 0 : {room}"
+                lines.append(f"const {at} = {room};")
                 arguments.append(at)
                 outputs.append((p, f"got({at}, {ARRAYS[p['base']]}, {count})"))
             elif p["role"] in ("result", "created"):
@@ -289,6 +296,8 @@ def default(function, p):
     """What stands for a parameter that is left out, or None."""
     if p["role"] == "array" and p["null"]:
         return "null"
+    if p["role"] == "length" and all(q["null"] for q in function["parameters"] if q["name"] in p["of"]):
+        return "0"
     return DEFAULTS.get((function["short"], p["name"]))
 
 
