@@ -402,8 +402,7 @@ export interface ChainOptions {
  */
 export class Chain extends Handle {
   /**
-   * Makes a chain. strands >= 1; springs >= 0 (0: a single node); components 1 to 4. allocator may be null (malloc).
-   * The caller owns *chain and releases it with dispose; on failure *chain is left alone.
+   * Makes a chain. strands >= 1; springs >= 0 (0: a single node); components 1 to 4.
    * Errors: "errorValue", "errorEnum", "errorSize", "errorMemory"; "errorUnsupported" for a precision that
    * this build leaves out.
    */
@@ -519,7 +518,8 @@ export class Chain extends Handle {
   // damps most; along a spring that yields, the motion is damped as by lambda = 1. What can't be solved with lambda < 1
   // is solved with 1. At any dt, stiffness and masses a step that reaches its tolerance keeps momentum to rounding and
   // adds no energy but what such errors of length stand for: at most the sum, over springs, before and after it, of
-  // 2 T e + k e^2, where e = tolerance * length, k e^2 counts for springs that yield, and T is the tension or, where the
+  // 2 T e + k e^2, where e = tolerance * length, k e^2 counts for springs that yield, and T is the tension or, where
+  // the
   // interior point was needed, the mean force on the nodes if that is larger. A spring that is longer than its tension
   // makes it, because positions were written so, comes back within the step at any speed.
   // Ropes need "implicit" with lambda in [1/2, 1], and have no bend, ring, matched end or stiffness damping:
@@ -606,7 +606,8 @@ export class Chain extends Handle {
 
   // ---- what ropes touch ---------------------------------------------------------------------------------------------
   // The nodes of a rope stay outside of colliders, numbered from 0, which all strands meet: half spaces, and capsules,
-  // spheres among them, each with a velocity and a friction of its own. A step that reaches its tolerance leaves no free
+  // spheres among them, each with a velocity and a friction of its own. A step that reaches its tolerance leaves no
+  // free
   // node deeper inside than that, times the springs' length, and colliders at rest give no energy. What falls on one
   // does not bounce; what comes to rest stays. A strand that touches something makes that step with lambda = 1. A node
   // that lies inside when a step begins comes out of it, and is not thrown. Nodes collide; the springs between them do
@@ -702,7 +703,7 @@ export class Chain extends Handle {
    * component_stride. Position, velocity, force and target only. The pointer is good until the field is switched off or
    * the chain released; the numbers change with every write and step. Do not write through it.
    * Errors: "errorEnum", "errorDisabled", "errorUnsupported".
-   * Here as a `View`, which follows the field wherever it goes.
+   * Here as a `View`, which follows the field.
    */
   view(field: ChainField): View;
 
@@ -827,7 +828,7 @@ export class Chain extends Handle {
   // ---- measuring ----------------------------------------------------------------------------------------------------
 
   /**
-   * Energies of all strands together [J]. Kinetic: of the free nodes. Elastic: stretch, bend
+   * Energies of all strands together [J]; Kinetic: of the free nodes. Elastic: stretch, bend
    * and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps their sum.
    */
   get energy(): { kinetic: number; elastic: number; gravity: number };
@@ -1013,9 +1014,8 @@ export interface MembraneOptions {
  */
 export class Membrane extends Handle {
   /**
-   * Makes a membrane. nu, nv >= 0 (0: a single row or column of nodes); components 1 to 4. allocator may be null
-   * (malloc). The caller owns *membrane and releases it with dispose; on failure *membrane is left
-   * alone. Errors: "errorValue", "errorEnum", "errorSize", "errorMemory"; "errorUnsupported" for a precision
+   * Makes a membrane. nu, nv >= 0 (0: a single row or column of nodes); components 1 to 4. Errors: "errorValue",
+   * "errorEnum", "errorSize", "errorMemory"; "errorUnsupported" for a precision
    * that this build leaves out.
    */
   constructor(options: MembraneOptions);
@@ -1164,7 +1164,8 @@ export class Membrane extends Handle {
   set ring(value: { alongU?: boolean; alongV?: boolean });
 
   // ---- cloth: springs that have a length ----------------------------------------------------------------------------
-  // Cloth is a membrane with rest lengths. The 3 components of a node are directions of space, and a spring of stiffness
+  // Cloth is a membrane with rest lengths. The 3 components of a node are directions of space, and a spring of
+  // stiffness
   // k and rest length L that is l long pulls by
   //     0 up to l = L,   k (l - L)^2 / 0.012 L up to l = 1.006 L,   k (l - 1.003 L) beyond,
   // so that cloth is slack where it is shorter and stretches by 0.3% before it has all of its stiffness; it does not
@@ -1174,8 +1175,10 @@ export class Membrane extends Handle {
   // A step minimizes, by Newton's method with few iterations of conjugate gradients (effort), a convex
   // function of the velocities, and scales them at its end so that, at any dt, stiffness, masses and effort, the energy
   // that energy tells never rises but by the work of what is driven, of forces, pressure, wind and
-  // colliders that move. What a step does not reach, slows the sheet down: with the default effort one of a stiffness of
-  // 10 mass / dt^2 [N/m] falls to 5% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass /
+  // colliders that move. What a step does not reach, slows the sheet down: with the default effort one of a stiffness
+  // of
+  // 10 mass / dt^2 [N/m] falls to 5% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass
+  // /
   // dt^2 it falls a quarter too slowly, and far beyond as through syrup. lambda = 1 damps motion that a step does not
   // resolve, lambda nearer 1/2 less of it, for more effort; steps are first order in time. A free sheet keeps its
   // momentum.
@@ -1360,7 +1363,7 @@ export class Membrane extends Handle {
    * velocity, force and target only. The pointer is good until the field is switched off or the membrane released; the
    * numbers change with every write and step. Do not write through it.
    * Errors: "errorEnum", "errorDisabled", "errorUnsupported".
-   * Here as a `View`, which follows the field wherever it goes.
+   * Here as a `View`, which follows the field.
    */
   view(field: MembraneField): View;
 
@@ -1461,7 +1464,7 @@ export class Membrane extends Handle {
   // ---- measuring ----------------------------------------------------------------------------------------------------
 
   /**
-   * Energies [J]. Kinetic: of the free nodes. Elastic: stretch, bend and attachments. Gravity:
+   * Energies [J]; Kinetic: of the free nodes. Elastic: stretch, bend and attachments. Gravity:
    * -sum m g x of the free nodes. lambda = 1/2 keeps their sum, in cloth at most.
    */
   get energy(): { kinetic: number; elastic: number; gravity: number };
@@ -1508,8 +1511,8 @@ export class Membrane extends Handle {
    * Errors: "errorRange" if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or the
    * two overlap.
    */
-  writeVertices(buffer: ArrayBuffer | ArrayBufferView, stride: number, positionOffset: number | null, normalOffset:
-    number | null): void;
+  writeVertices(buffer: ArrayBuffer | ArrayBufferView, stride: number, positionOffset: number, normalOffset: number |
+    null): void;
 
   /**
    * How many indices writeIndices writes now: 6 per cell of four nodes that are there, 3 per cell of which
@@ -1692,8 +1695,7 @@ export interface WaterOptions {
  */
 export class Water extends Handle {
   /**
-   * Makes a water. nx, ny >= 1; dx, dy [m] in [1e-30, 1e30]. allocator may be null (malloc). The caller owns *water
-   * and releases it with dispose; on failure *water is left alone. Errors: "errorValue", "errorEnum",
+   * Makes a water. nx, ny >= 1; dx, dy [m] in [1e-30, 1e30]. Errors: "errorValue", "errorEnum",
    * "errorSize", "errorMemory"; "errorUnsupported" for a precision that this build leaves out.
    */
   constructor(options: WaterOptions);
@@ -1831,7 +1833,7 @@ export class Water extends Handle {
    * byte *data + i * x_stride + j * y_stride. All but "surface", "mask" and the walls. The pointer is good until
    * the field is switched off or the water released; the numbers change with every write and step. Do not write through
    * it. Errors: "errorEnum", "errorDisabled", "errorUnsupported".
-   * Here as a `View`, which follows the field wherever it goes.
+   * Here as a `View`, which follows the field.
    */
   view(field: WaterField): View;
 
@@ -1868,13 +1870,14 @@ export class Water extends Handle {
   set forceY(values: Numbers | number);
 
   // ---- acting on it -------------------------------------------------------------------------------------------------
-  // Discs have their centre at (x, y) [m] in the scene, x in [0, nx dx], y in [0, ny dy], and a radius [m] >= 0; where a
+  // Discs have their centre at (x, y) [m] in the scene, x in [0, nx dx], y in [0, ny dy], and a radius [m] >= 0; where
+  // a
   // disc has no cell centre in it, it is the cell at (x, y), the nearest one that is there. Shares fall off as
   // (1 - (distance / radius)^2)^2 from the centre, and are not spread round a periodic side.
 
   /**
-   * Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's share. added,
-   * which may be null, tells what it came to. The account counts it. Errors: "errorValue".
+   * Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's share. added tells
+   * what it came to. The account counts it. Errors: "errorValue".
    */
   addVolume(x: number, y: number, radius: number, volume: number): number;
 
@@ -1940,9 +1943,7 @@ export class Water extends Handle {
 
   /**
    * What the last call of step had to hold back so that no cell gave more than it had and got: in how many
-   * cells, counted once per sweep and part, and how much water [m^3] went or came less through faces. Each output may
-   * be
-   * null.
+   * cells, counted once per sweep and part, and how much water [m^3] went or came less through faces.
    */
   get limited(): { cells: number; volume: number };
 
@@ -1968,7 +1969,7 @@ export class Water extends Handle {
   restartAccount(): void;
 
   /**
-   * Energies [J]. Kinetic: density / 2 times area, depth and velocity^2 of the faces. Potential:
+   * Energies [J]; Kinetic: density / 2 times area, depth and velocity^2 of the faces. Potential:
    * density g times area, depth and the height of the column's middle.
    */
   get energy(): { kinetic: number; potential: number };
@@ -2006,8 +2007,8 @@ export class Water extends Handle {
    * and stride will do that keeps them apart. Errors: "errorRange" if size is less than cells * stride, or an offset
    * and its bytes reach past stride, or two overlap.
    */
-  writeVertices(buffer: ArrayBuffer | ArrayBufferView, stride: number, positionOffset: number | null, normalOffset:
-    number | null, depthOffset: number | null): void;
+  writeVertices(buffer: ArrayBuffer | ArrayBufferView, stride: number, positionOffset: number, normalOffset: number |
+    null, depthOffset: number | null): void;
 
   /**
    * How many indices writeIndices writes now: 6 per square of four neighbouring cells that are there, 3 per

@@ -1185,7 +1185,7 @@ export class Membrane extends Handle {
     const bufferAt = putBytes(buffer, "buffer");
     const sizeOf = bufferAt.length;
     check(wasm.cd_membrane_write_vertices(address, bufferAt.address, sizeOf, size(stride, "stride"),
-      sizeOrNone(positionOffset, "positionOffset"), sizeOrNone(normalOffset, "normalOffset")));
+      size(positionOffset, "positionOffset"), sizeOrNone(normalOffset, "normalOffset")));
     getBytes(buffer, bufferAt);
   }
 
@@ -1602,9 +1602,8 @@ export class Water extends Handle {
     begin();
     const bufferAt = putBytes(buffer, "buffer");
     const sizeOf = bufferAt.length;
-    check(wasm.cd_water_write_vertices(address, bufferAt.address, sizeOf, size(stride, "stride"),
-      sizeOrNone(positionOffset, "positionOffset"), sizeOrNone(normalOffset, "normalOffset"), sizeOrNone(depthOffset,
-      "depthOffset")));
+    check(wasm.cd_water_write_vertices(address, bufferAt.address, sizeOf, size(stride, "stride"), size(positionOffset,
+      "positionOffset"), sizeOrNone(normalOffset, "normalOffset"), sizeOrNone(depthOffset, "depthOffset")));
     getBytes(buffer, bufferAt);
   }
 

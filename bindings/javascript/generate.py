@@ -26,6 +26,11 @@ PRECISION = ("float64", "float32")
 
 ARRAYS = {"float": "Float32Array", "double": "Float64Array", "int32_t": "Int32Array", "uint32_t": "Uint32Array",
           "uint64_t": "BigUint64Array", "size_t": "Uint32Array"}
+# Said of pointers, which are none here.
+MAY_BE_NULL = re.compile(r"\s*(each|all) (output )?may\s+be\s+null\.?|,\s+which\s+may\s+be\s+null,|"
+                         r"\s*allocator\s+may\s+be\s+null\s+\(malloc\)\.|"
+                         r"\s*The\s+caller\s+owns\s+\*out_\w+\s+and\s+releases\s+it\s+with\s+\w+;\s+on\s+failure\s+"
+                         r"\*out_\w+\s+is\s+left\s+alone\.", re.IGNORECASE)
 RESERVED = {"default", "delete", "function", "in", "new", "with", "arguments", "class", "this"}
 
 
@@ -74,7 +79,7 @@ class Api:
 
     def words(self, doc, thing):
         """A comment of the C API, as this binding calls what it names."""
-        text = re.sub(r"\s*(Each|each) (output )?may be null\.?| ?,? which may be null,?|; each output may be null", "", doc)
+        text = re.sub(MAY_BE_NULL, "", doc)
         text = re.sub(r"\bcd_\*_(\w+)", lambda m: camel(m[1]), text)
         text = re.sub(r"\bcd_(\w+)", self.spoken, text)
         text = re.sub(r'(?<!")\bCD_[A-Z0-9_]+\b(?!")', lambda m: self.values.get(m[0], m[0]), text)
@@ -135,8 +140,8 @@ class Api:
 
     @staticmethod
     def is_given(function, parameter):
-        """A length that the caller must tell: of arrays that are only results, which hold neither a number per component
-        nor a number per component of each item of another array."""
+        """A length that the caller must tell: of arrays that are only results, and hold neither a number per component
+        nor one per component for each item of another array."""
         if parameter["role"] != "length":
             return False
         counted = [p for p in function["parameters"] if p["name"] in parameter["of"]]
@@ -161,7 +166,7 @@ class Api:
             return f"number({name}, {what})"
         if p["base"] == "int32_t":
             return f"flag({name}, {what})"
-        if p["base"] == "size_t" and p["name"].endswith("_offset") and "SIZE_MAX" in function["doc"]:
+        if may_be_none(function, p):
             return f"sizeOrNone({name}, {what})"
         if p["base"] in ("size_t", "uint32_t"):
             return f"size({name}, {what})"
@@ -274,6 +279,11 @@ class Api:
             lines = [line.replace("(address", f"(addressOf(this, {pascal(function['object'])})", 1)
                      for line in lines[1:]]
         return lines
+
+
+def may_be_none(function, p):
+    """Whether a size may be SIZE_MAX, for none."""
+    return p["base"] == "size_t" and bool(re.search(rf"\b{p['name']}( or \w+)? SIZE_MAX", function["doc"]))
 
 
 def q_name(p):
@@ -532,7 +542,7 @@ class Types:
         for thing in api.objects.values():
             yield from self.a_class(thing)
 
-    def type_of(self, p):
+    def type_of(self, p, function=None):
         if p["base"] in self.api.enums:
             return enum_name(p["base"])
         if p["role"] == "handle":
@@ -545,12 +555,12 @@ class Types:
             return "boolean"
         if p["base"] == "uint64_t" and "hash" in p["name"]:
             return "bigint"
-        return "number | null" if p["name"].endswith("_offset") else "number"
+        return "number | null" if function and may_be_none(function, p) else "number"
 
     def parameters(self, function):
         inputs = self.api.inputs(function)
         needed = how_many_needed(function, inputs)
-        return ", ".join(f"{variable(p['name'])}{'?' if i >= needed else ''}: {self.type_of(p)}"
+        return ", ".join(f"{variable(p['name'])}{'?' if i >= needed else ''}: {self.type_of(p, function)}"
                          for i, p in enumerate(inputs))
 
     def returned(self, function):
@@ -608,7 +618,8 @@ class Types:
                 about = sections.get(section, "") if section != "fields" else ""
                 yield ""
                 yield f"  // ---- {section} " + "-" * max(3, WIDTH - 11 - len(section))
-                yield from (f"  // {line}".rstrip() for line in api.words(about, name).splitlines())
+                for line in api.words(about, name).splitlines():
+                    yield from textwrap.wrap(line, WIDTH, initial_indent="  // ", subsequent_indent="  // ") or ["  //"]
             yield from self.a_member(name, short, function, viewable)
         yield "}"
 
@@ -645,7 +656,7 @@ class Types:
             return
         elif short == "view":
             yield ""
-            yield from self.comment(function["doc"], 2, name, "Here as a `View`, which follows the field wherever it goes.")
+            yield from self.comment(function["doc"], 2, name, "Here as a `View`, which follows the field.")
             yield f"  view(field: {Name}Field): View;"
             for field in viewable:
                 yield ""

@@ -13,7 +13,7 @@ const refuse = (status, message) => {
   throw new ContdynError(status, message);
 };
 
-// ---- enumerations ----------------------------------------------------------------------------------------------------
+// ---- enumerations ---------------------------------------------------------------------------------------------------
 
 const names = new WeakMap();
 
@@ -34,7 +34,7 @@ export function member(table, name, parameter) {
 
 export const nameOf = (table, value) => names.get(table).get(value);
 
-// ---- loading ---------------------------------------------------------------------------------------------------------
+// ---- loading --------------------------------------------------------------------------------------------------------
 
 /** The library's functions; until `load` is done nothing but an error. */
 export let wasm = new Proxy({}, {
@@ -110,7 +110,7 @@ export function knowStatuses(table) {
   statuses = table;
 }
 
-// ---- memory ----------------------------------------------------------------------------------------------------------
+// ---- memory ---------------------------------------------------------------------------------------------------------
 
 // The memory's buffer is another one whenever it has grown; what showed the old one is then empty.
 let data = new DataView(new ArrayBuffer(0));
@@ -204,7 +204,7 @@ export function expect(array, length, parameter) {
   }
 }
 
-// ---- numbers ---------------------------------------------------------------------------------------------------------
+// ---- numbers --------------------------------------------------------------------------------------------------------
 
 const shown = (value) => (typeof value === "string" ? JSON.stringify(value) : typeof value === "bigint" ? `${value}n`
   : typeof value === "object" && value !== null ? "an object" : String(value));
@@ -248,7 +248,7 @@ export function check(status) {
   if (status !== 0) refuse(nameOf(statuses, status), text(wasm.cd_error_message()));
 }
 
-// ---- objects ---------------------------------------------------------------------------------------------------------
+// ---- objects --------------------------------------------------------------------------------------------------------
 
 const forgotten = typeof FinalizationRegistry === "function"
   ? new FinalizationRegistry(({ destroy, address }) => destroy(address)) : null;
@@ -335,7 +335,7 @@ export function several(value, present, parameter, known) {
   return known.every((key) => key in value) ? value : { ...present(), ...value };
 }
 
-// ---- fields ----------------------------------------------------------------------------------------------------------
+// ---- fields ---------------------------------------------------------------------------------------------------------
 
 // How many places a field has along the two directions of each kind of object, in the order of the C functions' ranges.
 const kExtents = {

@@ -19,7 +19,7 @@ let history = [];
 let colors;
 const meter = { frames: 0, since: 0, rate: 0, steps: 0, time: 0, cost: 0 };
 
-// ---- scenes ----------------------------------------------------------------------------------------------------------
+// ---- scenes ---------------------------------------------------------------------------------------------------------
 
 function open(name) {
   Scene = scenes[name];
@@ -65,7 +65,7 @@ function say(text) {
   $("message").hidden = text === "";
 }
 
-// ---- controls --------------------------------------------------------------------------------------------------------
+// ---- controls -------------------------------------------------------------------------------------------------------
 
 function showControls() {
   $("controls").replaceChildren(...Object.entries(Scene.controls).map(([key, control]) => {
@@ -104,7 +104,7 @@ function setPaused(on) {
   $("pause").setAttribute("aria-pressed", String(on));
 }
 
-// ---- the loop --------------------------------------------------------------------------------------------------------
+// ---- the loop -------------------------------------------------------------------------------------------------------
 
 let last = performance.now();
 
@@ -200,7 +200,7 @@ function measure(now) {
   Object.assign(meter, { frames: 0, since: now, steps: 0, cost: 0 });
 }
 
-// ---- pointer and keys ------------------------------------------------------------------------------------------------
+// ---- pointer and keys -----------------------------------------------------------------------------------------------
 
 const cursor = { x: 0.5, y: 0.5, shown: false, pressed: false }; // of the keyboard, in shares of the picture
 let pointer = null;
@@ -283,7 +283,7 @@ $("reset").addEventListener("click", reset);
 $("pause").addEventListener("click", () => setPaused(!paused));
 $("cut").addEventListener("click", () => setCutting(!cutting));
 
-// ---- colors ----------------------------------------------------------------------------------------------------------
+// ---- colors ---------------------------------------------------------------------------------------------------------
 
 const darkness = matchMedia("(prefers-color-scheme: dark)");
 
@@ -298,7 +298,7 @@ function readColors() {
 }
 darkness.addEventListener("change", readColors);
 
-// ---- start -----------------------------------------------------------------------------------------------------------
+// ---- start ----------------------------------------------------------------------------------------------------------
 
 try {
   await load();

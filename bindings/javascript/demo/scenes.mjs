@@ -4,7 +4,7 @@ import { Chain, Membrane, Water } from "../contdyn/contdyn.mjs";
 const kMethods = { implicit: "implicit", symplecticEuler: "symplectic Euler", forwardEuler: "forward Euler",
   stiffSecond: "stiff, second order" };
 
-// ---- controls --------------------------------------------------------------------------------------------------------
+// ---- controls -------------------------------------------------------------------------------------------------------
 
 const digits = (value) => (value === Infinity ? "∞" : Number(value.toPrecision(3)).toString());
 
@@ -18,7 +18,7 @@ const choice = (label, choices, value) => ({ label, choices, value });
 const stepSize = (value = 1 / 60) => ({ ...powers("Step size", "ms", 0, 2.3, value), of: (x) => 10 ** x / 1000,
   at: (v) => Math.log10(v * 1000), show: (v) => `${digits(v * 1000)} ms` });
 
-// ---- drawing ---------------------------------------------------------------------------------------------------------
+// ---- drawing --------------------------------------------------------------------------------------------------------
 
 /** Where a rectangle of the scene lies in a picture of width x height, y up. */
 export function frame({ left, right, bottom, top }, width, height) {
@@ -40,7 +40,7 @@ function disc(context, view, x, y, radius) {
   context.arc(view.x(x), view.y(y), radius * view.scale, 0, 2 * Math.PI);
 }
 
-// ---- pool ------------------------------------------------------------------------------------------------------------
+// ---- pool -----------------------------------------------------------------------------------------------------------
 
 const kCells = 256;
 
@@ -155,7 +155,7 @@ class Pool {
   }
 }
 
-// ---- what is pulled by a node ----------------------------------------------------------------------------------------
+// ---- what is pulled by a node ---------------------------------------------------------------------------------------
 
 class Pulled {
   held = null;
@@ -175,7 +175,7 @@ class Pulled {
   }
 }
 
-// ---- rope ------------------------------------------------------------------------------------------------------------
+// ---- rope -----------------------------------------------------------------------------------------------------------
 
 class Rope extends Pulled {
   static title = "Rope";
@@ -287,7 +287,7 @@ class Rope extends Pulled {
   }
 }
 
-// ---- hair ------------------------------------------------------------------------------------------------------------
+// ---- hair -----------------------------------------------------------------------------------------------------------
 
 class Hair {
   static title = "Hair";
@@ -383,7 +383,7 @@ class Hair {
   }
 }
 
-// ---- cloth -----------------------------------------------------------------------------------------------------------
+// ---- cloth ----------------------------------------------------------------------------------------------------------
 
 const kCloth = [26, 18];
 
@@ -492,14 +492,14 @@ class Cloth extends Pulled {
   }
 }
 
-// ---- drum ------------------------------------------------------------------------------------------------------------
+// ---- drum -----------------------------------------------------------------------------------------------------------
 
 const kDrum = 48;
 
 class Drum {
   static title = "Drum";
-  static hint = "Strike the drum. Forward Euler blows it up at any step size, symplectic Euler where the step is too long "
-    + "for the stiffness; the implicit step holds, and lambda ½ keeps the energy.";
+  static hint = "Strike the drum. Forward Euler blows it up at any step size, symplectic Euler where the step is too "
+    + "long for the stiffness; the implicit step holds, and lambda ½ keeps the energy.";
   static world = { left: -0.95, right: 0.95, bottom: -0.7, top: 0.7 };
   static controls = {
     dt: stepSize(),

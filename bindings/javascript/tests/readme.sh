@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# readme.sh SOURCE PACKAGE: what a new user does with the JavaScript README, in an empty folder, and sees what it says; the
-# package is that of this build.
+# readme.sh SOURCE PACKAGE: what a new user does with the JavaScript README, in an empty folder, and sees what it says;
+# the package is that of this build.
 set -euo pipefail
 source=$1
 readme=$source/bindings/javascript/README.md
