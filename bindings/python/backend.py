@@ -114,7 +114,7 @@ def build_sdist(directory, _settings=None):
     with tempfile.TemporaryDirectory() as folder, tarfile.open(Path(directory, name), "w:gz") as archive:
         tree = Path(folder, NAME)
         shutil.copytree(HERE, tree, ignore=shutil.ignore_patterns("__pycache__", ".*", "build", "library"))
-        others = shutil.ignore_patterns("__pycache__", "python", "lua", "rust", "csharp")
+        others = shutil.ignore_patterns("__pycache__", "python", "javascript", "lua", "rust", "csharp")
         for part in ("CMakeLists.txt", "include", "src", "pkgconfig", "bindings"):
             source, target = SOURCES / part, tree / "library" / part
             if source.is_dir():

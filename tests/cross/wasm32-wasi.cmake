@@ -9,5 +9,6 @@ set(CMAKE_C_COMPILER_TARGET wasm32-wasi)
 set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
 set(CMAKE_C_FLAGS_INIT -msimd128)
 set(CMAKE_CXX_FLAGS_INIT -msimd128)
+set(CMAKE_EXE_LINKER_FLAGS_INIT -O0) # or clang has Binaryen's wasm-opt, where that is, go over it, which refuses SIMD128
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY) # programs in C++ would need a C++ library; contdyn does not
 set(CMAKE_CROSSCOMPILING_EMULATOR node --no-warnings ${CMAKE_CURRENT_LIST_DIR}/wasi.mjs)

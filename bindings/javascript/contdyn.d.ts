@@ -1,0 +1,2084 @@
+// The types of contdyn. Made by generate.py from ../api.json: do not edit.
+
+declare global {
+  interface SymbolConstructor {
+    readonly dispose: unique symbol; // as TypeScript has it from 5.2 on
+  }
+}
+
+/** How the library is loaded. */
+export interface LoadOptions {
+  /** Whether to take the build with vector instructions; default: whether the engine has them. */
+  simd?: boolean;
+  /** The file itself, or where it is; default: beside this module. */
+  source?: string | URL | Response | Promise<Response> | ArrayBuffer | ArrayBufferView | WebAssembly.Module;
+}
+
+/** Loads the library; to be awaited before anything else. Awaited again it does nothing more. */
+export function load(options?: LoadOptions): Promise<void>;
+
+/** What a call refused: the library's own message, and its status. */
+export class ContdynError extends Error {
+  readonly status: Status;
+}
+
+/** Numbers in one row: a typed array, an array, nested arrays, or what a view shows. */
+export type Numbers = TypedArray | readonly NestedNumbers[] | View;
+export type TypedArray = Float32Array | Float64Array | Int8Array | Int16Array | Int32Array | Uint8Array | Uint16Array
+  | Uint32Array;
+export type NestedNumbers = number | readonly NestedNumbers[];
+
+/** An object of the library. `using`, `dispose()`, or in the end the garbage collector releases it. */
+export class Handle {
+  /** Releases it: every call on it throws from now on. Again does nothing. */
+  dispose(): void;
+  [Symbol.dispose](): void;
+  readonly disposed: boolean;
+}
+
+/** A field in the library's own memory, without a copy. */
+export interface View {
+  /** The field's numbers, to read: place (a, b, c) is at a * strides[0] + b * strides[1] + c * strides[2]. Take it anew
+   *  after calls that make objects, switch fields, load or write: memory may have grown, which empties the array taken
+   *  before. Throws when the object is disposed of or the field switched off. */
+  readonly values: Float32Array | Float64Array;
+  /** How many there are in each dimension, as `read` orders them. */
+  readonly shape: readonly number[];
+  /** How far apart they are in each dimension, counted in numbers. */
+  readonly strides: readonly number[];
+  /** One number. */
+  at(...place: number[]): number;
+  /** A copy of all numbers, in the order of `read`. */
+  dense(): Float32Array | Float64Array;
+}
+
+export const VERSION: string;
+
+/** What a call of the library came to. */
+export const Status: {
+  readonly ok: 0;
+  /** a pointer that may not be null is null */
+  readonly errorNull: 1;
+  /** the handle is of another kind of object */
+  readonly errorHandle: 2;
+  /** a number outside its valid range, or NaN or infinity where it has no meaning */
+  readonly errorValue: 3;
+  /** not one of the enumeration's values */
+  readonly errorEnum: 4;
+  /** an index, a range or a buffer length that does not fit the object */
+  readonly errorRange: 5;
+  /** a size that cannot be represented in memory */
+  readonly errorSize: 6;
+  /** the allocator returned null */
+  readonly errorMemory: 7;
+  /** the field is not switched on: see enableField */
+  readonly errorDisabled: 8;
+  /** a combination this object or this build cannot do */
+  readonly errorUnsupported: 9;
+  /** the state left the finite range during a step, or has not come back to it */
+  readonly errorDiverged: 10;
+  /** the bytes to load are damaged, or of another version or kind */
+  readonly errorFormat: 11;
+  /** the two objects, or the object and the bytes, differ in shape or precision */
+  readonly errorMismatch: 12;
+  /** steps were made, but an iterative solve ended short of its tolerance */
+  readonly errorTolerance: 13;
+};
+export type Status = keyof typeof Status;
+
+/**
+ * What an object stores its state in; chosen when it is made. Steps compute in double precision whatever it is, but for
+ * those that an object's header names.
+ */
+export const Precision: {
+  readonly float32: 0;
+  readonly float64: 1;
+};
+export type Precision = keyof typeof Precision;
+
+/**
+ * How a step advances the state by dt. "implicit" is the default, with lambda = 1/2. What is bounded, and keeps
+ * energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that its velocity would carry
+ * it,
+ * and in a ring or with bend of the way that it would fall in dt, which shows where dt is longer than 1e12 times the
+ * time of the fastest swing.
+ */
+export const Method: {
+  /**
+   * Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is backward Euler; for lambda >= 1/2
+   * bounded at every dt
+   */
+  readonly implicit: 0;
+  /** Kass 1997, eq. 13; without damping it grows at every dt */
+  readonly forwardEuler: 1;
+  /** the new velocity moves the position, of water in its symmetric form (velocity Verlet); bounded up to stableDt */
+  readonly symplecticEuler: 2;
+  /**
+   * two implicit stages with gamma = 1 - 1/sqrt(2) (SDIRK2): second order, and L-stable: motion too fast for dt dies
+   * out
+   */
+  readonly stiffSecond: 3;
+};
+export type Method = keyof typeof Method;
+
+/** How the two-dimensional system of a membrane's implicit step is solved. */
+export const Solver: {
+  /** rows, then columns: Kass 1997, section 9 */
+  readonly alternating: 0;
+  /** both at once, to a tolerance */
+  readonly coupled: 1;
+};
+export type Solver = keyof typeof Solver;
+
+/** How the total mass is dealt out to the nodes. */
+export const MassRule: {
+  /** every node the same: the notes' rule, first order in space */
+  readonly equal: 0;
+  /** nodes on a border half as heavy as those inside: second order in space */
+  readonly halfEnds: 1;
+};
+export type MassRule = keyof typeof MassRule;
+
+/**
+ * The instructions that steps are made of. All give the same bits, as long as those are of finite numbers: how far what
+ * is not finite spreads in steps that end with "errorDiverged" may differ. A new object has the fastest that its
+ * processor runs.
+ */
+export const Kernels: {
+  /**
+   * what every processor of the target has: SSE2 on x86-64, NEON on AArch64, and on WebAssembly SIMD128 where that was
+   * built with -msimd128
+   */
+  readonly plain: 0;
+  readonly avx2: 1;
+  /** the parts F and DQ of AVX-512 */
+  readonly avx512: 2;
+};
+export type Kernels = keyof typeof Kernels;
+
+/** What holds a node. The values are also those of the field "pin". */
+export const Node: {
+  readonly free: 0;
+  /** infinite mass, at rest */
+  readonly pinned: 1;
+  /** infinite mass, moves with the velocity written to it */
+  readonly driven: 2;
+  /** border nodes only: free, with the impedance sqrt(stiffness mass) that sends no echo back */
+  readonly matched: 3;
+  /**
+   * infinite mass; each call of step moves it to where "target" is, evenly, and there it stays until "target" is
+   * written again. Without that field as "driven"
+   */
+  readonly posed: 4;
+};
+export type Node = keyof typeof Node;
+
+/** What a collider of ropes and cloth is. */
+export const Shape: {
+  readonly none: 0;
+  readonly plane: 1;
+  readonly capsule: 2;
+};
+export type Shape = keyof typeof Shape;
+
+/** Per-node and per-spring data; which object has which is in its own header. */
+export const Field: {
+  readonly position: 0;
+  readonly velocity: 1;
+  readonly force: 2;
+  readonly mass: 3;
+  readonly stiffness: 4;
+  readonly bend: 5;
+  readonly pin: 6;
+  readonly target: 7;
+  readonly stiffnessU: 8;
+  readonly stiffnessV: 9;
+  readonly mask: 10;
+  readonly depth: 11;
+  readonly bed: 12;
+  readonly surface: 13;
+  readonly velocityX: 14;
+  readonly velocityY: 15;
+  readonly source: 16;
+  readonly pressure: 17;
+  readonly forceX: 18;
+  readonly forceY: 19;
+  readonly wallX: 20;
+  readonly wallY: 21;
+  readonly restLength: 22;
+  readonly tension: 23;
+  readonly wind: 24;
+  readonly strength: 25;
+  readonly strain: 26;
+  readonly restLengthU: 27;
+  readonly restLengthV: 28;
+  readonly tensionU: 29;
+  readonly tensionV: 30;
+  readonly strainU: 31;
+  readonly strainV: 32;
+};
+export type Field = keyof typeof Field;
+
+/** The two ends of a chain. */
+export const End: {
+  readonly first: 0;
+  readonly last: 1;
+};
+export type End = keyof typeof End;
+
+/** The four edges of a membrane. A corner belongs to two. */
+export const Edge: {
+  /** the nodes with u = 0 */
+  readonly uFirst: 0;
+  /** u = nu */
+  readonly uLast: 1;
+  /** v = 0 */
+  readonly vFirst: 2;
+  /** v = nv */
+  readonly vLast: 3;
+};
+export type Edge = keyof typeof Edge;
+
+/** The four sides. */
+export const Side: {
+  /** x = 0 */
+  readonly xFirst: 0;
+  /** x = nx dx */
+  readonly xLast: 1;
+  /** y = 0 */
+  readonly yFirst: 2;
+  /** y = ny dy */
+  readonly yLast: 3;
+};
+export type Side = keyof typeof Side;
+
+/** What is at a side. */
+export const Border: {
+  readonly wall: 0;
+  /** water of a given level outside, into which waves run without an echo */
+  readonly open: 1;
+  /** a given discharge comes in; if negative, leaves as far as there is water */
+  readonly inflow: 2;
+  /** goes on at the opposite side */
+  readonly periodic: 3;
+  /** holds a given level for what flows out slower than its waves: a lake, a weir */
+  readonly level: 4;
+};
+export type Border = keyof typeof Border;
+
+/** Whether water carries its momentum along. */
+export const Momentum: {
+  readonly linear: 0;
+  readonly advected: 1;
+};
+export type Momentum = keyof typeof Momentum;
+
+/** What a write to "bed" leaves as it is. */
+export const BedRule: {
+  /** the depth: water rides on the bed, volume is kept */
+  readonly liftsWater: 0;
+  /** the surface of wet cells: the account tells the volume that a write brings or takes */
+  readonly keepsSurface: 1;
+};
+export type BedRule = keyof typeof BedRule;
+
+/** Name of a status, such as "CD_ERROR_VALUE"; "CD_ERROR_UNKNOWN" for a number that is none. A static string. */
+export function statusName(status: Status): string;
+
+/**
+ * Why the last failed call on this thread failed: the function, the argument, its value, what would be valid.
+ * Empty before the first failure; successful calls leave it as it is. The string belongs to the library and stays
+ * valid until the next failure on the same thread.
+ */
+export function errorMessage(): string;
+
+/**
+ * The kernels that this build has and this processor runs: the sum of 1 << k for each of them, k a Kernels. The
+ * largest k is the fastest. "plain" is always there.
+ */
+export function runnableKernels(): number;
+
+/**
+ * The instructions' name, such as "AVX-512"; of "plain" those that it was built with: "SSE2", "NEON",
+ * "SIMD128", or "plain" for one number at a time. "unknown" for a number that is no Kernels. A static string.
+ */
+export function kernelsName(kernels: Kernels): string;
+
+/** Version of the library that runs: major * 1000000 + minor * 1000 + patch. The macros tell that of the header. */
+export function version(): number;
+
+/** The same as text, "0.1.0". A static string. */
+export function versionString(): string;
+
+/** Compiler, target and what was left out of this build, in one line. A static string. */
+export function buildInfo(): string;
+
+/**
+ * The fields of a Chain.
+ *
+ *  field         per              unit    values
+ *  "position"   strand, node     m       finite
+ *  "velocity"   strand, node     m/s     finite; of a pinned node only 0
+ *  "force"      strand, node     N       finite; acts until it is overwritten
+ *  "target"     strand, node     m       finite; where attach pulls to, and where "posed" goes
+ *  "mass"       (strand), node   kg      > 0
+ *  "stiffness"  (strand), spring N/m     >= 0; 0: cut; Infinity: welded, see weld; in ropes of fixed length
+ *  "bend"       (strand), node   N/m     >= 0; that of the two ends of an open chain is kept and not used
+ *  "pin"        (strand), node   -       a Node
+ *  "restLength" strand, spring  m       1e-60 to 1e60; of ropes only
+ *  "tension"    strand, spring   N       finite; of ropes only: what the last step found and the next one starts from
+ *  "wind"       strand, node     m/s     finite; of ropes only
+ *  "strength"   strand, spring   N       1e-60 to 1e60, or Infinity; of ropes only: see strength
+ *  "strain"     strand, spring   -       of ropes, to read only: length now over rest length, less 1; -1 and more
+ * (strand): per strand in ropes, shared by the strands of other chains.
+ * Nodes joined by welded springs make a group, which may hold one held node: more is "errorUnsupported".
+ * Position, velocity and pin are always there, tension and strain in ropes. The others cost memory and time only once
+ * they are switched on.
+ */
+export type ChainField = "position" | "velocity" | "force" | "target" | "mass" | "stiffness" | "bend" | "pin" |
+  "restLength" | "tension" | "wind" | "strength" | "strain";
+
+/** Part of a field; what is left out is all the rest. */
+export interface ChainRange {
+  firstStrand?: number;
+  strands?: number;
+  first?: number;
+  n?: number;
+}
+
+/** What it is made with, and then any property that can be set, in this order. */
+export interface ChainOptions {
+  strands: number;
+  springs: number;
+  components: number;
+  precision?: Precision; // default "float64"
+  method?: Method;
+  lambda?: number;
+  kernels?: Kernels;
+  mass?: number;
+  massRule?: MassRule;
+  stiffness?: number;
+  bend?: number;
+  drag?: number;
+  stiffnessDamping?: number;
+  gravity?: Numbers;
+  ring?: boolean;
+  restLength?: number;
+  push?: boolean;
+  strength?: number;
+  air?: { along?: number; across?: number };
+  wind?: Numbers;
+  tolerance?: { tolerance?: number; mostIterations?: number };
+  colliders?: number;
+  thickness?: number;
+  position?: Numbers | number;
+  velocity?: Numbers | number;
+  force?: Numbers | number;
+  target?: Numbers | number;
+}
+
+/**
+ * contdyn: a chain of nodes joined by springs: massive spring, rope, hair, spline.
+ *
+ * A chain has `springs` springs and nodes = springs + 1 nodes; spring i joins node i to node i + 1. A ring has one
+ * spring more, number `springs`, from the last node to the first. A node has 1 to 4 components that never mix. One
+ * handle holds one or many strands: they share mass, stiffness, pins and attachments, and so one factorization;
+ * position, velocity, force and target are each strand's own. Strands of ropes share the totals only.
+ *
+ * Energy    E = 1/2 sum k_i |x_{i+1} - x_i|^2 + 1/2 sum b_i |x_{i+1} - 2 x_i + x_{i-1}|^2      (Kass 1997, eq. 2 and 5)
+ * Motion    M x'' + C x' + K x = M g + f,  K = the Hessian of E,  C = drag M + stiffness_damping K
+ *
+ * Rest length is zero, unless restLength makes the chain a rope: a free chain draws together, and one
+ * stretched evenly is held by its ends. A new chain lies with every node at the origin, at rest, all nodes free, mass
+ * 1, stiffness 1, no bend, no gravity, no damping, "implicit" with lambda 1/2.
+ *
+ * All computing is done in double precision; "float32" is what positions, velocities, forces and targets are stored
+ * in. (Steps of symplectic Euler on uniform chains without damping and forces compute in float32 and are as exact.)
+ * Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are taken for 0 where a step
+ * stores them, so that a scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
+ *
+ * Every function returns "errorNull" for a null pointer and "errorHandle" for a handle of another kind; the
+ * comments name the other errors.
+ */
+export class Chain extends Handle {
+  /**
+   * Makes a chain. strands >= 1; springs >= 0 (0: a single node); components 1 to 4.
+   * Errors: "errorValue", "errorEnum", "errorSize", "errorMemory"; "errorUnsupported" for a precision that
+   * this build leaves out.
+   */
+  constructor(options: ChainOptions);
+
+  // ---- life ---------------------------------------------------------------------------------------------------------
+
+  /** What new Chain was given. */
+  get shape(): { strands: number; springs: number; components: number; precision: Precision };
+
+  // ---- method -------------------------------------------------------------------------------------------------------
+
+  /**
+   * How steps are made. Methods differ in the memory they need: implicit ones a factorization and a row of scratch,
+   * "stiffSecond" a second row. Errors: "errorEnum"; "errorMemory".
+   */
+  get method(): Method;
+  set method(value: Method);
+
+  /** lambda of "implicit", in [0, 1]; default 1/2. Errors: "errorValue". */
+  get lambda(): number;
+  set lambda(value: number);
+
+  /**
+   * The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and a
+   * new chain has the fastest that its processor runs. Not part of the saved state.
+   * Errors: "errorEnum"; "errorUnsupported" for kernels that are not among runnableKernels.
+   */
+  get kernels(): Kernels;
+  set kernels(value: Kernels);
+
+  // ---- parameters ---------------------------------------------------------------------------------------------------
+  // Totals of one strand. A change takes effect at the next step and costs it one refactorization. Where the field of
+  // the same name is switched on, setting the total writes the whole field anew. A getter tells the total last set.
+  // Errors of all setters: "errorValue" for a number that is NaN, infinite or out of range.
+
+  /**
+   * Mass [kg], > 0. Per node, "equal": mass / nodes; "halfEnds": mass / springs, half of it at the two
+   * ends (in a ring, and with no spring, the rules agree). Kass 1997, eq. 6.
+   */
+  get mass(): number;
+  set mass(value: number);
+
+  /**
+   * Mass [kg], > 0. Per node, "equal": mass / nodes; "halfEnds": mass / springs, half of it at the two
+   * ends (in a ring, and with no spring, the rules agree). Kass 1997, eq. 6.
+   */
+  get massRule(): MassRule;
+  set massRule(value: MassRule);
+
+  /**
+   * Stretch stiffness k [N/m], >= 0, of ropes up to Infinity. Per spring: k times the number of springs. Kass 1997,
+   * eq. 7. Waves run along the chain in sqrt(mass / k) seconds.
+   */
+  get stiffness(): number;
+  set stiffness(value: number);
+
+  /**
+   * Bend stiffness b [N/m], >= 0. Per node with two neighbours: b times the cube of the number of springs (Kass 1997,
+   * eq. 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam of the rigidity E I [N m^2].
+   * Errors: "errorMemory" when bend is switched on.
+   */
+  get bend(): number;
+  set bend(value: number);
+
+  /** Drag [1/s], >= 0: every node loses velocity at this rate. */
+  get drag(): number;
+  set drag(value: number);
+
+  /**
+   * Stiffness damping [s], >= 0: stretch and bend damp at this time constant; a mode of angular frequency w loses
+   * amplitude at the rate (drag + stiffness_damping w^2) / 2.
+   */
+  get stiffnessDamping(): number;
+  set stiffnessDamping(value: number);
+
+  /** Gravity [m/s^2], one number per component. Errors: "errorRange" if count is not the number of components. */
+  get gravity(): Float64Array;
+  set gravity(value: Numbers);
+
+  /**
+   * What holds an end: the same as writing the field "pin" at the first or last node of every strand; the getter tells
+   * that of the first strand. Pinning stops the node; driving leaves its velocity, which is then written through
+   * "velocity"; posing switches "target" on and sets the end's target to where it is: write the next one there.
+   * Errors: "errorEnum"; "errorMemory"; "errorUnsupported" for "matched" on a ring; "errorDiverged" for
+   * "posed" where the state is not finite.
+   */
+  setEnd(end: End, kind: Node): void;
+
+  /**
+   * What holds an end: the same as writing the field "pin" at the first or last node of every strand; the getter tells
+   * that of the first strand. Pinning stops the node; driving leaves its velocity, which is then written through
+   * "velocity"; posing switches "target" on and sets the end's target to where it is: write the next one there.
+   * Errors: "errorEnum"; "errorMemory"; "errorUnsupported" for "matched" on a ring; "errorDiverged" for
+   * "posed" where the state is not finite.
+   */
+  getEnd(end: End): Node;
+
+  /**
+   * Joins the last node to the first (1) or opens the ring (0). A ring has as many springs as nodes, and with bend a
+   * bend term at every node; totals are dealt out anew, and a per-spring stiffness field gets the uniform value.
+   * Needs 3 nodes. Errors: "errorValue" for anything but 0 and 1; "errorUnsupported" with fewer than 3 nodes or a
+   * matched end; "errorMemory".
+   */
+  get ring(): boolean;
+  set ring(value: boolean);
+
+  // ---- ropes: springs that have a length ----------------------------------------------------------------------------
+  // A rope is a chain with a rest length: the components of a node, 1 to 3, are directions of space, and a spring pulls
+  // along itself by k_i (|x_{i+1} - x_i| - length_i) once it is longer than its length; shorter it is slack. k_i may be
+  // anything up to Infinity, which keeps its length. A step solves this nonlinear
+  // system to the tolerance by Newton's method, each iteration in time proportional to the nodes: 1 to 3 of them as a
+  // rule. lambda = 1/2 is second order and keeps the energy of a swing, but for the jerk when slack ends; lambda = 1
+  // damps most; along a spring that yields, the motion is damped as by lambda = 1. What can't be solved with lambda < 1
+  // is solved with 1. At any dt, stiffness and masses a step that reaches its tolerance keeps momentum to rounding and
+  // adds no energy but what such errors of length stand for: at most the sum, over springs, before and after it, of
+  // 2 T e + k e^2, where e = tolerance * length, k e^2 counts for springs that yield, and T is the tension or, where
+  // the
+  // interior point was needed, the mean force on the nodes if that is larger. A spring that is longer than its tension
+  // makes it, because positions were written so, comes back within the step at any speed.
+  // Ropes need "implicit" with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
+  // step says "errorUnsupported".
+  //
+  // With bend a rope is a rod, or hair, which is straight at rest: its bend energy at a node is b_i / 2 |d r_i|^2, d
+  // r_i
+  // the difference of the spring vectors beside it, each over its rest length and times the mean of the two. Two pinned
+  // nodes at an end clamp it: the inner one, at the clamp, should have twice the bend of the others. Springs that only
+  // pull let a rod shorten under pressure about as far as the same force across would bend it: hair that is to stand at
+  // its length needs springs that push. Any bend is stable; but where pinned nodes hold a rod bent with more than 1e5
+  // times the energy m g L of the rope, rounding may let a step end short of its tolerance.
+
+  /**
+   * Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
+   * where they are. A rope has the fields "tension", at first 0, and "strain". Its strands are individuals: each has
+   * its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
+   * switches "tension" off, and "restLength", strength, air, wind and colliders too. Reeled in or paid out a little
+   * every step, it is a winch. Errors: "errorValue"; "errorMemory"; "errorUnsupported" with 4 components or no
+   * spring, in a build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness
+   * would weld all springs or two held nodes.
+   */
+  get restLength(): number;
+  set restLength(value: number);
+
+  /**
+   * Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
+   * Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps.
+   * Errors: "errorValue".
+   */
+  get push(): boolean;
+  set push(value: boolean);
+
+  /**
+   * The tension at which a spring breaks [N], 1e-60 to 1e60, or Infinity, the default: springs hold. A rope's step ends
+   * by cutting, of each strand, the spring whose tension is most beyond its strength: its stiffness and tension become
+   * 0, and the next step shows what the others bear. Mend it by writing "stiffness", which a finite strength switches
+   * on and keeps on. The field "strength" has one for each spring.
+   * Errors: "errorValue"; "errorMemory"; "errorUnsupported" of a chain that is no rope.
+   */
+  get strength(): number;
+  set strength(value: number);
+
+  /** How many springs broke in the last call of step that made steps: those whose "stiffness" became 0. */
+  get broken(): number;
+
+  /**
+   * The force [N], one number per component, with which the springs of a rope pull at a node, and its bend: of a held
+   * node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have
+   * now, 0 of a spring without length, and of what the bend there and at the nodes beside it does.
+   * Errors: "errorRange"; "errorUnsupported" of a chain that is no rope.
+   */
+  getReaction(strand: number, node: number): Float64Array;
+
+  /**
+   * Resistance of the air, per length of a rope [N s/m^2], in [0, 1e60], default 0: a piece of length s whose velocity
+   * through the air is w, w_t along the rope and w_n across it, is pushed by -s (along w_t + across w_n). Implicit, so
+   * that it only takes energy, as seen from the air, at any dt; the rope's direction is the one that it would have
+   * lambda dt after the step began. A node bears half of its two springs' rest lengths; cut springs feel no air. A
+   * round
+   * rope of diameter d has about across = 0.6 density d |w_n|, and `along` some hundredth of that.
+   * Errors: "errorValue"; "errorMemory"; "errorUnsupported" of a chain that is no rope.
+   */
+  get air(): { along: number; across: number };
+  set air(value: { along?: number; across?: number });
+
+  /**
+   * Velocity of that air [m/s], one number per component, default 0; the field "wind" has one for each node.
+   * Errors: "errorValue"; "errorRange" if count is not the number of components; set: "errorUnsupported" of a chain
+   * that is no rope.
+   */
+  get wind(): Float64Array;
+  set wind(value: Numbers);
+
+  /**
+   * When a step of a rope is content: every spring is as long as its tension makes it, but for `tolerance` times its
+   * length, and springs gave no more energy than that is worth; a slack one may keep a tension of about the tolerance
+   * times the largest force on the nodes. In [1e-14, 1/2], default 1e-6. mostIterations, 1 to 10000, default 200, are
+   * those that a step may take by the slow and sure method, an interior point, after at most 16 by Newton's. A
+   * tolerance
+   * looser than 1e-4 costs more time, not less: what a step leaves wrong, the next one must mend.
+   * Errors: "errorValue".
+   */
+  get tolerance(): { tolerance: number; mostIterations: number };
+  set tolerance(value: { tolerance?: number; mostIterations?: number });
+
+  /**
+   * What the last call of step did with ropes: the most iterations that a step of a strand took, and the largest
+   * error it ended with, as the tolerance counts it: Infinity where that is no number. 0 and 0 without ropes. Each
+   * output
+   * may be null.
+   */
+  get convergence(): { iterations: number; residual: number };
+
+  // ---- what ropes touch ---------------------------------------------------------------------------------------------
+  // The nodes of a rope stay outside of colliders, numbered from 0, which all strands meet: half spaces, and capsules,
+  // spheres among them, each with a velocity and a friction of its own. A step that reaches its tolerance leaves no
+  // free
+  // node deeper inside than that, times the springs' length, and colliders at rest give no energy. What falls on one
+  // does not bounce; what comes to rest stays. A strand that touches something makes that step with lambda = 1. A node
+  // that lies inside when a step begins comes out of it, and is not thrown. Nodes collide; the springs between them do
+  // not, nor do ropes with each other. No node passes through a capsule that it meets by less than a radius a step.
+  // Where colliders overlap, a node may be caught between them: "errorTolerance". Friction is Coulomb's, of each
+  // node's push, times v / (v + 1e-4 m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the
+  // push that 50 iterations found. So what it holds creeps: at half of what it bears by 1e-4 m/s.
+  // Errors of all that set: "errorUnsupported" of a chain that is no rope; "errorRange" for an index that no collider
+  // has, or a count that is not the number of components; "errorValue".
+
+  /**
+   * How many colliders there are, 0 to 4096, default 0: new ones are "none", those that stay keep what they are.
+   * Rest length 0 takes them away. Errors: "errorMemory".
+   */
+  get colliders(): number;
+  set colliders(value: number);
+
+  /**
+   * Makes a collider the half space behind the plane through `point` [m] that `normal`, of any length but 0, points out
+   * of; one number per component each, at most 1e60 in size. friction, 0 to 1e60, is Coulomb's coefficient.
+   */
+  setPlane(index: number, point: Numbers, normal: Numbers, friction?: number): void;
+
+  /**
+   * Makes a collider all that is less than `radius` [m], 1e-60 to 1e60, away from the line between two ends: a sphere
+   * where they are the same.
+   */
+  setCapsule(index: number, first: Numbers, last: Numbers, radius: number, friction?: number): void;
+
+  /** Makes a collider "none", at rest: nothing touches it. */
+  removeCollider(index: number): void;
+
+  /**
+   * Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move it, and it
+   * carries what it touches along. It keeps its velocity when it is made another plane or capsule.
+   */
+  setColliderVelocity(index: number, velocity: Numbers): void;
+
+  /**
+   * What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends; of
+   * what is none, zeros, but for its velocity. One number per component in each array.
+   * Errors: "errorRange" for an index that no collider has, or a count that is not the number of components.
+   */
+  getCollider(index: number): { shape: Shape; first: Float64Array; second: Float64Array; velocity: Float64Array; radius:
+    number; friction: number };
+
+  /** How thick ropes are, as a radius [m] in [0, 1e60], default 0: nodes stay this far outside of colliders. */
+  get thickness(): number;
+  set thickness(value: number);
+
+  // ---- fields -------------------------------------------------------------------------------------------------------
+
+  /**
+   * Switches a field on, filled with the present uniform values (force 0, target the present position). On already:
+   * nothing happens. "strength" switches "stiffness" on too. Errors: "errorEnum", "errorMemory"; here and below
+   * "errorUnsupported" for the fields of ropes of a chain that is none.
+   */
+  enableField(field: Field): void;
+
+  /**
+   * Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened.
+   * Errors: "errorEnum"; "errorUnsupported" for position, velocity, pin, tension and strain, and for stiffness where
+   * springs may break.
+   */
+  disableField(field: Field): void;
+
+  /**
+   * Writes or reads values[strand][node][component], dense, of strands [firstStrand, firstStrand + strands) and nodes
+   * (or springs) [first, first + n). Fields without components have one value per node; fields that the strands share
+   * have the single strand 0. `count` is the number of values in the buffer: strands * n * components. Numbers are
+   * rounded once, to the precision of the side that is narrower. Never allocates.
+   * Errors: "errorEnum", "errorDisabled", "errorRange"; write: "errorValue", with the first bad index, and
+   * "errorUnsupported" for "strain".
+   * One number stands for all places.
+   */
+  write(field: ChainField, values: Numbers | number, range?: ChainRange): void;
+
+  /**
+   * Writes or reads values[strand][node][component], dense, of strands [firstStrand, firstStrand + strands) and nodes
+   * (or springs) [first, first + n). Fields without components have one value per node; fields that the strands share
+   * have the single strand 0. `count` is the number of values in the buffer: strands * n * components. Numbers are
+   * rounded once, to the precision of the side that is narrower. Never allocates.
+   * Errors: "errorEnum", "errorDisabled", "errorRange"; write: "errorValue", with the first bad index, and
+   * "errorUnsupported" for "strain".
+   * Without `out` a new array, of the object's precision.
+   */
+  read(field: ChainField, range?: ChainRange): Float32Array | Float64Array;
+  read<A extends Float32Array | Float64Array>(field: ChainField, range: ChainRange | undefined, out: A): A;
+
+  /**
+   * Where a field lies in the chain's own memory, in the chain's precision, to read without a copy: the value of
+   * (strand, node, component) is at byte *data + strand * strand_stride + node * node_stride + component *
+   * component_stride. Position, velocity, force and target only. The pointer is good until the field is switched off or
+   * the chain released; the numbers change with every write and step. Do not write through it.
+   * Errors: "errorEnum", "errorDisabled", "errorUnsupported".
+   * Here as a `View`, which follows the field.
+   */
+  view(field: ChainField): View;
+
+  /** `view("position")`; assigned, the field is written. */
+  get position(): View;
+  set position(values: Numbers | number);
+
+  /** `view("velocity")`; assigned, the field is written. */
+  get velocity(): View;
+  set velocity(values: Numbers | number);
+
+  /** `view("force")`; assigned, the field is written. */
+  get force(): View;
+  set force(values: Numbers | number);
+
+  /** `view("target")`; assigned, the field is written. */
+  get target(): View;
+  set target(values: Numbers | number);
+
+  // ---- acting on it -------------------------------------------------------------------------------------------------
+
+  /**
+   * Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in a welded group
+   * by impulse / the group's mass; a held node takes none. Errors: "errorRange", "errorValue".
+   */
+  impulse(strand: number, node: number, impulse: Numbers): void;
+
+  /**
+   * Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
+   * every velocity rotation * v; tensions stay. rotation: components rows of as many numbers, orthogonal to 1e-6; null:
+   * none. offset [m]: one number per component, which count counts.
+   * Errors: "errorRange", "errorValue": nothing has moved; "errorDiverged" for a state that is not finite.
+   */
+  teleport(strand: number, rotation: Numbers | null, offset: Numbers): void;
+
+  /**
+   * Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a
+   * spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. target, one number per
+   * component,
+   * is given to every strand that is tied; null: each node's present position, and count means nothing.
+   * Move it afterwards by writing "target". Attaching again changes the numbers. Switches "target" on.
+   * Errors: "errorRange", "errorValue", "errorMemory".
+   */
+  attach(strand: number, node: number, stiffness: number, damping: number, target?: Numbers | null): void;
+
+  /**
+   * Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a
+   * spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. target, one number per
+   * component,
+   * is given to every strand that is tied; null: each node's present position, and count means nothing.
+   * Move it afterwards by writing "target". Attaching again changes the numbers. Switches "target" on.
+   * Errors: "errorRange", "errorValue", "errorMemory".
+   */
+  detach(strand: number, node: number): void;
+
+  /**
+   * Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a
+   * spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. target, one number per
+   * component,
+   * is given to every strand that is tied; null: each node's present position, and count means nothing.
+   * Move it afterwards by writing "target". Attaching again changes the numbers. Switches "target" on.
+   * Errors: "errorRange", "errorValue", "errorMemory".
+   */
+  getAttachment(strand: number, node: number): { stiffness: number; damping: number };
+
+  /**
+   * Cuts a spring (stiffness 0) of a rope's strand, or with strand 0 of every strand of another chain; or welds it
+   * (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that momentum
+   * is
+   * kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or welded
+   * spring gets a stiffness again by writing "stiffness". Both switch "stiffness" on. Bend is not cut with the spring:
+   * write "bend". In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length only.
+   * Errors: "errorRange", "errorMemory"; weld: "errorUnsupported" if it would join two held nodes.
+   */
+  cut(strand: number, spring: number): void;
+
+  /**
+   * Cuts a spring (stiffness 0) of a rope's strand, or with strand 0 of every strand of another chain; or welds it
+   * (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that momentum
+   * is
+   * kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or welded
+   * spring gets a stiffness again by writing "stiffness". Both switch "stiffness" on. Bend is not cut with the spring:
+   * write "bend". In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length only.
+   * Errors: "errorRange", "errorMemory"; weld: "errorUnsupported" if it would join two held nodes.
+   */
+  weld(strand: number, spring: number): void;
+
+  // ---- time ---------------------------------------------------------------------------------------------------------
+
+  /**
+   * Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
+   * count * strands * nodes * components.
+   * Errors: "errorValue"; "errorDiverged" if a number leaves the finite range: all steps are made, the message gives
+   * the first bad one, the chain can be read, and steps again after reset, a load, or once finite positions and
+   * velocities have been written; of ropes "errorUnsupported" for what they can't have, and "errorTolerance" if a
+   * step ended short of its tolerance: all steps are made, and good to the error that convergence tells.
+   */
+  step(dt: number, count?: number): void;
+
+  /**
+   * The longest dt at which "symplecticEuler" stays bounded, whatever method is set: the largest dt with
+   * 4 M - 2 dt C - dt^2 K positive definite. Exact for stretch with drag and stiffness damping; with bend a lower
+   * bound,
+   * exact in the limit of many nodes; with matched ends and attachment damping a lower bound, and close. Infinity if
+   * nothing can swing. Errors: "errorUnsupported" of ropes.
+   */
+  stableDt(): number;
+
+  /** Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */
+  get time(): number;
+
+  /** Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */
+  get steps(): number;
+
+  /**
+   * How many factorizations the chain has made: one at the first implicit step and one at the first after each change
+   * of
+   * dt, lambda, method or a parameter. Ropes make none. Not part of the saved state.
+   */
+  get factorizations(): number;
+
+  // ---- measuring ----------------------------------------------------------------------------------------------------
+
+  /**
+   * Energies of all strands together [J]; Kinetic: of the free nodes. Elastic: stretch, bend
+   * and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps their sum.
+   */
+  get energy(): { kinetic: number; elastic: number; gravity: number };
+
+  /**
+   * Momentum of the free nodes of all strands together [kg m/s], one number per component.
+   * Errors: "errorRange" if count is not the number of components.
+   */
+  get momentum(): Float64Array;
+
+  /**
+   * Positions of one strand at places along it, linear between nodes: at[j] in [0, springs] (ring: to springs + 1),
+   * positions[j][component], count = n * components. Errors: "errorRange" if there is no such strand or
+   * count is another number; "errorValue" for a place beyond the strand.
+   */
+  sample(strand: number, at: Numbers): Float64Array;
+
+  /** Bytes the chain holds from its allocator. */
+  get memory(): number;
+
+  /** A 64-bit hash of everything save would write. Equal on every machine, compiler and vector width. */
+  hash(): bigint;
+
+  // ---- keeping ------------------------------------------------------------------------------------------------------
+
+  /**
+   * The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-
+   * endian
+   * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
+   * load needs a chain of the same shape and precision; it switches fields on and off as they were. Bytes that are
+   * damaged, cut short, of another version or kind are refused and change nothing.
+   * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
+   */
+  saveSize(): number;
+
+  /**
+   * The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-
+   * endian
+   * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
+   * load needs a chain of the same shape and precision; it switches fields on and off as they were. Bytes that are
+   * damaged, cut short, of another version or kind are refused and change nothing.
+   * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
+   */
+  save(): Uint8Array;
+
+  /**
+   * The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-
+   * endian
+   * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
+   * load needs a chain of the same shape and precision; it switches fields on and off as they were. Bytes that are
+   * damaged, cut short, of another version or kind are refused and change nothing.
+   * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
+   */
+  load(bytes: ArrayBuffer | ArrayBufferView): void;
+
+  /**
+   * Makes `chain` what `source` is, as save and load would, without the bytes: the two must agree in shape and
+   * precision.
+   * Allocates only if they differ in the fields switched on. Errors: "errorMismatch", "errorMemory".
+   */
+  copyState(source: Chain): void;
+
+  /** Positions, velocities, tensions, time and steps back to 0. Parameters, fields and pins stay; targets too. */
+  reset(): void;
+}
+
+/**
+ * The fields of a Membrane.
+ *
+ *  field            per           unit    values
+ *  "position"      node          m       finite
+ *  "velocity"      node          m/s     finite; of a pinned or absent node only 0
+ *  "force"         node          N       finite; acts until it is overwritten
+ *  "target"        node          m       finite; where attach pulls to, and where "posed" goes
+ *  "mass"          node          kg      > 0
+ *  "stiffnessU"   spring        N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u + 1, v)
+ *  "stiffnessV"   spring        N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u, v + 1)
+ *  "pin"           node          -       any Node but "matched"; whole edges need it not, see
+ *                                         setEdge
+ *  "mask"          node          -       1: there; 0: absent, with all that touches it: it stands still where it is
+ *                                         and counts for nothing
+ *  "restLengthU" spring        m       1e-60 to 1e60; of cloth only, as are all that follow
+ *  "restLengthV" spring        m       likewise
+ *  "wind"          node          m/s     finite
+ *  "tensionU", _V spring        N       to read only: what the spring pulls by now, less than 0 where it pushes
+ *  "strainU", _V  spring        -       to read only: length now over rest length, less 1; -1 and more
+ * Position and velocity are always there, tension and strain in cloth. The others cost memory and time only once they
+ * are switched on; "mass", the stiffnesses, "target", "pin" and "mask" make a sheet that is no cloth one whose
+ * lines differ, with factors for each of them.
+ */
+export type MembraneField = "position" | "velocity" | "force" | "target" | "mass" | "stiffnessU" | "stiffnessV" | "pin"
+  | "mask" | "restLengthU" | "restLengthV" | "wind" | "tensionU" | "tensionV" | "strainU" | "strainV";
+
+/** Part of a field; what is left out is all the rest. */
+export interface MembraneRange {
+  firstU?: number;
+  firstV?: number;
+  nU?: number;
+  nV?: number;
+}
+
+/** What it is made with, and then any property that can be set, in this order. */
+export interface MembraneOptions {
+  nu: number;
+  nv: number;
+  components: number;
+  precision?: Precision; // default "float64"
+  method?: Method;
+  lambda?: number;
+  solver?: Solver;
+  tolerance?: { tolerance?: number; mostIterations?: number };
+  kernels?: Kernels;
+  mass?: number;
+  massRule?: MassRule;
+  stiffness?: { alongU?: number; alongV?: number };
+  bend?: number;
+  drag?: number;
+  stiffnessDamping?: number;
+  gravity?: Numbers;
+  pressure?: number;
+  ring?: { alongU?: boolean; alongV?: boolean };
+  restLength?: { alongU?: number; alongV?: number };
+  shear?: number;
+  compression?: number;
+  effort?: { newton?: number; gradient?: number };
+  air?: { along?: number; across?: number };
+  wind?: Numbers;
+  colliders?: number;
+  thickness?: number;
+  position?: Numbers | number;
+  velocity?: Numbers | number;
+  force?: Numbers | number;
+  target?: Numbers | number;
+}
+
+/**
+ * contdyn: a membrane: a sheet of nodes joined by springs in two directions: drum, balloon, thin plate; with rest
+ * lengths cloth, flags and capes.
+ *
+ * A membrane has `nu` springs along u and `nv` along v, and (nu + 1) (nv + 1) nodes; node (u, v) has the number
+ * v (nu + 1) + u wherever nodes are listed. A node has 1 to 4 components that never mix. A direction can be closed to a
+ * ring: its last nodes are then joined to the first by one spring more.
+ *
+ * Energy    E = 1/2 sum k_u |x_{u+1,v} - x_{u,v}|^2 + 1/2 sum k_v |x_{u,v+1} - x_{u,v}|^2
+ *             + 1/2 sum b (|x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2)           (Kass 1997, section 8; the thin plate's energy)
+ * Motion    M x'' + C x' + K x = M g + f + pressure along the normal,  K = the Hessian of E,
+ *           C = drag M + stiffness_damping K
+ *
+ * Rest length is zero, unless restLength makes the membrane cloth: a free sheet draws together, and
+ * one stretched evenly is held by its edges. A new membrane lies with every node at the origin, at rest, all nodes
+ * free, mass 1, stiffness 1 along both directions, no bend, no gravity, no damping, "implicit" with lambda
+ * 1/2, "alternating".
+ *
+ * Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve.
+ *   "alternating"  rows, then columns (Kass 1997, section 9). Its cost is fixed, and it is stable at any
+ *      stiffness and dt. Its price: a motion with the angular frequencies w_u and w_v along the two directions moves as
+ *      if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both directions for the
+ *      step is slowed down, and the sheet seems sluggish. Take it where both w h are at most about 1 for the motion
+ *      that matters: drums, soft sheets. Where it comes to rest does not depend on dt.
+ *      So it is on uniform sheets held by whole rows and columns, closed forms and all. On any other sheet (single
+ *      pins, a mask, attachments, masses or springs of their own, bend with free edges) the factored system would blow
+ *      up; there a step is the best, in energy, that the lines' answers, the present velocity and a motion of all nodes
+ *      alike can be combined to. It is a little slower, and not quite linear: sums of scenes move as sums only about.
+ *   "coupled"      the system itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On
+ *      uniform sheets without bend and rings, held by whole rows and columns, it takes one or two iterations of some
+ *      ten alternating solves each, elsewhere multigrid: tens of times the cost. Take it for stiff sheets that hang,
+ *      bear loads, are driven or thrown, and for stiff parts that move against each other, of which alternating finds
+ *      the common motion only. It needs many iterations where springs or masses vary at random by decades, and where a
+ *      plate with free edges has much more bend than stretch.
+ * Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance;
+ * the momentum of a free sheet is kept too, of one torn into parts that of each part. On uniform sheets, alternating,
+ * the energy so kept counts the extra mass in what moves; in "float32" each rounding of a velocity is then a kick of
+ * so many times its energy: take "float64" or the coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with
+ * stiffness damping are first order in time under the alternating solver, all else is second.
+ *
+ * All computing is done in double precision; "float32" is what positions, velocities, forces and targets are stored
+ * in. (Steps of symplectic Euler on uniform sheets without damping and forces compute in float32 and are as exact.)
+ * Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are taken for 0 where a step
+ * stores them, so that a scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
+ *
+ * Every function returns "errorNull" for a null pointer and "errorHandle" for a handle of another kind; the
+ * comments name the other errors. Functions that the chain has too mean the same here.
+ */
+export class Membrane extends Handle {
+  /**
+   * Makes a membrane. nu, nv >= 0 (0: a single row or column of nodes); components 1 to 4. Errors: "errorValue",
+   * "errorEnum", "errorSize", "errorMemory"; "errorUnsupported" for a precision
+   * that this build leaves out.
+   */
+  constructor(options: MembraneOptions);
+
+  // ---- life ---------------------------------------------------------------------------------------------------------
+
+  /** What new Membrane was given. */
+  get shape(): { nu: number; nv: number; components: number; precision: Precision };
+
+  // ---- method -------------------------------------------------------------------------------------------------------
+
+  /** How steps are made. Methods and solvers differ in the memory they need. Errors: "errorEnum"; "errorMemory". */
+  get method(): Method;
+  set method(value: Method);
+
+  /** lambda of "implicit", in [0, 1]; default 1/2. Errors: "errorValue". */
+  get lambda(): number;
+  set lambda(value: number);
+
+  /** How implicit steps solve their system; see above. Errors: "errorEnum"; "errorMemory". */
+  get solver(): Solver;
+  set solver(value: Solver);
+
+  /**
+   * When "coupled" is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
+   * component), in [1e-14, 1/2], default 1e-6; and how many iterations it may take, >= 1, default 100. A solve ends,
+   * too,
+   * when 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
+   * tolerance step says so with "errorTolerance". Errors: "errorValue".
+   */
+  get tolerance(): { tolerance: number; mostIterations: number };
+  set tolerance(value: { tolerance?: number; mostIterations?: number });
+
+  /**
+   * What the last call of step did with "coupled": the most iterations that a solve took, and the
+   * largest residual it ended with, as a fraction of the one it started from: Infinity where its square is. 0 and 0 if
+   * there was no such solve.
+   */
+  get convergence(): { iterations: number; residual: number };
+
+  /**
+   * The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and a
+   * new membrane has the fastest that its processor runs. Not part of the saved state.
+   * Errors: "errorEnum"; "errorUnsupported" for kernels that are not among runnableKernels.
+   */
+  get kernels(): Kernels;
+  set kernels(value: Kernels);
+
+  // ---- parameters ---------------------------------------------------------------------------------------------------
+  // Totals of the sheet. A change takes effect at the next step and costs it one refactorization. Where the field of
+  // the same name is switched on, setting the total writes the whole field anew. A getter tells the total last set.
+  // Errors of all setters: "errorValue" for a number that is NaN, infinite or out of range.
+
+  /**
+   * Mass [kg], > 0. "equal": mass / ((nu + 1) (nv + 1)) per node. "halfEnds": an edge line counts half, in
+   * its masses and in the springs and bends along it: mass / (nu nv) per node inside, half of it on an edge, a quarter
+   * at
+   * a corner. In a direction that is a ring or has no spring the rules agree, and in what follows its nu + 1 and nu (or
+   * nv + 1 and nv) are both the number of its nodes. The rule deals out mass and stiffness anew.
+   */
+  get mass(): number;
+  set mass(value: number);
+
+  /**
+   * Mass [kg], > 0. "equal": mass / ((nu + 1) (nv + 1)) per node. "halfEnds": an edge line counts half, in
+   * its masses and in the springs and bends along it: mass / (nu nv) per node inside, half of it on an edge, a quarter
+   * at
+   * a corner. In a direction that is a ring or has no spring the rules agree, and in what follows its nu + 1 and nu (or
+   * nv + 1 and nv) are both the number of its nodes. The rule deals out mass and stiffness anew.
+   */
+  get massRule(): MassRule;
+  set massRule(value: MassRule);
+
+  /**
+   * Stretch stiffness along u and along v [N/m], >= 0: a sheet stretched evenly along u by the length d holds the
+   * energy
+   * k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the edges; along v
+   * likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds.
+   */
+  get stiffness(): { alongU: number; alongV: number };
+  set stiffness(value: { alongU?: number; alongV?: number });
+
+  /**
+   * Bend stiffness b [N/m], >= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2 over the unit
+   * square
+   * of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of it along
+   * the
+   * edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. The plate is not cut
+   * with a spring: take nodes out by "mask". Errors: "errorMemory" when bend is switched on.
+   */
+  get bend(): number;
+  set bend(value: number);
+
+  /** Drag [1/s], >= 0: every node loses velocity at this rate. */
+  get drag(): number;
+  set drag(value: number);
+
+  /**
+   * Stiffness damping [s], >= 0: stretch and bend damp at this time constant; a mode of angular frequency w loses
+   * amplitude at the rate (drag + stiffness_damping w^2) / 2.
+   */
+  get stiffnessDamping(): number;
+  set stiffnessDamping(value: number);
+
+  /** Gravity [m/s^2], one number per component. Errors: "errorRange" if count is not the number of components. */
+  get gravity(): Float64Array;
+  set gravity(value: Numbers);
+
+  /**
+   * Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a node is
+   * pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3 components only;
+   * it costs memory while it is not 0. Errors: "errorUnsupported" for another number of components unless 0;
+   * "errorMemory".
+   */
+  get pressure(): number;
+  set pressure(value: number);
+
+  /**
+   * What holds an edge; a corner is pinned if either of its edges is, else driven, else posed if either is. Pinning
+   * stops the nodes; driving leaves their velocity, which is then written through "velocity"; posing switches "target"
+   * on and sets the edge's targets to where it is: write the next ones there. "matched" leaves the edge free, with
+   * the impedance that sends no echo back to a wave that runs straight at it. Where "pin" is switched on, all but
+   * matched are written to it along the edge. The getter tells what was set last, whatever was written to "pin" since.
+   * Errors: "errorEnum"; "errorUnsupported" for "matched" in the direction of a ring; "errorMemory";
+   * "errorDiverged" for "posed" where the state is not finite.
+   */
+  setEdge(edge: Edge, kind: Node): void;
+
+  /**
+   * What holds an edge; a corner is pinned if either of its edges is, else driven, else posed if either is. Pinning
+   * stops the nodes; driving leaves their velocity, which is then written through "velocity"; posing switches "target"
+   * on and sets the edge's targets to where it is: write the next ones there. "matched" leaves the edge free, with
+   * the impedance that sends no echo back to a wave that runs straight at it. Where "pin" is switched on, all but
+   * matched are written to it along the edge. The getter tells what was set last, whatever was written to "pin" since.
+   * Errors: "errorEnum"; "errorUnsupported" for "matched" in the direction of a ring; "errorMemory";
+   * "errorDiverged" for "posed" where the state is not finite.
+   */
+  getEdge(edge: Edge): Node;
+
+  /**
+   * Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and
+   * the fields of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors: "errorValue" for
+   * anything but 0 and 1; "errorUnsupported" with fewer than 3 nodes or a matched edge; "errorMemory".
+   */
+  get ring(): { alongU: boolean; alongV: boolean };
+  set ring(value: { alongU?: boolean; alongV?: boolean });
+
+  // ---- cloth: springs that have a length ----------------------------------------------------------------------------
+  // Cloth is a membrane with rest lengths. The 3 components of a node are directions of space, and a spring of
+  // stiffness
+  // k and rest length L that is l long pulls by
+  //     0 up to l = L,   k (l - L)^2 / 0.012 L up to l = 1.006 L,   k (l - 1.003 L) beyond,
+  // so that cloth is slack where it is shorter and stretches by 0.3% before it has all of its stiffness; it does not
+  // shrink. Springs that are shorter resist crumpling by compression. A cell with its four springs has
+  // shear and twist, a node between two springs of a line has bend; where one of those springs is cut they are cut too.
+  //
+  // A step minimizes, by Newton's method with few iterations of conjugate gradients (effort), a convex
+  // function of the velocities, and scales them at its end so that, at any dt, stiffness, masses and effort, the energy
+  // that energy tells never rises but by the work of what is driven, of forces, pressure, wind and
+  // colliders that move. What a step does not reach, slows the sheet down: with the default effort one of a stiffness
+  // of
+  // 10 mass / dt^2 [N/m] falls to 5% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass
+  // /
+  // dt^2 it falls a quarter too slowly, and far beyond as through syrup. lambda = 1 damps motion that a step does not
+  // resolve, lambda nearer 1/2 less of it, for more effort; steps are first order in time. A free sheet keeps its
+  // momentum.
+  // Cloth needs "implicit" with lambda in [1/2, 1], no matched edge and no stiffness damping: step
+  // says "errorUnsupported". It has a solver of its own: solver and set_tolerance do not matter.
+
+  /**
+   * Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in [1e-60, 1e60]. Per
+   * spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets lambda to
+   * 1.
+   * Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: "errorValue"; "errorMemory";
+   * "errorUnsupported" without 3 components and springs along both directions, and in a build without cloth.
+   */
+  get restLength(): { alongU: number; alongV: number };
+  set restLength(value: { alongU?: number; alongV?: number });
+
+  /**
+   * Shear stiffness [N/m], >= 0, default 0, of a spring along each diagonal of every cell, with the law and the mean
+   * rest lengths of the cell's springs. Of square cells the shear modulus is half of it [N/m].
+   * Errors here and below: "errorValue"; "errorUnsupported" of a membrane that is no cloth.
+   */
+  get shear(): number;
+  set shear(value: number);
+
+  /**
+   * What keeps cloth from crumpling within its own plane: springs along u and v shorter than their length push by
+   * c (L - l), longer ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default
+   * 10.
+   * It damps turning a little: raise it for stiffer folds, 0 for none.
+   */
+  get compression(): number;
+  set compression(value: number);
+
+  /**
+   * How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
+   * 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
+   * convergence tells the iterations of conjugate gradients that the last call's dearest step took, and
+   * the largest gradient that a step left, over the one it started from.
+   */
+  get effort(): { newton: number; gradient: number };
+  set effort(value: { newton?: number; gradient?: number });
+
+  /**
+   * Resistance of the air, per area of cloth [N s/m^3], in [0, 1e60], default 0: a piece of area a whose velocity
+   * through the air is w, w_t along the cloth and w_n across it, is pushed by -a (along w_t + across w_n). Implicit, so
+   * that it only takes energy, as seen from the air, at any dt; areas and directions are those that the step starts
+   * from. Air of density 1.2 kg/m^3 that passes at the speed s has about across = 1.2 s and along = 0.02 s.
+   * Errors: "errorMemory" too.
+   */
+  get air(): { along: number; across: number };
+  set air(value: { along?: number; across?: number });
+
+  /**
+   * Velocity of that air [m/s], one number per component, default 0; the field "wind" has one for each node.
+   * Errors: "errorRange" too, if count is not the number of components.
+   */
+  get wind(): Float64Array;
+  set wind(value: Numbers);
+
+  // ---- what cloth touches -------------------------------------------------------------------------------------------
+
+  /**
+   * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
+   * them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
+   * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
+   * at any speed.
+   * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
+   * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
+   * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
+   * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+   * of it.
+   * Errors and ranges are those of the functions of Chain.
+   */
+  get colliders(): number;
+  set colliders(value: number);
+
+  /**
+   * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
+   * them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
+   * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
+   * at any speed.
+   * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
+   * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
+   * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
+   * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+   * of it.
+   * Errors and ranges are those of the functions of Chain.
+   */
+  setPlane(index: number, point: Numbers, normal: Numbers, friction?: number): void;
+
+  /**
+   * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
+   * them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
+   * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
+   * at any speed.
+   * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
+   * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
+   * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
+   * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+   * of it.
+   * Errors and ranges are those of the functions of Chain.
+   */
+  setCapsule(index: number, first: Numbers, last: Numbers, radius: number, friction?: number): void;
+
+  /**
+   * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
+   * them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
+   * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
+   * at any speed.
+   * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
+   * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
+   * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
+   * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+   * of it.
+   * Errors and ranges are those of the functions of Chain.
+   */
+  removeCollider(index: number): void;
+
+  /**
+   * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
+   * them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
+   * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
+   * at any speed.
+   * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
+   * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
+   * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
+   * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+   * of it.
+   * Errors and ranges are those of the functions of Chain.
+   */
+  setColliderVelocity(index: number, velocity: Numbers): void;
+
+  getCollider(index: number): { shape: Shape; first: Float64Array; second: Float64Array; velocity: Float64Array; radius:
+    number; friction: number };
+
+  /** How thick cloth is, as a distance [m] in [0, 1e60], default 0, that nodes keep from colliders. */
+  get thickness(): number;
+  set thickness(value: number);
+
+  // ---- fields -------------------------------------------------------------------------------------------------------
+
+  /**
+   * Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin
+   * what the edges say). On already: nothing happens. Errors: "errorEnum", "errorMemory"; here and below
+   * "errorUnsupported" for the fields of cloth of a membrane that is none.
+   */
+  enableField(field: Field): void;
+
+  /**
+   * Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened, all nodes
+   * there, none held but on edges. Errors: "errorEnum"; "errorUnsupported" for position, velocity,
+   * tension and strain.
+   */
+  disableField(field: Field): void;
+
+  /**
+   * Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [firstU, firstU + nU) x
+   * [firstV, firstV + nV). Fields without components have one value per node or spring; there are nu (ring: nu + 1)
+   * springs along u and nv + 1 rows of them, and likewise along v. `count` is the number of values in the buffer:
+   * nU * nV * components. Numbers are rounded once, to the precision of the side that is narrower. Never allocates.
+   * Errors: "errorEnum", "errorDisabled", "errorRange"; write: "errorValue", with the first bad index, and
+   * "errorUnsupported" for tension and strain.
+   * One number stands for all places.
+   */
+  write(field: MembraneField, values: Numbers | number, range?: MembraneRange): void;
+
+  /**
+   * Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [firstU, firstU + nU) x
+   * [firstV, firstV + nV). Fields without components have one value per node or spring; there are nu (ring: nu + 1)
+   * springs along u and nv + 1 rows of them, and likewise along v. `count` is the number of values in the buffer:
+   * nU * nV * components. Numbers are rounded once, to the precision of the side that is narrower. Never allocates.
+   * Errors: "errorEnum", "errorDisabled", "errorRange"; write: "errorValue", with the first bad index, and
+   * "errorUnsupported" for tension and strain.
+   * Without `out` a new array, of the object's precision.
+   */
+  read(field: MembraneField, range?: MembraneRange): Float32Array | Float64Array;
+  read<A extends Float32Array | Float64Array>(field: MembraneField, range: MembraneRange | undefined, out: A): A;
+
+  /**
+   * Where a field lies in the membrane's own memory, in the membrane's precision, to read without a copy: the value of
+   * (u, v, component) is at byte *data + u * u_stride + v * v_stride + component * component_stride. Position,
+   * velocity, force and target only. The pointer is good until the field is switched off or the membrane released; the
+   * numbers change with every write and step. Do not write through it.
+   * Errors: "errorEnum", "errorDisabled", "errorUnsupported".
+   * Here as a `View`, which follows the field.
+   */
+  view(field: MembraneField): View;
+
+  /** `view("position")`; assigned, the field is written. */
+  get position(): View;
+  set position(values: Numbers | number);
+
+  /** `view("velocity")`; assigned, the field is written. */
+  get velocity(): View;
+  set velocity(values: Numbers | number);
+
+  /** `view("force")`; assigned, the field is written. */
+  get force(): View;
+  set force(values: Numbers | number);
+
+  /** `view("target")`; assigned, the field is written. */
+  get target(): View;
+  set target(values: Numbers | number);
+
+  // ---- acting on it -------------------------------------------------------------------------------------------------
+
+  /**
+   * Adds impulse [N s], one number per component, spread over the nodes that are less than `radius` springs away from
+   * the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which
+   * are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its
+   * mass;
+   * held and absent nodes take none of it, and their shares are lost. u in [0, nu], v in [0, nv], radius >= 0.
+   * Errors: "errorRange" for count; "errorValue".
+   */
+  impulse(u: number, v: number, radius: number, impulse: Numbers): void;
+
+  /**
+   * Moves the sheet as a whole, as if it had always been there: every position and target becomes rotation * x +
+   * offset,
+   * every velocity rotation * v. rotation: components rows of as many numbers, orthogonal to 1e-6; null: none.
+   * offset [m]: one number per component, which count counts.
+   * Errors: "errorRange", "errorValue": nothing has moved; "errorDiverged" for a state that is not finite.
+   */
+  teleport(rotation: Numbers | null, offset: Numbers): void;
+
+  /**
+   * Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
+   * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
+   * writing "target". Attaching again changes the numbers. Switches "target" on.
+   * Errors: "errorRange", "errorValue", "errorMemory".
+   */
+  attach(u: number, v: number, stiffness: number, damping: number, target?: Numbers | null): void;
+
+  /**
+   * Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
+   * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
+   * writing "target". Attaching again changes the numbers. Switches "target" on.
+   * Errors: "errorRange", "errorValue", "errorMemory".
+   */
+  detach(u: number, v: number): void;
+
+  /**
+   * Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
+   * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
+   * writing "target". Attaching again changes the numbers. Switches "target" on.
+   * Errors: "errorRange", "errorValue", "errorMemory".
+   */
+  getAttachment(u: number, v: number): { stiffness: number; damping: number };
+
+  // ---- time ---------------------------------------------------------------------------------------------------------
+
+  /**
+   * Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
+   * count * nodes * components, with "coupled" to the iterations too.
+   * Errors: "errorValue"; "errorDiverged" if a number leaves the finite range: all steps are made, the message gives
+   * the first bad one, the membrane can be read, and steps again after reset, a load, or once finite
+   * positions and velocities have been written; "errorTolerance" if a coupled solve ended short of its tolerance: all
+   * steps are made, and good to the residual that convergence tells.
+   */
+  step(dt: number, count?: number): void;
+
+  /**
+   * The longest dt at which "symplecticEuler" is sure to stay bounded, whatever method is set: the largest dt
+   * with 4 M - 2 dt C - dt^2 K positive definite, by a bound on K that is exact in the limit of many nodes for uniform
+   * sheets, and a safe lower bound otherwise. Infinity if nothing can swing.
+   * Errors: "errorUnsupported" of cloth.
+   */
+  stableDt(): number;
+
+  /** Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */
+  get time(): number;
+
+  /** Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */
+  get steps(): number;
+
+  /**
+   * How many factorizations the membrane has made: one at the first implicit step and one at the first after each
+   * change
+   * of dt, lambda, method, solver or a parameter. Not part of the saved state.
+   */
+  get factorizations(): number;
+
+  // ---- measuring ----------------------------------------------------------------------------------------------------
+
+  /**
+   * Energies [J]; Kinetic: of the free nodes. Elastic: stretch, bend and attachments. Gravity:
+   * -sum m g x of the free nodes. lambda = 1/2 keeps their sum, in cloth at most.
+   */
+  get energy(): { kinetic: number; elastic: number; gravity: number };
+
+  /**
+   * Momentum of the free nodes [kg m/s], one number per component.
+   * Errors: "errorRange" if count is not the number of components.
+   */
+  get momentum(): Float64Array;
+
+  /**
+   * Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's normal, each cell
+   * the
+   * mean of its two triangulations, cells with an absent node left out. Of a drum-head whose rim lies in a plane
+   * through
+   * the origin it is the volume under it; of a closed surface, what it encloses. 3 components only.
+   * Errors: "errorUnsupported".
+   */
+  get volume(): number;
+
+  /**
+   * Positions at n places on the sheet, bilinear between nodes: at[j] = {u, v}, u in [0, nu] (ring: to nu + 1), v
+   * likewise; positions[j][component], count = n * components. Errors: "errorRange", "errorValue".
+   */
+  sample(at: Numbers): Float64Array;
+
+  /** Bytes the membrane holds from its allocator. */
+  get memory(): number;
+
+  /** A 64-bit hash of everything save would write. Equal on every machine, compiler and vector width. */
+  hash(): bigint;
+
+  // ---- drawing ------------------------------------------------------------------------------------------------------
+
+  /**
+   * Writes a vertex for every node, in node order, into the caller's buffer: vertex i at byte i * stride, its position
+   * as 3 floats at positionOffset and its unit normal, smooth across the sheet, as 3 floats at normalOffset. A normal
+   * points along x_u x x_v and is zero where the sheet has no area or is not finite. Components that are not there are
+   * written as 0, and a fourth is not drawn; a membrane of 1 component is drawn as the height z over the unit square,
+   * x = u / nu, y = v / nv (a direction without a spring: 0; a ring: u / (nu + 1), and for the normals the sheet goes
+   * on
+   * beyond its ends). normalOffset null: no normals. Bytes between are left alone; any offset and stride will do,
+   * aligned or not, that keeps the vertices apart. Absent nodes get their vertex too, with a zero normal.
+   * Errors: "errorRange" if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or the
+   * two overlap.
+   */
+  writeVertices(buffer: ArrayBuffer | ArrayBufferView, stride: number, positionOffset: number, normalOffset: number |
+    null): void;
+
+  /**
+   * How many indices writeIndices writes now: 6 per cell of four nodes that are there, 3 per cell of which
+   * three are there. Cells that close a ring are among them, but not of 1 component: they would reach back across the
+   * unit square.
+   */
+  get indexCount(): number;
+
+  /**
+   * Writes the triangles as vertex numbers of indexSize 2 or 4 bytes (unsigned, the machine's byte order), counter-
+   * clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size` is that
+   * of
+   * the buffer in bytes. The numbers change with "mask" and ring only. 65535 with 2 bytes and 2^32 - 1
+   * with 4, which graphics cards may take for a restart, are never written. Errors: "errorValue" for another
+   * indexSize; "errorRange" if size is too small; "errorUnsupported" for more than 65535 or 2^32 - 1 nodes.
+   */
+  writeIndices(buffer: ArrayBuffer | ArrayBufferView, indexSize: number): void;
+
+  // ---- keeping ------------------------------------------------------------------------------------------------------
+
+  /**
+   * The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-
+   * endian
+   * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
+   * load needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are
+   * damaged, cut short, of another version or kind are refused and change nothing.
+   * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
+   */
+  saveSize(): number;
+
+  /**
+   * The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-
+   * endian
+   * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
+   * load needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are
+   * damaged, cut short, of another version or kind are refused and change nothing.
+   * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
+   */
+  save(): Uint8Array;
+
+  /**
+   * The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-
+   * endian
+   * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
+   * load needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are
+   * damaged, cut short, of another version or kind are refused and change nothing.
+   * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
+   */
+  load(bytes: ArrayBuffer | ArrayBufferView): void;
+
+  /**
+   * Makes `membrane` what `source` is, as save and load would, without the bytes: the two must agree in shape and
+   * precision. Allocates only if they differ in the fields switched on. Errors: "errorMismatch", "errorMemory".
+   */
+  copyState(source: Membrane): void;
+
+  /** Positions, velocities, time and steps back to 0. Parameters, fields and pins stay; targets too. */
+  reset(): void;
+}
+
+/**
+ * The fields of a Water.
+ *
+ *  field            per           unit    values
+ *  "depth"         cell          m       >= 0; of an absent cell only 0
+ *  "bed"           cell          m       finite
+ *  "surface"       cell          m       bed + depth. Written: depth becomes surface - bed, or 0 where that is below
+ *                                         the bed; of an absent cell nothing changes
+ *  "velocityX"    x-face        m/s     finite; of a face that no water can cross only 0. Along periodic x the faces
+ *                                         i = 0 and nx are one
+ *  "velocityY"    y-face        m/s     likewise
+ *  "source"        cell          m/s     finite: depth per second that comes in, or leaves as far as there is water;
+ *                                         acts until it is overwritten
+ *  "pressure"      cell          Pa      finite: on the surface
+ *  "forceX"       x-face        m/s^2   finite: an acceleration; a wind's stress over density and depth
+ *  "forceY"       y-face        m/s^2   likewise
+ *  "mask"          cell          -       1: there; 0: absent, walled off. Its water goes, as a write of depth
+ *  "wallX"        x-face        -       1: a wall stands there; 0: none. i from 1 to nx - 1 only count, and along
+ *                                         periodic x 0, which is nx
+ *  "wallY"        y-face        -       likewise
+ * Depth, bed and velocities are always there, and the surface, which is made of them. The others cost memory and time
+ * only once they are switched on. Writing "depth", "surface" or "mask" starts the account anew.
+ */
+export type WaterField = "depth" | "bed" | "surface" | "velocityX" | "velocityY" | "source" | "pressure" | "forceX" |
+  "forceY" | "mask" | "wallX" | "wallY";
+
+/** Part of a field; what is left out is all the rest. */
+export interface WaterRange {
+  firstX?: number;
+  firstY?: number;
+  nX?: number;
+  nY?: number;
+}
+
+/** What it is made with, and then any property that can be set, in this order. */
+export interface WaterOptions {
+  nx: number;
+  ny: number;
+  dx: number;
+  dy: number;
+  precision?: Precision; // default "float64"
+  method?: Method;
+  lambda?: number;
+  momentum?: Momentum;
+  first?: boolean;
+  kernels?: Kernels;
+  gravity?: number;
+  density?: number;
+  drag?: number;
+  manning?: number;
+  bedRule?: BedRule;
+  depth?: Numbers | number;
+  bed?: Numbers | number;
+  velocityX?: Numbers | number;
+  velocityY?: Numbers | number;
+  source?: Numbers | number;
+  pressure?: Numbers | number;
+  forceX?: Numbers | number;
+  forceY?: Numbers | number;
+}
+
+/**
+ * contdyn: water: a height field of columns over a bed: pool, river, tide, flood.
+ *
+ * A water has nx x ny cells of dx x dy metres; ny = 1 is a slice. A cell holds a column of water of depth d >= 0 over
+ * its bed b; its surface is h = b + d. Velocities live on the faces between cells: x-face (i, j) lies between the cells
+ * (i - 1, j) and (i, j), so that there are nx + 1 of them in a row; y-face (i, j) between (i, j - 1) and (i, j). Cell
+ * (i, j) has its centre at ((i + 1/2) dx, (j + 1/2) dy).
+ *
+ * Motion    d_t + (d u)_x + (d v)_y = source
+ *           u_t [+ u u_x + v u_y] = -g h_x - p_x / density + force - friction u,     and v likewise
+ *           friction = drag + g manning^2 |u| / d^(4/3)         (Kass 1997, eq. 32-33; the bracket: shallow water)
+ *
+ * "linear"    without the bracket: waves, splashes, tides, floods that creep. Water has no inertia beyond its
+ *                       own face: a shore moves with the slope of the surface there, and bores of a tenth, half and
+ *                       twice the depth run 1, 5 and 13% too slow.
+ * "advected"  with it: moving shores, dam breaks, bores, whirls. Momentum goes with the water that leaves a
+ *                       cell, upwind, of second order where depths are even and waves cross less than a cell in a step.
+ *
+ * A step sweeps along the rows, then along the columns, in the other order every other step. Along a line the fluxes
+ * and the surface that they change are solved for at once, by the theta scheme, theta = lambda, in time proportional to
+ * the cells; a face is as deep as the cells beside it in the mean, nearer to the one that gives where they differ a
+ * lot;
+ * no cell gives more than it has and gets (limited counts what that held back). So depths are never
+ * negative, a lake lies still on any bed, and volume changes only by what account tells.
+ *
+ * Waves do not limit the step. Where water runs more than half a cell in a step, a line makes its step in 2, 4, ... 64
+ * parts, in each of which it runs no more than that, at the cost of so many steps of the line. Faster water, of more
+ * than 32 cells a step, is carried all the same, only less exactly, and ripples on it may grow; on slower streams they
+ * do not, but for linear momentum with lambda = 1/2 over an uneven bed. Waves that a step lets cross more than a cell
+ * are slowed down, short ones most. Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and
+ * at most 5% in steps in which they cross 2 to 32, over which it is drawn out to up to eight times as many cells.
+ *
+ * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
+ * mode, of which shores are steep, take a little more than 1/2. Advected water gains no energy in steps in which waves
+ * cross half a cell or more, and up to 0.012 in all at shores in shorter ones. Linear water gains energy where it
+ * deepens under a velocity, h_t u^2 / 2 which its equations do not take away again: at random shores some hundredths in
+ * all. In steps in which waves cross more than a cell, and depths are not smooth, no face gains more energy than its
+ * water loses by falling.
+ *
+ * Explicit steps (method) share all of this but the surface that is solved for: half of the slope pushes,
+ * the water moves, then the other half (velocity Verlet).
+ *
+ * Rows and columns are solved in turn only. In steps in which waves cross many cells, those that run aslant are slower
+ * than those along the axes. A solve of the whole plane would not be: but what streams carry with them makes its system
+ * neither symmetric nor definite, without that ripples grow, and what keeps depths from below 0 in it is a problem of
+ * its own; it cost tens of times as much and gained and lost water. Shorter steps serve better.
+ *
+ * Where it is right: waves much longer than the water is deep, surfaces that do not turn over. Ship wakes and anything
+ * else that needs dispersion are not in it.
+ *
+ * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, "linear",
+ * "implicit" with lambda 0.55.
+ *
+ * All computing is done in double precision; "float32" is what depth, bed, velocities and the fields are stored in.
+ * Depths below 2^-80 m are taken for 0 where a step stores them, and velocities below 2^-80 (float32) or 2^-500 m/s.
+ *
+ * Every function returns "errorNull" for a null pointer and "errorHandle" for a handle of another kind; the
+ * comments name the other errors. Functions that chain and membrane have too mean the same here.
+ */
+export class Water extends Handle {
+  /**
+   * Makes a water. nx, ny >= 1; dx, dy [m] in [1e-30, 1e30]. Errors: "errorValue", "errorEnum",
+   * "errorSize", "errorMemory"; "errorUnsupported" for a precision that this build leaves out.
+   */
+  constructor(options: WaterOptions);
+
+  // ---- life ---------------------------------------------------------------------------------------------------------
+
+  /** What new Water was given, or what has been loaded since. */
+  get shape(): { nx: number; ny: number; dx: number; dy: number; precision: Precision };
+
+  // ---- method -------------------------------------------------------------------------------------------------------
+
+  /**
+   * How steps are made: "implicit"; "symplecticEuler", here in its symmetric form, second order in time
+   * and bounded up to stableDt; "forwardEuler", first order, bounded at no dt.
+   * Errors: "errorEnum"; "errorUnsupported" for "stiffSecond"; "errorMemory".
+   */
+  get method(): Method;
+  set method(value: Method);
+
+  /** lambda of "implicit", in [0, 1]; below 1/2 it grows without bound at most dt. Errors: "errorValue". */
+  get lambda(): number;
+  set lambda(value: number);
+
+  /**
+   * Linear or advected momentum; see above. Sets lambda too, to what suits the mode: 0.55 for linear, 1/2 for advected.
+   * Advected momentum costs memory. Errors: "errorEnum"; "errorMemory".
+   */
+  get momentum(): Momentum;
+  set momentum(value: Momentum);
+
+  /**
+   * Which way the next step sweeps first: along x (0, the default of a new water) or along y (1). Every step turns it
+   * round. A scene and its transpose, begun opposite ways, stay each other's transpose to the bit.
+   * Errors: "errorValue" for anything but 0 and 1.
+   */
+  get first(): boolean;
+  set first(value: boolean);
+
+  /**
+   * The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and a
+   * new water has the fastest that its processor runs. Not part of the saved state.
+   * Errors: "errorEnum"; "errorUnsupported" for kernels that are not among runnableKernels.
+   */
+  get kernels(): Kernels;
+  set kernels(value: Kernels);
+
+  // ---- parameters ---------------------------------------------------------------------------------------------------
+  // Errors of all setters: "errorValue" for a number that is NaN, infinite or out of range.
+
+  /** Gravity [m/s^2], in [0, 1e6]; default 9.81. */
+  get gravity(): number;
+  set gravity(value: number);
+
+  /** Density [kg/m^3], in [1e-6, 1e6]; default 1000. Only pressure, impulses and energies know it. */
+  get density(): number;
+  set density(value: number);
+
+  /** Drag [1/s], >= 0: velocities die out by exp(-drag t). Default 0. */
+  get drag(): number;
+  set drag(value: number);
+
+  /**
+   * Manning's roughness of the bed [s/m^(1/3)], in [0, 1e3]: 0.01 for glass, 0.03 for a river, 0.1 for a flooded wood.
+   * Default 0. Water that runs down a slope S settles at d^(2/3) sqrt(S) / manning.
+   */
+  get manning(): number;
+  set manning(value: number);
+
+  /**
+   * What is at a side. `value` now, and how fast it changes, `rate` per second, from now on:
+   *   "open"     level of the water outside [m], which is at rest: a tide is its level and rate, set anew as it
+   *                      goes. Waves leave without an echo, by u = 2 (sqrt(g d) - sqrt(g D)), d the depth in the cell
+   * at
+   *                      the side and D that of the level over the same bed; linear, u = sqrt(g d) (1 - D / d). The
+   *                      discharge is u d. Where that is faster than the waves, as over a side that lies higher than
+   * the
+   *                      level, water falls off: a stream that is slower than its waves leaves at critical depth, u =
+   *                      sqrt(g d), a faster one as it comes.
+   *   "level"    level [m] that is held at the side itself, whatever flows out: of depth D there water crosses it
+   *                      with U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and discharge U D.
+   * Waves
+   *                      are thrown back. What is faster than its waves falls off as above.
+   *   "inflow"   discharge per metre of the side [m^2/s] into the water, velocity times depth, whatever the depth
+   *                      is; it comes in at critical depth where the cell is shallower. If negative it leaves, as far
+   * as
+   *                      there is water
+   *   "wall", "periodic"   value and rate mean nothing
+   * Both sides of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the
+   * opposite one as a wall. Errors: "errorEnum"; "errorValue".
+   */
+  setSide(side: Side, kind: Border, value?: number, rate?: number): void;
+
+  /** The kind, and value and rate as of now; 0 where they mean nothing. */
+  getSide(side: Side): { kind: Border; value: number; rate: number };
+
+  /** What a write to "bed" leaves as it is; default "liftsWater". Errors: "errorEnum". */
+  get bedRule(): BedRule;
+  set bedRule(value: BedRule);
+
+  // ---- fields -------------------------------------------------------------------------------------------------------
+
+  /**
+   * Switches a field on: no sources, pressure, force or walls yet, all cells there. On already: nothing happens.
+   * Errors: "errorEnum"; "errorUnsupported" for a field of other objects; "errorMemory".
+   */
+  enableField(field: Field): void;
+
+  /**
+   * Switches a field off and releases its memory. Errors: "errorEnum"; "errorUnsupported" for a field that is always
+   * there.
+   */
+  disableField(field: Field): void;
+
+  /**
+   * Writes or reads values[j][i], dense, of the rectangle of cells or faces [firstX, firstX + nX) x [firstY,
+   * firstY + nY); `count` is nX * nY. There are nx + 1 x-faces in a row and ny + 1 rows of y-faces. Numbers are
+   * rounded once, to the precision of the side that is narrower. Never allocates. Errors: "errorEnum",
+   * "errorUnsupported", "errorDisabled", "errorRange"; write: "errorValue", with the first bad index.
+   * One number stands for all places.
+   */
+  write(field: WaterField, values: Numbers | number, range?: WaterRange): void;
+
+  /**
+   * Writes or reads values[j][i], dense, of the rectangle of cells or faces [firstX, firstX + nX) x [firstY,
+   * firstY + nY); `count` is nX * nY. There are nx + 1 x-faces in a row and ny + 1 rows of y-faces. Numbers are
+   * rounded once, to the precision of the side that is narrower. Never allocates. Errors: "errorEnum",
+   * "errorUnsupported", "errorDisabled", "errorRange"; write: "errorValue", with the first bad index.
+   * Without `out` a new array, of the object's precision.
+   */
+  read(field: WaterField, range?: WaterRange): Float32Array | Float64Array;
+  read<A extends Float32Array | Float64Array>(field: WaterField, range: WaterRange | undefined, out: A): A;
+
+  /**
+   * Where a field lies in the water's own memory, in its precision, to read without a copy: the value of (i, j) is at
+   * byte *data + i * x_stride + j * y_stride. All but "surface", "mask" and the walls. The pointer is good until
+   * the field is switched off or the water released; the numbers change with every write and step. Do not write through
+   * it. Errors: "errorEnum", "errorDisabled", "errorUnsupported".
+   * Here as a `View`, which follows the field.
+   */
+  view(field: WaterField): View;
+
+  /** `view("depth")`; assigned, the field is written. */
+  get depth(): View;
+  set depth(values: Numbers | number);
+
+  /** `view("bed")`; assigned, the field is written. */
+  get bed(): View;
+  set bed(values: Numbers | number);
+
+  /** `view("velocityX")`; assigned, the field is written. */
+  get velocityX(): View;
+  set velocityX(values: Numbers | number);
+
+  /** `view("velocityY")`; assigned, the field is written. */
+  get velocityY(): View;
+  set velocityY(values: Numbers | number);
+
+  /** `view("source")`; assigned, the field is written. */
+  get source(): View;
+  set source(values: Numbers | number);
+
+  /** `view("pressure")`; assigned, the field is written. */
+  get pressure(): View;
+  set pressure(values: Numbers | number);
+
+  /** `view("forceX")`; assigned, the field is written. */
+  get forceX(): View;
+  set forceX(values: Numbers | number);
+
+  /** `view("forceY")`; assigned, the field is written. */
+  get forceY(): View;
+  set forceY(values: Numbers | number);
+
+  // ---- acting on it -------------------------------------------------------------------------------------------------
+  // Discs have their centre at (x, y) [m] in the scene, x in [0, nx dx], y in [0, ny dy], and a radius [m] >= 0; where
+  // a
+  // disc has no cell centre in it, it is the cell at (x, y), the nearest one that is there. Shares fall off as
+  // (1 - (distance / radius)^2)^2 from the centre, and are not spread round a periodic side.
+
+  /**
+   * Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's share. added tells
+   * what it came to. The account counts it. Errors: "errorValue".
+   */
+  addVolume(x: number, y: number, radius: number, volume: number): number;
+
+  /**
+   * Adds volume [m^3] evenly over the cells there of a rectangle, or takes it; added as above.
+   * Errors: "errorRange"; "errorValue".
+   */
+  addVolumeRectangle(firstX: number, firstY: number, nX: number, nY: number, volume: number): number;
+
+  /**
+   * Adds a source of rate [m^3/s] over a disc to "source", or a drain if negative, and switches that field on.
+   * Errors: "errorValue"; "errorMemory".
+   */
+  addSource(x: number, y: number, radius: number, rate: number): void;
+
+  /** The same evenly over the cells there of a rectangle. Errors: "errorRange"; "errorValue"; "errorMemory". */
+  addSourceRectangle(firstX: number, firstY: number, nX: number, nY: number, rate: number): void;
+
+  /**
+   * A splash: water of the disc, down to `height` [m] >= 0 at its centre and as far as there is water, is heaped up on
+   * the wet cells around it, out to twice the radius; volume is kept. Nothing happens where no wet cell is there to
+   * take it. Errors: "errorValue".
+   */
+  splash(x: number, y: number, radius: number, height: number): void;
+
+  /**
+   * Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass of water at it,
+   * shares being in proportion to that mass too; on dry faces nothing happens. Errors: "errorValue".
+   */
+  impulse(x: number, y: number, radius: number, impulseX: number, impulseY: number): void;
+
+  // ---- time ---------------------------------------------------------------------------------------------------------
+
+  /**
+   * Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
+   * count * cells, and to the parts that steps are made in (see above).
+   * Errors: "errorValue"; "errorDiverged" if a number leaves the finite range: all steps are made, the message gives
+   * the first bad one, the water can be read, and steps again after reset, a load, or once finite depths and
+   * velocities have been written.
+   */
+  step(dt: number, count?: number): void;
+
+  /**
+   * The longest dt at which "symplecticEuler" stays bounded for small waves on the water as it lies now,
+   * whatever method is set: the least of both axes, each exact in the limit of many cells for water of one depth, a
+   * safe
+   * lower bound otherwise; for a stream over an uneven bed take 0.8 of it. Infinity if nothing can swing.
+   */
+  stableDt(): number;
+
+  /** Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */
+  get time(): number;
+
+  /** Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */
+  get steps(): number;
+
+  /**
+   * How many times lines have been solved along a direction since the water was made: of every sweep the most parts
+   * that
+   * a line made its step in, each a factorization of its own, since depths change. Not part of the saved state.
+   */
+  get factorizations(): number;
+
+  /**
+   * What the last call of step had to hold back so that no cell gave more than it had and got: in how many
+   * cells, counted once per sweep and part, and how much water [m^3] went or came less through faces.
+   */
+  get limited(): { cells: number; volume: number };
+
+  // ---- measuring ----------------------------------------------------------------------------------------------------
+
+  /** Volume [m^3]: the sum of all depths times the cells' area. */
+  get volume(): number;
+
+  /**
+   * The volume account [m^3], kept in double whatever the precision: what was there when it was started (by create,
+   * reset, restartAccount, or a write of "depth", "surface" or "mask"), what came in since then (sides,
+   * sources, volumes added, beds that keep the surface), what went out, and what the present volume has above initial +
+   * in - out, which is rounding.
+   */
+  get account(): { initial: number; in: number; out: number; error: number };
+
+  /**
+   * The volume account [m^3], kept in double whatever the precision: what was there when it was started (by create,
+   * reset, restartAccount, or a write of "depth", "surface" or "mask"), what came in since then (sides,
+   * sources, volumes added, beds that keep the surface), what went out, and what the present volume has above initial +
+   * in - out, which is rounding.
+   */
+  restartAccount(): void;
+
+  /**
+   * Energies [J]; Kinetic: density / 2 times area, depth and velocity^2 of the faces. Potential:
+   * density g times area, depth and the height of the column's middle.
+   */
+  get energy(): { kinetic: number; potential: number };
+
+  /** Area [m^2] of the cells with depth > 0. */
+  get wetArea(): number;
+
+  /**
+   * The largest Courant number of a step of dt [s], over directions and wet faces: (|u| + sqrt(g d)) dt / dx.
+   * Errors: "errorValue".
+   */
+  getCourant(dt: number): number;
+
+  /**
+   * The water at n places, at[k] = {x, y} in metres inside the scene: surface [m] and depth [m], bilinear between cell
+   * centres that are there, level beyond the outermost ones; normal of the surface (3 numbers, unit length, z up);
+   * velocity [m/s] (2 numbers), bilinear between faces. A dry place has the bed for its surface.
+   * Errors: "errorValue" for a place outside; "errorRange" for more than fit in memory.
+   */
+  sample(at: Numbers): { surface: Float64Array; depth: Float64Array; normal: Float64Array; velocity: Float64Array };
+
+  /** Bytes the water holds from its allocator. */
+  get memory(): number;
+
+  /** A 64-bit hash of everything save would write. Equal on every machine, compiler and vector width. */
+  hash(): bigint;
+
+  // ---- drawing ------------------------------------------------------------------------------------------------------
+
+  /**
+   * Writes a vertex for every cell, cell (i, j) as number j nx + i, into the caller's buffer: vertex k at byte k *
+   * stride, its position, the cell's centre on the surface, as 3 floats at positionOffset; its unit normal as 3 floats
+   * at normalOffset; its depth as 1 float at depthOffset, 0 where it is dry and -1 where the cell is absent, for a
+   * shader to fade out shores. normalOffset or depthOffset null: none. Bytes between are left alone; any offset
+   * and stride will do that keeps them apart. Errors: "errorRange" if size is less than cells * stride, or an offset
+   * and its bytes reach past stride, or two overlap.
+   */
+  writeVertices(buffer: ArrayBuffer | ArrayBufferView, stride: number, positionOffset: number, normalOffset: number |
+    null, depthOffset: number | null): void;
+
+  /**
+   * How many indices writeIndices writes now: 6 per square of four neighbouring cells that are there, 3 per
+   * square of which three are. skipDry 1: squares without a wet cell are left out, so that it changes with the water.
+   */
+  getIndexCount(skipDry: boolean): number;
+
+  /**
+   * Writes the triangles as vertex numbers of indexSize 2 or 4 bytes (unsigned, the machine's byte order), counter-
+   * clockwise seen from above. `size` is that of the buffer in bytes. 65535 with 2 bytes and 2^32 - 1 with 4 are never
+   * written. Errors: "errorValue" for another indexSize, or skipDry neither 0 nor 1; "errorRange" if size is too
+   * small; "errorUnsupported" for more than 65535 or 2^32 - 1 cells.
+   */
+  writeIndices(skipDry: boolean, buffer: ArrayBuffer | ArrayBufferView, indexSize: number): void;
+
+  // ---- keeping ------------------------------------------------------------------------------------------------------
+
+  /**
+   * The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but the callbacks.
+   * Little-endian on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it
+   * wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and switches fields
+   * on
+   * and off as they were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing.
+   * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
+   */
+  saveSize(): number;
+
+  /**
+   * The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but the callbacks.
+   * Little-endian on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it
+   * wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and switches fields
+   * on
+   * and off as they were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing.
+   * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
+   */
+  save(): Uint8Array;
+
+  /**
+   * The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but the callbacks.
+   * Little-endian on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it
+   * wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and switches fields
+   * on
+   * and off as they were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing.
+   * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
+   */
+  load(bytes: ArrayBuffer | ArrayBufferView): void;
+
+  /**
+   * Makes `water` what `source` is, as save and load would, without the bytes: the two must agree in cells and
+   * precision.
+   * Allocates only if they differ in the fields switched on. Errors: "errorMismatch", "errorMemory".
+   */
+  copyState(source: Water): void;
+
+  /**
+   * Depths, velocities, time, steps and account back to 0. Bed, parameters and the other fields stay. What is at sides
+   * begins again with time: a level or discharge that changes is what it was at time 0, or by its rate would have been
+   * if
+   * it was set later; then set it anew.
+   */
+  reset(): void;
+}

@@ -1,0 +1,136 @@
+// The page in a headless browser: node page.mjs FOLDER CHROMIUM [PICTURES]. FOLDER has demo and contdyn in it; with
+// PICTURES, what each scene looks like goes to that folder.
+import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { Browser, serve } from "./browser.mjs";
+
+const [folder, program, pictures] = process.argv.slice(2);
+const { port, close } = await serve(folder);
+const browser = new Browser(program);
+const pause = (ms) => new Promise((done) => setTimeout(done, ms));
+
+const number = (name) => browser.run(`parseFloat([...document.querySelectorAll("dt")].find((at) =>
+  at.textContent === ${JSON.stringify(name)})?.nextSibling.textContent)`);
+
+/** How many colors the picture has, and a number that differs where it does. */
+const seen = () => browser.run(`(() => {
+  const canvas = document.getElementById("picture");
+  const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  const words = new Uint32Array(data.buffer);
+  let sum = 0;
+  for (const word of words) sum = (Math.imul(sum, 31) + word) | 0;
+  return { colors: new Set(words).size, sum };
+})()`);
+
+const box = () => browser.run(`(() => {
+  const { x, y, width, height } = document.getElementById("picture").getBoundingClientRect();
+  return { x, y, width, height };
+})()`);
+
+const open = async (name, width = 1200, height = 860, dark = false) => {
+  await browser.open("about:blank", width, height, dark);
+  await browser.open(`http://127.0.0.1:${port}/demo/#${name}`, width, height, dark);
+  await browser.until('document.querySelectorAll("#numbers dt").length > 3', `${name} runs`);
+};
+
+const set = (id, value) => browser.run(`(() => {
+  const input = document.getElementById(${JSON.stringify(id)});
+  input.value = ${JSON.stringify(value)};
+  input.dispatchEvent(new Event("input"));
+})()`);
+
+/** Where a drag begins and which way it goes, in shares of the picture. */
+const drags = { pool: [0.2, 0.75, 0.35, -0.2], rope: [0.42, 0.35, -0.3, -0.25], hair: [0.5, 0.3, 0.35, -0.1],
+  cloth: [0.3, 0.55, 0.35, -0.25], drum: [0.4, 0.5, 0.2, 0.1] };
+
+async function drag([x, y, dx, dy], touch) {
+  const at = await box();
+  const point = (share) => ({ x: at.x + at.width * (x + share * dx), y: at.y + at.height * (y + share * dy) });
+  const steps = 12;
+  const send = (mouse, tap, share) => (touch ? browser.touch(tap, tap === "touchEnd" ? [] : [point(share)])
+    : browser.mouse(mouse, point(share).x, point(share).y));
+  await send("mousePressed", "touchStart", 0);
+  for (let i = 1; i <= steps; ++i) {
+    await send("mouseMoved", "touchMove", i / steps);
+    await pause(25);
+  }
+  await pause(450); // until the numbers have been told anew
+  const most = await number("Energy");
+  await send("mouseReleased", "touchEnd", 1);
+  return most;
+}
+
+async function energyRises(name, act) {
+  if (name === "cloth") await set("wind", 0);
+  if (name === "rope") await set("lambda", 1);
+  await pause(["rope", "cloth", "hair"].includes(name) ? 2000 : 600);
+  const before = await number("Energy");
+  const after = await act();
+  assert(after > before + 1e-4 * Math.abs(before), `${name}: energy ${before} J before it is touched, then ${after} J`);
+}
+
+try {
+  for (const name of Object.keys(drags)) {
+    await open(name);
+    const first = await seen();
+    assert(first.colors > 15, `${name} shows ${first.colors} colors`);
+    await pause(400);
+    assert.notEqual((await seen()).sum, first.sum, `${name} does not move`);
+    await energyRises(name, () => drag(drags[name]));
+    assert.equal(await browser.run('document.getElementById("message").textContent'), "");
+    const [frames, cost] = [await number("Frames a second"), await number("Time a step")];
+    console.log(`${name.padEnd(6)} ${frames} frames a second, ${cost} ms a step`);
+    if (pictures) {
+      for (const [width, dark] of [[1200, false], [1200, true], [390, false], [390, true]]) {
+        await open(name, width, width > 600 ? 860 : 1300, dark);
+        await pause(1500);
+        writeFileSync(`${pictures}/${name}-${width}-${dark ? "dark" : "light"}.png`, await browser.picture());
+      }
+    }
+  }
+
+  // a phone: nothing is wider than the screen, and fingers are answered
+  await open("drum", 390, 844);
+  assert(await browser.run("document.documentElement.scrollWidth <= innerWidth"), "it is wider than 390 pixels");
+  await energyRises("drum", () => drag(drags.drum, true));
+
+  // keys alone: a strike by the space bar, a pause, a reset
+  await open("drum");
+  await browser.run('document.getElementById("picture").focus()');
+  await energyRises("drum", async () => {
+    await browser.key("keyDown", " ", "Space");
+    await browser.key("keyUp", " ", "Space");
+    await pause(600);
+    return number("Energy");
+  });
+  await browser.key("keyDown", "p");
+  await pause(200);
+  const { sum } = await seen();
+  await pause(300);
+  assert.equal((await seen()).sum, sum, "it moves while it is paused");
+
+  // the rope falls apart where it is cut
+  await open("rope");
+  await set("lambda", 1);
+  await pause(2000);
+  await browser.key("keyDown", "c");
+  const energy = await number("Energy");
+  await drag([0.3, 0.25, 0.5, 0.02]);
+  await pause(2000);
+  const fallen = await number("Energy");
+  assert(fallen < energy - 1, `what is cut does not fall: ${energy} J before, ${fallen} J after`);
+
+  // forward Euler blows up, the implicit step does not, of the same drum
+  for (const [method, blows] of [["implicit", false], ["forwardEuler", true]]) {
+    await open("drum");
+    await set("stiffness", 6);
+    await set("method", method);
+    await pause(blows ? 0 : 3000);
+    if (blows) await browser.until('!document.getElementById("message").hidden', "forward Euler blows up");
+    assert.equal(await browser.run('document.getElementById("message").textContent.includes("blew up")'), blows);
+  }
+  assert.deepEqual(browser.errors, []);
+} finally {
+  await browser.close();
+  close();
+}
