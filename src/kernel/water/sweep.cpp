@@ -33,7 +33,7 @@ template <int N> __attribute__((noinline)) WaterStep<N> make_step(WaterLine<N>& 
             for (size_t i = 0; i < n; ++i) {
                 const L d = settled(line.after[i], kDry);
                 line.depth.put(i, d);
-                deepest = larger(d, deepest), shallowest = smaller(d, shallowest);
+                deepest = larger(line.waves_in(i), deepest), shallowest = smaller(d, shallowest);
             }
             const Panel<N> velocity = line.velocity;
             line.velocity = line.speed, line.speed = velocity;
@@ -78,7 +78,13 @@ template <class T> struct Sweep {
         fetch(p, n, lines.depth, line.depth, see_depth);
         fetch(p, n + 1, lines.velocity, line.velocity, [&](L u) { fastest = larger(size_of(u), fastest); });
 
-        const WaterStep<N> step = make_step(line, larger(fastest, coming_in(line)), deepest, shallowest, panel());
+        L waves = deepest;
+        if (CD_WITH_HULL && lines.load) {
+            fetch(p, n, lines.load, line.load = panel());
+            fetch(p, n, lines.stiff, line.stiff = panel());
+            for (size_t i = 0; i < n; ++i) waves = larger(line.waves_in(i), waves);
+        }
+        const WaterStep<N> step = make_step(line, larger(fastest, coming_in(line)), waves, shallowest, panel());
 
         L probe = 0.0 * (step.in + step.out);
         round_depths(line.after, deepest, probe);
