@@ -17,7 +17,7 @@ namespace {
 // Whether a plate's cells shall answer as if it touched them: also where a sweep may lift the water to it.
 bool near_water(const Plate& p, double draft) {
     const double depth = p.surface - p.bed, reach = draft < depth ? draft : depth;
-    return true || p.surface + reach > p.z;
+    return p.surface + reach > p.z;
 }
 
 double draft_of(const Water& w, size_t index) { return hull(w, index).mass / (w.density * hull_area(w, index)); }
@@ -350,7 +350,8 @@ struct Mover {
         exchange(impulse * (x / rel), impulse * (y / rel));
     }
 
-    // What is left of a push that led nowhere: takes up to an energy of the hull's own motion, and tells how much.
+    // Of a push that led nowhere, which the water must not get: takes up to an energy of the hull's own motion, and
+    // tells how much.
     double lose(double energy) {
         const double moving = moving_energy(), lost = energy < moving ? energy : moving;
         const double keeps = moving > 0 ? sqrt((moving - lost) / moving) : 0;
@@ -371,10 +372,9 @@ struct Mover {
         pose = to;
         for (int a : {0, 1})
             if (stops[a]) h.velocity[a] = 0;
-        const double can = removable();
-        double taken = due > can ? can : due;
-        if (taken > 0) remove(taken);
-        if (due > taken) taken += lose(due - taken);
+        double taken = due > 0 ? due : 0;
+        if (taken > removable()) taken = lose(due);
+        else if (taken > 0) remove(taken);
         const double credit = -kCredit * (moving_energy() + energy);
         h.owed = due > 0 ? due - taken : due < credit ? credit : due;
     }
@@ -399,15 +399,16 @@ struct Mover {
 
         const double before = moving_energy();
         push(impulse[0], impulse[1], impulse[2]);
-        const double made = moving_energy() - before, c = h.heading[0], s = h.heading[1];
-        push(dt * (h.force[0] * c - h.force[1] * s), dt * (h.force[0] * s + h.force[1] * c), dt * h.force[3]);
+        const double made = moving_energy() - before;
         find_water(pose);
-        rub(contact.by_bed);
-        if (contact.push[0] > 0) drag();
         drift(pose, made, contact.energy);
-        give_water();
         h.x = pose.x, h.y = pose.y, h.heading[0] = pose.heading[0], h.heading[1] = pose.heading[1];
         h.z = pose.z, h.pitch = pose.pitch, h.roll = pose.roll;
+        const double c = h.heading[0], s = h.heading[1];
+        push(dt * (h.force[0] * c - h.force[1] * s), dt * (h.force[0] * s + h.force[1] * c), dt * h.force[3]);
+        rub(contact.by_bed);
+        if (contact.push[0] > 0) drag();
+        give_water();
     }
 };
 
