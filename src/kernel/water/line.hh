@@ -59,6 +59,11 @@ template <int N> struct StepKind {
         is_long = sweep.implicit ? square - L::splat(1) : L{};
         any_long = any_positive(is_long);
     }
+    // Lines in which squeezed > 0 are bound in their energy as in a long step.
+    void bind(Lanes<N> squeezed) {
+        is_long = larger(is_long, squeezed);
+        any_long = any_positive(is_long);
+    }
 };
 
 // The equation of a flux q: q = flux + left x_l - right x_r, x the changes of the cells beside it. And what becomes of
@@ -104,6 +109,8 @@ template <int N> struct WaterLine {
     L rise_of(size_t i, const Panel<N>& of) const {
         return rise_between(Cell{bed[left(i)], of[left(i)]}, Cell{bed[i], of[i]}, full_rise_of(i, of));
     }
+    // > 0 where a hull presses so hard that it may press the cell dry.
+    L squeezed_in(size_t i) const { return load[i] + (stiff[i] - L::splat(2)) * depth[i]; }
     // The depth in which waves run as fast as in a cell.
     L waves_in(size_t i) const { return pressed() ? depth[i] + stiff[i] * depth[i] : depth[i]; }
     L open(size_t face) const { return opening ? opening[face] : L::splat(1); }

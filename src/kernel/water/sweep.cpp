@@ -17,6 +17,12 @@ template <int N> struct WaterStep {
     Panel<N> moved;
 };
 
+template <int N> Lanes<N> squeezed(const WaterLine<N>& line) {
+    Lanes<N> most{};
+    for (size_t i = 0; i < line.n; ++i) most = larger(line.squeezed_in(i), most);
+    return most;
+}
+
 // Depths and velocities after it are in the panels `after` and `speed`. all: for what went through faces in all parts.
 template <int N> __attribute__((noinline)) WaterStep<N> make_step(WaterLine<N>& line, Lanes<N> fastest,
                                                                   Lanes<N> deepest, Lanes<N> shallowest, Panel<N> all) {
@@ -39,7 +45,9 @@ template <int N> __attribute__((noinline)) WaterStep<N> make_step(WaterLine<N>& 
             line.velocity = line.speed, line.speed = velocity;
         }
         if (!all_positive(shallowest)) line.follow_water(goes_on);
-        line.step(StepKind<N>(sweep, parts, goes_on, deepest));
+        StepKind<N> kind(sweep, parts, goes_on, deepest);
+        if (line.pressed() && sweep.implicit) kind.bind(squeezed(line));
+        line.step(kind);
         if (most > 1) {
             for (size_t i = 0; i <= n; ++i) {
                 line.speed.put(i, select(goes_on, line.speed[i], line.velocity[i]));
