@@ -455,7 +455,8 @@ CD_API cd_status cd_water_load(cd_water* water, const void* bytes, size_t size);
  * Allocates only if they differ in the fields switched on. Errors: CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
 CD_API cd_status cd_water_copy_state(cd_water* water, const cd_water* source);
 
-/* Depths, velocities, time, steps and account back to 0. Bed, parameters and the other fields stay. What is at sides
+/* Depths, velocities, time, steps and account back to 0, hulls to where new ones lie, at rest. Bed, parameters and the
+ * other fields stay, and what hulls are. What is at sides
  * begins again with time: a level or discharge that changes is what it was at time 0, or by its rate would have been if
  * it was set later; then set it anew. */
 CD_API cd_status cd_water_reset(cd_water* water);

@@ -38,11 +38,9 @@ cd_status is_place(const char* function, const Water& w, double x, double y) {
     return in_range(function, "y", y, 0, length_of(w, kY));
 }
 
-cd_status set_bow(const char* function, Hull& h, double x, double y) {
-    CD_CHECK(in_range(function, "ahead_x", x, -kMost, kMost));
-    CD_CHECK(in_range(function, "ahead_y", y, -kMost, kMost));
+cd_status set_bow(const char* function, const char* name, Hull& h, double x, double y) {
     const double most = fabs(x) > fabs(y) ? fabs(x) : fabs(y);
-    if (!(most > 0)) return fail(CD_ERROR_VALUE, function, "ahead is 0: it has no direction");
+    if (!(most > 0)) return fail(CD_ERROR_VALUE, function, "%s is 0: the bow has no direction", name);
     const double a = x / most, b = y / most, size = sqrt(a * a + b * b);
     h.heading[0] = a / size + 0.0, h.heading[1] = b / size + 0.0;
     return CD_OK;
@@ -111,7 +109,7 @@ cd_status cd_water_set_disc(cd_water* water, size_t index, double mass, double r
     CD_OPEN(water, w);
     CD_CHECK(is_hull(__func__, w, index));
     CD_CHECK(in_range(__func__, "mass", mass, kLeastHull, kMostHull));
-    CD_CHECK(is_size(__func__, w, "twice the radius", 2 * radius));
+    CD_CHECK(is_size(__func__, w, "radius", radius));
     const HullShape& shape = w.hull_shape;
     const auto from_middle = [](size_t k, size_t n) { return (double(2 * k + 1) - double(n)) / double(n); };
     size_t there = 0;
@@ -122,9 +120,9 @@ cd_status cd_water_set_disc(cd_water* water, size_t index, double mass, double r
         }
     };
     each([&](size_t, bool in) { there += in ? 1 : 0; });
+    if (there == 0) return fail(CD_ERROR_VALUE, __func__, "radius: too few plates for a disc");
     const double side = radius * sqrt(3.14159265358979323846 * double(shape.plates()) / double(there));
-    CD_CHECK(is_size(__func__, w, "the plates' square", side));
-    if (there == 0) return fail(CD_ERROR_VALUE, __func__, "too few plates for a disc");
+    CD_CHECK(is_size(__func__, w, "radius, of which the plates' square", side));
     set_body(hull(w, index), mass, side, side);
     each([&](size_t k, bool in) { plate_heights(w, index)[k] = in ? 0 : -1; });
     return CD_OK;
@@ -162,7 +160,9 @@ cd_status cd_water_launch_hull(cd_water* water, size_t index, double x, double y
     CD_CHECK(shared::is_finite(__func__, w));
     Hull &h = hull(w, index), before = h;
     if (is_off(h)) return fail(CD_ERROR_DISABLED, __func__, "hull %zu has no mass yet", index);
-    CD_CHECK(set_bow(__func__, h, ahead_x, ahead_y));
+    CD_CHECK(in_range(__func__, "ahead_x", ahead_x, -kMost, kMost));
+    CD_CHECK(in_range(__func__, "ahead_y", ahead_y, -kMost, kMost));
+    CD_CHECK(set_bow(__func__, "ahead_x", h, ahead_x, ahead_y));
     h.x = x + 0.0, h.y = y + 0.0, h.owed = 0;
     for (size_t k = 0; k < kWays; ++k) h.velocity[k] = h.water[k] = 0;
     bool lies = false;
@@ -176,9 +176,9 @@ cd_status cd_water_set_hull_pose(cd_water* water, size_t index, const double* po
     CD_OPEN(water, w);
     CD_CHECK(is_hull(__func__, w, index));
     CD_CHECK(is_vector(__func__, "pose", pose, count, kPose, kMostPose));
-    CD_CHECK(is_place(__func__, w, pose[0], pose[1]));
+    for (Axis a : {kX, kY}) CD_CHECK(in_range(__func__, a == kX ? "pose[0]" : "pose[1]", pose[a], 0, length_of(w, a)));
     Hull& h = hull(w, index);
-    CD_CHECK(set_bow(__func__, h, pose[3], pose[4]));
+    CD_CHECK(set_bow(__func__, "pose", h, pose[3], pose[4]));
     take(&h.x, pose, 3);
     h.pitch = pose[5] + 0.0, h.roll = pose[6] + 0.0;
     h.owed = 0;

@@ -136,7 +136,7 @@ void clear_state(Water& w) {
     w.clock = {};
     w.account = {};
     w.first = kX;
-    if constexpr (CD_WITH_HULL) still_hulls(w);
+    if constexpr (CD_WITH_HULL) reset_hulls(w);
 }
 
 bool all_finite(const Water& w) {

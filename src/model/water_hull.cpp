@@ -106,15 +106,12 @@ bool hulls_finite(const Water& w) {
     return finite;
 }
 
-void still_hulls(Water& w) {
+void reset_hulls(Water& w) {
     for (size_t k = 0; k < w.hull_shape.count; ++k) {
         Hull& h = hull(w, k);
         for (int way = 0; way < 6; ++way) h.velocity[way] = h.water[way] = 0;
-        h.owed = 0;
-        bool finite = true;
-        for (double number : {h.x, h.y, h.z, h.heading[0], h.heading[1], h.pitch, h.roll})
-            finite &= isfinite(number) != 0;
-        if (!finite) h.x = h.y = h.z = h.pitch = h.roll = h.heading[1] = 0, h.heading[0] = 1;
+        h.owed = h.x = h.y = h.z = h.pitch = h.roll = h.heading[1] = 0;
+        h.heading[0] = 1;
     }
 }
 

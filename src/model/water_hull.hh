@@ -83,7 +83,7 @@ void hull_energy(const Water& w, double& kinetic, double& potential);
 double head_at(const Water& w, double x, double y);
 
 bool hulls_finite(const Water& w);
-void still_hulls(Water& w); // takes their velocities, and what steps have told
+void reset_hulls(Water& w); // back to where new ones lie, at rest
 
 // ---- steps (water_hull_step.cpp) -----------------------------------------------------------------------------------
 

@@ -28,7 +28,8 @@ from .errors import (DisabledError, DivergedError, Error, FormatError, HandleErr
                      MismatchError, NullError, OutOfMemoryError, RangeError, SizeError, ToleranceError,
                      UnsupportedError)
 from .membrane import Effort, Membrane, MembraneShape, RestLength, Ring, Stiffness
-from .water import (Account, Limited, Sample, SideState, Water, WaterEnergy, WaterShape, WaterVertices)
+from .water import (Account, Hull, HullDrag, HullPose, Hulls, HullWays, Limited, Sample, SideState, Water,
+                    WaterEnergy, WaterShape, WaterVertices)
 
 __all__ = [
     "Account", "Allocator", "Array", "Attachment", "BedRule", "Border", "Chain", "ChainShape", "Collider",
