@@ -282,7 +282,7 @@ CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double ra
  * metre to port. Velocities are {along x, along y, upward [m/s], yaw, pitch, roll [1/s]}, yaw counter-clockwise seen
  * from above. Mass is spread evenly over length and width; the righting moment is that of the waterline.
  *
- * Between floor and water lies a skin, three times as stiff as the water's surface. So the body's keel lies a third of
+ * Between body and water lies a skin, three times as stiff as the water's surface. So the body's keel lies a third of
  * the draft deeper than the floor that is to be drawn, which cd_water_get_hull_floor gives: of a hull that lies still
  * the floor displaces its own mass, draft = mass / (density area) for a flat one.
  *
@@ -329,7 +329,7 @@ CD_API cd_status cd_water_get_hull_pose(const cd_water* water, size_t index, dou
 CD_API cd_status cd_water_set_hull_velocity(cd_water* water, size_t index, const double* velocity, size_t count);
 CD_API cd_status cd_water_get_hull_velocity(const cd_water* water, size_t index, double* out_velocity, size_t count);
 
-/* The pose in which the floor lies on the water, to be drawn: 7 numbers. */
+/* The pose in which the floor lies on the water since the last step or launch, to be drawn: 7 numbers. */
 CD_API cd_status cd_water_get_hull_floor(const cd_water* water, size_t index, double* out_pose, size_t count);
 
 /* What acts on a hull from outside until it is set anew, an engine: 6 numbers, forces ahead, to port and up [N] and
@@ -456,9 +456,8 @@ CD_API cd_status cd_water_load(cd_water* water, const void* bytes, size_t size);
 CD_API cd_status cd_water_copy_state(cd_water* water, const cd_water* source);
 
 /* Depths, velocities, time, steps and account back to 0, hulls to where new ones lie, at rest. Bed, parameters and the
- * other fields stay, and what hulls are. What is at sides
- * begins again with time: a level or discharge that changes is what it was at time 0, or by its rate would have been if
- * it was set later; then set it anew. */
+ * other fields stay, and what hulls are. What is at sides begins again with time: a level or discharge that changes is
+ * what it was at time 0, or by its rate would have been if it was set later; then set it anew. */
 CD_API cd_status cd_water_reset(cd_water* water);
 
 #ifdef __cplusplus

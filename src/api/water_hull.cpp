@@ -181,6 +181,7 @@ cd_status cd_water_set_hull_pose(cd_water* water, size_t index, const double* po
     CD_CHECK(set_bow(__func__, "pose", h, pose[3], pose[4]));
     take(&h.x, pose, 3);
     h.pitch = pose[5] + 0.0, h.roll = pose[6] + 0.0;
+    h.lies[0] = h.z, h.lies[1] = h.pitch, h.lies[2] = h.roll;
     h.owed = 0;
     return CD_OK;
 }
@@ -200,9 +201,8 @@ cd_status cd_water_get_hull_pose(const cd_water* water, size_t index, double* ou
 cd_status cd_water_get_hull_floor(const cd_water* water, size_t index, double* out_pose, size_t count) {
     CD_OPEN(water, w);
     CD_CHECK(is_hull(__func__, w, index));
-    double lies[3] = {};
-    if constexpr (CD_WITH_HULL) floor_of(w, index, lies);
-    return give_pose(__func__, hull(w, index), lies, out_pose, count);
+    const Hull& h = hull(w, index);
+    return give_pose(__func__, h, h.lies, out_pose, count);
 }
 
 cd_status cd_water_set_hull_velocity(cd_water* water, size_t index, const double* velocity, size_t count) {

@@ -32,35 +32,8 @@ bool lay_on_water(Water& w, size_t index) {
     }
     h.force[2] = outside[0], h.force[4] = outside[1], h.force[5] = outside[2];
     h.z = pose.z, h.pitch = pose.pitch, h.roll = pose.roll;
+    h.lies[0] = h.z + sunk, h.lies[1] = h.pitch, h.lies[2] = h.roll;
     return true;
-}
-
-// Where plates touch the water, the plane that its heads, surface and what this hull presses with, lie in, in the mean
-// and by their slopes ahead and to port; the floor is kStiff parts the body's and one part that plane's.
-void floor_of(const Water& w, size_t index, double (&out)[3]) {
-    const Hull& h = hull(w, index);
-    out[0] = h.z, out[1] = h.pitch, out[2] = h.roll;
-    double area = 0, ahead = 0, port = 0, head = 0;
-    const auto each = [&](auto f) { // f(area, plate, head)
-        each_plate(w, index, HullPose(h), [&](const Plate& p) {
-            if (p.sunk() > 0) f(p.area, p, p.surface + p.head());
-        });
-    };
-    each([&](double a, const Plate& p, double own) {
-        area += a, ahead += a * p.ahead, port += a * p.port, head += a * own;
-    });
-    if (!(area > 0)) return;
-    ahead /= area, port /= area, head /= area;
-    double squares[2] = {0, 0}, rises[2] = {0, 0};
-    each([&](double a, const Plate& p, double own) {
-        const double by[2] = {p.ahead - ahead, p.port - port};
-        for (int k = 0; k < 2; ++k) squares[k] += a * (by[k] * by[k]), rises[k] += a * (by[k] * (own - head));
-    });
-    double slope[2];
-    for (int k = 0; k < 2; ++k) slope[k] = squares[k] > 0 ? rises[k] / squares[k] : 0;
-    const double middle = head - (slope[0] * ahead + slope[1] * port);
-    if (middle > h.z) out[0] += (middle - h.z) / (1 + kStiff);
-    for (int k = 0; k < 2; ++k) out[1 + k] += (slope[k] - out[1 + k]) / (1 + kStiff);
 }
 
 void hull_energy(const Water& w, double& kinetic, double& potential) {
@@ -110,6 +83,7 @@ void reset_hulls(Water& w) {
     for (size_t k = 0; k < w.hull_shape.count; ++k) {
         Hull& h = hull(w, k);
         for (int way = 0; way < 6; ++way) h.velocity[way] = h.water[way] = 0;
+        h.lies[0] = h.lies[1] = h.lies[2] = 0;
         h.owed = h.x = h.y = h.z = h.pitch = h.roll = h.heading[1] = 0;
         h.heading[0] = 1;
     }

@@ -18,9 +18,8 @@
 //   drift    along x and y and round: what the sweeps' loads did to the water comes back as an impulse; the energy by
 //            which it and the way across the surface differ is taken as drag (Hull::owed).
 //
-// Each holds at any dt and any ratio of masses, and so does all of it. The floor as it lies on the water is nearer to
-// the surface than the body's by one part in kStiff + 1 (see floor_of): lying still it displaces its own mass exactly,
-// whatever its shape is.
+// Each holds at any dt and any ratio of masses, and so does all of it. A skin that gives way
+// lets the body lie deeper than its floor on the water (settle_hulls), which is what is drawn.
 #pragma once
 
 #include "model/water_shares.hh"
@@ -38,6 +37,7 @@ struct Hull {
     double velocity[6]; // along x, y, z; yaw, pitch, roll
     double force[6];    // from outside: ahead, to port, up; moments of yaw, pitch, roll
     double drag[2], friction;
+    double lies[3]; // height, pitch and roll of its floor on the water, see settle_hulls
     double owed;     // energy that drifting has made [J]
     double water[6]; // what the water and the bed did in the last step, as velocity
 };
@@ -75,8 +75,6 @@ inline bool valid_hull(const Hull& h, const double* size, const size_t* cells) {
 double hull_area(const Water& w, size_t index);
 // Sets height, pitch and roll at which the water as it lies carries a hull's weight; false where nothing can.
 bool lay_on_water(Water& w, size_t index);
-// Height of the keel, pitch and roll as the hull lies on the water.
-void floor_of(const Water& w, size_t index, double (&out)[3]);
 // The energy of the hulls' motion, of their height, and of what they press.
 void hull_energy(const Water& w, double& kinetic, double& potential);
 // The water's surface at a place, had no hull pressed it down.
@@ -100,5 +98,9 @@ void load_hulls(const Water& w, HullWork& work, bool first);
 void feel_water(const Water& w, HullWork& work, Axis a, double theta, double dt);
 // After both.
 void move_hulls(Water& w, HullWork& work, double dt);
+// How their floors lie on the water: where the head of a level lake, surface and load, is as far above them as they
+// press, in the mean of the plates that touch the water and in their slopes. So a hull that lies still displaces its
+// own mass, however its edges lie over the cells.
+void settle_hulls(Water& w, HullWork& work);
 
 } // namespace cd

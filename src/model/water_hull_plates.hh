@@ -33,6 +33,12 @@ constexpr double kFar = 1e6; // times round a scene, of no hull
 inline bool between(double at, double size, double offset, size_t cells, size_t n, bool periodic, size_t (&k)[2],
                     double& part) {
     double x = at / size;
+    const double inside = x - offset, last = double((periodic ? cells : n) - 1);
+    if (inside >= 0 && inside < last) { // most
+        k[0] = size_t(inside), k[1] = k[0] + 1;
+        part = inside - double(k[0]);
+        return true;
+    }
     const double length = double(cells), round = periodic ? length : 2 * length;
     if (!(fabs(x) <= kFar * round)) return false; // nor NaN
     x -= round * floor(x / round);
@@ -61,11 +67,11 @@ inline Corner4 cells_around(const Water& w, double x, double y) {
     double sum = 0;
     for (int c = 0; c < 4; ++c) {
         const double of = (c & 1 ? part[0] : 1 - part[0]) * (c & 2 ? part[1] : 1 - part[1]);
-        out.weight[c] = present(w, out.i[c & 1], out.j[c >> 1]) ? of : 0;
+        out.weight[c] = !w.mask || present(w, out.i[c & 1], out.j[c >> 1]) ? of : 0;
         sum += out.weight[c];
     }
     out.any = sum > 0;
-    if (out.any && sum < 1)
+    if (w.mask && out.any && sum < 1)
         for (double& weight : out.weight) weight /= sum;
     return out;
 }
@@ -89,7 +95,8 @@ struct Plate {
     Corner4 cells;
     double x, y, area;
     double ahead, port;     // from the hull's middle [m]
-    double surface, bed, z; // surface: of the water; z: of the floor, as springs see it
+    double height;          // above the keel
+    double surface, bed, z; // surface: of the water; z: of the floor, as its skin is pressed
 
     double sunk() const { return surface > z ? surface - z : 0; }
     double head() const { return kStiff * sunk(); }
@@ -118,13 +125,14 @@ void each_plate(const Water& w, size_t index, const HullPose& pose, const T* dep
             if (height < 0) continue;
             for (size_t l = 0; l < m; ++l)
                 for (size_t k = 0; k < n; ++k) {
+                    p.height = height;
                     p.ahead = (double(i * n + k) + 0.5) * step_long - 0.5 * h.length;
                     p.port = (double(j * m + l) + 0.5) * step_wide - 0.5 * h.width;
                     p.x = pose.x + (p.ahead * pose.heading[0] - p.port * pose.heading[1]);
                     p.y = pose.y + (p.ahead * pose.heading[1] + p.port * pose.heading[0]);
                     p.cells = cells_around(w, p.x, p.y);
                     if (!p.cells.any) p.cells = middle;
-                    p.z = pose.z + ((pose.pitch * p.ahead + pose.roll * p.port) + (1 + 1 / kStiff) * height);
+                    p.z = pose.z + ((pose.pitch * p.ahead + pose.roll * p.port) + height * (1 + 1 / kStiff));
                     p.surface = p.bed = 0;
                     p.cells.each([&](size_t x, size_t y, double weight) {
                         const double b = double(bed[place(w, x, y)]);

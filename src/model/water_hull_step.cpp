@@ -342,12 +342,14 @@ struct Mover {
         const double x = h.velocity[0] - water[kX].speed, y = h.velocity[1] - water[kY].speed;
         return (x * x + y * y) / (2 * inverse());
     }
-    void remove(double energy) {
+    // Tells how much it was.
+    double remove(double energy) {
         const double x = h.velocity[0] - water[kX].speed, y = h.velocity[1] - water[kY].speed, by = inverse();
         const double rel = sqrt(x * x + y * y), left = rel * rel - 2 * (energy * by);
-        if (!(rel > 0)) return;
+        if (!(rel > 0)) return 0;
         const double impulse = (rel - (left > 0 ? sqrt(left) : 0)) / by;
         exchange(impulse * (x / rel), impulse * (y / rel));
+        return left > 0 ? energy : rel * rel / (2 * by);
     }
 
     // Of a push that led nowhere, which the water must not get: takes up to an energy of the hull's own motion, and
@@ -360,6 +362,7 @@ struct Mover {
     }
 
     void drift(HullPose& pose, double made, double energy) {
+        const double credit = kCredit * (moving_energy() + energy);
         double time = dt, due = 0;
         bool stops[2];
         HullPose to = pose;
@@ -367,19 +370,19 @@ struct Mover {
             if (half == kHalvings) time = 0;
             to = after(pose, time, stops);
             due = h.owed + made + (time > 0 ? HullContact(w, index, to).energy - energy : 0);
-            if (due <= removable()) break;
+            if (due <= removable() + credit) break;
         }
         pose = to;
         for (int a : {0, 1})
             if (stops[a]) h.velocity[a] = 0;
-        double taken = due > 0 ? due : 0;
-        if (taken > removable()) taken = lose(due);
-        else if (taken > 0) remove(taken);
-        const double credit = -kCredit * (moving_energy() + energy);
-        h.owed = due > 0 ? due - taken : due < credit ? credit : due;
+        // Little is paid of a small debt, all of one that reaches the credit.
+        double taken = due > 0 ? (due < credit ? due * (due / credit) : due) : 0;
+        if (taken > removable() + credit) taken = lose(due);
+        else if (taken > 0) taken = remove(taken);
+        h.owed = due > 0 ? due - taken : due < -credit ? -credit : due;
     }
     static constexpr int kHalvings = 8;
-    static constexpr double kCredit = 0.05; // of the hull's energy that may be drawn on
+    static constexpr double kCredit = 0.05; // of the hull's energy that may be owed, or kept for later
 
     void stand_still() { // nothing is under its middle
         for (int way = 0; way < 6; ++way) h.velocity[way] = h.water[way] = 0;
@@ -412,10 +415,52 @@ struct Mover {
     }
 };
 
+template <class T> void lie(Water& w, size_t index, const T* depth, const double* heads) {
+    Hull& h = hull(w, index);
+    const HullPose pose(h);
+    h.lies[0] = h.z, h.lies[1] = h.pitch, h.lies[2] = h.roll;
+    double sum[3] = {}, squares[2] = {}, products[2] = {}, area = 0; // of height, ahead, port
+    each_plate(w, index, pose, depth, [&](const Plate& p) {
+        if (!(p.sunk() > 0)) return;
+        double height = (p.surface - p.height) - pose.z; // above the body's keel, so that the sums do not cancel
+        if (p.bed < p.z) { // not on the bed, which does not give way
+            height -= p.head();
+            p.cells.each([&](size_t i, size_t j, double weight) { height += weight * heads[place(w, i, j)]; });
+        }
+        const double by[2] = {p.ahead, p.port};
+        area += p.area, sum[0] += p.area * height;
+        for (int k = 0; k < 2; ++k) {
+            sum[1 + k] += p.area * by[k];
+            squares[k] += p.area * (by[k] * by[k]), products[k] += p.area * (by[k] * height);
+        }
+    });
+    if (!(area > 0)) return;
+    h.lies[0] = pose.z + sum[0] / area;
+    for (int k = 0; k < 2; ++k) {
+        const double middle = sum[1 + k] / area, spread = squares[k] - sum[1 + k] * middle;
+        const double slope = spread > 1e-9 * squares[k] ? (products[k] - middle * sum[0]) / spread : 0;
+        h.lies[1 + k] = slope;
+        h.lies[0] -= slope * middle;
+    }
+}
+
 } // namespace
 
 void move_hulls(Water& w, HullWork& work, double dt) {
     each_hull(w, [&](size_t k) { Mover{w, work, dt, k}.move(); });
+}
+
+void settle_hulls(Water& w, HullWork& work) {
+    by_precision(w, [&](auto zero) {
+        using T = decltype(zero);
+        const T* const depth = numbers<T>(w.depth);
+        CellBox box;
+        each_hull(w, [&](size_t k) {
+            press(w, k, depth, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
+        });
+        each_hull(w, [&](size_t k) { lie(w, k, depth, work.own[0]); });
+        box.each([&](size_t i, size_t j) { work.own[0][place(w, i, j)] = work.own[1][place(w, i, j)] = 0; });
+    });
 }
 
 } // namespace cd

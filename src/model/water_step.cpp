@@ -83,6 +83,7 @@ template <class T> struct Stepper {
         if constexpr (CD_WITH_HULL)
             if (w.hull_shape.count > 0) {
                 move_hulls(w, work.hulls, dt);
+                settle_hulls(w, work.hulls);
                 finite &= hulls_finite(w);
             }
         w.first = other(first);

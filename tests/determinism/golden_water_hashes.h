@@ -64,13 +64,13 @@
 {12, 17, 1, {0xd972a3fe216a4de6, 0x98d9b174d0106581}}, /* everything, long steps */
 {12, 16, 7, {0xc626e1949ce767e7, 0xea33ad104585e052}}, /* everything, long steps */
 {12, 2, 16, {0xabb0ab4281074977, 0xfa9f8907a8278d83}}, /* everything, long steps */
-{13, 13, 9, {0x460bded015d3519d, 0xce4de178083a9a77}}, /* hulls */
-{13, 1, 17, {0x0dbf21e43b2960be, 0x1ed6dd7e73b4855b}}, /* hulls */
-{13, 17, 1, {0x5395c5f4903b06e9, 0xcbe68681a92e9c92}}, /* hulls */
-{13, 16, 7, {0x52814ecf95b79beb, 0x136eaf2aa4b370ef}}, /* hulls */
-{13, 2, 16, {0xfa2d0297a04f9e76, 0x5dd28824d3647235}}, /* hulls */
-{14, 13, 9, {0xba990ea98d802be5, 0x75b39c13ec57ec7e}}, /* hulls, long steps */
-{14, 1, 17, {0x6aef94e919763791, 0xd41733b4e8ebeb65}}, /* hulls, long steps */
-{14, 17, 1, {0x92b1daba14fd2f3f, 0xeea4194f7b59cdf2}}, /* hulls, long steps */
-{14, 16, 7, {0x9fb9522a1265467a, 0x54243357723f4d05}}, /* hulls, long steps */
-{14, 2, 16, {0x772134741c9368fc, 0xf9a5332020ffff36}}, /* hulls, long steps */
+{13, 13, 9, {0xb935abd7caf9742d, 0xb817aae5af7e200a}}, /* hulls */
+{13, 1, 17, {0xe36ffacbc92bacf9, 0x521d744a66e742d9}}, /* hulls */
+{13, 17, 1, {0xeea1b2f220d520c8, 0x8373c421dd73ae3a}}, /* hulls */
+{13, 16, 7, {0xbd8848615e801477, 0xe1d449cc0a34eb9e}}, /* hulls */
+{13, 2, 16, {0xa0e8aa1a0d3cad81, 0xdbeeb450cb0910b2}}, /* hulls */
+{14, 13, 9, {0x0c1d229bb5966e5a, 0x60c0e78b528802de}}, /* hulls, long steps */
+{14, 1, 17, {0xd1d4d9ef7cb460f6, 0x8e2038560f7dbaca}}, /* hulls, long steps */
+{14, 17, 1, {0x424afc26ca842200, 0x1ff694ad10146b8f}}, /* hulls, long steps */
+{14, 16, 7, {0xd4466cfd34ae6e2b, 0xf4b6a586c911fe61}}, /* hulls, long steps */
+{14, 2, 16, {0x6c8e5d2dedf6e3ca, 0xc2f10950d8f9408c}}, /* hulls, long steps */

@@ -4,11 +4,12 @@
 #include "check.h"
 #include "pool.h"
 
-enum { NX = 64, NY = 32 };
+enum { NX = 64, NY = 32, SAMPLES = 4000 };
 #define DX 0.25
 #define LENGTH (NX * DX)
 #define WIDTH (NY * DX)
 #define G 9.81
+#define PI 3.14159265358979324
 
 static cd_water* lake(size_t nx, size_t ny, double depth) {
     cd_water* w;
@@ -19,8 +20,8 @@ static cd_water* lake(size_t nx, size_t ny, double depth) {
 
 /* Waves that a launched hull made die out. */
 static void settle(cd_water* w) {
-    ok(cd_water_set_drag(w, 2));
-    pool_step(w, 0.05, 2500);
+    ok(cd_water_set_drag(w, 1));
+    pool_step(w, 0.1, 500);
 }
 
 static double level_at(const cd_water* w, double x, double y) {
@@ -36,7 +37,7 @@ static void a_hull_that_lies_still_displaces_its_mass(void** state) {
     for (int j = 0; j < 8; ++j)
         for (int i = 0; i < 8; ++i) bow[8 * j + i] = i == 7 && (j == 0 || j == 7) ? -1 : 0.05 * fabs(j - 3.5) + 0.02 * i;
     for (int shape = 0; shape < 3; ++shape)
-        for (int turn = 0; turn < 3; ++turn) {
+        for (int turn = 0; turn < 2; ++turn) {
             cd_water* w = lake(NX, NY, 1);
             double floor[7], load[6], area, head;
             ok(cd_water_set_hulls(w, 1, 8, 8));
@@ -44,7 +45,7 @@ static void a_hull_that_lies_still_displaces_its_mass(void** state) {
             if (shape == 1) ok(cd_water_set_disc(w, 0, 1200, 1.2));
             if (shape == 2) ok(cd_water_set_hull(w, 0, 1200, 3, 1.6, bow, 64));
             ok(cd_water_get_hull(w, 0, NULL, NULL, NULL, &area, NULL, 0));
-            if (shape == 1) assert_near(area, 1.44 * 3.14159265358979324, 1e-12, 0);
+            if (shape == 1) assert_near(area, 1.44 * PI, 1e-12, 0);
             ok(cd_water_launch_hull(w, 0, 8.1 + 0.03 * turn, 4.07, cos(turn), sin(turn)));
             settle(w);
             ok(cd_water_get_hull_floor(w, 0, floor, 7));
@@ -62,53 +63,59 @@ static void a_hull_that_lies_still_displaces_its_mass(void** state) {
             assert_near(1000 * displaced, 1200, shape == 2 ? 1e-4 : 1e-6, 0); /* plates are tilted a little */
             assert_near(load[2], 1200 * G, 1e-6, 0);
             ok(cd_water_sample_heads(w, (const double[]){8.1, 4.07}, 1, &head));
-            assert_near(head, level, 0, 1e-5 / 1e-6);
+            assert_near(head, level, 1e-5, 0);
             cd_water_destroy(w);
         }
 }
 
 /* A box as wide as its slice of a closed basin of twice its length heaves against the seiche of the gap: of a rigid
- * floor over depth d that sinks by z, the water under it runs out with u = x z_t / d, which is an added mass of
- * density L^3 / (3 d) per metre of a half box of length L against the wall, and the gap rises by as much as L z sinks;
- * gap and box lengths equal: (M + density L^3 / (3 d) + density L^3 / (3 D)) z'' = -density g (L + L) z. */
+ * floor over depth d that rises by z, the water under it runs in with u = -x z_t / d, which is an added mass of
+ * density L^3 / (3 d) per metre of a half box of length L against the wall; the gap, as long and D deep, swings with
+ * k = w / sqrt(g D) and stands by L k cot(k L) z lower at the box's end:
+ *     (draft + L^2 / (3 d)) w^2 = g (1 + k L cot(k L)). */
 static void a_box_heaves_in_the_period_of_shallow_water(void** state) {
     (void)state;
     const double depth = 1, l = 4, draft = 0.25, under = depth - draft / 2, beside = depth + draft / 2;
     for (int fine = 0; fine < 2; ++fine) {
         cd_water* w;
         const double dx = fine ? 0.0625 : 0.125;
-        ok(cd_water_create((size_t)(2 * l / dx), 1, dx, 1, CD_FLOAT64, NULL, &w));
+        ok(cd_water_create((size_t)(2 * l / dx), 1, dx, dx, CD_FLOAT64, NULL, &w));
         pool_fill(w, CD_DEPTH, depth);
         ok(cd_water_set_hulls(w, 1, 1, 1));
         /* the half of it that lies in the basin, and its mirror image: a hull of twice the length in the wall */
-        ok(cd_water_set_hull(w, 0, 1000 * draft * 2 * l, 2 * l, 1, NULL, 0));
-        ok(cd_water_launch_hull(w, 0, 0, 0.5, 1, 0));
+        ok(cd_water_set_hull(w, 0, 1000 * draft * 2 * l * dx, 2 * l, dx, NULL, 0));
+        ok(cd_water_launch_hull(w, 0, 0, dx / 2, 1, 0));
         ok(cd_water_set_drag(w, 1));
-        pool_step(w, 0.02, 3000);
+        pool_step(w, 0.05, 800);
         ok(cd_water_set_drag(w, 0));
         ok(cd_water_set_lambda(w, 0.5));
-        double floor[7], z0, last = 0, first_up = 0;
+        double floor[7];
+        const double v[6] = {0, 0, 0.01, 0, 0, 0}, dt = 0.01;
         ok(cd_water_get_hull_floor(w, 0, floor, 7));
-        z0 = floor[2];
-        const double v[6] = {0, 0, 0.01, 0, 0, 0}, dt = 0.002;
+        const double z0 = floor[2];
         ok(cd_water_set_hull_velocity(w, 0, v, 6));
-        int crossings = 0;
-        double period = 0;
-        for (int s = 0; s < 20000 && crossings < 3; ++s) {
+        static double z[SAMPLES];
+        for (int s = 0; s < SAMPLES; ++s) {
             pool_step(w, dt, 1);
             ok(cd_water_get_hull_floor(w, 0, floor, 7));
-            const double z = floor[2] - z0;
-            if (s > 200 && last < 0 && z >= 0) {
-                const double at = dt * (s - z / (z - last));
-                if (crossings++ > 0) period = at - first_up;
-                first_up = at;
-            }
-            last = z;
+            z[s] = floor[2] - z0;
         }
-        assert_int_equal(crossings, 3);
-        const double mass = draft + l * l / (3 * under) + l * l / (3 * beside);
-        const double expected = 2 * 3.14159265358979324 * sqrt(mass / (2 * G));
-        assert_near(period, expected, 0.05, 0);
+        double low = 0.1, high = 2.4; /* k L < pi */
+        for (int k = 0; k < 60; ++k) {
+            const double v = (low + high) / 2, kl = v / sqrt(G * beside) * l;
+            if ((draft + l * l / (3 * under)) * v * v < G * (1 + kl / tan(kl))) low = v;
+            else high = v;
+        }
+        double most = 0, found = 0; /* the frequency of the largest part of the motion */
+        for (double v_k = 0.6 * low; v_k < 1.6 * low; v_k += 0.002 * low) {
+            double c = 0, d = 0;
+            for (int s = 0; s < SAMPLES; ++s) {
+                const double t = dt * s, window = 1 - cos(2 * PI * s / SAMPLES);
+                c += window * z[s] * cos(v_k * t), d += window * z[s] * sin(v_k * t);
+            }
+            if (c * c + d * d > most) most = c * c + d * d, found = v_k;
+        }
+        assert_near(found, low, 0.04, 0);
         cd_water_destroy(w);
     }
 }
@@ -128,8 +135,8 @@ static void a_hull_drifts_with_a_stream(void** state) {
     ok(cd_water_get_hull_velocity(w, 0, velocity, 6));
     ok(cd_water_get_hull_pose(w, 0, pose, 7));
     assert_near(velocity[0], 0.5, 0.05, 0);
-    assert_near(velocity[1], 0, 0, 0.01 / 1e-6 * 1e-6 / 0.01 * 0.01);
-    assert_true(pose[0] > 2 + 0.85 * 0.5 * 20 && pose[0] < 2 + 0.5 * 20);
+    assert_near(velocity[1], 0, 0.01, 1);
+    assert_near(pose[0] - 2, 0.5 * 20, 0.1, 0);
     cd_water_destroy(w);
 }
 
@@ -179,12 +186,13 @@ static void a_hull_over_a_high_bed_lies_on_it(void** state) {
     ok(cd_water_launch_hull(w, 0, 4, 4, 1, 0));
     ok(cd_water_launch_hull(w, 1, 12, 4, 1, 0));
     ok(cd_water_set_hull_velocity(w, 1, (const double[]){1, 0, 0, 0, 0, 0}, 6));
+    pool_step(w, 0.01, 100);
     settle(w);
     ok(cd_water_get_hull_floor(w, 0, floor, 7));
     assert_near(floor[2], level_at(w, 0.5, 0.5) - 0.5, 1e-5, 1);
     ok(cd_water_get_hull_floor(w, 1, floor, 7));
     assert_near(floor[2], 0.25, 1e-9, 0);
-    assert_near(floor[0], 12 + 1 / (2 * 0.5 * G), 0, 0.05); /* slides v^2 / (2 mu g) */
+    assert_near(floor[0] - 12, 1 / (2 * 0.5 * G), 0.25, 0); /* slides v^2 / (2 mu g) */
     cd_water_destroy(w);
 }
 
@@ -205,7 +213,7 @@ static void two_hulls_stay_each_others_image(void** state) {
     assert_true(a[0] > 5.5);
     assert_near(a[0], LENGTH - b[0], 1e-6, 1);
     assert_near(a[2], b[2], 1e-6, 1);
-    assert_near(a[5], b[5], 0, 1e-6);
+    assert_near(a[5], b[5], 1e-9, 1);
     cd_water_destroy(w);
 }
 
