@@ -477,7 +477,7 @@ class Waters(unittest.TestCase):
         water.step(0.01, 10)
         self.assertGreater(water.get_hull_velocity(0).x, 0.2)
         self.assertGreater(water.get_hull_pose(0).x, 1.5)
-        self.assertGreater(water.get_hull_floor(0).z, water.get_hull_pose(0).z)
+        self.assertNotEqual(water.get_hull_floor(0).z, water.get_hull_pose(0).z)
         self.assertGreater(water.get_hull_load(0).z, 0)
         self.assertGreater(water.hull_energy.kinetic, 0)
         self.assertAlmostEqual(water.sample_heads([(0.25, 0.5)]).tolist()[0], 0.5, 1)
