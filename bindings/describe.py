@@ -33,6 +33,7 @@ NULLABLE = {
     "cd_membrane_teleport": ["rotation"],
     "cd_membrane_get_collider": ["out_shape", "out_first", "out_second", "out_velocity", "out_radius", "out_friction"],
     "cd_water_add_volume": ["out_added"],
+    "cd_water_set_hull": ["heights"],
     "cd_water_add_volume_rectangle": ["out_added"],
 }
 EACH_MAY_BE_NULL = re.compile(r"each\s+(output\s+)?may\s+be\s+null", re.IGNORECASE)
@@ -52,6 +53,8 @@ LENGTHS = {
     ("cd_membrane_teleport", "rotation"): ("count", "count"),
     ("cd_membrane_sample", "at"): ("n", 2),
     ("cd_water_sample", "at"): ("n", 2),
+    ("cd_water_sample_heads", "at"): ("n", 2),
+    ("cd_water_sample_heads", "out_heads"): ("n", 1),
     ("cd_water_sample", "out_surface"): ("n", 1),
     ("cd_water_sample", "out_depth"): ("n", 1),
     ("cd_water_sample", "out_normal"): ("n", 3),

@@ -270,6 +270,90 @@ CD_API cd_status cd_water_splash(cd_water* water, double x, double y, double rad
 CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double radius, double impulse_x,
                                   double impulse_y);
 
+/* ---- what floats on it ------------------------------------------------------------------------------------------ */
+/* Hulls float on the water, numbered from 0. Each is a rigid body whose floor is a rectangle of n_along x n_across
+ * plates, at heights above its keel, with sides as high as it takes. What presses the water down makes waves; water that
+ * rises, slopes or runs lifts, pushes and drags the hull; where the bed is higher it lies on that. Water only meets a
+ * hull's floor, and hulls neither each other nor walls: their middles stay within the scene, at sides that are not
+ * periodic they stop.
+ *
+ * A pose is {x, y, z, ahead_x, ahead_y, pitch, roll}: the middle, the height of the keel under it [m], the direction of
+ * the bow, and small slopes: pitch is by how much the bow rises per metre ahead, roll the port side, to the left, per
+ * metre to port. Velocities are {along x, along y, upward [m/s], yaw, pitch, roll [1/s]}, yaw counter-clockwise seen
+ * from above. Mass is spread evenly over length and width; the righting moment is that of the waterline.
+ *
+ * Between body and water lies a skin, three times as stiff as the water's surface. So the body's keel lies a third of
+ * the draft deeper than the floor that is to be drawn, which cd_water_get_hull_floor gives: of a hull that lies still
+ * the floor displaces its own mass, draft = mass / (density area) for a flat one.
+ *
+ * Steps stay bounded at any dt, for hulls of any mass; hulls and water together gain no energy beyond what the water
+ * itself does. In steps in which waves cross many cells, or a hull its own length, hulls are slowed down. Momentum that
+ * a hull loses to water on a level bed the water has. Forces cost time in proportion to the cells under hulls, and
+ * steps of water with hulls some more per cell.
+ * Errors of all: CD_ERROR_RANGE for an index that no hull has, or a count that is not what the comment says. */
+
+/* How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are none
+ * (mass 0), those that stay keep what they are unless the plates change. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
+ * CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null. */
+CD_API cd_status cd_water_set_hulls(cd_water* water, size_t count, size_t n_along, size_t n_across);
+CD_API cd_status cd_water_get_hulls(const cd_water* water, size_t* out_count, size_t* out_n_along,
+                                    size_t* out_n_across);
+
+/* Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], > 0 and at most 512 cells. heights[j][i]: of
+ * the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is n_along *
+ * n_across; null: flat. Where it is, and how it moves, stays. Errors: CD_ERROR_VALUE, also for a floor without a plate. */
+CD_API cd_status cd_water_set_hull(cd_water* water, size_t index, double mass, double length, double width,
+                                   const double* heights, size_t count);
+
+/* Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all stretched so that
+ * their area is the disc's. radius [m] as half of a length. Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_water_set_disc(cd_water* water, size_t index, double mass, double radius);
+
+/* What a hull is: mass (0: none), length, width, the area of its plates [m^2]. Each output may be null; heights:
+ * `count` of them, or null and any count. */
+CD_API cd_status cd_water_get_hull(const cd_water* water, size_t index, double* out_mass, double* out_length,
+                                   double* out_width, double* out_area, double* out_heights, size_t count);
+CD_API cd_status cd_water_remove_hull(cd_water* water, size_t index);
+
+/* Lays a hull on the water at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at rest, so
+ * deep that the water as it lies, or the bed, carries it. Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass,
+ * or no cell is under it, or gravity is 0; CD_ERROR_DIVERGED of a water that did. */
+CD_API cd_status cd_water_launch_hull(cd_water* water, size_t index, double x, double y, double ahead_x,
+                                      double ahead_y);
+
+/* The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most 1e15
+ * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
+ * CD_ERROR_VALUE. */
+CD_API cd_status cd_water_set_hull_pose(cd_water* water, size_t index, const double* pose, size_t count);
+CD_API cd_status cd_water_get_hull_pose(const cd_water* water, size_t index, double* out_pose, size_t count);
+CD_API cd_status cd_water_set_hull_velocity(cd_water* water, size_t index, const double* velocity, size_t count);
+CD_API cd_status cd_water_get_hull_velocity(const cd_water* water, size_t index, double* out_velocity, size_t count);
+
+/* The pose in which the floor lies on the water since the last step or launch, to be drawn: 7 numbers. */
+CD_API cd_status cd_water_get_hull_floor(const cd_water* water, size_t index, double* out_pose, size_t count);
+
+/* What acts on a hull from outside until it is set anew, an engine: 6 numbers, forces ahead, to port and up [N] and
+ * moments of yaw, pitch and roll [N m], at most 1e30 in size. Default 0. Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_water_set_hull_force(cd_water* water, size_t index, const double* force, size_t count);
+CD_API cd_status cd_water_get_hull_force(const cd_water* water, size_t index, double* out_force, size_t count);
+
+/* Drag against the water under it, along the hull and across it [N s/m], which slows turning too, and Coulomb friction
+ * on the bed; in [0, 1e30], default 0. Errors: CD_ERROR_VALUE. */
+CD_API cd_status cd_water_set_hull_drag(cd_water* water, size_t index, double along, double across, double friction);
+CD_API cd_status cd_water_get_hull_drag(const cd_water* water, size_t index, double* out_along, double* out_across,
+                                        double* out_friction);
+
+/* What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up [N], moments of yaw, pitch
+ * and roll [N m]. */
+CD_API cd_status cd_water_get_hull_load(const cd_water* water, size_t index, double* out_load, size_t count);
+
+/* Energies of all hulls [J]: of their motion; mass g z, and what their skins hold. Each output may be null. */
+CD_API cd_status cd_water_get_hull_energy(const cd_water* water, double* out_kinetic, double* out_potential);
+
+/* How high [m] the water would stand at n places, at[k] = {x, y}, with no hull pressing on it: its surface and the head
+ * that hulls press with. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in memory. */
+CD_API cd_status cd_water_sample_heads(const cd_water* water, const double* at, size_t n, double* out_heads);
+
 /* ---- time ------------------------------------------------------------------------------------------------------- */
 
 /* Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
@@ -371,9 +455,9 @@ CD_API cd_status cd_water_load(cd_water* water, const void* bytes, size_t size);
  * Allocates only if they differ in the fields switched on. Errors: CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
 CD_API cd_status cd_water_copy_state(cd_water* water, const cd_water* source);
 
-/* Depths, velocities, time, steps and account back to 0. Bed, parameters and the other fields stay. What is at sides
- * begins again with time: a level or discharge that changes is what it was at time 0, or by its rate would have been if
- * it was set later; then set it anew. */
+/* Depths, velocities, time, steps and account back to 0, hulls to where new ones lie, at rest. Bed, parameters and the
+ * other fields stay, and what hulls are. What is at sides begins again with time: a level or discharge that changes is
+ * what it was at time 0, or by its rate would have been if it was set later; then set it anew. */
 CD_API cd_status cd_water_reset(cd_water* water);
 
 #ifdef __cplusplus

@@ -97,6 +97,9 @@ const char* cd_build_info(void) {
 #if CD_WITH_WATER
                        " water"
 #endif
+#if CD_WITH_HULL
+                       " hulls"
+#endif
                        ", precisions:"
 #if CD_WITH_FLOAT32
                        " float32"

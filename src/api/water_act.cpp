@@ -6,8 +6,6 @@ using namespace cd;
 
 namespace {
 
-double length_of(const Water& w, Axis a) { return double(w.cells[a]) * w.size[a]; }
-
 cd_status is_disc(const char* function, const Water& w, const Disc& disc) {
     CD_CHECK(in_range(function, "x", disc.x, 0, length_of(w, kX)));
     CD_CHECK(in_range(function, "y", disc.y, 0, length_of(w, kY)));
@@ -105,11 +103,7 @@ cd_status cd_water_sample(const cd_water* water, const double* at, size_t n, dou
                           double* out_normal, double* out_velocity) {
     CD_OPEN(water, w);
     CD_CHECK(can_sample(__func__, at, n));
-    for (size_t k = 0; k < 2 * n; ++k) {
-        const double most = length_of(w, k % 2 == 0 ? kX : kY);
-        if (!(at[k] >= 0 && at[k] <= most))
-            return fail(CD_ERROR_VALUE, __func__, "at[%zu] is %g, must be in [0, %g]", k, at[k], most);
-    }
+    CD_CHECK(are_places(__func__, w, at, n));
     for (size_t k = 0; k < n; ++k) {
         const WaterSample here = sample(w, at[2 * k], at[2 * k + 1]);
         if (out_surface) out_surface[k] = here.surface;

@@ -33,6 +33,17 @@ inline void switch_own(WaterFeatures& wanted, cd_field field, bool on) {
     if (field == CD_WALL_Y) wanted.wall[kY] = on;
 }
 
+inline double length_of(const Water& w, Axis a) { return double(w.cells[a]) * w.size[a]; }
+// Of n places in the scene.
+inline cd_status are_places(const char* function, const Water& w, const double* at, size_t n) {
+    for (size_t k = 0; k < 2 * n; ++k) {
+        const double most = length_of(w, k % 2 == 0 ? kX : kY);
+        if (!(at[k] >= 0 && at[k] <= most))
+            return fail(CD_ERROR_VALUE, function, "at[%zu] is %g, must be in [0, %g]", k, at[k], most);
+    }
+    return CD_OK;
+}
+
 namespace shared {
 
 inline cd_status set_method(const char* function, Water& w, cd_method method) {

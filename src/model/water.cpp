@@ -3,6 +3,7 @@
 
 #include "base/status.hh"
 #include "model/life.hh"
+#include "model/water_hull.hh"
 #include "solve/planes.hh"
 
 namespace cd {
@@ -35,7 +36,7 @@ namespace {
 struct WaterChanges {
     Change<char> depth, bed, velocity_x, velocity_y, source, pressure, force_x, force_y;
     Change<uint8_t> mask, wall_x, wall_y;
-    Change<double> scratch;
+    Change<double> hulls, scratch;
 
     WaterChanges(Water& w, const WaterFeatures& wanted, size_t scratch_needed)
         : WaterChanges(w, wanted, scratch_needed, w.plane * number_size(w), (w.cells[kX] + 1) * (w.cells[kY] + 1)) {}
@@ -52,11 +53,12 @@ struct WaterChanges {
           mask{w.mask, wanted.mask ? bytes : 0},
           wall_x{w.wall[kX], wanted.wall[kX] ? bytes : 0},
           wall_y{w.wall[kY], wanted.wall[kY] ? bytes : 0},
+          hulls{w.hulls, wanted.hulls.count * wanted.hulls.numbers()},
           scratch{w.scratch, scratch_needed} {}
 
     template <class F> bool all(F f) {
         return f(depth) && f(bed) && f(velocity_x) && f(velocity_y) && f(source) && f(pressure) && f(force_x) &&
-               f(force_y) && f(mask) && f(wall_x) && f(wall_y) && f(scratch);
+               f(force_y) && f(mask) && f(wall_x) && f(wall_y) && f(hulls) && f(scratch);
     }
 };
 
@@ -70,7 +72,8 @@ WaterFeatures features(const Water& w) {
             {bool(w.force[kX]), bool(w.force[kY])},
             bool(w.mask),
             {bool(w.wall[kX]), bool(w.wall[kY])},
-            w.parallel.run != nullptr};
+            w.parallel.run != nullptr,
+            w.hull_shape};
 }
 
 bool set_features(Water& w, const WaterFeatures& wanted) {
@@ -78,11 +81,14 @@ bool set_features(Water& w, const WaterFeatures& wanted) {
     if (!needs_of(w, wanted, scratch)) return false;
     WaterChanges changes(w, wanted, scratch);
     const auto all = [&](auto f) { return changes.all(f); };
-    if (wanted.method == w.method && wanted.momentum == w.momentum && keep_all(all)) return true;
+    const bool same_hulls = wanted.hulls.along == w.hull_shape.along && wanted.hulls.across == w.hull_shape.across;
+    if (wanted.method == w.method && wanted.momentum == w.momentum && same_hulls && keep_all(all)) return true;
     if (!take_all(w.memory, all)) return false;
+    if (wanted.hulls.numbers() == w.hull_shape.numbers()) changes.hulls.carry_over();
     put_all(w.memory, all);
     w.method = wanted.method;
     w.momentum = wanted.momentum;
+    w.hull_shape = wanted.hulls;
     if (changes.mask.is_new()) memset(w.mask.data, 1, w.mask.bytes());
     w.prepared_dt = 0;
     return true;
@@ -130,12 +136,14 @@ void clear_state(Water& w) {
     w.clock = {};
     w.account = {};
     w.first = kX;
+    if constexpr (CD_WITH_HULL) reset_hulls(w);
 }
 
 bool all_finite(const Water& w) {
     bool finite = true;
     for (const Array<char>* array : {&w.depth, &w.velocity[kX], &w.velocity[kY]})
         each_number(w, layout_of(w), *array, [&](auto number) { finite &= isfinite(number) != 0; });
+    if constexpr (CD_WITH_HULL) finite &= hulls_finite(w);
     return finite;
 }
 

@@ -33,6 +33,14 @@ struct WaterSettings : ObjectSettings {
     Account account;
 };
 
+// Hulls that float on it, and plates of each: see water_hull.hh.
+struct HullShape {
+    size_t count, along, across;
+
+    size_t plates() const { return along * across; }
+    size_t numbers() const; // of each hull
+};
+
 struct Water : Object, WaterSettings {
     // shape. A number of cell or face (i, j) lies at j * pitch + i of its array, which has a row and a column more than
     // there are cells: faces need them. Bytes lie densely, at j * (cells[kX] + 1) + i.
@@ -41,6 +49,8 @@ struct Water : Object, WaterSettings {
     // in the object's precision; depth, bed and velocity are always there, the others empty where switched off
     Array<char> depth, bed, velocity[2], source, pressure, force[2];
     Array<uint8_t> mask, wall[2];
+    Array<double> hulls;
+    HullShape hull_shape;
 
     // what the last call of step did
     uint64_t limited_cells;
@@ -50,7 +60,7 @@ struct Water : Object, WaterSettings {
     template <class F, class... W> static void each_field(F f, W&... w) {
         f(w.mask...), f(w.wall[kX]...), f(w.wall[kY]...);
         f(w.depth...), f(w.bed...), f(w.velocity[kX]...), f(w.velocity[kY]...), f(w.source...), f(w.pressure...);
-        f(w.force[kX]...), f(w.force[kY]...);
+        f(w.force[kX]...), f(w.force[kY]...), f(w.hulls...);
     }
     template <class F> static void each_array(F f, Water& w) {
         each_field(f, w);
@@ -68,6 +78,7 @@ struct WaterFeatures {
     cd_method method;
     cd_momentum momentum;
     bool source, pressure, force[2], mask, wall[2], parallel;
+    HullShape hulls;
 };
 
 // ---- shape and parameters (water.cpp) -------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
 // What a water consists of, for model/keep.hh. The bytes hold mask and walls, then the state and the other fields.
 #include "model/keep.hh"
-#include "model/water.hh"
+#include "model/water_hull.hh"
 
 namespace cd {
 
@@ -13,10 +13,12 @@ static WaterFeatures taken_over(const Water& w, WaterFeatures features) {
 namespace {
 
 constexpr uint32_t bit(cd_field field) { return 1u << field; }
+constexpr uint32_t kHullBit = 1u << 31; // the hulls' number and shape follow, and their numbers come last
 
 struct KeptWater {
     WaterSettings own;
-    uint32_t fields; // a bit per optional field, by cd_field
+    uint32_t fields; // a bit per optional field, by cd_field; kHullBit
+    HullShape hulls;
 
     bool on(cd_field field) const { return (fields & bit(field)) != 0; }
     bool periodic(Axis a) const { return own.side[2 * a].kind == CD_BORDER_PERIODIC; }
@@ -54,6 +56,26 @@ template <class T> struct WaterCheck {
             return double(same) == value || (isnan(double(same)) && isnan(value));
         });
     }
+    // One that diverged need not be finite where steps have written.
+    void hulls() {
+        double numbers[kHullNumbers];
+        const size_t all = s.hulls.numbers();
+        Hull h;
+        size_t plates = 0;
+        check.numbers<double>(s.hulls.count * all, [&](double value, size_t at) {
+            const size_t k = at % all;
+            if (k >= kHullNumbers) {
+                plates += value >= 0 ? 1 : 0;
+                const bool good = value <= kMost && value >= -1;
+                return good && (k + 1 < all || is_off(h) || plates > 0);
+            }
+            numbers[k] = value;
+            if (k + 1 < kHullNumbers) return true;
+            memcpy(&h, numbers, sizeof h);
+            plates = 0;
+            return is_off(h) || valid_hull(h, s.own.size, w.cells);
+        });
+    }
     bool there(size_t i, size_t j) const { return !mask || mask[byte_place(w, i, j)] != 0; }
     bool can_cross(Axis a, size_t i, size_t j) const {
         return crossable(
@@ -76,6 +98,7 @@ template <class T> struct WaterCheck {
         if (s.on(CD_PRESSURE)) cells<T>(0, finite);
         for (Axis a : {kX, kY})
             if (s.on(a == kX ? CD_FORCE_X : CD_FORCE_Y)) faces<T>(a, finite);
+        if (s.fields & kHullBit) hulls();
         return check.all_good();
     }
 };
@@ -88,7 +111,8 @@ struct WaterKeep {
     static Shape shape_of(const Water& w) { return {{w.cells[kX], w.cells[kY]}, 1, w.precision}; }
 
     static Settings settings_of(const Water& w) {
-        Settings s{w, 0};
+        Settings s{w, 0, w.hull_shape};
+        if (w.hull_shape.count > 0) s.fields |= kHullBit;
         if (w.mask) s.fields |= bit(CD_MASK);
         if (w.wall[kX]) s.fields |= bit(CD_WALL_X);
         if (w.wall[kY]) s.fields |= bit(CD_WALL_Y);
@@ -108,7 +132,8 @@ struct WaterKeep {
                 {s.on(CD_FORCE_X), s.on(CD_FORCE_Y)},
                 s.on(CD_MASK),
                 {s.on(CD_WALL_X), s.on(CD_WALL_Y)},
-                false};
+                false,
+                s.hulls};
     }
 
     template <class W> static void walk_settings(W& w, Settings& s) {
@@ -120,8 +145,20 @@ struct WaterKeep {
         walk(w, o.gravity), walk(w, o.density), walk(w, o.drag), walk(w, o.manning);
         walk(w, o.account.initial), walk(w, o.account.in), walk(w, o.account.out);
         walk(w, o.clock.start), walk(w, o.clock.dt), walk(w, o.clock.counted), walk(w, o.clock.steps);
+        if ((s.fields & kHullBit) == 0) return;
+        for (size_t* size : {&s.hulls.count, &s.hulls.along, &s.hulls.across}) {
+            uint64_t number = *size;
+            walk(w, number);
+            *size = size_t(number);
+        }
     }
 
+    static bool valid_hulls(const Settings& s) {
+        if ((s.fields & kHullBit) == 0) return true;
+        const auto within = [](size_t size, size_t most) { return size >= 1 && size <= most; };
+        return CD_WITH_HULL && within(s.hulls.count, kMostHulls) && within(s.hulls.along, kMostPlates) &&
+               within(s.hulls.across, kMostPlates);
+    }
     static bool valid_side(const WaterSide& side) {
         if (side.kind == CD_BORDER_WALL || side.kind == CD_BORDER_PERIODIC) return side.value == 0 && side.rate == 0;
         return has_value(side.kind) && isfinite(side.value) && fabs(side.rate) <= kMost;
@@ -132,7 +169,7 @@ struct WaterKeep {
         for (cd_field field : {CD_MASK, CD_WALL_X, CD_WALL_Y, CD_SOURCE, CD_PRESSURE, CD_FORCE_X, CD_FORCE_Y})
             optional |= bit(field);
         const auto is_one_of_two = [](int32_t choice) { return choice == 0 || choice == 1; };
-        bool good = (s.fields & ~optional) == 0;
+        bool good = (s.fields & ~(optional | kHullBit)) == 0 && valid_hulls(s);
         good &= o.method >= CD_METHOD_IMPLICIT && o.method <= CD_METHOD_SYMPLECTIC_EULER;
         good &= is_one_of_two(o.momentum) && is_one_of_two(o.bed_rule) && is_one_of_two(o.first);
         for (const WaterSide& side : o.side) good &= valid_side(side);

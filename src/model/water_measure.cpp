@@ -1,6 +1,6 @@
 // What can be measured of the water, and what it is at a place.
 #include "base/sum.hh"
-#include "model/water.hh"
+#include "model/water_hull.hh"
 
 namespace cd {
 

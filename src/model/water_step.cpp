@@ -2,7 +2,7 @@
 // advected momentum, what each sweep carries of the other axis' velocities.
 #include "base/parallel.hh"
 #include "base/sum.hh"
-#include "model/water.hh"
+#include "model/water_hull.hh"
 #include "solve/planes.hh"
 
 namespace cd {
@@ -20,13 +20,15 @@ struct WaterWork {
     size_t tasks[2], per_task = 0; // along each axis; numbers
     double *task, *tally;          // tasks lie per_task numbers apart; kTallies numbers per line
     double* moved = nullptr;       // a plane of the state's numbers: through faces, where velocities are carried across
+    HullWork hulls{};
 
     WaterWork(const Water& w, const WaterFeatures& f, Carver& scratch) {
+        const size_t panels = kWaterPanels + (f.hulls.count > 0 ? kHullPanels : 0);
         size_t most = 1;
         for (Axis a : {kX, kY}) {
             size_t size = 0;
             scratch.fits =
-                scratch.fits && add(w.cells[a], kWaterRoom, size) && multiply(size, kWaterPanels * kWaterLanes, size);
+                scratch.fits && add(w.cells[a], kWaterRoom, size) && multiply(size, panels * kWaterLanes, size);
             per_task = size > per_task ? size : per_task;
             const size_t packs = water_packs(lines_of(w, a));
             tasks[a] = !f.parallel ? 1 : packs < kMostTasks ? packs : kMostTasks;
@@ -39,6 +41,11 @@ struct WaterWork {
         const bool has_lines_beside = w.cells[kX] > 1 && w.cells[kY] > 1;
         if (f.momentum == CD_MOMENTUM_ADVECTED && has_lines_beside)
             moved = scratch.numbers(w.plane * number_size(w) / sizeof(double) + 1);
+        if (f.hulls.count == 0) return;
+        for (double** plane : {&hulls.load, &hulls.stiff, &hulls.own[0], &hulls.own[1]})
+            *plane = scratch.numbers(w.plane);
+        hulls.before = scratch.numbers(w.plane * number_size(w) / sizeof(double) + 1);
+        hulls.impulse = scratch.numbers(3 * f.hulls.count);
     }
 };
 
@@ -71,8 +78,14 @@ template <class T> struct Stepper {
         finite = true;
         if (w.source) add_sources();
         const Axis first = Axis(w.first);
-        sweep(first);
-        sweep(other(first));
+        sweep_under_hulls(first, true);
+        sweep_under_hulls(other(first), false);
+        if constexpr (CD_WITH_HULL)
+            if (w.hull_shape.count > 0) {
+                move_hulls(w, work.hulls, dt);
+                settle_hulls(w, work.hulls);
+                finite &= hulls_finite(w);
+            }
         w.first = other(first);
         done += 1;
         return finite;
@@ -87,6 +100,15 @@ template <class T> struct Stepper {
                 __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
         };
         parallel_for(w.parallel, tasks, task);
+    }
+
+    void sweep_under_hulls(Axis a, bool first) {
+        if (!CD_WITH_HULL || w.hull_shape.count == 0) return sweep(a);
+        if constexpr (CD_WITH_HULL) {
+            load_hulls(w, work.hulls, first);
+            sweep(a);
+            feel_water(w, work.hulls, a, w.method == CD_METHOD_IMPLICIT ? w.lambda : 0.5, dt);
+        }
     }
 
     void sweep(Axis a) {
@@ -143,6 +165,7 @@ template <class T> struct Stepper {
         lines.depth = numbers<T>(w.depth), lines.bed = numbers<T>(w.bed), lines.velocity = numbers<T>(w.velocity[a]);
         lines.pressure = numbers<T>(w.pressure), lines.force = numbers<T>(w.force[a]);
         lines.pressure_share = dt / (w.density * w.size[a]);
+        lines.load = work.hulls.load, lines.stiff = work.hulls.stiff;
         lines.mask = w.mask.data, lines.wall = w.wall[a].data;
         lines.moved = reinterpret_cast<T*>(work.moved);
         lines.tally = work.tally;

@@ -1,6 +1,7 @@
 /* Numbers that are no numbers, out of range, or none of an enumeration's: every argument of water.h that is passed by
  * value or as an array of numbers, but for the fields (test_water_bad_fields.c). */
 #include <math.h>
+#include <string.h>
 
 #include "check.h"
 #include "heap.h"
@@ -16,6 +17,8 @@ static cd_water* w;
 static int set_up(void** state) {
     (void)state;
     w = pool_of(POOL_EVERYTHING, NX, NY, CD_FLOAT32, 2);
+    ok(cd_water_set_hulls(w, 2, 2, 1));
+    ok(cd_water_set_hull(w, 0, 100, 1, 1, NULL, 0));
     return 0;
 }
 
@@ -253,6 +256,113 @@ static void no_rectangle_of_cells_beyond_the_end_is_taken(void** state) {
     }
 }
 
+#define refuses_index(call) refuses(w, call, CD_ERROR_RANGE, "index|2")
+#define refuses_counts(call, ...)                                                                   \
+    for (size_t i_ = 0; i_ < 3; ++i_) {                                                              \
+        const size_t bad = (const size_t[]){0, 5, SIZE_MAX}[i_];                                     \
+        refuses(w, call(w, 0, __VA_ARGS__, bad), CD_ERROR_RANGE, name_and_size("count", bad));       \
+    }
+/* Of an array: each number in turn. */
+#define refuses_in(call, from, size, argument, table)                                                \
+    for (size_t i_ = 0; i_ < COUNT(table); ++i_)                                                     \
+        for (size_t k_ = 0; k_ < (size); ++k_) {                                                     \
+            double values[8];                                                                        \
+            memcpy(values, from, sizeof values);                                                     \
+            values[k_] = (table)[i_].value;                                                          \
+            refuses(w, call(w, 0, values, size), CD_ERROR_VALUE, text_of("%s|[%zu]|%s", argument, k_, (table)[i_].shown)); \
+        }
+
+static void no_hull_is_made_of_what_is_no_number(void** state) {
+    (void)state;
+    double* const n = out.number;
+    static const double good[8] = {1, 1, 0.5, 1, 0, 0.1, 0};
+    static const struct bad_number no_mass[] = {{1e-13, "1e-13"}, {1.0625e15, "1.0625e+15"}};
+    static const struct bad_number no_length[] = {{256.5, "256.5"}, {1e300, "1e+300"}};
+    static const struct bad_number no_height[] = {{-0.5, "-0.5"}, {-2, "-2"}, {1e61, "1e+61"}};
+    static const struct bad_number no_place[] = {{-0.125, "-0.125"}, {4.5, "4.5"}};
+    static const struct bad_number no_drag[] = {{1.0625e30, "1.0625e+30"}, {1e300, "1e+300"}};
+    static const size_t no_plates[] = {0, 257, SIZE_MAX};
+    refuses(w, cd_water_set_hulls(w, 4097, 1, 1), CD_ERROR_VALUE, "count|4097");
+    refuses(w, cd_water_set_hulls(w, SIZE_MAX, 1, 1), CD_ERROR_VALUE, name_and_size("count", SIZE_MAX));
+    for (size_t i = 0; i < COUNT(no_plates); ++i) {
+        refuses(w, cd_water_set_hulls(w, 1, no_plates[i], 1), CD_ERROR_VALUE, name_and_size("n_along", no_plates[i]));
+        refuses(w, cd_water_set_hulls(w, 1, 1, no_plates[i]), CD_ERROR_VALUE, name_and_size("n_across", no_plates[i]));
+    }
+    refuses_each(w, cd_water_set_hull(w, 0, bad, 1, 1, NULL, 0), "mass", not_finite);
+    refuses_each(w, cd_water_set_hull(w, 0, bad, 1, 1, NULL, 0), "mass", no_mass);
+    refuses_each(w, cd_water_set_hull(w, 0, 1, bad, 1, NULL, 0), "length", not_finite);
+    refuses_each(w, cd_water_set_hull(w, 0, 1, bad, 1, NULL, 0), "length", not_positive);
+    refuses_each(w, cd_water_set_hull(w, 0, 1, bad, 1, NULL, 0), "length", no_length);
+    refuses_each(w, cd_water_set_hull(w, 0, 1, 1, bad, NULL, 0), "width", not_finite);
+    refuses_each(w, cd_water_set_hull(w, 0, 1, 1, bad, NULL, 0), "width", not_positive);
+    refuses_each(w, cd_water_set_hull(w, 0, 1, 1, bad, NULL, 0), "width", no_length);
+    refuses_each(w, cd_water_set_hull(w, 0, 1, 1, 1, (const double[]){0, bad}, 2), "heights", not_finite);
+    refuses_each(w, cd_water_set_hull(w, 0, 1, 1, 1, (const double[]){bad, 0}, 2), "heights", no_height);
+    refuses(w, cd_water_set_hull(w, 0, 1, 1, 1, (const double[]){-1, -1}, 2), CD_ERROR_VALUE, "heights");
+    refuses_counts(cd_water_set_hull, 1, 1, 1, good);
+    refuses_counts(cd_water_get_hull, n, n + 1, n + 2, n + 3, n + 4);
+    refuses_each(w, cd_water_set_disc(w, 0, bad, 1), "mass", not_finite);
+    refuses_each(w, cd_water_set_disc(w, 0, bad, 1), "mass", no_mass);
+    refuses_each(w, cd_water_set_disc(w, 0, 1, bad), "radius", not_finite);
+    refuses_each(w, cd_water_set_disc(w, 0, 1, bad), "radius", not_positive);
+    refuses_each(w, cd_water_set_disc(w, 0, 1, bad), "radius", no_length);
+    refuses_each(w, cd_water_launch_hull(w, 0, bad, 1, 1, 0), "x", not_finite);
+    refuses_each(w, cd_water_launch_hull(w, 0, bad, 1, 1, 0), "x", no_place);
+    refuses_each(w, cd_water_launch_hull(w, 0, 1, bad, 1, 0), "y", not_finite);
+    refuses_each(w, cd_water_launch_hull(w, 0, 1, bad, 1, 0), "y", no_place);
+    refuses_each(w, cd_water_launch_hull(w, 0, 1, 1, bad, 0), "ahead_x", not_finite);
+    refuses_each(w, cd_water_launch_hull(w, 0, 1, 1, 0, bad), "ahead_y", not_finite);
+    refuses(w, cd_water_launch_hull(w, 0, 1, 1, 0, 0), CD_ERROR_VALUE, "ahead_x|0");
+    refuses(w, cd_water_launch_hull(w, 1, 1, 1, 1, 0), CD_ERROR_DISABLED, "hull 1");
+    refuses_in(cd_water_set_hull_pose, good, 7, "pose", not_finite);
+    for (size_t i = 0; i < COUNT(no_place); ++i) {
+        const double x = no_place[i].value;
+        refuses(w, cd_water_set_hull_pose(w, 0, (const double[]){x, 1, 0, 1, 0, 0, 0}, 7), CD_ERROR_VALUE, "pose|[0]");
+        refuses(w, cd_water_set_hull_pose(w, 0, (const double[]){1, x, 0, 1, 0, 0, 0}, 7), CD_ERROR_VALUE, "pose|[1]");
+    }
+    refuses(w, cd_water_set_hull_pose(w, 0, (const double[]){1, 1, 0, 0, 0, 0, 0}, 7), CD_ERROR_VALUE, "pose|direction");
+    refuses_in(cd_water_set_hull_velocity, good, 6, "velocity", not_finite);
+    refuses_in(cd_water_set_hull_force, good, 6, "force", not_finite);
+    refuses_in(cd_water_set_hull_force, good, 6, "force", no_drag);
+    refuses_counts(cd_water_set_hull_pose, good);
+    refuses_counts(cd_water_get_hull_pose, n);
+    refuses_counts(cd_water_get_hull_floor, n);
+    refuses_counts(cd_water_set_hull_velocity, good);
+    refuses_counts(cd_water_get_hull_velocity, n);
+    refuses_counts(cd_water_set_hull_force, good);
+    refuses_counts(cd_water_get_hull_force, n);
+    refuses_counts(cd_water_get_hull_load, n);
+    refuses_each(w, cd_water_set_hull_drag(w, 0, bad, 1, 1), "along", not_finite);
+    refuses_each(w, cd_water_set_hull_drag(w, 0, bad, 1, 1), "along", negative);
+    refuses_each(w, cd_water_set_hull_drag(w, 0, 1, bad, 1), "across", not_finite);
+    refuses_each(w, cd_water_set_hull_drag(w, 0, 1, bad, 1), "across", no_drag);
+    refuses_each(w, cd_water_set_hull_drag(w, 0, 1, 1, bad), "friction", not_finite);
+    refuses_each(w, cd_water_set_hull_drag(w, 0, 1, 1, bad), "friction", negative);
+    refuses(w, cd_water_sample_heads(w, (const double[]){1, NAN}, 1, n), CD_ERROR_VALUE, "at|[1]|nan");
+    refuses(w, cd_water_sample_heads(w, good, SIZE_MAX, n), CD_ERROR_RANGE, name_and_size("n", SIZE_MAX));
+}
+
+static void no_hull_is_found_beyond_the_last(void** state) {
+    (void)state;
+    double* const n = out.number;
+    static const double good[8] = {1, 1, 0.5, 1, 0, 0.1, 0};
+    refuses_index(cd_water_set_hull(w, 2, 1, 1, 1, NULL, 0));
+    refuses_index(cd_water_set_disc(w, 2, 1, 1));
+    refuses_index(cd_water_get_hull(w, 2, n, n, n, n, n, 2));
+    refuses_index(cd_water_remove_hull(w, 2));
+    refuses_index(cd_water_launch_hull(w, 2, 1, 1, 1, 0));
+    refuses_index(cd_water_set_hull_pose(w, 2, good, 7));
+    refuses_index(cd_water_get_hull_pose(w, 2, n, 7));
+    refuses_index(cd_water_get_hull_floor(w, 2, n, 7));
+    refuses_index(cd_water_set_hull_velocity(w, 2, good, 6));
+    refuses_index(cd_water_get_hull_velocity(w, 2, n, 6));
+    refuses_index(cd_water_set_hull_force(w, 2, good, 6));
+    refuses_index(cd_water_get_hull_force(w, 2, n, 6));
+    refuses_index(cd_water_set_hull_drag(w, 2, 1, 1, 1));
+    refuses_index(cd_water_get_hull_drag(w, 2, n, n, n));
+    refuses_index(cd_water_get_hull_load(w, 2, n, 6));
+}
+
 /* Any count of steps is good; the sizes of save and load are tried in test_water_keep.c, drawing's arguments in
  * test_water_bad_draw.c. */
 static const char* const elsewhere[] = {
@@ -288,6 +398,8 @@ int main(void) {
         cmocka_unit_test(no_number_is_taken_for_an_enumerator),
         cmocka_unit_test(no_shape_is_made_that_cannot_be),
         cmocka_unit_test(no_rectangle_of_cells_beyond_the_end_is_taken),
+        cmocka_unit_test(no_hull_is_made_of_what_is_no_number),
+        cmocka_unit_test(no_hull_is_found_beyond_the_last),
         cmocka_unit_test(every_number_in_the_header_was_tried),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

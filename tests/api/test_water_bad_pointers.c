@@ -17,6 +17,8 @@ static int set_up(void** state) {
     (void)state;
     const cd_allocator allocator = heap_allocator(&heap);
     water = pool_of(POOL_EVERYTHING, NX, NY, CD_FLOAT64, 3);
+    ok(cd_water_set_hulls(water, 1, 2, 1));
+    ok(cd_water_set_hull(water, 0, 100, 1, 1, NULL, 0));
     dead = pool_from(&allocator, NX, NY, CD_FLOAT64);
     cd_water_destroy(dead);
     return 0;
@@ -93,6 +95,25 @@ static void only_a_living_water_is_taken_for_one(void** state) {
     refuses_handles(cd_water_get_courant, 0.1, n);
     refuses_handles(cd_water_sample, numbers, 1, &n[0], &n[1], &n[2], &n[5]);
     refuses_handles(cd_water_get_memory, out.size);
+    refuses_handles(cd_water_set_hulls, 2, 2, 1);
+    refuses_handles(cd_water_get_hulls, &out.size[0], &out.size[1], &out.size[2]);
+    refuses_handles(cd_water_set_hull, 0, 1, 1, 1, numbers, 2);
+    refuses_handles(cd_water_set_disc, 0, 1, 1);
+    refuses_handles(cd_water_get_hull, 0, &n[0], &n[1], &n[2], &n[3], &n[4], 2);
+    refuses_handles(cd_water_remove_hull, 0);
+    refuses_handles(cd_water_launch_hull, 0, 1, 1, 1, 0);
+    refuses_handles(cd_water_set_hull_pose, 0, numbers, 7);
+    refuses_handles(cd_water_get_hull_pose, 0, n, 7);
+    refuses_handles(cd_water_set_hull_velocity, 0, numbers, 6);
+    refuses_handles(cd_water_get_hull_velocity, 0, n, 6);
+    refuses_handles(cd_water_get_hull_floor, 0, n, 7);
+    refuses_handles(cd_water_set_hull_force, 0, numbers, 6);
+    refuses_handles(cd_water_get_hull_force, 0, n, 6);
+    refuses_handles(cd_water_set_hull_drag, 0, 1, 1, 1);
+    refuses_handles(cd_water_get_hull_drag, 0, &n[0], &n[1], &n[2]);
+    refuses_handles(cd_water_get_hull_load, 0, n, 6);
+    refuses_handles(cd_water_get_hull_energy, &n[0], &n[1]);
+    refuses_handles(cd_water_sample_heads, numbers, 1, n);
     refuses_handles(cd_water_hash, &out.u64);
     refuses_handles(cd_water_save_size, out.size);
     refuses_handles(cd_water_save, out.bytes, sizeof out.bytes, out.size);
@@ -165,6 +186,20 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(w, cd_water_sample(w, NULL, 1, &out.number[0], &out.number[1], &out.number[2], &out.number[5]),
             CD_ERROR_NULL, "at");
     refuses(w, cd_water_get_memory(w, NULL), CD_ERROR_NULL, "out_bytes");
+    double* const n = out.number;
+    refuses(w, cd_water_set_hull_pose(w, 0, NULL, 7), CD_ERROR_NULL, "pose");
+    refuses(w, cd_water_get_hull_pose(w, 0, NULL, 7), CD_ERROR_NULL, "out_pose");
+    refuses(w, cd_water_set_hull_velocity(w, 0, NULL, 6), CD_ERROR_NULL, "velocity");
+    refuses(w, cd_water_get_hull_velocity(w, 0, NULL, 6), CD_ERROR_NULL, "out_velocity");
+    refuses(w, cd_water_get_hull_floor(w, 0, NULL, 7), CD_ERROR_NULL, "out_pose");
+    refuses(w, cd_water_set_hull_force(w, 0, NULL, 6), CD_ERROR_NULL, "force");
+    refuses(w, cd_water_get_hull_force(w, 0, NULL, 6), CD_ERROR_NULL, "out_force");
+    refuses(w, cd_water_get_hull_drag(w, 0, NULL, n, n), CD_ERROR_NULL, "out_along");
+    refuses(w, cd_water_get_hull_drag(w, 0, n, NULL, n), CD_ERROR_NULL, "out_across");
+    refuses(w, cd_water_get_hull_drag(w, 0, n, n, NULL), CD_ERROR_NULL, "out_friction");
+    refuses(w, cd_water_get_hull_load(w, 0, NULL, 6), CD_ERROR_NULL, "out_load");
+    refuses(w, cd_water_sample_heads(w, NULL, 1, n), CD_ERROR_NULL, "at");
+    refuses(w, cd_water_sample_heads(w, numbers, 1, NULL), CD_ERROR_NULL, "out_heads");
     refuses(w, cd_water_hash(w, NULL), CD_ERROR_NULL, "out_hash");
     refuses(w, cd_water_save_size(w, NULL), CD_ERROR_NULL, "out_size");
     static unsigned char buffer[1 << 16];
@@ -196,6 +231,17 @@ static const char* const nullable[] = {
     "cd_water_get_account out_error",
     "cd_water_get_energy out_kinetic",
     "cd_water_get_energy out_potential",
+    "cd_water_get_hulls out_count",
+    "cd_water_get_hulls out_n_along",
+    "cd_water_get_hulls out_n_across",
+    "cd_water_set_hull heights",
+    "cd_water_get_hull out_mass",
+    "cd_water_get_hull out_length",
+    "cd_water_get_hull out_width",
+    "cd_water_get_hull out_area",
+    "cd_water_get_hull out_heights",
+    "cd_water_get_hull_energy out_kinetic",
+    "cd_water_get_hull_energy out_potential",
     "cd_water_sample out_surface",
     "cd_water_sample out_depth",
     "cd_water_sample out_normal",
@@ -222,6 +268,12 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     ok(cd_water_get_energy(other, NULL, NULL));
     ok(cd_water_sample(other, at, 1, NULL, NULL, NULL, NULL));
     ok(cd_water_sample(other, NULL, 0, NULL, NULL, NULL, NULL));
+    ok(cd_water_sample_heads(other, NULL, 0, NULL));
+    ok(cd_water_get_hulls(other, NULL, NULL, NULL));
+    ok(cd_water_get_hull_energy(other, NULL, NULL));
+    ok(cd_water_set_hulls(other, 1, 1, 1));
+    ok(cd_water_set_hull(other, 0, 1, 1, 1, NULL, 7));
+    ok(cd_water_get_hull(other, 0, NULL, NULL, NULL, NULL, NULL, 7));
     ok(cd_water_write_f64(other, CD_DEPTH, 0, 0, 0, 1, NULL, 0));
     ok(cd_water_read_f32(other, CD_DEPTH, 1, 1, 0, 0, NULL, 0));
     ok(cd_water_write_indices(other, 0, NULL, 0, 4));

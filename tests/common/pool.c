@@ -245,6 +245,37 @@ void pool_everything_long(cd_water* water) {
     ok(cd_water_set_first(water, 1));
 }
 
+/* Three hulls, a disc, a flat one and one with a bow, one of which lies on what is dry; the first is driven. */
+static void float_hulls(cd_water* water) {
+    const struct pool_extent all = pool_extent(water, CD_DEPTH);
+    const double length = (double)all.columns * POOL_DX, width = (double)all.rows * POOL_DY;
+    static const double heights[8] = {0, 0, 0.125, -1, 0.0625, 0, 0.125, 0.25};
+    ok(cd_water_set_hulls(water, 3, 4, 2));
+    ok(cd_water_set_hull(water, 0, 150, 1.5, 1, heights, 8));
+    ok(cd_water_set_disc(water, 1, 40, 0.75));
+    ok(cd_water_set_hull(water, 2, 2000, 2, 0.75, NULL, 0));
+    ok(cd_water_set_hull_drag(water, 0, 20, 200, 0.25));
+    ok(cd_water_set_hull_drag(water, 2, 0, 500, 0.5));
+    ok(cd_water_launch_hull(water, 0, length / 2, width / 2, 1, 1));
+    ok(cd_water_launch_hull(water, 1, length / 4, width / 3, 1, 0));
+    ok(cd_water_launch_hull(water, 2, length / 3, width / 4, 0, -1));
+    ok(cd_water_set_hull_force(water, 0, (const double[6]){100, 0, 0, 10, 0, 0}, 6));
+    ok(cd_water_set_hull_velocity(water, 1, (const double[6]){0.5, -0.25, 0.125, 0.5, 0.25, -0.125}, 6));
+}
+
+void pool_hulls(cd_water* water) {
+    beach(water, 0.7, 30);
+    stir(water, 0.2, 31);
+    float_hulls(water);
+}
+
+void pool_hulls_long(cd_water* water) {
+    ok(cd_water_set_side(water, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+    ok(cd_water_set_momentum(water, CD_MOMENTUM_ADVECTED));
+    dam(water, 0.6);
+    float_hulls(water);
+}
+
 const struct pool_scene pools[POOLS] = {
     {"beach", pool_beach, 0.1},
     {"dam", pool_dam, 0.05},
@@ -259,6 +290,8 @@ const struct pool_scene pools[POOLS] = {
     {"fed", pool_fed, 0.05},
     {"everything", pool_everything, 0.05},
     {"everything, long steps", pool_everything_long, 0.5},
+    {"hulls", pool_hulls, 0.05},
+    {"hulls, long steps", pool_hulls_long, 0.5},
 };
 
 cd_water* pool_of(size_t scene, size_t nx, size_t ny, cd_precision precision, size_t steps) {

@@ -59,13 +59,15 @@ pool_build pool_masked;          /* linear, periodic along y, islands and walls 
 pool_build pool_fed;             /* advected, sources and drains, pressure, wind */
 pool_build pool_everything;      /* every field and parameter at once */
 pool_build pool_everything_long; /* the same in long steps, periodic along x */
+pool_build pool_hulls;           /* linear, hulls on a beach and in a current */
+pool_build pool_hulls_long;      /* advected, periodic along x, driven hulls in long steps */
 
 struct pool_scene {
     const char* name;
     pool_build* build;
     double dt;
 };
-enum { POOLS = 13, POOL_TIDE = 6, POOL_TORUS = 8, POOL_EVERYTHING = 11 };
+enum { POOLS = 15, POOL_TIDE = 6, POOL_TORUS = 8, POOL_EVERYTHING = 11 };
 extern const struct pool_scene pools[POOLS];
 
 /* A pool of a scene, after some steps. */

@@ -64,3 +64,13 @@
 {12, 17, 1, {0xd972a3fe216a4de6, 0x98d9b174d0106581}}, /* everything, long steps */
 {12, 16, 7, {0xc626e1949ce767e7, 0xea33ad104585e052}}, /* everything, long steps */
 {12, 2, 16, {0xabb0ab4281074977, 0xfa9f8907a8278d83}}, /* everything, long steps */
+{13, 13, 9, {0xb935abd7caf9742d, 0xb817aae5af7e200a}}, /* hulls */
+{13, 1, 17, {0xe36ffacbc92bacf9, 0x521d744a66e742d9}}, /* hulls */
+{13, 17, 1, {0xeea1b2f220d520c8, 0x8373c421dd73ae3a}}, /* hulls */
+{13, 16, 7, {0xbd8848615e801477, 0xe1d449cc0a34eb9e}}, /* hulls */
+{13, 2, 16, {0xa0e8aa1a0d3cad81, 0xdbeeb450cb0910b2}}, /* hulls */
+{14, 13, 9, {0x0c1d229bb5966e5a, 0x60c0e78b528802de}}, /* hulls, long steps */
+{14, 1, 17, {0xd1d4d9ef7cb460f6, 0x8e2038560f7dbaca}}, /* hulls, long steps */
+{14, 17, 1, {0x424afc26ca842200, 0x1ff694ad10146b8f}}, /* hulls, long steps */
+{14, 16, 7, {0xd4466cfd34ae6e2b, 0xf4b6a586c911fe61}}, /* hulls, long steps */
+{14, 2, 16, {0x6c8e5d2dedf6e3ca, 0xc2f10950d8f9408c}}, /* hulls, long steps */

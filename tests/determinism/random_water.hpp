@@ -61,6 +61,7 @@ struct WaterScene {
     }
     void act(Handle* water, Random& random, Returned& returned) const;
     void act_on_a_place(Handle* water, Random& random, Returned& returned) const;
+    void float_hulls(Handle* water, Random& random, Returned& returned) const;
     void write_optional(Handle* water, cd_field field, Random& random, Returned& returned) const;
 
     // Implicit steps in which waves cross from a hundredth of a cell to thousands of them; steps of which some may grow
@@ -121,11 +122,34 @@ inline void WaterScene::act_on_a_place(Handle* water, Random& random, Returned& 
     returned += added;
 }
 
+inline void WaterScene::float_hulls(Handle* water, Random& random, Returned& returned) const {
+    size_t count = 0;
+    cd_water_get_hulls(water, &count, nullptr, nullptr);
+    if (count == 0 || random.chance(0.2)) count = random.below(3), returned += cd_water_set_hulls(water, count, 3, 2);
+    if (count == 0) return;
+    const size_t index = random.below(count);
+    const double length_x = double(columns) * dx, length_y = double(rows) * dy;
+    const double length = fmin(length_x, length_y) * random.uniform(0.1, 0.6), width = length * random.uniform(0.2, 1);
+    const double mass = 1000 * length * width * depth * random.decades(-3, 0);
+    double out[7] = {};
+    returned += cd_water_set_hull(water, index, mass, length, width, nullptr, 0);
+    returned += cd_water_set_hull_drag(water, index, mass * random.uniform(0, 1), mass, 0.3);
+    returned += cd_water_launch_hull(water, index, random.uniform(0, length_x), random.uniform(0, length_y), 1,
+                                     random.uniform(-1, 1));
+    const double force[6] = {mass * random.uniform(-1, 1), 0, 0, 0, 0, 0};
+    returned += cd_water_set_hull_force(water, index, force, 6);
+    returned += cd_water_get_hull_floor(water, index, out, 7);
+    for (double number : out) returned += number;
+}
+
 inline void WaterScene::act(Handle* water, Random& random, Returned& returned) const {
     static const cd_field optional[] = {CD_MASK, CD_WALL_X, CD_WALL_Y, CD_SOURCE, CD_PRESSURE, CD_FORCE_X, CD_FORCE_Y};
     const cd_field field = optional[random.below(7)];
     const double speed = sqrt(9.81 * depth) * random.any_of({0.1, 1, 3});
-    switch (random.below(20)) {
+    switch (random.below(23)) {
+    case 20:
+    case 21:
+    case 22: return float_hulls(water, random, returned);
     case 0: return write_bed(water, random, returned);
     case 1: return write_depth(water, random, returned);
     case 2:

@@ -58,6 +58,11 @@ private:
     void splash();
     void impulse();
     void restart_account();
+    void set_hulls();
+    void set_hull();
+    void place_hull();
+    void drive_hull();
+    void get_hull();
 
     // In water_reads.cpp.
     void get_measures();

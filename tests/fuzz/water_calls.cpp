@@ -7,7 +7,12 @@
 namespace fuzz {
 
 void Water::act_by_kind() {
-    switch (below(24)) {
+    switch (below(29)) {
+    case 24: set_hulls(); break;
+    case 25: set_hull(); break;
+    case 26: place_hull(); break;
+    case 27: drive_hull(); break;
+    case 28: get_hull(); break;
     case 0:
         set_number("set_gravity", cd_water_set_gravity,
                    chance(0.1)   ? 0

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# left_out.sh PART: builds contdyn without PART (CHAIN, ROPE, MEMBRANE, CLOTH, WATER, FLOAT32 or FLOAT64) and fails
-# unless its code is gone and asking for what was left out is refused. Not optimised, which takes a third of the time.
+# left_out.sh PART: builds contdyn without PART (CHAIN, ROPE, MEMBRANE, CLOTH, WATER, HULL, FLOAT32 or FLOAT64) and
+# fails unless its code is gone and asking for what was left out is refused. Not optimised, which takes a third of the
+# time.
 . "$(dirname "$0")/common.sh"
 
 part=$1
@@ -52,6 +53,23 @@ int main(void) {
     if (cd_membrane_get_rest_length(membrane, &along_u, &along_v) || along_u != 0 || along_v != 0) return 4;
     if (cd_membrane_set_shear(membrane, 1) != CD_ERROR_UNSUPPORTED) return 5;
     return cd_membrane_step(membrane, 0.1, 2);
+}
+END
+    exit 0
+    ;;
+HULL)
+    dropped 'cd::[a-z]*_hulls(cd::Water[^)]*)'
+    returns_0 hull <<'END'
+#include <contdyn/contdyn.h>
+int main(void) {
+    cd_water* water = 0;
+    size_t count = 9;
+    if (cd_water_create(4, 4, 1, 1, CD_FLOAT64, 0, &water)) return 1;
+    if (cd_water_set_hulls(water, 1, 1, 1) != CD_ERROR_UNSUPPORTED) return 2;
+    if (cd_water_set_hulls(water, 0, 0, 0)) return 3;
+    if (cd_water_get_hulls(water, &count, 0, 0) || count != 0) return 4;
+    if (cd_water_remove_hull(water, 0) != CD_ERROR_RANGE) return 5;
+    return cd_water_step(water, 0.1, 2);
 }
 END
     exit 0

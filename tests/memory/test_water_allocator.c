@@ -37,6 +37,8 @@ static cd_status disable_source(cd_water* w) { return cd_water_disable_field(w, 
 static cd_status disable_mask(cd_water* w) { return cd_water_disable_field(w, CD_MASK); }
 static cd_status add_source(cd_water* w) { return cd_water_add_source(w, 1, 1, 1, 0.125); }
 static cd_status add_sources(cd_water* w) { return cd_water_add_source_rectangle(w, 1, 1, 3, 2, 0.125); }
+static cd_status hulls(cd_water* w) { return cd_water_set_hulls(w, 5, 8, 3); }
+static cd_status no_hulls(cd_water* w) { return cd_water_set_hulls(w, 0, 0, 0); }
 static cd_status load(cd_water* w) { return cd_water_load(w, bytes, size); }
 static cd_status copy(cd_water* w) { return cd_water_copy_state(w, source); }
 static cd_status step(cd_water* w) { return cd_water_step(w, 0.002, 3); }
@@ -70,6 +72,8 @@ static const struct call {
     {"disable mask", disable_mask, 0},
     {"add_source", add_source, 0},
     {"add_source_rectangle", add_sources, 0},
+    {"set_hulls", hulls, 0},
+    {"set_hulls none", no_hulls, 0},
     {"load", load, 0},
     {"copy_state", copy, 0},
     {"step", step, 1},

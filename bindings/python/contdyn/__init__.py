@@ -28,12 +28,13 @@ from .errors import (DisabledError, DivergedError, Error, FormatError, HandleErr
                      MismatchError, NullError, OutOfMemoryError, RangeError, SizeError, ToleranceError,
                      UnsupportedError)
 from .membrane import Effort, Membrane, MembraneShape, RestLength, Ring, Stiffness
-from .water import (Account, Limited, Sample, SideState, Water, WaterEnergy, WaterShape, WaterVertices)
+from .water import (Account, Hull, HullDrag, HullPose, Hulls, HullWays, Limited, Sample, SideState, Water,
+                    WaterEnergy, WaterShape, WaterVertices)
 
 __all__ = [
     "Account", "Allocator", "Array", "Attachment", "BedRule", "Border", "Chain", "ChainShape", "Collider",
     "Convergence", "DisabledError", "DivergedError", "Edge", "Effort", "End", "Energy", "Error", "Field", "FormatError",
-    "HandleError", "InvalidEnumError", "InvalidValueError", "Kernels", "Limited", "MassRule", "Membrane",
+    "HandleError", "Hull", "HullDrag", "HullPose", "HullWays", "Hulls", "InvalidEnumError", "InvalidValueError", "Kernels", "Limited", "MassRule", "Membrane",
     "MembraneShape", "Method", "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Parallel",
     "Precision", "RangeError", "Resistance", "RestLength", "Ring", "Sample", "Shape", "Side", "SideState", "SizeError",
     "Solver", "Status", "Stiffness", "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices", "View",

@@ -1,11 +1,12 @@
 """Water: a height field of columns over a bed: pool, river, tide, flood."""
+from ctypes import byref, c_double
 from typing import Any, List, NamedTuple, Optional, Tuple
 
 from . import _arrays
 from ._api import BedRule, Border, Field, Momentum, Precision, Side
 from ._arrays import Array, Values
 from ._callbacks import Allocator
-from ._properties import Reading, Setting, State
+from ._properties import Reading, Setting, SettingOfSeveral, State
 from ._sheet import Sheet
 
 
@@ -78,6 +79,58 @@ class Sample(NamedTuple):
     normal: Array
     #: (n, 2), m/s
     velocity: Array
+
+
+class Hulls(NamedTuple):
+    """How many hulls a water has, and the plates of each."""
+
+    count: int
+    n_along: int
+    n_across: int
+
+
+class Hull(NamedTuple):
+    """What a hull is."""
+
+    #: kg; 0: there is none
+    mass: float
+    length: float
+    width: float
+    #: of its plates, m^2
+    area: float
+    #: (n_across, n_along), metres above the keel; -1 where there is none
+    heights: Array
+
+
+class HullPose(NamedTuple):
+    """Where a hull is: its middle, the keel's height, the bow's direction, the rise per metre ahead and to port."""
+
+    x: float
+    y: float
+    z: float
+    ahead_x: float
+    ahead_y: float
+    pitch: float
+    roll: float
+
+
+class HullWays(NamedTuple):
+    """Velocities or forces of a hull: three along axes, three round them."""
+
+    x: float
+    y: float
+    z: float
+    yaw: float
+    pitch: float
+    roll: float
+
+
+class HullDrag(NamedTuple):
+    """Against the water [N s/m], and on the bed."""
+
+    along: float
+    across: float
+    friction: float
 
 
 class Water(Sheet, kind="water"):
@@ -194,6 +247,106 @@ class Water(Sheet, kind="water"):
     def impulse(self, x: float, y: float, radius: float, impulse_x: float, impulse_y: float) -> None:
         """Adds an impulse [N s] over a disc."""
         self._call("impulse", x, y, radius, impulse_x, impulse_y)
+
+    # ---- what floats on it ------------------------------------------------------------------------------------------
+    # Hulls are numbered from 0; their floors are n_along x n_across plates.
+
+    hulls = SettingOfSeveral(Hulls, "How many hulls there are, and the plates of each: (count, n_along, n_across).")
+    hull_energy = Reading(WaterEnergy, "Energies of all hulls [J]: (kinetic, potential).")
+
+    def set_hull(self, index: int, mass: float, length: float, width: float, heights: Optional[Values] = None) -> None:
+        """Makes a hull: mass [kg], length and width [m], heights of its plates above the keel; None: a flat floor.
+
+        heights: shape (n_across, n_along) or all in a row; -1 where there is no plate.
+        """
+        if heights is None:
+            self._call("set_hull", index, mass, length, width, None, 0)
+        else:
+            _, along, across = self.hulls
+            floor = _arrays.dense(heights, (across, along), Precision.FLOAT64)
+            self._call("set_hull", index, mass, length, width, floor.address, floor.length)
+
+    def set_disc(self, index: int, mass: float, radius: float) -> None:
+        """Makes a hull with a flat round floor."""
+        self._call("set_disc", index, mass, radius)
+
+    def get_hull(self, index: int) -> Hull:
+        """What a hull is: mass (0: none), length, width, area of its plates, and their heights."""
+        _, along, across = self.hulls
+        heights = _arrays.empty((across, along), "d")
+        numbers = [c_double() for _ in range(4)]
+        self._call("get_hull", index, *(byref(number) for number in numbers),
+                   _arrays.target(heights, along * across).address, along * across)
+        mass, length, width, area = (number.value for number in numbers)
+        return Hull(mass, length, width, area, heights)
+
+    def remove_hull(self, index: int) -> None:
+        """Takes a hull away."""
+        self._call("remove_hull", index)
+
+    def launch_hull(self, index: int, x: float, y: float, ahead_x: float = 1.0, ahead_y: float = 0.0) -> None:
+        """Lays a hull on the water at (x, y), its bow towards (ahead_x, ahead_y), at rest."""
+        self._call("launch_hull", index, x, y, ahead_x, ahead_y)
+
+    def _set_hull(self, name: str, index: int, values: Values) -> None:
+        numbers = _arrays.row(values)
+        self._call(name, index, numbers.address, numbers.length)
+
+    def _of_hull(self, name: str, index: int, count: int) -> List[float]:
+        numbers = (c_double * count)()
+        self._call(name, index, numbers, count)
+        return list(numbers)
+
+    def set_hull_pose(self, index: int, pose: Values) -> None:
+        """A hull's pose: (x, y, z, ahead_x, ahead_y, pitch, roll)."""
+        self._set_hull("set_hull_pose", index, pose)
+
+    def get_hull_pose(self, index: int) -> HullPose:
+        """The pose of a hull's body."""
+        return HullPose(*self._of_hull("get_hull_pose", index, 7))
+
+    def get_hull_floor(self, index: int) -> HullPose:
+        """The pose in which a hull's floor lies on the water, to be drawn."""
+        return HullPose(*self._of_hull("get_hull_floor", index, 7))
+
+    def set_hull_velocity(self, index: int, velocity: Values) -> None:
+        """A hull's velocity: along x, y, z [m/s], of yaw, pitch, roll [1/s]."""
+        self._set_hull("set_hull_velocity", index, velocity)
+
+    def get_hull_velocity(self, index: int) -> HullWays:
+        """A hull's velocity."""
+        return HullWays(*self._of_hull("get_hull_velocity", index, 6))
+
+    def set_hull_force(self, index: int, force: Values) -> None:
+        """What acts from outside until it is set anew: forces ahead, to port, up [N]; moments of yaw, pitch, roll."""
+        self._set_hull("set_hull_force", index, force)
+
+    def get_hull_force(self, index: int) -> HullWays:
+        """What acts on a hull from outside."""
+        return HullWays(*self._of_hull("get_hull_force", index, 6))
+
+    def set_hull_drag(self, index: int, along: float, across: float, friction: float = 0.0) -> None:
+        """Drag against the water along a hull and across it [N s/m], and friction on the bed."""
+        self._call("set_hull_drag", index, along, across, friction)
+
+    def get_hull_drag(self, index: int) -> HullDrag:
+        """Drag along and across, and friction."""
+        return HullDrag(*self._get("get_hull_drag", index))
+
+    def get_hull_load(self, index: int) -> HullWays:
+        """What water and bed did to a hull in the last step: along x, y, z [N]; yaw, pitch, roll [N m]."""
+        return HullWays(*self._of_hull("get_hull_load", index, 6))
+
+    def sample_heads(self, at: Values) -> Array:
+        """How high [m] the water would stand at n places with no hull pressing on it: shape (n,).
+
+        at: shape (n, 2), places (x, y) [m].
+        """
+        places = _arrays.pairs(at)
+        n = places.length // 2
+        heads: Array = _arrays.empty((n,), "d")
+        self._call("sample_heads", places.address, n, _arrays.target(heads, n).address)
+        return heads
 
     # ---- measuring --------------------------------------------------------------------------------------------------
 

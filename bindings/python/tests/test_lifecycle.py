@@ -17,6 +17,11 @@ ARGUMENTS = {
     "add_source": (0, 0, 1, 1), "add_source_rectangle": (0, 0, 1, 1, 1), "splash": (0, 0, 1, 1), "load": (b"",),
     "set_plane": (0, [0] * 3, [0] * 3), "set_capsule": (0, [0] * 3, [0] * 3, 1), "remove_collider": (0,),
     "get_collider": (0,), "set_collider_velocity": (0, [0] * 3),
+    "set_hull": (0, 1, 1, 1), "set_disc": (0, 1, 0.5), "get_hull": (0,), "remove_hull": (0,), "launch_hull": (0, 0, 0),
+    "set_hull_pose": (0, [0, 0, 0, 1, 0, 0, 0]), "get_hull_pose": (0,), "get_hull_floor": (0,),
+    "set_hull_velocity": (0, [0] * 6), "get_hull_velocity": (0,), "set_hull_force": (0, [0] * 6),
+    "get_hull_force": (0,), "set_hull_drag": (0, 1, 1), "get_hull_drag": (0,), "get_hull_load": (0,),
+    "sample_heads": ([0, 0],),
 }
 ARGUMENTS_OF = {
     ("chain", "impulse"): (0, 0, [0] * 3), ("membrane", "impulse"): (0, 0, 0, [0] * 3),
@@ -48,7 +53,7 @@ def uses(kind_name):
             yield short, lambda made, name=name: getattr(made, name)
         elif plain.startswith("set_") and not hasattr(kind, plain):
             several = isinstance(getattr(kind, name), _properties.SettingOfSeveral)
-            value = (0, 0) if several else VALUES.get(name, 1)
+            value = (1, 1, 1) if name == "hulls" else (0, 0) if several else VALUES.get(name, 1)
             yield short, lambda made, name=name, value=value: setattr(made, name, value)
         elif short == "copy_state":
             yield short, lambda made, kind=kind: made.copy_state(make(kind))

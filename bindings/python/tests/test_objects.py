@@ -459,6 +459,32 @@ class Waters(unittest.TestCase):
             close(self, row, [0.5] * 6)
         self.assertAlmostEqual(water.account.went_out - water.account.came_in, 1.5)
 
+    def test_hulls(self) -> None:
+        water = self.water
+        water.hulls = 2, 2, 1
+        self.assertEqual(water.hulls, (2, 2, 1))
+        water.set_hull(0, 20, 1, 0.25, [[0, 0.125]])
+        water.set_disc(1, 5, 0.25)
+        self.assertEqual(water.get_hull(0).heights.tolist(), [[0, 0.125]])
+        self.assertAlmostEqual(water.get_hull(1).area, 0.19634954)
+        water.set_hull(0, 20, 1, 0.25)
+        water.launch_hull(0, 1.5, 0.5)
+        water.set_hull_drag(0, 1, 2, 0.5)
+        self.assertEqual(water.get_hull_drag(0), (1, 2, 0.5))
+        water.set_hull_force(0, (10, 0, 0, 0, 0, 0))
+        self.assertEqual(water.get_hull_force(0).x, 10)
+        water.set_hull_velocity(0, [0.25, 0, 0, 0, 0, 0])
+        water.step(0.01, 10)
+        self.assertGreater(water.get_hull_velocity(0).x, 0.2)
+        self.assertGreater(water.get_hull_pose(0).x, 1.5)
+        self.assertNotEqual(water.get_hull_floor(0).z, water.get_hull_pose(0).z)
+        self.assertGreater(water.get_hull_load(0).z, 0)
+        self.assertGreater(water.hull_energy.kinetic, 0)
+        self.assertAlmostEqual(water.sample_heads([(0.25, 0.5)]).tolist()[0], 0.5, delta=0.25)
+        water.set_hull_pose(0, water.get_hull_pose(0))
+        water.remove_hull(0)
+        self.assertEqual(water.get_hull(0).mass, 0)
+
     def test_momentum_sets_lambda(self):
         self.water.momentum = Momentum.ADVECTED
         self.assertEqual(self.water.lambda_, 0.5)

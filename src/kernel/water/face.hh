@@ -13,15 +13,20 @@ template <int N> struct CellLanes {
 };
 
 // How far the surface rises across the face as far as it pushes water: a dry bed pushes nothing, water pushes onto it.
-template <int N> inline Lanes<N> rise_between(const CellLanes<N>& l, const CellLanes<N>& r) {
+// rise: that of its surface, and of what presses there.
+template <int N> inline Lanes<N> rise_between(const CellLanes<N>& l, const CellLanes<N>& r, Lanes<N> rise) {
     using L = Lanes<N>;
-    const L rise = (r.bed - l.bed) + (r.depth - l.depth), none{};
+    const L none{};
     return select(rise, select(r.depth, rise, none), select(l.depth, rise, none));
 }
 
-// The same, had neither cell run dry.
+// That of the surface, had neither cell run dry.
 template <int N> inline Lanes<N> full_rise(const CellLanes<N>& l, const CellLanes<N>& r) {
     return (r.bed - l.bed) + (r.depth - l.depth);
+}
+
+template <int N> inline Lanes<N> rise_between(const CellLanes<N>& l, const CellLanes<N>& r) {
+    return rise_between(l, r, full_rise(l, r));
 }
 
 template <int N> inline Lanes<N> mean_depth(const CellLanes<N>& l, const CellLanes<N>& r) {

@@ -59,6 +59,11 @@ template <int N> struct StepKind {
         is_long = sweep.implicit ? square - L::splat(1) : L{};
         any_long = any_positive(is_long);
     }
+    // Lines in which squeezed > 0 are bound in their energy as in a long step.
+    void bind(Lanes<N> squeezed) {
+        is_long = larger(is_long, squeezed);
+        any_long = any_positive(is_long);
+    }
 };
 
 // The equation of a flux q: q = flux + left x_l - right x_r, x the changes of the cells beside it. And what becomes of
@@ -77,6 +82,7 @@ template <int N> struct WaterLine {
 
     Panel<N> bed{}, depth{}, velocity{};
     Panel<N> acceleration{}, opening{}; // of faces, opening 1 or 0; null: nothing pushes, all are open
+    Panel<N> load{}, stiff{};           // of cells: hulls press with a head of load + stiff depth; null: there are none
     Panel<N> flux{}, after{}, speed{};  // results: of cells `after`, of faces flux and velocity
     Panel<N> pull{}, push{}, spare[2] = {};
 
@@ -92,6 +98,21 @@ template <int N> struct WaterLine {
     size_t left(size_t face) const { return face > 0 ? face - 1 : n - 1; }
     Cell cell(size_t i) const { return {bed[i], depth[i]}; }
     Cell cell_after(size_t i) const { return {bed[i], after[i]}; }
+    bool pressed() const { return CD_WITH_HULL && load; }
+    // How far the surface rises across a face, and the head that hulls press with, of depths in a panel.
+    L full_rise_of(size_t i, const Panel<N>& of) const {
+        const size_t l = left(i);
+        const L rise = full_rise(Cell{bed[l], of[l]}, Cell{bed[i], of[i]});
+        return pressed() ? rise + ((load[i] - load[l]) + (stiff[i] * of[i] - stiff[l] * of[l])) : rise;
+    }
+    // As far as it pushes water.
+    L rise_of(size_t i, const Panel<N>& of) const {
+        return rise_between(Cell{bed[left(i)], of[left(i)]}, Cell{bed[i], of[i]}, full_rise_of(i, of));
+    }
+    // > 0 where a hull presses so hard that it may press the cell dry.
+    L squeezed_in(size_t i) const { return load[i] + (stiff[i] - L::splat(2)) * depth[i]; }
+    // The depth in which waves run as fast as in a cell.
+    L waves_in(size_t i) const { return pressed() ? depth[i] + stiff[i] * depth[i] : depth[i]; }
     L open(size_t face) const { return opening ? opening[face] : L::splat(1); }
     L gravity_run(const StepKind<N>& kind) const { return sweep.gravity * kind.courant; } // g c
     // Of inner faces. Where nothing acts on it, it is the same for all.

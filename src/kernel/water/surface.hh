@@ -33,7 +33,7 @@ template <int N> __attribute__((always_inline)) inline FaceLanes<N> WaterLine<N>
 
     // 1. push
     const L force = acceleration ? kind.share * acceleration[i] : none;
-    L rise = gc * (deep ? full_rise(l, r) : rise_between(l, r)), kept = u + force,
+    L rise = gc * (deep ? full_rise_of(i, depth) : rise_of(i, depth)), kept = u + force,
       answer = theta * gc; // of a rise after the step
     if (sweep.rubs()) {
         L z = sweep.drag * (sweep.dt * kind.share);
@@ -49,12 +49,12 @@ template <int N> __attribute__((always_inline)) inline FaceLanes<N> WaterLine<N>
     // 2. depth
     const L run = theta * kind.courant, speed = theta * w + (1 - theta) * u;
     const L cells = smaller(larger(kind.courant * u, L::splat(-1)), L::splat(1)); // no more than a cell's change
-    L depth = mean, k = theta * cells, half = 0.5 * k, advected = theta * stream;
+    L face_depth = mean, k = theta * cells, half = 0.5 * k, advected = theta * stream;
     if (!deep) {
         const L along = select(size_of(speed), speed, w), head = (0.5 / (sweep.gravity + 0x1p-1000)) * (along * along);
         const FaceDepth<N> face(l, r, along, kind.any_long ? &kind.is_long : nullptr, run, run * gc, head);
         const L uneven = size_of(face.depth - mean);
-        depth = face.depth;
+        face_depth = face.depth;
         k = select(face.closed, none, k);
         half = select(uneven, none, 0.5 * k);
         advected = select(uneven, none, advected);
@@ -62,11 +62,15 @@ template <int N> __attribute__((always_inline)) inline FaceLanes<N> WaterLine<N>
     }
 
     // 3. what the flux answers to
-    const L s = sweep.implicit ? run * (answer * depth) : none;
+    const L s = sweep.implicit ? run * (answer * face_depth) : none;
     const L of_right = !sweep.implicit ? select(k, half, k - half) : select(k, smaller(half, s), k - larger(half, -s));
-    L through = depth * speed;
+    L through = face_depth * speed;
     if (sweep.advected) through = through + advected;
-    const FaceLanes<N> out{kind.courant * through, (k - of_right) + s, s - of_right, kept - (1 - theta) * rise, answer};
+    const L of_left = k - of_right;
+    L s_left = s, s_right = s;
+    if (pressed()) s_left = s + s * stiff[left(i)], s_right = s + s * stiff[i]; // a hull's head answers too
+    const FaceLanes<N> out{kind.courant * through, of_left + s_left, s_right - of_right, kept - (1 - theta) * rise,
+                           answer};
     if (!opening) return out;
     const L is_open = opening[i];
     return {is_open * out.flux, is_open * out.left, is_open * out.right, is_open * out.base, is_open * out.push};

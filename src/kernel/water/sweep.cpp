@@ -17,6 +17,12 @@ template <int N> struct WaterStep {
     Panel<N> moved;
 };
 
+template <int N> Lanes<N> squeezed(const WaterLine<N>& line) {
+    Lanes<N> most{};
+    for (size_t i = 0; i < line.n; ++i) most = larger(line.squeezed_in(i), most);
+    return most;
+}
+
 // Depths and velocities after it are in the panels `after` and `speed`. all: for what went through faces in all parts.
 template <int N> __attribute__((noinline)) WaterStep<N> make_step(WaterLine<N>& line, Lanes<N> fastest,
                                                                   Lanes<N> deepest, Lanes<N> shallowest, Panel<N> all) {
@@ -33,13 +39,15 @@ template <int N> __attribute__((noinline)) WaterStep<N> make_step(WaterLine<N>& 
             for (size_t i = 0; i < n; ++i) {
                 const L d = settled(line.after[i], kDry);
                 line.depth.put(i, d);
-                deepest = larger(d, deepest), shallowest = smaller(d, shallowest);
+                deepest = larger(line.waves_in(i), deepest), shallowest = smaller(d, shallowest);
             }
             const Panel<N> velocity = line.velocity;
             line.velocity = line.speed, line.speed = velocity;
         }
         if (!all_positive(shallowest)) line.follow_water(goes_on);
-        line.step(StepKind<N>(sweep, parts, goes_on, deepest));
+        StepKind<N> kind(sweep, parts, goes_on, deepest);
+        if (line.pressed() && sweep.implicit) kind.bind(squeezed(line));
+        line.step(kind);
         if (most > 1) {
             for (size_t i = 0; i <= n; ++i) {
                 line.speed.put(i, select(goes_on, line.speed[i], line.velocity[i]));
@@ -78,7 +86,13 @@ template <class T> struct Sweep {
         fetch(p, n, lines.depth, line.depth, see_depth);
         fetch(p, n + 1, lines.velocity, line.velocity, [&](L u) { fastest = larger(size_of(u), fastest); });
 
-        const WaterStep<N> step = make_step(line, larger(fastest, coming_in(line)), deepest, shallowest, panel());
+        L waves = deepest;
+        if (CD_WITH_HULL && lines.load) {
+            fetch(p, n, lines.load, line.load = panel());
+            fetch(p, n, lines.stiff, line.stiff = panel());
+            for (size_t i = 0; i < n; ++i) waves = larger(line.waves_in(i), waves);
+        }
+        const WaterStep<N> step = make_step(line, larger(fastest, coming_in(line)), waves, shallowest, panel());
 
         L probe = 0.0 * (step.in + step.out);
         round_depths(line.after, deepest, probe);

@@ -41,6 +41,7 @@ template <class T> struct WaterLines {
     size_t lines, along, across;
     T *depth, *velocity;
     const T *bed, *pressure, *force;
+    const double *load, *stiff; // of hulls, in cells: the head that presses [m] is load + stiff depth
     double pressure_share;      // from a difference of pressures to an acceleration
     const uint8_t *mask, *wall; // at i * byte_along + k * byte_across
     size_t byte_along, byte_across;
@@ -65,8 +66,8 @@ template <class T> struct WaterAcross {
 };
 
 // Lines that are worked on side by side, the panels of numbers that they need, and what panels have room for beside
-// their cells. Tasks take packs of lines: whole lines of the cache.
-constexpr size_t kWaterLanes = 8, kWaterPanels = 14, kWaterRoom = 1, kWaterPack = 16;
+// their cells; two more with hulls. Tasks take packs of lines: whole lines of the cache.
+constexpr size_t kWaterLanes = 8, kWaterPanels = 14, kHullPanels = 2, kWaterRoom = 1, kWaterPack = 16;
 inline size_t water_packs(size_t lines) { return (lines + kWaterPack - 1) / kWaterPack; }
 
 namespace CD_ISA {
@@ -88,7 +89,7 @@ template <class T, int N> struct Rounding {
 };
 
 // Makes the step along packs [first, first + count) of lines; work: kWaterPanels * (cells + kWaterRoom) * kWaterLanes
-// numbers. False if a number left the finite range.
+// numbers, more with hulls. False if a number left the finite range.
 template <class T>
 bool sweep_water(const WaterSweep& sweep, const WaterLines<T>& lines, double* work, size_t first, size_t count);
 

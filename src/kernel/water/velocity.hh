@@ -20,14 +20,16 @@ constexpr double kRoughChange = 0.05;
 
 // What lifting water over a face takes before the step, per flux [m^2/s^2], but for what pushes it from outside.
 template <int N> Lanes<N> WaterLine<N>::lift(size_t i) const {
-    const L rise = sweep.gravity * full_rise(cell(left(i)), cell(i));
+    const L rise = sweep.gravity * full_rise_of(i, depth);
     return acceleration ? rise - acceleration[i] / L::splat(sweep.courant) : rise;
 }
 
 // What the step's changes of the surface add to that.
 template <int N> Lanes<N> WaterLine<N>::more_lift(size_t i) const {
     const size_t l = left(i);
-    return sweep.gravity * ((after[i] - depth[i]) - (after[l] - depth[l]));
+    L x_l = after[l] - depth[l], x_r = after[i] - depth[i];
+    if (pressed()) x_l = x_l + stiff[l] * x_l, x_r = x_r + stiff[i] * x_r;
+    return sweep.gravity * (x_r - x_l);
 }
 
 template <int N> Lanes<N> WaterLine<N>::fall(size_t i) const { return -(lift(i) + sweep.theta * more_lift(i)); }
@@ -112,7 +114,8 @@ template <int N> void WaterLine<N>::set_velocities(StepKind<N> kind) {
     for (size_t i = first_face(); i < n; ++i) {
         const Cell l = here.cell_after(here.left(i)), r = here.cell_after(i);
         const bool wet = all_positive(smaller(l.depth, r.depth));
-        L w = here.speed[i] - here.push_of(i, kind) * (wet ? full_rise(l, r) : rise_between(l, r));
+        const L rise = wet ? here.full_rise_of(i, here.after) : here.rise_of(i, here.after);
+        L w = here.speed[i] - here.push_of(i, kind) * rise;
         if (any_bounded) w = here.bounded(i, w);
         if (any_limited) w = select(limits, here.pull[i] * w, w);
         here.speed.put(i, wet ? w : select(conducts(l, r), w, none));

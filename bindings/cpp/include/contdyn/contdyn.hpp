@@ -1147,6 +1147,15 @@ public:
     struct account {
         double initial, in, out, error;
     };
+    struct hulls {
+        std::size_t count, n_along, n_across;
+    };
+    struct hull {
+        double mass, length, width, area;
+    };
+    struct hull_drag {
+        double along, across, friction;
+    };
     // Good until the field is switched off or the water released. Strides are in bytes.
     struct field_view {
         const void* data;
@@ -1306,6 +1315,89 @@ public:
     }
     outcome<> impulse(double x, double y, double radius, double impulse_x, double impulse_y) {
         return call(cd_water_impulse, x, y, radius, impulse_x, impulse_y);
+    }
+
+    // ---- what floats on it ----
+
+    // Hulls, numbered from 0, and the plates of each along and across.
+    outcome<> set_hulls(std::size_t count, std::size_t n_along = 1, std::size_t n_across = 1) {
+        return call(cd_water_set_hulls, count, n_along, n_across);
+    }
+    outcome<hulls> get_hulls() const {
+        hulls out{};
+        return detail::got(cd_water_get_hulls(handle_, &out.count, &out.n_along, &out.n_across), out);
+    }
+
+    // What a hull is: mass [kg], length and width [m], heights of its floor's plates above the keel, none: flat. A disc.
+    outcome<> set_hull(std::size_t index, double mass, double length, double width, span<const double> heights = {}) {
+        const double* const first = heights.size() ? heights.data() : nullptr;
+        return call(cd_water_set_hull, index, mass, length, width, first, heights.size());
+    }
+    outcome<> set_disc(std::size_t index, double mass, double radius) {
+        return call(cd_water_set_disc, index, mass, radius);
+    }
+    outcome<hull> get_hull(std::size_t index, span<double> heights = {}) const {
+        hull out{};
+        double* const first = heights.size() ? heights.data() : nullptr;
+        const cd_status s = cd_water_get_hull(handle_, index, &out.mass, &out.length, &out.width, &out.area, first,
+                                              heights.size());
+        return detail::got(s, out);
+    }
+    outcome<> remove_hull(std::size_t index) { return call(cd_water_remove_hull, index); }
+
+    // Lays it on the water at (x, y), its bow towards (ahead_x, ahead_y).
+    outcome<> launch_hull(std::size_t index, double x, double y, double ahead_x, double ahead_y) {
+        return call(cd_water_launch_hull, index, x, y, ahead_x, ahead_y);
+    }
+
+    // {x, y, z, ahead_x, ahead_y, pitch, roll} of its body, and of its floor as it lies on the water; velocities along
+    // x, y, z and of yaw, pitch, roll.
+    outcome<> set_hull_pose(std::size_t index, span<const double> pose) {
+        return call(cd_water_set_hull_pose, index, pose.data(), pose.size());
+    }
+    outcome<> get_hull_pose(std::size_t index, span<double> pose) const {
+        return call(cd_water_get_hull_pose, index, pose.data(), pose.size());
+    }
+    outcome<> get_hull_floor(std::size_t index, span<double> pose) const {
+        return call(cd_water_get_hull_floor, index, pose.data(), pose.size());
+    }
+    outcome<> set_hull_velocity(std::size_t index, span<const double> velocity) {
+        return call(cd_water_set_hull_velocity, index, velocity.data(), velocity.size());
+    }
+    outcome<> get_hull_velocity(std::size_t index, span<double> velocity) const {
+        return call(cd_water_get_hull_velocity, index, velocity.data(), velocity.size());
+    }
+
+    // Forces ahead, to port and up [N], moments of yaw, pitch and roll [N m], from outside; drag against the water along
+    // and across [N s/m] and friction on the bed; what water and bed did in the last step, along x, y, z.
+    outcome<> set_hull_force(std::size_t index, span<const double> force) {
+        return call(cd_water_set_hull_force, index, force.data(), force.size());
+    }
+    outcome<> get_hull_force(std::size_t index, span<double> force) const {
+        return call(cd_water_get_hull_force, index, force.data(), force.size());
+    }
+    outcome<> set_hull_drag(std::size_t index, double along, double across, double friction = 0) {
+        return call(cd_water_set_hull_drag, index, along, across, friction);
+    }
+    outcome<hull_drag> get_hull_drag(std::size_t index) const {
+        hull_drag out{};
+        return detail::got(cd_water_get_hull_drag(handle_, index, &out.along, &out.across, &out.friction), out);
+    }
+    outcome<> get_hull_load(std::size_t index, span<double> load) const {
+        return call(cd_water_get_hull_load, index, load.data(), load.size());
+    }
+
+    // Energies of all hulls [J].
+    outcome<energy> get_hull_energy() const {
+        energy out{};
+        return detail::got(cd_water_get_hull_energy(handle_, &out.kinetic, &out.potential), out);
+    }
+
+    // How high the water would stand at at[place] = {x, y} with no hull pressing on it: heads[place].
+    outcome<> sample_heads(span<const double> at, span<double> heads) const {
+        if (at.size() != 2 * heads.size())
+            return detail::done(CD_ERROR_RANGE, "water::sample_heads: heads does not fit the places in at");
+        return call(cd_water_sample_heads, at.data(), heads.size(), heads.data());
     }
 
     // ---- time ----

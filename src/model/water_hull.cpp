@@ -1,0 +1,92 @@
+// What hulls are, where they lie, and the water's surface without them: see water_hull.hh.
+#include "base/sum.hh"
+#include "model/water_hull_plates.hh"
+
+namespace cd {
+
+double hull_area(const Water& w, size_t index) {
+    const Hull& h = hull(w, index);
+    size_t there = 0;
+    for (size_t k = 0; k < w.hull_shape.plates(); ++k) there += plate_heights(w, index)[k] >= 0 ? 1 : 0;
+    return h.length * h.width * (double(there) / double(w.hull_shape.plates()));
+}
+
+bool lay_on_water(Water& w, size_t index) {
+    Hull& h = hull(w, index);
+    h.pitch = h.roll = 0;
+    double low = HUGE_VAL, area = 0;
+    each_plate(w, index, HullPose(h), [&](const Plate& p) {
+        if (p.surface - (p.z - h.z) < low) low = p.surface - (p.z - h.z);
+        area += p.area;
+    });
+    if (!(area > 0) || !(w.gravity > 0)) return false;
+    const double sunk = h.mass / (w.density * area * kStiff); // once all plates bear it
+    h.z = low - sunk;
+    // Steps that last long for what its weight and stiffness are, from rest each: they end where all is in balance.
+    HullPose pose(h);
+    const double dt = 1e3 * sqrt(sunk / w.gravity), outside[3] = {h.force[2], h.force[4], h.force[5]};
+    h.force[2] = h.force[4] = h.force[5] = 0;
+    for (int k = 0; k < 8; ++k) {
+        double v[3] = {0, 0, 0};
+        heave(w, index, pose, v, dt);
+    }
+    h.force[2] = outside[0], h.force[4] = outside[1], h.force[5] = outside[2];
+    h.z = pose.z, h.pitch = pose.pitch, h.roll = pose.roll;
+    h.lies[0] = h.z + sunk, h.lies[1] = h.pitch, h.lies[2] = h.roll;
+    return true;
+}
+
+void hull_energy(const Water& w, double& kinetic, double& potential) {
+    Sum moving, lying;
+    for (size_t k = 0; k < w.hull_shape.count; ++k) {
+        const Hull& h = hull(w, k);
+        if (!(h.mass > 0)) continue;
+        double mass[6];
+        inertia(h, mass);
+        for (int way = 0; way < 6; ++way) moving.add(0.5 * (mass[way] * (h.velocity[way] * h.velocity[way])));
+        lying.add(h.mass * (w.gravity * h.z));
+        lying.add(HullContact(w, k, HullPose(h)).energy);
+    }
+    kinetic = moving.value(), potential = lying.value();
+}
+
+double head_at(const Water& w, double x, double y) {
+    // The plates' loads lie in cells, as steps hand them on.
+    const Corner4 around = cells_around(w, x, y);
+    double sum = sample(w, x, y).surface;
+    if (!around.any) return sum;
+    for (size_t k = 0; k < w.hull_shape.count; ++k) {
+        if (!(hull(w, k).mass > 0)) continue;
+        each_plate(w, k, HullPose(hull(w, k)), [&](const Plate& p) {
+            const double head = p.head() * (p.area / cell_area(w));
+            if (!(head > 0)) return;
+            p.cells.each([&](size_t i, size_t j, double weight) {
+                around.each([&](size_t m, size_t n, double own) {
+                    if (i == m && j == n) sum += own * (weight * head);
+                });
+            });
+        });
+    }
+    return sum;
+}
+
+bool hulls_finite(const Water& w) {
+    bool finite = true;
+    for (size_t k = 0; k < w.hull_shape.count; ++k) {
+        const double* const numbers = w.hulls.data + k * w.hull_shape.numbers();
+        for (size_t i = 0; i < kHullNumbers; ++i) finite &= isfinite(numbers[i]) != 0;
+    }
+    return finite;
+}
+
+void reset_hulls(Water& w) {
+    for (size_t k = 0; k < w.hull_shape.count; ++k) {
+        Hull& h = hull(w, k);
+        for (int way = 0; way < 6; ++way) h.velocity[way] = h.water[way] = 0;
+        h.lies[0] = h.lies[1] = h.lies[2] = 0;
+        h.owed = h.x = h.y = h.z = h.pitch = h.roll = h.heading[1] = 0;
+        h.heading[0] = 1;
+    }
+}
+
+} // namespace cd

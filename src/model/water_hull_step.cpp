@@ -1,0 +1,466 @@
+// Steps of hulls: see water_hull.hh.
+#include "base/sum.hh"
+#include "model/water_hull_plates.hh"
+
+namespace cd {
+
+void inertia(const Hull& h, double (&out)[6]) {
+    const double by_length = h.mass * (h.length * h.length) / 12, by_width = h.mass * (h.width * h.width) / 12;
+    out[0] = out[1] = out[2] = h.mass;
+    out[3] = by_length + by_width, out[4] = by_length, out[5] = by_width;
+}
+
+// ---- around the sweeps ----------------------------------------------------------------------------------------------
+
+namespace {
+
+// Whether a plate's cells shall answer as if it touched them: also where a sweep may lift the water to it.
+bool near_water(const Plate& p, double draft) {
+    const double depth = p.surface - p.bed, reach = draft < depth ? draft : depth;
+    return p.surface + reach > p.z;
+}
+
+double draft_of(const Water& w, size_t index) { return hull(w, index).mass / (w.density * hull_area(w, index)); }
+
+// Adds what a hull presses with, as heads in cells, and how that answers to their depths; see(i, j) for those cells.
+template <class T, class F>
+void press(const Water& w, size_t index, const T* depth, double* heads, double* stiff, F see) {
+    const double draft = draft_of(w, index), per_cell = 1 / cell_area(w);
+    each_plate(w, index, HullPose(hull(w, index)), depth, [&](const Plate& p) {
+        if (!near_water(p, draft)) return;
+        const double head = p.head();
+        p.cells.each([&](size_t i, size_t j, double weight) {
+            const double share = weight * (p.area * per_cell);
+            heads[place(w, i, j)] += share * head;
+            stiff[place(w, i, j)] += share * kStiff;
+            see(i, j);
+        });
+    });
+}
+
+template <class F> void each_hull(const Water& w, F f) {
+    for (size_t k = 0; k < w.hull_shape.count; ++k)
+        if (hull(w, k).mass > 0) f(k);
+}
+
+// The cells that were seen.
+struct CellBox {
+    size_t low[2] = {SIZE_MAX, SIZE_MAX}, end[2] = {0, 0};
+
+    void see(size_t i, size_t j) {
+        if (i < low[kX]) low[kX] = i;
+        if (j < low[kY]) low[kY] = j;
+        if (i >= end[kX]) end[kX] = i + 1;
+        if (j >= end[kY]) end[kY] = j + 1;
+    }
+    template <class F> void each(F f) const {
+        for (size_t j = low[kY]; j < end[kY]; ++j)
+            for (size_t i = low[kX]; i < end[kX]; ++i) f(i, j);
+    }
+};
+
+// How far a number is from the middle, the short way round a periodic direction.
+double away(const Water& w, Axis a, double from_middle) {
+    if (!periodic(w, a)) return from_middle;
+    const double length = double(w.cells[a]) * w.size[a];
+    return from_middle - length * floor(from_middle / length + 0.5);
+}
+
+// The slope of the water's surface in a cell, in the mean of before and after a sweep. Closed faces stand as high as
+// the cell.
+template <class T> double slope_in(const Water& w, const T* before, Axis a, size_t i, size_t j) {
+    const T *const after = numbers<T>(w.depth), *const bed = numbers<T>(w.bed);
+    const auto surface = [&](size_t x, size_t y) {
+        const size_t at = place(w, x, y);
+        return double(bed[at]) + 0.5 * (double(before[at]) + double(after[at]));
+    };
+    const size_t k = a == kX ? i : j, n = w.cells[a];
+    const double here = surface(i, j);
+    double rise = 0;
+    for (size_t behind : {size_t(0), size_t(1)}) {
+        if (!periodic(w, a) && (behind ? k + 1 == n : k == 0)) continue;
+        if (!crossable(w, a, a == kX ? i + behind : i, a == kY ? j + behind : j)) continue;
+        const size_t next = behind ? (k + 1 < n ? k + 1 : 0) : (k > 0 ? k - 1 : n - 1);
+        const double there = a == kX ? surface(next, j) : surface(i, next);
+        rise += 0.5 * (behind ? there - here : here - there);
+    }
+    return rise / w.size[a];
+}
+
+} // namespace
+
+void load_hulls(const Water& w, HullWork& work, bool first) {
+    memset(work.load, 0, w.plane * sizeof(double));
+    memset(work.stiff, 0, w.plane * sizeof(double));
+    if (first) {
+        memset(work.own[0], 0, w.plane * sizeof(double));
+        memset(work.own[1], 0, w.plane * sizeof(double));
+        memset(work.impulse, 0, w.hull_shape.count * 3 * sizeof(double));
+    }
+    memcpy(work.before, w.depth.data, w.depth.bytes());
+    by_precision(w, [&](auto zero) {
+        using T = decltype(zero);
+        const T* const depth = numbers<T>(w.depth);
+        CellBox box;
+        each_hull(w, [&](size_t k) {
+            press(w, k, depth, work.load, work.stiff, [&](size_t i, size_t j) { box.see(i, j); });
+        });
+        box.each([&](size_t i, size_t j) {
+            const size_t at = place(w, i, j);
+            work.load[at] -= work.stiff[at] * double(depth[at]);
+        });
+    });
+}
+
+void feel_water(const Water& w, HullWork& work, Axis a, double theta, double dt) {
+    const double weight = w.density * w.gravity * cell_area(w) * dt;
+    by_precision(w, [&](auto zero) {
+        using T = decltype(zero);
+        const T* const before = reinterpret_cast<const T*>(work.before);
+        each_hull(w, [&](size_t k) {
+            CellBox box;
+            press(w, k, before, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
+            double* const impulse = work.impulse + 3 * k;
+            const Hull& h = hull(w, k);
+            box.each([&](size_t i, size_t j) {
+                const size_t at = place(w, i, j);
+                if (!(work.own[1][at] > 0)) return;
+                const double rise = double(numbers<T>(w.depth)[at]) - double(before[at]);
+                const double head = work.own[0][at] + theta * (work.own[1][at] * rise);
+                const double push = -(weight * head) * slope_in(w, before, a, i, j);
+                impulse[a] += push;
+                if (a == kX) impulse[2] -= away(w, kY, centre(w, kY, j) - h.y) * push;
+                else impulse[2] += away(w, kX, centre(w, kX, i) - h.x) * push;
+                work.own[0][at] = work.own[1][at] = 0;
+            });
+        });
+    });
+}
+
+// ---- heave ----------------------------------------------------------------------------------------------------------
+
+namespace {
+
+// Solves the symmetric system of three, whose diagonal is positive, for x.
+void solve(const double (&a)[6], const double (&b)[3], double (&x)[3]) {
+    const double l10 = a[1] / a[0], l20 = a[2] / a[0], d1 = a[3] - l10 * a[1], e = a[4] - l10 * a[2], l21 = e / d1;
+    const double d2 = (a[5] - l20 * a[2]) - l21 * e, y1 = b[1] - l10 * b[0], y2 = (b[2] - l20 * b[0]) - l21 * y1;
+    x[2] = y2 / d2;
+    x[1] = y1 / d1 - l21 * x[2];
+    x[0] = (b[0] / a[0] - l10 * x[1]) - l20 * x[2];
+}
+
+} // namespace
+
+// Minimizes inertia (v - v0)^2 / 2 - dt force v + energy(pose + dt v) by Newton's method, which the piecewise quadratic
+// energy lets end after a few exact steps; a step that does not lower the function is halved.
+void heave(const Water& w, size_t index, HullPose& pose, double (&v)[3], double dt) {
+    const Hull& h = hull(w, index);
+    double all[6];
+    inertia(h, all);
+    const double mass[3] = {all[2], all[4], all[5]}, v0[3] = {v[0], v[1], v[2]};
+    const double force[3] = {h.force[2] - h.mass * w.gravity, h.force[4], h.force[5]};
+    const auto pose_at = [&](const double (&u)[3]) {
+        HullPose out = pose;
+        out.z += dt * u[0], out.pitch += dt * u[1], out.roll += dt * u[2];
+        return out;
+    };
+    const auto value = [&](const double (&u)[3], const HullContact& c) {
+        double sum = c.energy;
+        for (int k = 0; k < 3; ++k) sum += 0.5 * (mass[k] * (u[k] - v0[k]) * (u[k] - v0[k])) - dt * (force[k] * u[k]);
+        return sum;
+    };
+    double moving = 0; // energy, to measure rounding by
+    for (int k = 0; k < 3; ++k) moving += 0.5 * (mass[k] * (v0[k] * v0[k]));
+    constexpr double kRounding = 0x1p-60;
+    HullContact contact(w, index, pose_at(v));
+    double now = value(v, contact);
+    for (int iteration = 0; iteration < 40; ++iteration) {
+        double system[6], right[3], change[3], next[3];
+        for (int k = 0; k < 6; ++k) system[k] = dt * dt * contact.slope[k];
+        system[0] += mass[0], system[3] += mass[1], system[5] += mass[2];
+        for (int k = 0; k < 3; ++k) right[k] = dt * (force[k] + contact.push[k]) - mass[k] * (v[k] - v0[k]);
+        solve(system, right, change);
+        double part = 1, gain = 0;
+        for (int k = 0; k < 3; ++k) gain += 0.5 * (right[k] * change[k]);
+        if (!(gain > kRounding * (contact.energy + moving))) break;
+        bool better = false;
+        for (int half = 0; half < 10 && !better; ++half, part /= 2) {
+            for (int k = 0; k < 3; ++k) next[k] = v[k] + part * change[k];
+            const HullContact there(w, index, pose_at(next));
+            const double then = value(next, there);
+            better = then < now;
+            if (!better) continue;
+            now = then, contact = there;
+            for (int k = 0; k < 3; ++k) v[k] = next[k];
+        }
+        if (!better) break;
+    }
+    pose = pose_at(v);
+}
+
+// ---- along, across and round ----------------------------------------------------------------------------------------
+
+namespace {
+
+// The water that a hull drags along an axis: how fast it runs, what mass an impulse on it moves.
+struct Dragged {
+    double speed = 0, inverse_mass = 0, sum = 0; // sum: of shares times depths
+    CellBox box;
+};
+
+struct Mover {
+    Water& w;
+    HullWork& work;
+    double dt;
+    size_t index;
+    Hull& h = hull(w, index);
+    double mass[6] = {};
+    double given[2] = {}; // impulse handed to the water
+    Dragged water[2] = {};
+
+    // The faces under the hull in `work.own`, by how much of it presses on them.
+    void find_water(const HullPose& pose) {
+        bool touches = false;
+        each_plate(w, index, pose, [&](const Plate& p) {
+            if (!(p.sunk() > 0)) return;
+            touches = true;
+            for (Axis a : {kX, kY})
+                faces_around(w, a, p.x, p.y).each([&](size_t i, size_t j, double weight) {
+                    work.own[a][place(w, i, j)] += weight * p.area;
+                    water[a].box.see(i, j);
+                });
+        });
+        if (!touches) return;
+        for (Axis a : {kX, kY}) {
+            double squares = 0, moving = 0, sum = 0;
+            each_share(a, [&](size_t at, double share, double depth) {
+                sum += share * depth;
+                squares += share * (share * depth);
+                moving += share * (depth * get_number(w, w.velocity[a], at));
+            });
+            if (!(sum > 0)) continue;
+            water[a].sum = sum, water[a].speed = moving / sum;
+            water[a].inverse_mass = squares / (sum * sum * (w.density * cell_area(w)));
+        }
+    }
+    // f(place, share, depth) of faces that water moves through.
+    template <class F> void each_share(Axis a, F f) {
+        water[a].box.each([&](size_t i, size_t j) {
+            const double share = work.own[a][place(w, i, j)];
+            if (!(share > 0)) return;
+            if (const double depth = face_depth(w, a, i, j); depth > 0) f(place(w, i, j), share, depth);
+        });
+    }
+    void give_water() {
+        for (Axis a : {kX, kY}) {
+            if (given[a] != 0 && water[a].sum > 0) {
+                const double change = given[a] / (w.density * cell_area(w) * water[a].sum);
+                each_share(a, [&](size_t at, double share, double) {
+                    set_number(w, w.velocity[a], at, get_number(w, w.velocity[a], at) + change * share);
+                });
+                if (periodic(w, a)) { // the faces 0 and n are one
+                    const size_t n = w.cells[a], across = w.cells[other(a)];
+                    for (size_t k = 0; k < across; ++k)
+                        set_number(w, w.velocity[a], a == kX ? place(w, n, k) : place(w, k, n),
+                                   get_number(w, w.velocity[a], a == kX ? place(w, 0, k) : place(w, k, 0)));
+                }
+            }
+            water[a].box.each([&](size_t i, size_t j) { work.own[a][place(w, i, j)] = 0; });
+        }
+    }
+    double inverse() const {
+        const double x = water[kX].inverse_mass, y = water[kY].inverse_mass;
+        return 1 / h.mass + (x > y ? x : y);
+    }
+    // Takes an impulse from the hull and gives it to the water; by inverse() that costs no less energy than it does.
+    void exchange(double x, double y) {
+        h.velocity[0] -= x / h.mass, h.velocity[1] -= y / h.mass;
+        h.water[0] -= x / dt, h.water[1] -= y / dt;
+        given[kX] += x, given[kY] += y;
+        water[kX].speed += x * water[kX].inverse_mass, water[kY].speed += y * water[kY].inverse_mass;
+    }
+
+    double moving_energy() const {
+        const double *const v = h.velocity;
+        return 0.5 * (mass[0] * (v[0] * v[0] + v[1] * v[1]) + mass[3] * (v[3] * v[3]));
+    }
+
+    void push(double x, double y, double round) {
+        h.velocity[0] += x / mass[0], h.velocity[1] += y / mass[1], h.velocity[3] += round / mass[3];
+    }
+
+    // Friction on the bed, as far as the bed bears the hull: Coulomb's.
+    void rub(double borne) {
+        const double speed = sqrt(h.velocity[0] * h.velocity[0] + h.velocity[1] * h.velocity[1]);
+        const double reach = (h.length + h.width) / 6, most = h.friction * borne * dt;
+        if (!(most > 0)) return;
+        const double slower = speed * h.mass > most ? most / (speed * h.mass) : 1;
+        h.water[0] -= slower * h.velocity[0] * h.mass / dt, h.water[1] -= slower * h.velocity[1] * h.mass / dt;
+        h.velocity[0] -= slower * h.velocity[0], h.velocity[1] -= slower * h.velocity[1];
+        const double turning = fabs(h.velocity[3]) * mass[3];
+        const double less = turning > most * reach ? most * reach / turning : 1;
+        h.water[3] -= less * h.velocity[3] * mass[3] / dt;
+        h.velocity[3] -= less * h.velocity[3];
+    }
+
+    // Drag against the water, along the hull and across it, implicit.
+    void drag() {
+        const double rel[2] = {h.velocity[0] - water[kX].speed, h.velocity[1] - water[kY].speed};
+        const double c = h.heading[0], s = h.heading[1], own[2] = {rel[0] * c + rel[1] * s, rel[1] * c - rel[0] * s};
+        double taken[2];
+        for (int k = 0; k < 2; ++k) taken[k] = h.drag[k] * dt * own[k] / (1 + h.drag[k] * dt * inverse());
+        exchange(taken[0] * c - taken[1] * s, taken[0] * s + taken[1] * c);
+        const double turning = (h.drag[1] * (h.length * h.length) + h.drag[0] * (h.width * h.width)) / 12 * dt;
+        const double slower = turning / (mass[3] + turning) * h.velocity[3];
+        h.velocity[3] -= slower;
+        h.water[3] -= slower * mass[3] / dt;
+    }
+
+    // Where a part of a step leads; stops: along which axes a side, or cells that are not there, are in the way.
+    HullPose after(const HullPose& pose, double time, bool (&stops)[2]) const {
+        HullPose out = pose;
+        double* const at[2] = {&out.x, &out.y};
+        for (Axis a : {kX, kY}) {
+            const double length = double(w.cells[a]) * w.size[a], to = *at[a] + time * h.velocity[a];
+            stops[a] = !periodic(w, a) && !(to >= 0 && to <= length);
+            const double was = *at[a];
+            *at[a] = !periodic(w, a) ? (to > 0 ? (to < length ? to : length) : 0) : to - length * floor(to / length);
+            if (cells_around(w, out.x, out.y).any) continue;
+            stops[a] = true, *at[a] = was;
+        }
+        const double t = 0.5 * (time * h.velocity[3]), down = 1 / (1 + t * t); // a turn by 2 atan t
+        const double turn_c = (1 - t * t) * down, turn_s = 2 * (t * down), c = pose.heading[0], s = pose.heading[1];
+        const double new_c = c * turn_c - s * turn_s, new_s = s * turn_c + c * turn_s;
+        const double size = sqrt(new_c * new_c + new_s * new_s);
+        out.heading[0] = new_c / size, out.heading[1] = new_s / size;
+        return out;
+    }
+
+    // What drag can take at most between the hull and the water under it.
+    double removable() const {
+        const double x = h.velocity[0] - water[kX].speed, y = h.velocity[1] - water[kY].speed;
+        return (x * x + y * y) / (2 * inverse());
+    }
+    // Tells how much it was.
+    double remove(double energy) {
+        const double x = h.velocity[0] - water[kX].speed, y = h.velocity[1] - water[kY].speed, by = inverse();
+        const double rel = sqrt(x * x + y * y), left = rel * rel - 2 * (energy * by);
+        if (!(rel > 0)) return 0;
+        const double impulse = (rel - (left > 0 ? sqrt(left) : 0)) / by;
+        exchange(impulse * (x / rel), impulse * (y / rel));
+        return left > 0 ? energy : rel * rel / (2 * by);
+    }
+
+    // Of a push that led nowhere, which the water must not get: takes up to an energy of the hull's own motion, and
+    // tells how much.
+    double lose(double energy) {
+        const double moving = moving_energy(), lost = energy < moving ? energy : moving;
+        const double keeps = moving > 0 ? sqrt((moving - lost) / moving) : 0;
+        for (int way : {0, 1, 3}) h.velocity[way] *= keeps;
+        return lost;
+    }
+
+    void drift(HullPose& pose, double made, double energy) {
+        const double credit = kCredit * (moving_energy() + energy);
+        double time = dt, due = 0;
+        bool stops[2];
+        HullPose to = pose;
+        for (int half = 0; half <= kHalvings; ++half, time /= 2) {
+            if (half == kHalvings) time = 0;
+            to = after(pose, time, stops);
+            due = h.owed + made + (time > 0 ? HullContact(w, index, to).energy - energy : 0);
+            if (due <= removable() + credit) break;
+        }
+        pose = to;
+        for (int a : {0, 1})
+            if (stops[a]) h.velocity[a] = 0;
+        // Little is paid of a small debt, all of one that reaches the credit.
+        double taken = due > 0 ? (due < credit ? due * (due / credit) : due) : 0;
+        if (taken > removable() + credit) taken = lose(due);
+        else if (taken > 0) taken = remove(taken);
+        h.owed = due > 0 ? due - taken : due < -credit ? -credit : due;
+    }
+    static constexpr int kHalvings = 8;
+    static constexpr double kCredit = 0.05; // of the hull's energy that may be owed, or kept for later
+
+    void stand_still() { // nothing is under its middle
+        for (int way = 0; way < 6; ++way) h.velocity[way] = h.water[way] = 0;
+    }
+
+    void move() {
+        inertia(h, mass);
+        HullPose pose(h);
+        if (!cells_around(w, h.x, h.y).any) return stand_still();
+        double v[3] = {h.velocity[2], h.velocity[4], h.velocity[5]};
+        heave(w, index, pose, v, dt);
+        h.velocity[2] = v[0], h.velocity[4] = v[1], h.velocity[5] = v[2];
+        const HullContact contact(w, index, pose);
+        const double* const impulse = work.impulse + 3 * index;
+        h.water[0] = impulse[0] / dt, h.water[1] = impulse[1] / dt, h.water[3] = impulse[2] / dt;
+        h.water[2] = contact.push[0], h.water[4] = contact.push[1], h.water[5] = contact.push[2];
+
+        const double before = moving_energy();
+        push(impulse[0], impulse[1], impulse[2]);
+        const double made = moving_energy() - before;
+        find_water(pose);
+        drift(pose, made, contact.energy);
+        h.x = pose.x, h.y = pose.y, h.heading[0] = pose.heading[0], h.heading[1] = pose.heading[1];
+        h.z = pose.z, h.pitch = pose.pitch, h.roll = pose.roll;
+        const double c = h.heading[0], s = h.heading[1];
+        push(dt * (h.force[0] * c - h.force[1] * s), dt * (h.force[0] * s + h.force[1] * c), dt * h.force[3]);
+        rub(contact.by_bed);
+        if (contact.push[0] > 0) drag();
+        give_water();
+    }
+};
+
+template <class T> void lie(Water& w, size_t index, const T* depth, const double* heads) {
+    Hull& h = hull(w, index);
+    const HullPose pose(h);
+    h.lies[0] = h.z, h.lies[1] = h.pitch, h.lies[2] = h.roll;
+    double sum[3] = {}, squares[2] = {}, products[2] = {}, area = 0; // of height, ahead, port
+    each_plate(w, index, pose, depth, [&](const Plate& p) {
+        if (!(p.sunk() > 0)) return;
+        double height = (p.surface - p.height) - pose.z; // above the body's keel, so that the sums do not cancel
+        if (p.bed < p.z) { // not on the bed, which does not give way
+            height -= p.head();
+            p.cells.each([&](size_t i, size_t j, double weight) { height += weight * heads[place(w, i, j)]; });
+        }
+        const double by[2] = {p.ahead, p.port};
+        area += p.area, sum[0] += p.area * height;
+        for (int k = 0; k < 2; ++k) {
+            sum[1 + k] += p.area * by[k];
+            squares[k] += p.area * (by[k] * by[k]), products[k] += p.area * (by[k] * height);
+        }
+    });
+    if (!(area > 0)) return;
+    h.lies[0] = pose.z + sum[0] / area;
+    for (int k = 0; k < 2; ++k) {
+        const double middle = sum[1 + k] / area, spread = squares[k] - sum[1 + k] * middle;
+        const double slope = spread > 1e-9 * squares[k] ? (products[k] - middle * sum[0]) / spread : 0;
+        h.lies[1 + k] = slope;
+        h.lies[0] -= slope * middle;
+    }
+}
+
+} // namespace
+
+void move_hulls(Water& w, HullWork& work, double dt) {
+    each_hull(w, [&](size_t k) { Mover{w, work, dt, k}.move(); });
+}
+
+void settle_hulls(Water& w, HullWork& work) {
+    by_precision(w, [&](auto zero) {
+        using T = decltype(zero);
+        const T* const depth = numbers<T>(w.depth);
+        CellBox box;
+        each_hull(w, [&](size_t k) {
+            press(w, k, depth, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
+        });
+        each_hull(w, [&](size_t k) { lie(w, k, depth, work.own[0]); });
+        box.each([&](size_t i, size_t j) { work.own[0][place(w, i, j)] = work.own[1][place(w, i, j)] = 0; });
+    });
+}
+
+} // namespace cd

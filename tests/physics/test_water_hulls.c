@@ -1,0 +1,230 @@
+/* Hulls on water: what they displace, how they swing, drift, run aground, and what momentum they give. */
+#include <math.h>
+
+#include "check.h"
+#include "pool.h"
+
+enum { NX = 64, NY = 32, SAMPLES = 4000 };
+#define DX 0.25
+#define LENGTH (NX * DX)
+#define WIDTH (NY * DX)
+#define G 9.81
+#define PI 3.14159265358979324
+
+static cd_water* lake(size_t nx, size_t ny, double depth) {
+    cd_water* w;
+    ok(cd_water_create(nx, ny, DX, DX, CD_FLOAT64, NULL, &w));
+    pool_fill(w, CD_DEPTH, depth);
+    return w;
+}
+
+/* Waves that a launched hull made die out. */
+static void settle(cd_water* w) {
+    ok(cd_water_set_drag(w, 1));
+    pool_step(w, 0.1, 500);
+}
+
+static double level_at(const cd_water* w, double x, double y) {
+    double level;
+    ok(cd_water_sample(w, (const double[]){x, y}, 1, &level, NULL, NULL, NULL));
+    return level;
+}
+
+/* Draft = mass / (density area), wherever it lies and however it is turned; and the water would be level without it. */
+static void a_hull_that_lies_still_displaces_its_mass(void** state) {
+    (void)state;
+    double bow[64];
+    for (int j = 0; j < 8; ++j)
+        for (int i = 0; i < 8; ++i) bow[8 * j + i] = i == 7 && (j == 0 || j == 7) ? -1 : 0.05 * fabs(j - 3.5) + 0.02 * i;
+    for (int shape = 0; shape < 3; ++shape)
+        for (int turn = 0; turn < 2; ++turn) {
+            cd_water* w = lake(NX, NY, 1);
+            double floor[7], load[6], area, head;
+            ok(cd_water_set_hulls(w, 1, 8, 8));
+            if (shape == 0) ok(cd_water_set_hull(w, 0, 1200, 3, 1.6, NULL, 0));
+            if (shape == 1) ok(cd_water_set_disc(w, 0, 1200, 1.2));
+            if (shape == 2) ok(cd_water_set_hull(w, 0, 1200, 3, 1.6, bow, 64));
+            ok(cd_water_get_hull(w, 0, NULL, NULL, NULL, &area, NULL, 0));
+            if (shape == 1) assert_near(area, 1.44 * PI, 1e-12, 0);
+            ok(cd_water_launch_hull(w, 0, 8.1 + 0.03 * turn, 4.07, cos(turn), sin(turn)));
+            settle(w);
+            ok(cd_water_get_hull_floor(w, 0, floor, 7));
+            ok(cd_water_get_hull_load(w, 0, load, 6));
+            const double level = level_at(w, 0.5, 0.5);
+            double displaced = area * (level - floor[2]);
+            if (shape == 2) {
+                displaced = 0;
+                for (int k = 0; k < 64; ++k) {
+                    const double ahead = 3 * ((k % 8 + 0.5) / 8 - 0.5), port = 1.6 * ((k / 8 + 0.5) / 8 - 0.5);
+                    const double below = level - (floor[2] + floor[5] * ahead + floor[6] * port + bow[k]);
+                    if (bow[k] >= 0 && below > 0) displaced += below * 3 * 1.6 / 64;
+                }
+            }
+            assert_near(1000 * displaced, 1200, shape == 2 ? 1e-4 : 1e-6, 0); /* plates are tilted a little */
+            assert_near(load[2], 1200 * G, 1e-6, 0);
+            ok(cd_water_sample_heads(w, (const double[]){8.1, 4.07}, 1, &head));
+            assert_near(head, level, 1e-5, 0);
+            cd_water_destroy(w);
+        }
+}
+
+/* A box as wide as its slice of a closed basin of twice its length heaves against the seiche of the gap: of a rigid
+ * floor over depth d that rises by z, the water under it runs in with u = -x z_t / d, which is an added mass of
+ * density L^3 / (3 d) per metre of a half box of length L against the wall; the gap, as long and D deep, swings with
+ * k = w / sqrt(g D) and stands by L k cot(k L) z lower at the box's end:
+ *     (draft + L^2 / (3 d)) w^2 = g (1 + k L cot(k L)). */
+static void a_box_heaves_in_the_period_of_shallow_water(void** state) {
+    (void)state;
+    const double depth = 1, l = 4, draft = 0.25, under = depth - draft / 2, beside = depth + draft / 2;
+    for (int fine = 0; fine < 2; ++fine) {
+        cd_water* w;
+        const double dx = fine ? 0.0625 : 0.125;
+        ok(cd_water_create((size_t)(2 * l / dx), 1, dx, dx, CD_FLOAT64, NULL, &w));
+        pool_fill(w, CD_DEPTH, depth);
+        ok(cd_water_set_hulls(w, 1, 1, 1));
+        /* the half of it that lies in the basin, and its mirror image: a hull of twice the length in the wall */
+        ok(cd_water_set_hull(w, 0, 1000 * draft * 2 * l * dx, 2 * l, dx, NULL, 0));
+        ok(cd_water_launch_hull(w, 0, 0, dx / 2, 1, 0));
+        ok(cd_water_set_drag(w, 1));
+        pool_step(w, 0.05, 800);
+        ok(cd_water_set_drag(w, 0));
+        ok(cd_water_set_lambda(w, 0.5));
+        double floor[7];
+        const double v[6] = {0, 0, 0.01, 0, 0, 0}, dt = 0.01;
+        ok(cd_water_get_hull_floor(w, 0, floor, 7));
+        const double z0 = floor[2];
+        ok(cd_water_set_hull_velocity(w, 0, v, 6));
+        static double z[SAMPLES];
+        for (int s = 0; s < SAMPLES; ++s) {
+            pool_step(w, dt, 1);
+            ok(cd_water_get_hull_floor(w, 0, floor, 7));
+            z[s] = floor[2] - z0;
+        }
+        double low = 0.1, high = 2.4; /* k L < pi */
+        for (int k = 0; k < 60; ++k) {
+            const double v = (low + high) / 2, kl = v / sqrt(G * beside) * l;
+            if ((draft + l * l / (3 * under)) * v * v < G * (1 + kl / tan(kl))) low = v;
+            else high = v;
+        }
+        double most = 0, found = 0; /* the frequency of the largest part of the motion */
+        for (double v_k = 0.6 * low; v_k < 1.6 * low; v_k += 0.002 * low) {
+            double c = 0, d = 0;
+            for (int s = 0; s < SAMPLES; ++s) {
+                const double t = dt * s, window = 1 - cos(2 * PI * s / SAMPLES);
+                c += window * z[s] * cos(v_k * t), d += window * z[s] * sin(v_k * t);
+            }
+            if (c * c + d * d > most) most = c * c + d * d, found = v_k;
+        }
+        assert_near(found, low, 0.04, 0);
+        cd_water_destroy(w);
+    }
+}
+
+static void a_hull_drifts_with_a_stream(void** state) {
+    (void)state;
+    cd_water* w = lake(NX, NY, 1);
+    ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+    ok(cd_water_set_momentum(w, CD_MOMENTUM_ADVECTED));
+    pool_fill(w, CD_VELOCITY_X, 0.5);
+    ok(cd_water_set_hulls(w, 1, 1, 1));
+    ok(cd_water_set_hull(w, 0, 100, 2, 1, NULL, 0));
+    ok(cd_water_set_hull_drag(w, 0, 200, 200, 0));
+    ok(cd_water_launch_hull(w, 0, 2, WIDTH / 2, 1, 0));
+    pool_step(w, 1 / 60.0, 1200);
+    double velocity[6], pose[7];
+    ok(cd_water_get_hull_velocity(w, 0, velocity, 6));
+    ok(cd_water_get_hull_pose(w, 0, pose, 7));
+    assert_near(velocity[0], 0.5, 0.05, 0);
+    assert_near(velocity[1], 0, 0.01, 1);
+    assert_near(pose[0] - 2, 0.5 * 20, 0.1, 0);
+    cd_water_destroy(w);
+}
+
+static double water_momentum(const cd_water* w) {
+    double sum = 0;
+    for (size_t j = 0; j < NY; ++j)
+        for (size_t i = 0; i < NX; ++i) {
+            const double d = (pool_get(w, CD_DEPTH, i, j) + pool_get(w, CD_DEPTH, (i + NX - 1) % NX, j)) / 2;
+            sum += 1000 * DX * DX * d * pool_get(w, CD_VELOCITY_X, i, j);
+        }
+    return sum;
+}
+
+/* Periodic along x, over a level bed, nothing but the hull's loads and drag acts on the water along x. */
+static void what_a_hull_loses_the_water_gets(void** state) {
+    (void)state;
+    for (int dragged = 0; dragged < 2; ++dragged) {
+        cd_water* w = lake(NX, NY, 1);
+        double velocity[6] = {1, 0, 0, 0, 0, 0};
+        ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+        ok(cd_water_set_momentum(w, CD_MOMENTUM_ADVECTED));
+        ok(cd_water_set_hulls(w, 1, 1, 1));
+        ok(cd_water_set_hull(w, 0, 600, 3, 1, NULL, 0));
+        ok(cd_water_launch_hull(w, 0, 4, WIDTH / 2, 1, 0));
+        if (dragged) ok(cd_water_set_hull_drag(w, 0, 300, 300, 0));
+        ok(cd_water_set_hull_velocity(w, 0, velocity, 6));
+        const double before = 600 * velocity[0] + water_momentum(w);
+        pool_step(w, 1 / 60.0, 180);
+        ok(cd_water_get_hull_velocity(w, 0, velocity, 6));
+        const double lost = before - 600 * velocity[0], got = water_momentum(w);
+        assert_true(lost > 100);
+        assert_near(got, lost, 0.03, 0);
+        cd_water_destroy(w);
+    }
+}
+
+static void a_hull_over_a_high_bed_lies_on_it(void** state) {
+    (void)state;
+    cd_water* w = lake(NX, NY, 0);
+    for (size_t j = 0; j < NY; ++j)
+        for (size_t i = 0; i < NX; ++i) pool_set(w, CD_BED, i, j, i < NX / 2 ? -1 : 0.25);
+    pool_fill(w, CD_SURFACE, 0);
+    double floor[7];
+    ok(cd_water_set_hulls(w, 2, 1, 1));
+    for (size_t k = 0; k < 2; ++k) ok(cd_water_set_hull(w, k, 1000, 2, 1, NULL, 0));
+    ok(cd_water_set_hull_drag(w, 1, 0, 0, 0.5));
+    ok(cd_water_launch_hull(w, 0, 4, 4, 1, 0));
+    ok(cd_water_launch_hull(w, 1, 12, 4, 1, 0));
+    ok(cd_water_set_hull_velocity(w, 1, (const double[]){1, 0, 0, 0, 0, 0}, 6));
+    pool_step(w, 0.01, 100);
+    settle(w);
+    ok(cd_water_get_hull_floor(w, 0, floor, 7));
+    assert_near(floor[2], level_at(w, 0.5, 0.5) - 0.5, 1e-5, 1);
+    ok(cd_water_get_hull_floor(w, 1, floor, 7));
+    assert_near(floor[2], 0.25, 1e-9, 0);
+    assert_near(floor[0] - 12, 1 / (2 * 0.5 * G), 0.25, 0); /* slides v^2 / (2 mu g) */
+    cd_water_destroy(w);
+}
+
+/* Two hulls side by side, mirror images: they stay so. One alone on a level lake goes nowhere. */
+static void two_hulls_stay_each_others_image(void** state) {
+    (void)state;
+    cd_water* w = lake(NX, NY, 1);
+    double a[7], b[7];
+    ok(cd_water_set_hulls(w, 2, 1, 1));
+    for (size_t k = 0; k < 2; ++k) {
+        ok(cd_water_set_hull(w, k, 500, 2, 1, NULL, 0));
+        ok(cd_water_launch_hull(w, k, k ? LENGTH - 5 : 5, WIDTH / 2, k ? -1 : 1, 0));
+        ok(cd_water_set_hull_velocity(w, k, (const double[]){k ? -0.5 : 0.5, 0, 0, 0, 0, 0}, 6));
+    }
+    pool_step(w, 1 / 60.0, 120);
+    ok(cd_water_get_hull_pose(w, 0, a, 7));
+    ok(cd_water_get_hull_pose(w, 1, b, 7));
+    assert_true(a[0] > 5.5);
+    assert_near(a[0], LENGTH - b[0], 1e-6, 1);
+    assert_near(a[2], b[2], 1e-6, 1);
+    assert_near(a[5], b[5], 1e-9, 1);
+    cd_water_destroy(w);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_hull_that_lies_still_displaces_its_mass),
+        cmocka_unit_test(a_box_heaves_in_the_period_of_shallow_water),
+        cmocka_unit_test(a_hull_drifts_with_a_stream),
+        cmocka_unit_test(what_a_hull_loses_the_water_gets),
+        cmocka_unit_test(a_hull_over_a_high_bed_lies_on_it),
+        cmocka_unit_test(two_hulls_stay_each_others_image),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,121 @@
+/* Random hulls in closed pools with waves, of masses a thousandth of the water's depth up to most of it, at any Courant
+ * number: what is there in all, water, hulls and their skins, never has more energy than it had, or than the water
+ * makes by itself. */
+#include <math.h>
+
+#include "check.h"
+#include "pool.h"
+#include "reference.h"
+
+static double between(uint64_t* seed, double low, double high) {
+    return low + (high - low) * 0.5 * (1 + random_number(seed));
+}
+
+static double energy(const cd_water* w) {
+    double e[4];
+    ok(cd_water_get_energy(w, &e[0], &e[1]));
+    ok(cd_water_get_hull_energy(w, &e[2], &e[3]));
+    return (e[0] + e[1]) + (e[2] + e[3]);
+}
+
+struct scene {
+    size_t nx, ny;
+    double dx, dy, depth;
+};
+
+static void add_hulls(cd_water* w, const struct scene* s, uint64_t* seed) {
+    const size_t count = 1 + (size_t)between(seed, 0, 5);
+    double room = 0.3 * s->depth * (double)s->nx * s->dx * (double)s->ny * s->dy;
+    ok(cd_water_set_hulls(w, count, 4, 3));
+    for (size_t k = 0; k < count; ++k) {
+        const double length = s->dx * between(seed, 1, 8), width = length * between(seed, 0.3, 1);
+        double draft = 0.7 * s->depth * pow(10, between(seed, -3, 0)), heights[12];
+        if (length * width * draft > room) draft = room / (2 * length * width);
+        room -= length * width * draft;
+        for (int i = 0; i < 12; ++i) heights[i] = i && between(seed, 0, 1) < 0.1 ? -1 : i ? between(seed, 0, draft) : 0;
+        const double mass = 1000 * length * width * draft, x = (double)s->nx * s->dx, y = (double)s->ny * s->dy;
+        const double pose[7] = {between(seed, 0, x),
+                                between(seed, 0, y),
+                                s->depth * between(seed, 1, 1.3) - draft,
+                                between(seed, -1, 1),
+                                between(seed, -1, 1),
+                                between(seed, -0.05, 0.05),
+                                between(seed, -0.05, 0.05)};
+        double velocity[6];
+        for (int i = 0; i < 6; ++i) velocity[i] = between(seed, i < 2 ? -1 : -0.3, i < 2 ? 1 : 0.3);
+        ok(cd_water_set_hull(w, k, mass, length, width, k % 2 ? heights : NULL, 12));
+        ok(cd_water_set_hull_pose(w, k, pose, 7));
+        ok(cd_water_set_hull_velocity(w, k, velocity, 6));
+        ok(cd_water_set_hull_drag(w, k, k % 3 ? 0 : mass, k % 3 ? 0 : 5 * mass, 0.3));
+    }
+}
+
+/* The most energy beyond the start's, as a part of what it loses. */
+static double gained(cd_momentum momentum, double courant, uint64_t seed) {
+    struct scene s;
+    s.nx = (size_t)between(&seed, 20, 40), s.ny = between(&seed, 0, 1) < 0.2 ? 1 : (size_t)between(&seed, 12, 30);
+    s.dx = between(&seed, 0.1, 0.5), s.dy = s.dx * between(&seed, 0.7, 1.3), s.depth = s.dx * between(&seed, 1, 7);
+    const double area = (double)s.nx * s.dx * (double)s.ny * s.dy, dt = courant * s.dx / sqrt(9.81 * s.depth);
+    cd_water* w;
+    ok(cd_water_create(s.nx, s.ny, s.dx, s.dy, CD_FLOAT64, NULL, &w));
+    ok(cd_water_set_momentum(w, momentum));
+    ok(cd_water_add_volume_rectangle(w, 0, 0, s.nx, s.ny, area * s.depth, NULL));
+    for (int k = 0; k < 4; ++k)
+        ok(cd_water_splash(w, between(&seed, 0, (double)s.nx * s.dx), between(&seed, 0, (double)s.ny * s.dy),
+                           s.dx * between(&seed, 1, 5), s.depth * between(&seed, 0, 0.5)));
+    add_hulls(w, &s, &seed);
+    const double volume = pool_volume(w), start = energy(w);
+    double most = -HUGE_VAL, least = start;
+    for (int step = 0; step < 200; ++step) {
+        pool_step(w, dt, 1);
+        const double now = energy(w);
+        most = fmax(most, now - start), least = fmin(least, now);
+    }
+    assert_near(pool_volume(w), volume, 1e-13, 0);
+    cd_water_destroy(w);
+    return most / (start - least);
+}
+
+static void water_and_hulls_gain_no_energy(void** state) {
+    (void)state;
+    for (cd_momentum momentum = CD_MOMENTUM_LINEAR; momentum <= CD_MOMENTUM_ADVECTED; ++momentum)
+        for (double courant = 0.1; courant < 60; courant *= 5)
+            for (uint64_t seed = 1; seed <= 4; ++seed) {
+                const double by = gained(momentum, courant, seed);
+                /* linear water makes h_t u^2 / 2 of its own in short steps */
+                if (by > (momentum == CD_MOMENTUM_LINEAR && courant < 1 ? 0.7 : 0.01))
+                    fail_msg("momentum %d, Courant number %g, seed %d: gains %g of what it loses", momentum, courant,
+                             (int)seed, by);
+            }
+}
+
+/* One hull on a lake that is level but for it, from a thousandth of the water's mass under it to a thousand times: it
+ * comes to rest on water or bed in steps of a second. */
+static void a_hull_of_any_mass_comes_to_rest_in_long_steps(void** state) {
+    (void)state;
+    for (double draft = 1e-3; draft < 1e4; draft *= 10) {
+        cd_water* w;
+        double load[6], velocity[6];
+        ok(cd_water_create(32, 24, 0.25, 0.25, CD_FLOAT64, NULL, &w));
+        pool_fill(w, CD_DEPTH, 1);
+        ok(cd_water_set_drag(w, 0.5));
+        ok(cd_water_set_hulls(w, 1, 1, 1));
+        ok(cd_water_set_hull(w, 0, 1000 * 2 * draft, 2, 1, NULL, 0));
+        ok(cd_water_set_hull_drag(w, 0, 2000 * draft, 2000 * draft, 0.3));
+        ok(cd_water_set_hull_pose(w, 0, (const double[]){4, 3, 2, 1, 0.5, 0.02, 0.01}, 7));
+        pool_step(w, 1, 400);
+        ok(cd_water_get_hull_load(w, 0, load, 6));
+        ok(cd_water_get_hull_velocity(w, 0, velocity, 6));
+        assert_near(load[2], 1000 * 2 * draft * 9.81, 5e-3, 0);
+        for (int way = 0; way < 6; ++way) assert_near(velocity[way], 0, 1e-2, fmax(1, draft / 50));
+        cd_water_destroy(w);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(water_and_hulls_gain_no_energy),
+        cmocka_unit_test(a_hull_of_any_mass_comes_to_rest_in_long_steps),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
