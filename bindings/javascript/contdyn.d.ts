@@ -1635,6 +1635,7 @@ export interface WaterOptions {
   drag?: number;
   manning?: number;
   bedRule?: BedRule;
+  hulls?: { count?: number; nAlong?: number; nAcross?: number };
   depth?: Numbers | number;
   bed?: Numbers | number;
   velocityX?: Numbers | number;
@@ -1920,6 +1921,150 @@ export class Water extends Handle {
    */
   impulse(x: number, y: number, radius: number, impulseX: number, impulseY: number): void;
 
+  // ---- what floats on it --------------------------------------------------------------------------------------------
+  // Hulls float on the water, numbered from 0. Each is a rigid body whose floor is a rectangle of nAlong x nAcross
+  // plates, at heights above its keel, with sides as high as it takes. What presses the water down makes waves; water
+  // that
+  // rises, slopes or runs lifts, pushes and drags the hull; where the bed is higher it lies on that. Water only meets a
+  // hull's floor, and hulls neither each other nor walls: their middles stay within the scene, at sides that are not
+  // periodic they stop.
+  //
+  // A pose is {x, y, z, aheadX, aheadY, pitch, roll}: the middle, the height of the keel under it [m], the direction of
+  // the bow, and small slopes: pitch is by how much the bow rises per metre ahead, roll the port side, to the left, per
+  // metre to port. Velocities are {along x, along y, upward [m/s], yaw, pitch, roll [1/s]}, yaw counter-clockwise seen
+  // from above. Mass is spread evenly over length and width; the righting moment is that of the waterline.
+  //
+  // Between body and water lies a skin, three times as stiff as the water's surface. So the body's keel lies a third of
+  // the draft deeper than the floor that is to be drawn, which getHullFloor gives: of a hull that lies still
+  // the floor displaces its own mass, draft = mass / (density area) for a flat one.
+  //
+  // Steps stay bounded at any dt, for hulls of any mass; hulls and water together gain no energy beyond what the water
+  // itself does. In steps in which waves cross many cells, or a hull its own length, hulls are slowed down. Momentum
+  // that
+  // a hull loses to water on a level bed the water has. Forces cost time in proportion to the cells under hulls, and
+  // steps of water with hulls some more per cell.
+  // Errors of all: "errorRange" for an index that no hull has, or a count that is not what the comment says.
+
+  /**
+   * How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are none
+   * (mass 0), those that stay keep what they are unless the plates change. Errors: "errorValue"; "errorMemory";
+   * "errorUnsupported" in a build without hulls.
+   */
+  get hulls(): { count: number; nAlong: number; nAcross: number };
+  set hulls(value: { count?: number; nAlong?: number; nAcross?: number });
+
+  /**
+   * Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], > 0 and at most 512 cells. heights[j][i]: of
+   * the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is
+   * nAlong *
+   * nAcross; null: flat. Where it is, and how it moves, stays. Errors: "errorValue", also for a floor without a plate.
+   */
+  setHull(index: number, mass: number, length: number, width: number, heights?: Numbers | null): void;
+
+  /**
+   * Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all stretched so that
+   * their area is the disc's. radius [m] as half of a length. Errors: "errorValue".
+   */
+  setDisc(index: number, mass: number, radius: number): void;
+
+  /**
+   * What a hull is: mass (0: none), length, width, the area of its plates [m^2].; heights:
+   * `count` of them, or null and any count.
+   */
+  getHull(index: number, count?: number): { mass: number; length: number; width: number; area: number; heights:
+    Float64Array };
+
+  /**
+   * What a hull is: mass (0: none), length, width, the area of its plates [m^2].; heights:
+   * `count` of them, or null and any count.
+   */
+  removeHull(index: number): void;
+
+  /**
+   * Lays a hull on the water at (x, y) in the scene, its bow towards (aheadX, aheadY) of any length but 0, at rest, so
+   * deep that the water as it lies, or the bed, carries it. Errors: "errorValue"; "errorDisabled" if it has no mass,
+   * or no cell is under it, or gravity is 0; "errorDiverged" of a water that did.
+   */
+  launchHull(index: number, x: number, y: number, aheadX: number, aheadY: number): void;
+
+  /**
+   * The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
+   * 1e15
+   * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
+   * "errorValue".
+   */
+  setHullPose(index: number, pose: Numbers): void;
+
+  /**
+   * The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
+   * 1e15
+   * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
+   * "errorValue".
+   */
+  getHullPose(index: number, count: number): Float64Array;
+
+  /**
+   * The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
+   * 1e15
+   * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
+   * "errorValue".
+   */
+  setHullVelocity(index: number, velocity: Numbers): void;
+
+  /**
+   * The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
+   * 1e15
+   * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
+   * "errorValue".
+   */
+  getHullVelocity(index: number, count: number): Float64Array;
+
+  /** The pose in which the floor lies on the water since the last step or launch, to be drawn: 7 numbers. */
+  getHullFloor(index: number, count: number): Float64Array;
+
+  /**
+   * What acts on a hull from outside until it is set anew, an engine: 6 numbers, forces ahead, to port and up [N] and
+   * moments of yaw, pitch and roll [N m], at most 1e30 in size. Default 0. Errors: "errorValue".
+   */
+  setHullForce(index: number, force: Numbers): void;
+
+  /**
+   * What acts on a hull from outside until it is set anew, an engine: 6 numbers, forces ahead, to port and up [N] and
+   * moments of yaw, pitch and roll [N m], at most 1e30 in size. Default 0. Errors: "errorValue".
+   */
+  getHullForce(index: number, count: number): Float64Array;
+
+  /**
+   * Drag against the water under it, along the hull and across it [N s/m], which slows turning too, and Coulomb
+   * friction
+   * on the bed; in [0, 1e30], default 0. Errors: "errorValue".
+   */
+  setHullDrag(index: number, along: number, across: number, friction: number): void;
+
+  /**
+   * Drag against the water under it, along the hull and across it [N s/m], which slows turning too, and Coulomb
+   * friction
+   * on the bed; in [0, 1e30], default 0. Errors: "errorValue".
+   */
+  getHullDrag(index: number): { along: number; across: number; friction: number };
+
+  /**
+   * What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up [N], moments of yaw,
+   * pitch
+   * and roll [N m].
+   */
+  getHullLoad(index: number, count: number): Float64Array;
+
+  /** Energies of all hulls [J]: of their motion; mass g z, and what their skins hold. */
+  get hullEnergy(): { kinetic: number; potential: number };
+
+  /**
+   * How high [m] the water would stand at n places, at[k] = {x, y}, with no hull pressing on it: its surface and the
+   * head
+   * that hulls press with. Errors: "errorValue" for a place outside; "errorRange" for more than fit in memory.
+   */
+  sampleHeads(at: Numbers): Float64Array;
+
   // ---- time ---------------------------------------------------------------------------------------------------------
 
   /**
@@ -2075,10 +2220,11 @@ export class Water extends Handle {
   copyState(source: Water): void;
 
   /**
-   * Depths, velocities, time, steps and account back to 0. Bed, parameters and the other fields stay. What is at sides
-   * begins again with time: a level or discharge that changes is what it was at time 0, or by its rate would have been
-   * if
-   * it was set later; then set it anew.
+   * Depths, velocities, time, steps and account back to 0, hulls to where new ones lie, at rest. Bed, parameters and
+   * the
+   * other fields stay, and what hulls are. What is at sides begins again with time: a level or discharge that changes
+   * is
+   * what it was at time 0, or by its rate would have been if it was set later; then set it anew.
    */
   reset(): void;
 }

@@ -1500,6 +1500,161 @@ export class Water extends Handle {
       number(impulseX, "impulseX"), number(impulseY, "impulseY")));
   }
 
+  get hulls() {
+    check(wasm.cd_water_get_hulls(addressOf(this, Water), result(0), result(1), result(2)));
+    return {
+      count: whole(0),
+      nAlong: whole(1),
+      nAcross: whole(2),
+    };
+  }
+
+  set hulls(numbers) {
+    const { count, nAlong, nAcross } = several(numbers, () => this.hulls, "hulls", ["count", "nAlong", "nAcross"]);
+    check(wasm.cd_water_set_hulls(addressOf(this, Water), size(count, "count"), size(nAlong, "nAlong"), size(nAcross,
+      "nAcross")));
+  }
+
+  setHull(index, mass, length, width, heights = null) {
+    const address = addressOf(this, Water);
+    begin();
+    const heightsAt = put(heights, Float64Array, "heights", true);
+    const countOf = heightsAt.length;
+    check(wasm.cd_water_set_hull(address, size(index, "index"), number(mass, "mass"), number(length, "length"),
+      number(width, "width"), heightsAt.address, countOf));
+  }
+
+  setDisc(index, mass, radius) {
+    check(wasm.cd_water_set_disc(addressOf(this, Water), size(index, "index"), number(mass, "mass"), number(radius,
+      "radius")));
+  }
+
+  getHull(index, count = 0) {
+    const address = addressOf(this, Water);
+    begin();
+    const countOf = size(count, "count");
+    const heightsAt = countOf === 0 ? 0 : take(Float64Array.BYTES_PER_ELEMENT * countOf);
+    check(wasm.cd_water_get_hull(address, size(index, "index"), result(0), result(1), result(2), result(3), heightsAt,
+      countOf));
+    return {
+      mass: real(0),
+      length: real(1),
+      width: real(2),
+      area: real(3),
+      heights: got(heightsAt, Float64Array, countOf),
+    };
+  }
+
+  removeHull(index) {
+    check(wasm.cd_water_remove_hull(addressOf(this, Water), size(index, "index")));
+  }
+
+  launchHull(index, x, y, aheadX, aheadY) {
+    check(wasm.cd_water_launch_hull(addressOf(this, Water), size(index, "index"), number(x, "x"), number(y, "y"),
+      number(aheadX, "aheadX"), number(aheadY, "aheadY")));
+  }
+
+  setHullPose(index, pose) {
+    const address = addressOf(this, Water);
+    begin();
+    const poseAt = put(pose, Float64Array, "pose");
+    const countOf = poseAt.length;
+    check(wasm.cd_water_set_hull_pose(address, size(index, "index"), poseAt.address, countOf));
+  }
+
+  getHullPose(index, count) {
+    const address = addressOf(this, Water);
+    begin();
+    const countOf = size(count, "count");
+    const poseAt = take(Float64Array.BYTES_PER_ELEMENT * countOf);
+    check(wasm.cd_water_get_hull_pose(address, size(index, "index"), poseAt, countOf));
+    return got(poseAt, Float64Array, countOf);
+  }
+
+  setHullVelocity(index, velocity) {
+    const address = addressOf(this, Water);
+    begin();
+    const velocityAt = put(velocity, Float64Array, "velocity");
+    const countOf = velocityAt.length;
+    check(wasm.cd_water_set_hull_velocity(address, size(index, "index"), velocityAt.address, countOf));
+  }
+
+  getHullVelocity(index, count) {
+    const address = addressOf(this, Water);
+    begin();
+    const countOf = size(count, "count");
+    const velocityAt = take(Float64Array.BYTES_PER_ELEMENT * countOf);
+    check(wasm.cd_water_get_hull_velocity(address, size(index, "index"), velocityAt, countOf));
+    return got(velocityAt, Float64Array, countOf);
+  }
+
+  getHullFloor(index, count) {
+    const address = addressOf(this, Water);
+    begin();
+    const countOf = size(count, "count");
+    const poseAt = take(Float64Array.BYTES_PER_ELEMENT * countOf);
+    check(wasm.cd_water_get_hull_floor(address, size(index, "index"), poseAt, countOf));
+    return got(poseAt, Float64Array, countOf);
+  }
+
+  setHullForce(index, force) {
+    const address = addressOf(this, Water);
+    begin();
+    const forceAt = put(force, Float64Array, "force");
+    const countOf = forceAt.length;
+    check(wasm.cd_water_set_hull_force(address, size(index, "index"), forceAt.address, countOf));
+  }
+
+  getHullForce(index, count) {
+    const address = addressOf(this, Water);
+    begin();
+    const countOf = size(count, "count");
+    const forceAt = take(Float64Array.BYTES_PER_ELEMENT * countOf);
+    check(wasm.cd_water_get_hull_force(address, size(index, "index"), forceAt, countOf));
+    return got(forceAt, Float64Array, countOf);
+  }
+
+  setHullDrag(index, along, across, friction) {
+    check(wasm.cd_water_set_hull_drag(addressOf(this, Water), size(index, "index"), number(along, "along"),
+      number(across, "across"), number(friction, "friction")));
+  }
+
+  getHullDrag(index) {
+    check(wasm.cd_water_get_hull_drag(addressOf(this, Water), size(index, "index"), result(0), result(1), result(2)));
+    return {
+      along: real(0),
+      across: real(1),
+      friction: real(2),
+    };
+  }
+
+  getHullLoad(index, count) {
+    const address = addressOf(this, Water);
+    begin();
+    const countOf = size(count, "count");
+    const loadAt = take(Float64Array.BYTES_PER_ELEMENT * countOf);
+    check(wasm.cd_water_get_hull_load(address, size(index, "index"), loadAt, countOf));
+    return got(loadAt, Float64Array, countOf);
+  }
+
+  get hullEnergy() {
+    check(wasm.cd_water_get_hull_energy(addressOf(this, Water), result(0), result(1)));
+    return {
+      kinetic: real(0),
+      potential: real(1),
+    };
+  }
+
+  sampleHeads(at) {
+    const address = addressOf(this, Water);
+    begin();
+    const atAt = put(at, Float64Array, "at");
+    const nOf = items(atAt, 2, "at");
+    const headsAt = take(Float64Array.BYTES_PER_ELEMENT * nOf);
+    check(wasm.cd_water_sample_heads(address, atAt.address, nOf, headsAt));
+    return got(headsAt, Float64Array, nOf);
+  }
+
   step(dt, count = 1) {
     check(wasm.cd_water_step(addressOf(this, Water), number(dt, "dt"), size(count, "count")));
   }

@@ -3530,6 +3530,66 @@ namespace Contdyn
         }
     }
 
+    /// <summary>What Water.GetHulls tells.</summary>
+    public struct WaterHulls
+    {
+        public readonly long Count;
+        public readonly long NAlong;
+        public readonly long NAcross;
+
+        internal WaterHulls(long count, long nAlong, long nAcross)
+        {
+            Count = count;
+            NAlong = nAlong;
+            NAcross = nAcross;
+        }
+    }
+
+    /// <summary>What Water.GetHull tells.</summary>
+    public struct WaterHull
+    {
+        public readonly double Mass;
+        public readonly double Length;
+        public readonly double Width;
+        public readonly double Area;
+
+        internal WaterHull(double mass, double length, double width, double area)
+        {
+            Mass = mass;
+            Length = length;
+            Width = width;
+            Area = area;
+        }
+    }
+
+    /// <summary>What Water.GetHullDrag tells.</summary>
+    public struct WaterHullDrag
+    {
+        public readonly double Along;
+        public readonly double Across;
+        public readonly double Friction;
+
+        internal WaterHullDrag(double along, double across, double friction)
+        {
+            Along = along;
+            Across = across;
+            Friction = friction;
+        }
+    }
+
+    /// <summary>What Water.GetHullEnergy tells.</summary>
+    public struct WaterHullEnergy
+    {
+        public readonly double Kinetic;
+        public readonly double Potential;
+
+        internal WaterHullEnergy(double kinetic, double potential)
+        {
+            Kinetic = kinetic;
+            Potential = potential;
+        }
+    }
+
     /// <summary>What Water.GetLimited tells.</summary>
     public struct WaterLimited
     {
@@ -4162,6 +4222,396 @@ namespace Contdyn
             Check(Native.cd_water_impulse(Handle, x, y, radius, impulseX, impulseY));
         }
 
+        /// <summary>How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way:
+        /// new ones are none (mass 0), those that stay keep what they are unless the plates change. Errors:
+        /// CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be
+        /// null.</summary>
+        public void SetHulls(long count, long nAlong, long nAcross)
+        {
+            Changed();
+            Check(Native.cd_water_set_hulls(Handle, Native.Size(count, "cd_water_set_hulls", "count"),
+                Native.Size(nAlong, "cd_water_set_hulls", "n_along"), Native.Size(nAcross, "cd_water_set_hulls",
+                "n_across")));
+        }
+
+        /// <summary>How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way:
+        /// new ones are none (mass 0), those that stay keep what they are unless the plates change. Errors:
+        /// CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be
+        /// null.</summary>
+        public WaterHulls GetHulls()
+        {
+            UIntPtr outCount;
+            UIntPtr outNAlong;
+            UIntPtr outNAcross;
+            Check(Native.cd_water_get_hulls(Handle, &outCount, &outNAlong, &outNAcross));
+            return new WaterHulls((long)outCount, (long)outNAlong, (long)outNAcross);
+        }
+
+        /// <summary>Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], &gt; 0 and at most 512
+        /// cells. heights[j][i]: of the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where
+        /// there is none; `count` is n_along * n_across; null: flat. Where it is, and how it moves, stays. Errors:
+        /// CD_ERROR_VALUE, also for a floor without a plate.</summary>
+        public void SetHull(long index, double mass, double length, double width, params double[] heights)
+        {
+            fixed (double* heightsPointer = heights)
+                SetHullCore(index, mass, length, width, heightsPointer, Native.Length(heights));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], &gt; 0 and at most 512
+        /// cells. heights[j][i]: of the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where
+        /// there is none; `count` is n_along * n_across; null: flat. Where it is, and how it moves, stays. Errors:
+        /// CD_ERROR_VALUE, also for a floor without a plate.</summary>
+        public void SetHull(long index, double mass, double length, double width, ReadOnlySpan<double> heights)
+        {
+            fixed (double* heightsPointer = &MemoryMarshal.GetReference(heights))
+                SetHullCore(index, mass, length, width, heights.Length == 0 ? null : heightsPointer, heights.Length);
+        }
+
+#endif
+        private void SetHullCore(long index, double mass, double length, double width, double* heights,
+            long heightsLength)
+        {
+            long count = Native.Count(heightsLength, 1, "cd_water_set_hull", "heights");
+            Changed();
+            Check(Native.cd_water_set_hull(Handle, Native.Size(index, "cd_water_set_hull", "index"), mass, length,
+                width, heights, Native.Size(count, "cd_water_set_hull", "count")));
+        }
+
+        /// <summary>Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all
+        /// stretched so that their area is the disc's. radius [m] as half of a length. Errors:
+        /// CD_ERROR_VALUE.</summary>
+        public void SetDisc(long index, double mass, double radius)
+        {
+            Changed();
+            Check(Native.cd_water_set_disc(Handle, Native.Size(index, "cd_water_set_disc", "index"), mass, radius));
+        }
+
+        /// <summary>What a hull is: mass (0: none), length, width, the area of its plates [m^2]. Each output may be
+        /// null; heights: `count` of them, or null and any count.</summary>
+        public WaterHull GetHull(long index, double[] outHeights)
+        {
+            fixed (double* outHeightsPointer = outHeights)
+                return GetHullCore(index, outHeightsPointer, Native.Length(outHeights));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>What a hull is: mass (0: none), length, width, the area of its plates [m^2]. Each output may be
+        /// null; heights: `count` of them, or null and any count.</summary>
+        public WaterHull GetHull(long index, Span<double> outHeights)
+        {
+            fixed (double* outHeightsPointer = &MemoryMarshal.GetReference(outHeights))
+                return GetHullCore(index, outHeights.Length == 0 ? null : outHeightsPointer, outHeights.Length);
+        }
+
+#endif
+        private WaterHull GetHullCore(long index, double* outHeights, long outHeightsLength)
+        {
+            long count = Native.Count(outHeightsLength, 1, "cd_water_get_hull", "out_heights");
+            double outMass;
+            double outLength;
+            double outWidth;
+            double outArea;
+            Check(Native.cd_water_get_hull(Handle, Native.Size(index, "cd_water_get_hull", "index"), &outMass,
+                &outLength, &outWidth, &outArea, outHeights, Native.Size(count, "cd_water_get_hull", "count")));
+            return new WaterHull(outMass, outLength, outWidth, outArea);
+        }
+
+        /// <summary>What a hull is: mass (0: none), length, width, the area of its plates [m^2]. Each output may be
+        /// null; heights: `count` of them, or null and any count.</summary>
+        public void RemoveHull(long index)
+        {
+            Changed();
+            Check(Native.cd_water_remove_hull(Handle, Native.Size(index, "cd_water_remove_hull", "index")));
+        }
+
+        /// <summary>Lays a hull on the water at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length
+        /// but 0, at rest, so deep that the water as it lies, or the bed, carries it. Errors: CD_ERROR_VALUE;
+        /// CD_ERROR_DISABLED if it has no mass, or no cell is under it, or gravity is 0; CD_ERROR_DIVERGED of a water
+        /// that did.</summary>
+        public void LaunchHull(long index, double x, double y, double aheadX, double aheadY)
+        {
+            Changed();
+            Check(Native.cd_water_launch_hull(Handle, Native.Size(index, "cd_water_launch_hull", "index"), x, y,
+                aheadX, aheadY));
+        }
+
+        /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
+        /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
+        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        public void SetHullPose(long index, params double[] pose)
+        {
+            fixed (double* posePointer = pose)
+                SetHullPoseCore(index, posePointer, Native.Length(pose));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
+        /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
+        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        public void SetHullPose(long index, ReadOnlySpan<double> pose)
+        {
+            fixed (double* posePointer = &MemoryMarshal.GetReference(pose))
+                SetHullPoseCore(index, pose.Length == 0 ? null : posePointer, pose.Length);
+        }
+
+#endif
+        private void SetHullPoseCore(long index, double* pose, long poseLength)
+        {
+            long count = Native.Count(poseLength, 1, "cd_water_set_hull_pose", "pose");
+            Changed();
+            Check(Native.cd_water_set_hull_pose(Handle, Native.Size(index, "cd_water_set_hull_pose", "index"), pose,
+                Native.Size(count, "cd_water_set_hull_pose", "count")));
+        }
+
+        /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
+        /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
+        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        public void GetHullPose(long index, double[] outPose)
+        {
+            fixed (double* outPosePointer = outPose)
+                GetHullPoseCore(index, outPosePointer, Native.Length(outPose));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
+        /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
+        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        public void GetHullPose(long index, Span<double> outPose)
+        {
+            fixed (double* outPosePointer = &MemoryMarshal.GetReference(outPose))
+                GetHullPoseCore(index, outPose.Length == 0 ? null : outPosePointer, outPose.Length);
+        }
+
+#endif
+        private void GetHullPoseCore(long index, double* outPose, long outPoseLength)
+        {
+            long count = Native.Count(outPoseLength, 1, "cd_water_get_hull_pose", "out_pose");
+            Check(Native.cd_water_get_hull_pose(Handle, Native.Size(index, "cd_water_get_hull_pose", "index"), outPose,
+                Native.Size(count, "cd_water_get_hull_pose", "count")));
+        }
+
+        /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
+        /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
+        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        public void SetHullVelocity(long index, params double[] velocity)
+        {
+            fixed (double* velocityPointer = velocity)
+                SetHullVelocityCore(index, velocityPointer, Native.Length(velocity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
+        /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
+        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        public void SetHullVelocity(long index, ReadOnlySpan<double> velocity)
+        {
+            fixed (double* velocityPointer = &MemoryMarshal.GetReference(velocity))
+                SetHullVelocityCore(index, velocity.Length == 0 ? null : velocityPointer, velocity.Length);
+        }
+
+#endif
+        private void SetHullVelocityCore(long index, double* velocity, long velocityLength)
+        {
+            long count = Native.Count(velocityLength, 1, "cd_water_set_hull_velocity", "velocity");
+            Changed();
+            Check(Native.cd_water_set_hull_velocity(Handle, Native.Size(index, "cd_water_set_hull_velocity", "index"),
+                velocity, Native.Size(count, "cd_water_set_hull_velocity", "count")));
+        }
+
+        /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
+        /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
+        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        public void GetHullVelocity(long index, double[] outVelocity)
+        {
+            fixed (double* outVelocityPointer = outVelocity)
+                GetHullVelocityCore(index, outVelocityPointer, Native.Length(outVelocity));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
+        /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
+        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        public void GetHullVelocity(long index, Span<double> outVelocity)
+        {
+            fixed (double* outVelocityPointer = &MemoryMarshal.GetReference(outVelocity))
+                GetHullVelocityCore(index, outVelocity.Length == 0 ? null : outVelocityPointer, outVelocity.Length);
+        }
+
+#endif
+        private void GetHullVelocityCore(long index, double* outVelocity, long outVelocityLength)
+        {
+            long count = Native.Count(outVelocityLength, 1, "cd_water_get_hull_velocity", "out_velocity");
+            Check(Native.cd_water_get_hull_velocity(Handle, Native.Size(index, "cd_water_get_hull_velocity", "index"),
+                outVelocity, Native.Size(count, "cd_water_get_hull_velocity", "count")));
+        }
+
+        /// <summary>The pose in which the floor lies on the water since the last step or launch, to be drawn: 7
+        /// numbers.</summary>
+        public void GetHullFloor(long index, double[] outPose)
+        {
+            fixed (double* outPosePointer = outPose)
+                GetHullFloorCore(index, outPosePointer, Native.Length(outPose));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The pose in which the floor lies on the water since the last step or launch, to be drawn: 7
+        /// numbers.</summary>
+        public void GetHullFloor(long index, Span<double> outPose)
+        {
+            fixed (double* outPosePointer = &MemoryMarshal.GetReference(outPose))
+                GetHullFloorCore(index, outPose.Length == 0 ? null : outPosePointer, outPose.Length);
+        }
+
+#endif
+        private void GetHullFloorCore(long index, double* outPose, long outPoseLength)
+        {
+            long count = Native.Count(outPoseLength, 1, "cd_water_get_hull_floor", "out_pose");
+            Check(Native.cd_water_get_hull_floor(Handle, Native.Size(index, "cd_water_get_hull_floor", "index"),
+                outPose, Native.Size(count, "cd_water_get_hull_floor", "count")));
+        }
+
+        /// <summary>What acts on a hull from outside until it is set anew, an engine: 6 numbers, forces ahead, to port
+        /// and up [N] and moments of yaw, pitch and roll [N m], at most 1e30 in size. Default 0. Errors:
+        /// CD_ERROR_VALUE.</summary>
+        public void SetHullForce(long index, params double[] force)
+        {
+            fixed (double* forcePointer = force)
+                SetHullForceCore(index, forcePointer, Native.Length(force));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>What acts on a hull from outside until it is set anew, an engine: 6 numbers, forces ahead, to port
+        /// and up [N] and moments of yaw, pitch and roll [N m], at most 1e30 in size. Default 0. Errors:
+        /// CD_ERROR_VALUE.</summary>
+        public void SetHullForce(long index, ReadOnlySpan<double> force)
+        {
+            fixed (double* forcePointer = &MemoryMarshal.GetReference(force))
+                SetHullForceCore(index, force.Length == 0 ? null : forcePointer, force.Length);
+        }
+
+#endif
+        private void SetHullForceCore(long index, double* force, long forceLength)
+        {
+            long count = Native.Count(forceLength, 1, "cd_water_set_hull_force", "force");
+            Changed();
+            Check(Native.cd_water_set_hull_force(Handle, Native.Size(index, "cd_water_set_hull_force", "index"), force,
+                Native.Size(count, "cd_water_set_hull_force", "count")));
+        }
+
+        /// <summary>What acts on a hull from outside until it is set anew, an engine: 6 numbers, forces ahead, to port
+        /// and up [N] and moments of yaw, pitch and roll [N m], at most 1e30 in size. Default 0. Errors:
+        /// CD_ERROR_VALUE.</summary>
+        public void GetHullForce(long index, double[] outForce)
+        {
+            fixed (double* outForcePointer = outForce)
+                GetHullForceCore(index, outForcePointer, Native.Length(outForce));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>What acts on a hull from outside until it is set anew, an engine: 6 numbers, forces ahead, to port
+        /// and up [N] and moments of yaw, pitch and roll [N m], at most 1e30 in size. Default 0. Errors:
+        /// CD_ERROR_VALUE.</summary>
+        public void GetHullForce(long index, Span<double> outForce)
+        {
+            fixed (double* outForcePointer = &MemoryMarshal.GetReference(outForce))
+                GetHullForceCore(index, outForce.Length == 0 ? null : outForcePointer, outForce.Length);
+        }
+
+#endif
+        private void GetHullForceCore(long index, double* outForce, long outForceLength)
+        {
+            long count = Native.Count(outForceLength, 1, "cd_water_get_hull_force", "out_force");
+            Check(Native.cd_water_get_hull_force(Handle, Native.Size(index, "cd_water_get_hull_force", "index"),
+                outForce, Native.Size(count, "cd_water_get_hull_force", "count")));
+        }
+
+        /// <summary>Drag against the water under it, along the hull and across it [N s/m], which slows turning too, and
+        /// Coulomb friction on the bed; in [0, 1e30], default 0. Errors: CD_ERROR_VALUE.</summary>
+        public void SetHullDrag(long index, double along, double across, double friction)
+        {
+            Changed();
+            Check(Native.cd_water_set_hull_drag(Handle, Native.Size(index, "cd_water_set_hull_drag", "index"), along,
+                across, friction));
+        }
+
+        /// <summary>Drag against the water under it, along the hull and across it [N s/m], which slows turning too, and
+        /// Coulomb friction on the bed; in [0, 1e30], default 0. Errors: CD_ERROR_VALUE.</summary>
+        public WaterHullDrag GetHullDrag(long index)
+        {
+            double outAlong;
+            double outAcross;
+            double outFriction;
+            Check(Native.cd_water_get_hull_drag(Handle, Native.Size(index, "cd_water_get_hull_drag", "index"),
+                &outAlong, &outAcross, &outFriction));
+            return new WaterHullDrag(outAlong, outAcross, outFriction);
+        }
+
+        /// <summary>What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up [N],
+        /// moments of yaw, pitch and roll [N m].</summary>
+        public void GetHullLoad(long index, double[] outLoad)
+        {
+            fixed (double* outLoadPointer = outLoad)
+                GetHullLoadCore(index, outLoadPointer, Native.Length(outLoad));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up [N],
+        /// moments of yaw, pitch and roll [N m].</summary>
+        public void GetHullLoad(long index, Span<double> outLoad)
+        {
+            fixed (double* outLoadPointer = &MemoryMarshal.GetReference(outLoad))
+                GetHullLoadCore(index, outLoad.Length == 0 ? null : outLoadPointer, outLoad.Length);
+        }
+
+#endif
+        private void GetHullLoadCore(long index, double* outLoad, long outLoadLength)
+        {
+            long count = Native.Count(outLoadLength, 1, "cd_water_get_hull_load", "out_load");
+            Check(Native.cd_water_get_hull_load(Handle, Native.Size(index, "cd_water_get_hull_load", "index"), outLoad,
+                Native.Size(count, "cd_water_get_hull_load", "count")));
+        }
+
+        /// <summary>Energies of all hulls [J]: of their motion; mass g z, and what their skins hold. Each output may be
+        /// null.</summary>
+        public WaterHullEnergy GetHullEnergy()
+        {
+            double outKinetic;
+            double outPotential;
+            Check(Native.cd_water_get_hull_energy(Handle, &outKinetic, &outPotential));
+            return new WaterHullEnergy(outKinetic, outPotential);
+        }
+
+        /// <summary>How high [m] the water would stand at n places, at[k] = {x, y}, with no hull pressing on it: its
+        /// surface and the head that hulls press with. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for
+        /// more than fit in memory.</summary>
+        public void SampleHeads(double[] at, double[] outHeads)
+        {
+            fixed (double* atPointer = at)
+            fixed (double* outHeadsPointer = outHeads)
+                SampleHeadsCore(atPointer, Native.Length(at), outHeadsPointer, Native.Length(outHeads));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>How high [m] the water would stand at n places, at[k] = {x, y}, with no hull pressing on it: its
+        /// surface and the head that hulls press with. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for
+        /// more than fit in memory.</summary>
+        public void SampleHeads(ReadOnlySpan<double> at, Span<double> outHeads)
+        {
+            fixed (double* atPointer = &MemoryMarshal.GetReference(at))
+            fixed (double* outHeadsPointer = &MemoryMarshal.GetReference(outHeads))
+                SampleHeadsCore(at.Length == 0 ? null : atPointer, at.Length,
+                    outHeads.Length == 0 ? null : outHeadsPointer, outHeads.Length);
+        }
+
+#endif
+        private void SampleHeadsCore(double* at, long atLength, double* outHeads, long outHeadsLength)
+        {
+            long n = Native.Count(atLength, 2, "cd_water_sample_heads", "at");
+            Native.Same(outHeads, outHeadsLength, n, "cd_water_sample_heads", "out_heads");
+            Check(Native.cd_water_sample_heads(Handle, at, Native.Size(n, "cd_water_sample_heads", "n"), outHeads));
+        }
+
         /// <summary>Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is
         /// proportional to count * cells, and to the parts that steps are made in (see above). Errors: CD_ERROR_VALUE;
         /// CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives the first bad
@@ -4529,9 +4979,10 @@ namespace Contdyn
             Check(Native.cd_water_copy_state(Handle, Native.NotNull(source, "source").Handle));
         }
 
-        /// <summary>Depths, velocities, time, steps and account back to 0. Bed, parameters and the other fields stay.
-        /// What is at sides begins again with time: a level or discharge that changes is what it was at time 0, or by
-        /// its rate would have been if it was set later; then set it anew.</summary>
+        /// <summary>Depths, velocities, time, steps and account back to 0, hulls to where new ones lie, at rest. Bed,
+        /// parameters and the other fields stay, and what hulls are. What is at sides begins again with time: a level
+        /// or discharge that changes is what it was at time 0, or by its rate would have been if it was set later; then
+        /// set it anew.</summary>
         public void Reset()
         {
             Changed();

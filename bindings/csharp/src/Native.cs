@@ -713,6 +713,79 @@ namespace Contdyn
             double impulseX, double impulseY);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_set_hulls(WaterHandle water, UIntPtr count, UIntPtr nAlong,
+            UIntPtr nAcross);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_get_hulls(WaterHandle water, UIntPtr* outCount, UIntPtr* outNAlong,
+            UIntPtr* outNAcross);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_set_hull(WaterHandle water, UIntPtr index, double mass, double length,
+            double width, double* heights, UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_set_disc(WaterHandle water, UIntPtr index, double mass, double radius);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_get_hull(WaterHandle water, UIntPtr index, double* outMass,
+            double* outLength, double* outWidth, double* outArea, double* outHeights, UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_remove_hull(WaterHandle water, UIntPtr index);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_launch_hull(WaterHandle water, UIntPtr index, double x, double y,
+            double aheadX, double aheadY);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_set_hull_pose(WaterHandle water, UIntPtr index, double* pose,
+            UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_get_hull_pose(WaterHandle water, UIntPtr index, double* outPose,
+            UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_set_hull_velocity(WaterHandle water, UIntPtr index, double* velocity,
+            UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_get_hull_velocity(WaterHandle water, UIntPtr index, double* outVelocity,
+            UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_get_hull_floor(WaterHandle water, UIntPtr index, double* outPose,
+            UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_set_hull_force(WaterHandle water, UIntPtr index, double* force,
+            UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_get_hull_force(WaterHandle water, UIntPtr index, double* outForce,
+            UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_set_hull_drag(WaterHandle water, UIntPtr index, double along,
+            double across, double friction);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_get_hull_drag(WaterHandle water, UIntPtr index, double* outAlong,
+            double* outAcross, double* outFriction);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_get_hull_load(WaterHandle water, UIntPtr index, double* outLoad,
+            UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_get_hull_energy(WaterHandle water, double* outKinetic,
+            double* outPotential);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_sample_heads(WaterHandle water, double* at, UIntPtr n, double* outHeads);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_water_step(WaterHandle water, double dt, UIntPtr count);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

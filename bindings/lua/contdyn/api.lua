@@ -279,6 +279,28 @@ cd_status cd_water_add_source_rectangle(cd_water* water, size_t first_x, size_t 
     double rate);
 cd_status cd_water_splash(cd_water* water, double x, double y, double radius, double height);
 cd_status cd_water_impulse(cd_water* water, double x, double y, double radius, double impulse_x, double impulse_y);
+cd_status cd_water_set_hulls(cd_water* water, size_t count, size_t n_along, size_t n_across);
+cd_status cd_water_get_hulls(const cd_water* water, size_t* out_count, size_t* out_n_along, size_t* out_n_across);
+cd_status cd_water_set_hull(cd_water* water, size_t index, double mass, double length, double width,
+    const double* heights, size_t count);
+cd_status cd_water_set_disc(cd_water* water, size_t index, double mass, double radius);
+cd_status cd_water_get_hull(const cd_water* water, size_t index, double* out_mass, double* out_length,
+    double* out_width, double* out_area, double* out_heights, size_t count);
+cd_status cd_water_remove_hull(cd_water* water, size_t index);
+cd_status cd_water_launch_hull(cd_water* water, size_t index, double x, double y, double ahead_x, double ahead_y);
+cd_status cd_water_set_hull_pose(cd_water* water, size_t index, const double* pose, size_t count);
+cd_status cd_water_get_hull_pose(const cd_water* water, size_t index, double* out_pose, size_t count);
+cd_status cd_water_set_hull_velocity(cd_water* water, size_t index, const double* velocity, size_t count);
+cd_status cd_water_get_hull_velocity(const cd_water* water, size_t index, double* out_velocity, size_t count);
+cd_status cd_water_get_hull_floor(const cd_water* water, size_t index, double* out_pose, size_t count);
+cd_status cd_water_set_hull_force(cd_water* water, size_t index, const double* force, size_t count);
+cd_status cd_water_get_hull_force(const cd_water* water, size_t index, double* out_force, size_t count);
+cd_status cd_water_set_hull_drag(cd_water* water, size_t index, double along, double across, double friction);
+cd_status cd_water_get_hull_drag(const cd_water* water, size_t index, double* out_along, double* out_across,
+    double* out_friction);
+cd_status cd_water_get_hull_load(const cd_water* water, size_t index, double* out_load, size_t count);
+cd_status cd_water_get_hull_energy(const cd_water* water, double* out_kinetic, double* out_potential);
+cd_status cd_water_sample_heads(const cd_water* water, const double* at, size_t n, double* out_heads);
 cd_status cd_water_step(cd_water* water, double dt, size_t count);
 cd_status cd_water_stable_dt(const cd_water* water, double* out_dt);
 cd_status cd_water_get_time(const cd_water* water, double* out_time);
@@ -3112,6 +3134,232 @@ function Water:impulse(x, y, radius, impulse_x, impulse_y)
   check(lib.cd_water_impulse(handle_of(self), x, y, radius, impulse_x, impulse_y))
 end
 
+-- How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are none
+-- (mass 0), those that stay keep what they are unless the plates change. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
+-- CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null.
+function Water:set_hulls(count, n_along, n_across)
+  local where = "cd_water_set_hulls"
+  count = integer_in(count, where, "count")
+  n_along = integer_in(n_along, where, "n_along")
+  n_across = integer_in(n_across, where, "n_across")
+  self._version = self._version + 1
+  check(lib.cd_water_set_hulls(handle_of(self), count, n_along, n_across))
+end
+
+-- How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are none
+-- (mass 0), those that stay keep what they are unless the plates change. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
+-- CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null.
+function Water:get_hulls()
+  local where = "cd_water_get_hulls"
+  local out_count = size_t_1()
+  local out_n_along = size_t_1()
+  local out_n_across = size_t_1()
+  check(lib.cd_water_get_hulls(handle_of(self), out_count, out_n_along, out_n_across))
+  return tonumber(out_count[0]), tonumber(out_n_along[0]), tonumber(out_n_across[0])
+end
+
+-- Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], > 0 and at most 512 cells. heights[j][i]: of
+-- the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is n_along
+-- * n_across; null: flat. Where it is, and how it moves, stays. Errors: CD_ERROR_VALUE, also for a floor without a
+-- plate.
+function Water:set_hull(index, mass, length, width, heights)
+  local where = "cd_water_set_hull"
+  index = integer_in(index, where, "index")
+  mass = number_in(mass, where, "mass")
+  length = number_in(length, where, "length")
+  width = number_in(width, where, "width")
+  local p_heights, n_heights = array_in("double", heights, where, "heights", true)
+  local count = count_of(n_heights, 1, where, "heights")
+  self._version = self._version + 1
+  check(lib.cd_water_set_hull(handle_of(self), index, mass, length, width, p_heights, count))
+end
+
+-- Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all stretched so that
+-- their area is the disc's. radius [m] as half of a length. Errors: CD_ERROR_VALUE.
+function Water:set_disc(index, mass, radius)
+  local where = "cd_water_set_disc"
+  index = integer_in(index, where, "index")
+  mass = number_in(mass, where, "mass")
+  radius = number_in(radius, where, "radius")
+  self._version = self._version + 1
+  check(lib.cd_water_set_disc(handle_of(self), index, mass, radius))
+end
+
+-- What a hull is: mass (0: none), length, width, the area of its plates [m^2]. Each output may be null; heights:
+-- `count` of them, or null and any count.
+function Water:get_hull(index, out_heights)
+  local where = "cd_water_get_hull"
+  index = integer_in(index, where, "index")
+  local p_out_heights, n_out_heights = array_out("double", out_heights, nil, where, "out_heights")
+  local count = n_out_heights or 0
+  local out_mass = double_1()
+  local out_length = double_1()
+  local out_width = double_1()
+  local out_area = double_1()
+  check(lib.cd_water_get_hull(handle_of(self), index, out_mass, out_length, out_width, out_area, p_out_heights, count))
+  return tonumber(out_mass[0]), tonumber(out_length[0]), tonumber(out_width[0]), tonumber(out_area[0]),
+      array_result(out_heights, p_out_heights, n_out_heights)
+end
+
+-- What a hull is: mass (0: none), length, width, the area of its plates [m^2]. Each output may be null; heights:
+-- `count` of them, or null and any count.
+function Water:remove_hull(index)
+  local where = "cd_water_remove_hull"
+  index = integer_in(index, where, "index")
+  self._version = self._version + 1
+  check(lib.cd_water_remove_hull(handle_of(self), index))
+end
+
+-- Lays a hull on the water at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at rest, so
+-- deep that the water as it lies, or the bed, carries it. Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass,
+-- or no cell is under it, or gravity is 0; CD_ERROR_DIVERGED of a water that did.
+function Water:launch_hull(index, x, y, ahead_x, ahead_y)
+  local where = "cd_water_launch_hull"
+  index = integer_in(index, where, "index")
+  x = number_in(x, where, "x")
+  y = number_in(y, where, "y")
+  ahead_x = number_in(ahead_x, where, "ahead_x")
+  ahead_y = number_in(ahead_y, where, "ahead_y")
+  self._version = self._version + 1
+  check(lib.cd_water_launch_hull(handle_of(self), index, x, y, ahead_x, ahead_y))
+end
+
+-- The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most 1e15
+-- in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
+-- CD_ERROR_VALUE.
+function Water:set_hull_pose(index, pose)
+  local where = "cd_water_set_hull_pose"
+  index = integer_in(index, where, "index")
+  local p_pose, n_pose = array_in("double", pose, where, "pose")
+  local count = count_of(n_pose, 1, where, "pose")
+  self._version = self._version + 1
+  check(lib.cd_water_set_hull_pose(handle_of(self), index, p_pose, count))
+end
+
+-- The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most 1e15
+-- in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
+-- CD_ERROR_VALUE.
+function Water:get_hull_pose(index, out_pose)
+  local where = "cd_water_get_hull_pose"
+  index = integer_in(index, where, "index")
+  local p_out_pose, n_out_pose = array_out("double", out_pose, nil, where, "out_pose")
+  local count = n_out_pose or 0
+  check(lib.cd_water_get_hull_pose(handle_of(self), index, p_out_pose, count))
+  return array_result(out_pose, p_out_pose, n_out_pose)
+end
+
+-- The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most 1e15
+-- in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
+-- CD_ERROR_VALUE.
+function Water:set_hull_velocity(index, velocity)
+  local where = "cd_water_set_hull_velocity"
+  index = integer_in(index, where, "index")
+  local p_velocity, n_velocity = array_in("double", velocity, where, "velocity")
+  local count = count_of(n_velocity, 1, where, "velocity")
+  self._version = self._version + 1
+  check(lib.cd_water_set_hull_velocity(handle_of(self), index, p_velocity, count))
+end
+
+-- The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most 1e15
+-- in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
+-- CD_ERROR_VALUE.
+function Water:get_hull_velocity(index, out_velocity)
+  local where = "cd_water_get_hull_velocity"
+  index = integer_in(index, where, "index")
+  local p_out_velocity, n_out_velocity = array_out("double", out_velocity, nil, where, "out_velocity")
+  local count = n_out_velocity or 0
+  check(lib.cd_water_get_hull_velocity(handle_of(self), index, p_out_velocity, count))
+  return array_result(out_velocity, p_out_velocity, n_out_velocity)
+end
+
+-- The pose in which the floor lies on the water since the last step or launch, to be drawn: 7 numbers.
+function Water:get_hull_floor(index, out_pose)
+  local where = "cd_water_get_hull_floor"
+  index = integer_in(index, where, "index")
+  local p_out_pose, n_out_pose = array_out("double", out_pose, nil, where, "out_pose")
+  local count = n_out_pose or 0
+  check(lib.cd_water_get_hull_floor(handle_of(self), index, p_out_pose, count))
+  return array_result(out_pose, p_out_pose, n_out_pose)
+end
+
+-- What acts on a hull from outside until it is set anew, an engine: 6 numbers, forces ahead, to port and up [N] and
+-- moments of yaw, pitch and roll [N m], at most 1e30 in size. Default 0. Errors: CD_ERROR_VALUE.
+function Water:set_hull_force(index, force)
+  local where = "cd_water_set_hull_force"
+  index = integer_in(index, where, "index")
+  local p_force, n_force = array_in("double", force, where, "force")
+  local count = count_of(n_force, 1, where, "force")
+  self._version = self._version + 1
+  check(lib.cd_water_set_hull_force(handle_of(self), index, p_force, count))
+end
+
+-- What acts on a hull from outside until it is set anew, an engine: 6 numbers, forces ahead, to port and up [N] and
+-- moments of yaw, pitch and roll [N m], at most 1e30 in size. Default 0. Errors: CD_ERROR_VALUE.
+function Water:get_hull_force(index, out_force)
+  local where = "cd_water_get_hull_force"
+  index = integer_in(index, where, "index")
+  local p_out_force, n_out_force = array_out("double", out_force, nil, where, "out_force")
+  local count = n_out_force or 0
+  check(lib.cd_water_get_hull_force(handle_of(self), index, p_out_force, count))
+  return array_result(out_force, p_out_force, n_out_force)
+end
+
+-- Drag against the water under it, along the hull and across it [N s/m], which slows turning too, and Coulomb friction
+-- on the bed; in [0, 1e30], default 0. Errors: CD_ERROR_VALUE.
+function Water:set_hull_drag(index, along, across, friction)
+  local where = "cd_water_set_hull_drag"
+  index = integer_in(index, where, "index")
+  along = number_in(along, where, "along")
+  across = number_in(across, where, "across")
+  friction = number_in(friction, where, "friction")
+  self._version = self._version + 1
+  check(lib.cd_water_set_hull_drag(handle_of(self), index, along, across, friction))
+end
+
+-- Drag against the water under it, along the hull and across it [N s/m], which slows turning too, and Coulomb friction
+-- on the bed; in [0, 1e30], default 0. Errors: CD_ERROR_VALUE.
+function Water:get_hull_drag(index)
+  local where = "cd_water_get_hull_drag"
+  index = integer_in(index, where, "index")
+  local out_along = double_1()
+  local out_across = double_1()
+  local out_friction = double_1()
+  check(lib.cd_water_get_hull_drag(handle_of(self), index, out_along, out_across, out_friction))
+  return tonumber(out_along[0]), tonumber(out_across[0]), tonumber(out_friction[0])
+end
+
+-- What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up [N], moments of yaw, pitch
+-- and roll [N m].
+function Water:get_hull_load(index, out_load)
+  local where = "cd_water_get_hull_load"
+  index = integer_in(index, where, "index")
+  local p_out_load, n_out_load = array_out("double", out_load, nil, where, "out_load")
+  local count = n_out_load or 0
+  check(lib.cd_water_get_hull_load(handle_of(self), index, p_out_load, count))
+  return array_result(out_load, p_out_load, n_out_load)
+end
+
+-- Energies of all hulls [J]: of their motion; mass g z, and what their skins hold. Each output may be null.
+function Water:get_hull_energy()
+  local where = "cd_water_get_hull_energy"
+  local out_kinetic = double_1()
+  local out_potential = double_1()
+  check(lib.cd_water_get_hull_energy(handle_of(self), out_kinetic, out_potential))
+  return tonumber(out_kinetic[0]), tonumber(out_potential[0])
+end
+
+-- How high [m] the water would stand at n places, at[k] = {x, y}, with no hull pressing on it: its surface and the head
+-- that hulls press with. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in memory.
+function Water:sample_heads(at, out_heads)
+  local where = "cd_water_sample_heads"
+  local p_at, n_at = array_in("double", at, where, "at")
+  local n = count_of(n_at, 2, where, "at")
+  local p_out_heads, n_out_heads = array_out("double", out_heads, n, where, "out_heads")
+  same(n_out_heads, n * 1, where, "out_heads")
+  check(lib.cd_water_sample_heads(handle_of(self), p_at, n, p_out_heads))
+  return array_result(out_heads, p_out_heads, n_out_heads)
+end
+
 -- Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
 -- count * cells, and to the parts that steps are made in (see above). Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a
 -- number leaves the finite range: all steps are made, the message gives the first bad one, the water can be read, and
@@ -3357,9 +3605,9 @@ function Water:copy_state(source)
   check(lib.cd_water_copy_state(handle_of(self), handle_of(source)))
 end
 
--- Depths, velocities, time, steps and account back to 0. Bed, parameters and the other fields stay. What is at sides
--- begins again with time: a level or discharge that changes is what it was at time 0, or by its rate would have been if
--- it was set later; then set it anew.
+-- Depths, velocities, time, steps and account back to 0, hulls to where new ones lie, at rest. Bed, parameters and the
+-- other fields stay, and what hulls are. What is at sides begins again with time: a level or discharge that changes is
+-- what it was at time 0, or by its rate would have been if it was set later; then set it anew.
 function Water:reset()
   local where = "cd_water_reset"
   self._version = self._version + 1

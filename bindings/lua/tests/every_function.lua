@@ -708,6 +708,67 @@ return {
     {name = "cd_water_impulse", call = function(o, other, saved)
       return o:impulse(1, 1, 1, 1, 1)
     end},
+    {name = "cd_water_set_hulls", call = function(o, other, saved)
+      return o:set_hulls(1, 1, 1)
+    end, told = function(o)
+      return {o:get_hulls()}, {1, 1, 1}
+    end},
+    {name = "cd_water_get_hulls", call = function(o, other, saved)
+      return o:get_hulls()
+    end},
+    {name = "cd_water_set_hull", call = function(o, other, saved)
+      return o:set_hull(0, 1, 1, 1, {0.0})
+    end},
+    {name = "cd_water_set_disc", call = function(o, other, saved)
+      return o:set_disc(0, 1, 1)
+    end},
+    {name = "cd_water_get_hull", call = function(o, other, saved)
+      return o:get_hull(0, ffi.new("double[?]", 1))
+    end},
+    {name = "cd_water_remove_hull", call = function(o, other, saved)
+      return o:remove_hull(0)
+    end},
+    {name = "cd_water_launch_hull", call = function(o, other, saved)
+      return o:launch_hull(0, 1, 1, 1, 1)
+    end},
+    {name = "cd_water_set_hull_pose", call = function(o, other, saved)
+      return o:set_hull_pose(0, {0.0})
+    end},
+    {name = "cd_water_get_hull_pose", call = function(o, other, saved)
+      return o:get_hull_pose(0, ffi.new("double[?]", 1))
+    end},
+    {name = "cd_water_set_hull_velocity", call = function(o, other, saved)
+      return o:set_hull_velocity(0, {0.0})
+    end},
+    {name = "cd_water_get_hull_velocity", call = function(o, other, saved)
+      return o:get_hull_velocity(0, ffi.new("double[?]", 1))
+    end},
+    {name = "cd_water_get_hull_floor", call = function(o, other, saved)
+      return o:get_hull_floor(0, ffi.new("double[?]", 1))
+    end},
+    {name = "cd_water_set_hull_force", call = function(o, other, saved)
+      return o:set_hull_force(0, {0.0})
+    end},
+    {name = "cd_water_get_hull_force", call = function(o, other, saved)
+      return o:get_hull_force(0, ffi.new("double[?]", 1))
+    end},
+    {name = "cd_water_set_hull_drag", call = function(o, other, saved)
+      return o:set_hull_drag(0, 1, 1, 1)
+    end, told = function(o)
+      return {o:get_hull_drag(0)}, {1, 1, 1}
+    end},
+    {name = "cd_water_get_hull_drag", call = function(o, other, saved)
+      return o:get_hull_drag(0)
+    end},
+    {name = "cd_water_get_hull_load", call = function(o, other, saved)
+      return o:get_hull_load(0, ffi.new("double[?]", 1))
+    end},
+    {name = "cd_water_get_hull_energy", call = function(o, other, saved)
+      return o:get_hull_energy()
+    end},
+    {name = "cd_water_sample_heads", call = function(o, other, saved)
+      return o:sample_heads({0.0, 0.0}, nil)
+    end},
     {name = "cd_water_step", call = function(o, other, saved)
       return o:step(0.01, 1)
     end},

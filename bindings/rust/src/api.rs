@@ -2574,6 +2574,38 @@ pub struct WaterSide {
     pub rate: f64,
 }
 
+/// What [`Water::get_hulls`] tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WaterHulls {
+    pub count: usize,
+    pub n_along: usize,
+    pub n_across: usize,
+}
+
+/// What [`Water::get_hull`] tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WaterHull {
+    pub mass: f64,
+    pub length: f64,
+    pub width: f64,
+    pub area: f64,
+}
+
+/// What [`Water::get_hull_drag`] tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WaterHullDrag {
+    pub along: f64,
+    pub across: f64,
+    pub friction: f64,
+}
+
+/// What [`Water::get_hull_energy`] tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WaterHullEnergy {
+    pub kinetic: f64,
+    pub potential: f64,
+}
+
 /// What [`Water::get_limited`] tells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WaterLimited {
@@ -3075,6 +3107,178 @@ impl Water {
         check(unsafe { sys::cd_water_impulse(self.as_ptr(), x, y, radius, impulse_x, impulse_y) })
     }
 
+    /// How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are
+    /// none (mass 0), those that stay keep what they are unless the plates change. Errors: CD_ERROR_VALUE;
+    /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null.
+    pub fn set_hulls(&mut self, count: usize, n_along: usize, n_across: usize) -> Result<()> {
+        check(unsafe { sys::cd_water_set_hulls(self.as_ptr(), count, n_along, n_across) })
+    }
+
+    /// How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are
+    /// none (mass 0), those that stay keep what they are unless the plates change. Errors: CD_ERROR_VALUE;
+    /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null.
+    pub fn get_hulls(&self) -> Result<WaterHulls> {
+        let mut out_count = 0;
+        let mut out_n_along = 0;
+        let mut out_n_across = 0;
+        check(unsafe { sys::cd_water_get_hulls(self.as_ptr(), &mut out_count, &mut out_n_along, &mut out_n_across) })?;
+        Ok(WaterHulls {
+            count: out_count,
+            n_along: out_n_along,
+            n_across: out_n_across,
+        })
+    }
+
+    /// Makes a hull of a mass \[kg\] in \[1e-12, 1e15\] and length and width \[m\], \> 0 and at most 512 cells.
+    /// heights\[j\]\[i\]: of the floor's plate i along, j to port, above the keel \[m\], in \[0, 1e60\], or -1 where
+    /// there is none; `count` is n_along \* n_across; null: flat. Where it is, and how it moves, stays. Errors:
+    /// CD_ERROR_VALUE, also for a floor without a plate.
+    pub fn set_hull(&mut self, index: usize, mass: f64, length: f64, width: f64,
+        heights: Option<&[f64]>) -> Result<()> {
+        let count = heights.map(<[_]>::len);
+        let count = count_of(count.unwrap_or(0), 1, "cd_water_set_hull", "heights")?;
+        check(unsafe { sys::cd_water_set_hull(self.as_ptr(), index, mass, length, width,
+            heights.map_or(std::ptr::null(), <[_]>::as_ptr), count) })
+    }
+
+    /// Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all stretched so
+    /// that their area is the disc's. radius \[m\] as half of a length. Errors: CD_ERROR_VALUE.
+    pub fn set_disc(&mut self, index: usize, mass: f64, radius: f64) -> Result<()> {
+        check(unsafe { sys::cd_water_set_disc(self.as_ptr(), index, mass, radius) })
+    }
+
+    /// What a hull is: mass (0: none), length, width, the area of its plates \[m^2\]. Each output may be null; heights:
+    /// `count` of them, or null and any count.
+    pub fn get_hull(&self, index: usize, out_heights: Option<&mut [f64]>) -> Result<WaterHull> {
+        let count = out_heights.as_deref().map(<[_]>::len);
+        let count = count_of(count.unwrap_or(0), 1, "cd_water_get_hull", "out_heights")?;
+        let mut out_mass = 0.0;
+        let mut out_length = 0.0;
+        let mut out_width = 0.0;
+        let mut out_area = 0.0;
+        check(unsafe { sys::cd_water_get_hull(self.as_ptr(), index, &mut out_mass, &mut out_length, &mut out_width,
+            &mut out_area, out_heights.map_or(std::ptr::null_mut(), <[_]>::as_mut_ptr), count) })?;
+        Ok(WaterHull {
+            mass: out_mass,
+            length: out_length,
+            width: out_width,
+            area: out_area,
+        })
+    }
+
+    /// What a hull is: mass (0: none), length, width, the area of its plates \[m^2\]. Each output may be null; heights:
+    /// `count` of them, or null and any count.
+    pub fn remove_hull(&mut self, index: usize) -> Result<()> {
+        check(unsafe { sys::cd_water_remove_hull(self.as_ptr(), index) })
+    }
+
+    /// Lays a hull on the water at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at
+    /// rest, so deep that the water as it lies, or the bed, carries it. Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it
+    /// has no mass, or no cell is under it, or gravity is 0; CD_ERROR_DIVERGED of a water that did.
+    pub fn launch_hull(&mut self, index: usize, x: f64, y: f64, ahead_x: f64, ahead_y: f64) -> Result<()> {
+        check(unsafe { sys::cd_water_launch_hull(self.as_ptr(), index, x, y, ahead_x, ahead_y) })
+    }
+
+    /// The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
+    /// 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x.
+    /// Errors: CD_ERROR_VALUE.
+    pub fn set_hull_pose(&mut self, index: usize, pose: &[f64]) -> Result<()> {
+        let count = count_of(pose.len(), 1, "cd_water_set_hull_pose", "pose")?;
+        check(unsafe { sys::cd_water_set_hull_pose(self.as_ptr(), index, pose.as_ptr(), count) })
+    }
+
+    /// The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
+    /// 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x.
+    /// Errors: CD_ERROR_VALUE.
+    pub fn get_hull_pose(&self, index: usize, out_pose: &mut [f64]) -> Result<()> {
+        let count = count_of(out_pose.len(), 1, "cd_water_get_hull_pose", "out_pose")?;
+        check(unsafe { sys::cd_water_get_hull_pose(self.as_ptr(), index, out_pose.as_mut_ptr(), count) })
+    }
+
+    /// The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
+    /// 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x.
+    /// Errors: CD_ERROR_VALUE.
+    pub fn set_hull_velocity(&mut self, index: usize, velocity: &[f64]) -> Result<()> {
+        let count = count_of(velocity.len(), 1, "cd_water_set_hull_velocity", "velocity")?;
+        check(unsafe { sys::cd_water_set_hull_velocity(self.as_ptr(), index, velocity.as_ptr(), count) })
+    }
+
+    /// The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
+    /// 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x.
+    /// Errors: CD_ERROR_VALUE.
+    pub fn get_hull_velocity(&self, index: usize, out_velocity: &mut [f64]) -> Result<()> {
+        let count = count_of(out_velocity.len(), 1, "cd_water_get_hull_velocity", "out_velocity")?;
+        check(unsafe { sys::cd_water_get_hull_velocity(self.as_ptr(), index, out_velocity.as_mut_ptr(), count) })
+    }
+
+    /// The pose in which the floor lies on the water since the last step or launch, to be drawn: 7 numbers.
+    pub fn get_hull_floor(&self, index: usize, out_pose: &mut [f64]) -> Result<()> {
+        let count = count_of(out_pose.len(), 1, "cd_water_get_hull_floor", "out_pose")?;
+        check(unsafe { sys::cd_water_get_hull_floor(self.as_ptr(), index, out_pose.as_mut_ptr(), count) })
+    }
+
+    /// What acts on a hull from outside until it is set anew, an engine: 6 numbers, forces ahead, to port and up \[N\]
+    /// and moments of yaw, pitch and roll \[N m\], at most 1e30 in size. Default 0. Errors: CD_ERROR_VALUE.
+    pub fn set_hull_force(&mut self, index: usize, force: &[f64]) -> Result<()> {
+        let count = count_of(force.len(), 1, "cd_water_set_hull_force", "force")?;
+        check(unsafe { sys::cd_water_set_hull_force(self.as_ptr(), index, force.as_ptr(), count) })
+    }
+
+    /// What acts on a hull from outside until it is set anew, an engine: 6 numbers, forces ahead, to port and up \[N\]
+    /// and moments of yaw, pitch and roll \[N m\], at most 1e30 in size. Default 0. Errors: CD_ERROR_VALUE.
+    pub fn get_hull_force(&self, index: usize, out_force: &mut [f64]) -> Result<()> {
+        let count = count_of(out_force.len(), 1, "cd_water_get_hull_force", "out_force")?;
+        check(unsafe { sys::cd_water_get_hull_force(self.as_ptr(), index, out_force.as_mut_ptr(), count) })
+    }
+
+    /// Drag against the water under it, along the hull and across it \[N s/m\], which slows turning too, and Coulomb
+    /// friction on the bed; in \[0, 1e30\], default 0. Errors: CD_ERROR_VALUE.
+    pub fn set_hull_drag(&mut self, index: usize, along: f64, across: f64, friction: f64) -> Result<()> {
+        check(unsafe { sys::cd_water_set_hull_drag(self.as_ptr(), index, along, across, friction) })
+    }
+
+    /// Drag against the water under it, along the hull and across it \[N s/m\], which slows turning too, and Coulomb
+    /// friction on the bed; in \[0, 1e30\], default 0. Errors: CD_ERROR_VALUE.
+    pub fn get_hull_drag(&self, index: usize) -> Result<WaterHullDrag> {
+        let mut out_along = 0.0;
+        let mut out_across = 0.0;
+        let mut out_friction = 0.0;
+        check(unsafe { sys::cd_water_get_hull_drag(self.as_ptr(), index, &mut out_along, &mut out_across,
+            &mut out_friction) })?;
+        Ok(WaterHullDrag {
+            along: out_along,
+            across: out_across,
+            friction: out_friction,
+        })
+    }
+
+    /// What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up \[N\], moments of yaw,
+    /// pitch and roll \[N m\].
+    pub fn get_hull_load(&self, index: usize, out_load: &mut [f64]) -> Result<()> {
+        let count = count_of(out_load.len(), 1, "cd_water_get_hull_load", "out_load")?;
+        check(unsafe { sys::cd_water_get_hull_load(self.as_ptr(), index, out_load.as_mut_ptr(), count) })
+    }
+
+    /// Energies of all hulls \[J\]: of their motion; mass g z, and what their skins hold. Each output may be null.
+    pub fn get_hull_energy(&self) -> Result<WaterHullEnergy> {
+        let mut out_kinetic = 0.0;
+        let mut out_potential = 0.0;
+        check(unsafe { sys::cd_water_get_hull_energy(self.as_ptr(), &mut out_kinetic, &mut out_potential) })?;
+        Ok(WaterHullEnergy {
+            kinetic: out_kinetic,
+            potential: out_potential,
+        })
+    }
+
+    /// How high \[m\] the water would stand at n places, at\[k\] = {x, y}, with no hull pressing on it: its surface and
+    /// the head that hulls press with. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in
+    /// memory.
+    pub fn sample_heads(&self, at: &[f64], out_heads: &mut [f64]) -> Result<()> {
+        let n = count_of(at.len(), 2, "cd_water_sample_heads", "at")?;
+        same(Some(out_heads.len()), n.checked_mul(1), "cd_water_sample_heads", "out_heads")?;
+        check(unsafe { sys::cd_water_sample_heads(self.as_ptr(), at.as_ptr(), n, out_heads.as_mut_ptr()) })
+    }
+
     /// Makes `count` steps of dt \[s\] each, in \[1e-30, 1e30\]. 0 steps do nothing. Never allocates. Time is
     /// proportional to count \* cells, and to the parts that steps are made in (see above). Errors: CD_ERROR_VALUE;
     /// CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives the first bad one,
@@ -3302,9 +3506,9 @@ impl Water {
         check(unsafe { sys::cd_water_copy_state(self.as_ptr(), source.as_ptr()) })
     }
 
-    /// Depths, velocities, time, steps and account back to 0. Bed, parameters and the other fields stay. What is at
-    /// sides begins again with time: a level or discharge that changes is what it was at time 0, or by its rate would
-    /// have been if it was set later; then set it anew.
+    /// Depths, velocities, time, steps and account back to 0, hulls to where new ones lie, at rest. Bed, parameters and
+    /// the other fields stay, and what hulls are. What is at sides begins again with time: a level or discharge that
+    /// changes is what it was at time 0, or by its rate would have been if it was set later; then set it anew.
     pub fn reset(&mut self) -> Result<()> {
         check(unsafe { sys::cd_water_reset(self.as_ptr()) })
     }

@@ -436,6 +436,35 @@ extern "C" {
     pub fn cd_water_splash(water: *mut cd_water, x: f64, y: f64, radius: f64, height: f64) -> cd_status;
     pub fn cd_water_impulse(water: *mut cd_water, x: f64, y: f64, radius: f64, impulse_x: f64,
         impulse_y: f64) -> cd_status;
+    pub fn cd_water_set_hulls(water: *mut cd_water, count: usize, n_along: usize, n_across: usize) -> cd_status;
+    pub fn cd_water_get_hulls(water: *const cd_water, out_count: *mut usize, out_n_along: *mut usize,
+        out_n_across: *mut usize) -> cd_status;
+    pub fn cd_water_set_hull(water: *mut cd_water, index: usize, mass: f64, length: f64, width: f64,
+        heights: *const f64, count: usize) -> cd_status;
+    pub fn cd_water_set_disc(water: *mut cd_water, index: usize, mass: f64, radius: f64) -> cd_status;
+    pub fn cd_water_get_hull(water: *const cd_water, index: usize, out_mass: *mut f64, out_length: *mut f64,
+        out_width: *mut f64, out_area: *mut f64, out_heights: *mut f64, count: usize) -> cd_status;
+    pub fn cd_water_remove_hull(water: *mut cd_water, index: usize) -> cd_status;
+    pub fn cd_water_launch_hull(water: *mut cd_water, index: usize, x: f64, y: f64, ahead_x: f64,
+        ahead_y: f64) -> cd_status;
+    pub fn cd_water_set_hull_pose(water: *mut cd_water, index: usize, pose: *const f64, count: usize) -> cd_status;
+    pub fn cd_water_get_hull_pose(water: *const cd_water, index: usize, out_pose: *mut f64, count: usize) -> cd_status;
+    pub fn cd_water_set_hull_velocity(water: *mut cd_water, index: usize, velocity: *const f64,
+        count: usize) -> cd_status;
+    pub fn cd_water_get_hull_velocity(water: *const cd_water, index: usize, out_velocity: *mut f64,
+        count: usize) -> cd_status;
+    pub fn cd_water_get_hull_floor(water: *const cd_water, index: usize, out_pose: *mut f64, count: usize) -> cd_status;
+    pub fn cd_water_set_hull_force(water: *mut cd_water, index: usize, force: *const f64, count: usize) -> cd_status;
+    pub fn cd_water_get_hull_force(water: *const cd_water, index: usize, out_force: *mut f64,
+        count: usize) -> cd_status;
+    pub fn cd_water_set_hull_drag(water: *mut cd_water, index: usize, along: f64, across: f64,
+        friction: f64) -> cd_status;
+    pub fn cd_water_get_hull_drag(water: *const cd_water, index: usize, out_along: *mut f64, out_across: *mut f64,
+        out_friction: *mut f64) -> cd_status;
+    pub fn cd_water_get_hull_load(water: *const cd_water, index: usize, out_load: *mut f64, count: usize) -> cd_status;
+    pub fn cd_water_get_hull_energy(water: *const cd_water, out_kinetic: *mut f64,
+        out_potential: *mut f64) -> cd_status;
+    pub fn cd_water_sample_heads(water: *const cd_water, at: *const f64, n: usize, out_heads: *mut f64) -> cd_status;
     pub fn cd_water_step(water: *mut cd_water, dt: f64, count: usize) -> cd_status;
     pub fn cd_water_stable_dt(water: *const cd_water, out_dt: *mut f64) -> cd_status;
     pub fn cd_water_get_time(water: *const cd_water, out_time: *mut f64) -> cd_status;

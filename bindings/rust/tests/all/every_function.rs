@@ -1033,7 +1033,7 @@ pub fn make_water() -> Water {
     Water::new(5, 4, 1.0, 2.0, Precision::Float64).unwrap()
 }
 
-pub const WATER: [Call<Water>; 60] = [
+pub const WATER: [Call<Water>; 79] = [
     Call {
         name: "cd_water_get_shape",
         may_fail: false,
@@ -1254,6 +1254,126 @@ pub const WATER: [Call<Water>; 60] = [
         name: "cd_water_impulse",
         may_fail: false,
         call: |o, _other, _saved| o.impulse(1.0, 1.0, 1.0, 1.0, 1.0).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_set_hulls",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_hulls(1, 1, 1).map(drop),
+        told: |o| {
+            let told = o.get_hulls().unwrap();
+            told.count == 1 && told.n_along == 1 && told.n_across == 1
+        },
+    },
+    Call {
+        name: "cd_water_get_hulls",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_hulls().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_set_hull",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_hull(0, 1.0, 1.0, 1.0, Some(&[0.0])).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_set_disc",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_disc(0, 1.0, 1.0).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_get_hull",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_hull(0, Some(&mut [0.0; 1])).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_remove_hull",
+        may_fail: false,
+        call: |o, _other, _saved| o.remove_hull(0).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_launch_hull",
+        may_fail: false,
+        call: |o, _other, _saved| o.launch_hull(0, 1.0, 1.0, 1.0, 1.0).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_set_hull_pose",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_hull_pose(0, &[0.0]).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_get_hull_pose",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_hull_pose(0, &mut [0.0; 1]).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_set_hull_velocity",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_hull_velocity(0, &[0.0]).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_get_hull_velocity",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_hull_velocity(0, &mut [0.0; 1]).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_get_hull_floor",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_hull_floor(0, &mut [0.0; 1]).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_set_hull_force",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_hull_force(0, &[0.0]).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_get_hull_force",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_hull_force(0, &mut [0.0; 1]).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_set_hull_drag",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_hull_drag(0, 1.0, 1.0, 1.0).map(drop),
+        told: |o| {
+            let told = o.get_hull_drag(0).unwrap();
+            told.along == 1.0 && told.across == 1.0 && told.friction == 1.0
+        },
+    },
+    Call {
+        name: "cd_water_get_hull_drag",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_hull_drag(0).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_get_hull_load",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_hull_load(0, &mut [0.0; 1]).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_get_hull_energy",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_hull_energy().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_sample_heads",
+        may_fail: false,
+        call: |o, _other, _saved| o.sample_heads(&[0.0, 0.0], &mut [0.0; 1]).map(drop),
         told: |_| true,
     },
     Call {
