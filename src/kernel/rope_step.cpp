@@ -21,6 +21,10 @@ constexpr double kInside = 0.95;     // how much of the way to a tension or gap 
 template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L weight, size_t iteration) {
     Seen seen;
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, barrier, interior, seen);
+    if (stage.callback_count > 0) {
+        if (iteration == 0) ask_all(true);
+        ask_all(false);
+    }
     for (size_t i = 0; i < ropes.nodes && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, iteration));
     const L worth = larger(seen.worth, larger(weight, least_worth));
     const L wrong = larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths);
@@ -268,6 +272,7 @@ template <int N> RopeResult RopeBundle<N>::step() {
     result.finite = !bad.any_nan();
     result.error = largest_in(larger(reached, apart));
     result.iterations = size_t(largest_in(iterations));
+    result.bad = bad_answer;
     return result;
 }
 
@@ -281,7 +286,11 @@ template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopePar
     auto* const in_air = reinterpret_cast<typename Here::InAir*>(springs + ropes.nodes);
     static_assert(sizeof(typename Here::Contact) == kContactScratch * N * sizeof(double));
     auto* const contacts = reinterpret_cast<typename Here::Contact*>(in_air + (stage.has_air() ? ropes.nodes : 0));
-    Here bundle{ropes, c, stage, nodes, springs, in_air, contacts, first, count, {}, {}, {}};
+    static_assert(sizeof(typename Here::Answer) == kAnswerScratch * N * sizeof(double));
+    auto* const answers =
+        reinterpret_cast<typename Here::Answer*>(contacts + ropes.nodes * stage.collider_count);
+    auto* const question = reinterpret_cast<double*>(answers + ropes.nodes * stage.callback_count);
+    Here bundle{ropes, c, stage, nodes, springs, in_air, contacts, answers, question, first, count, {}, {}, {}};
     return bundle.step();
 }
 

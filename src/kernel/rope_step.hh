@@ -50,8 +50,8 @@ struct RopeStage {
     bool push;                     // springs push as well
     double tolerance;              // of the length that a spring should have, over its rest length
     size_t most_iterations;
-    const Collider* colliders;
-    size_t collider_count;
+    const Obstacle* colliders;
+    size_t collider_count, callback_count;
     double time_before, time_after; // of the step [s]
 
     bool has_air() const { return along > 0 || across > 0; }
@@ -61,17 +61,21 @@ struct RopeResult {
     size_t iterations = 0; // of the strand that took most
     double error = 0;      // of the worst length, over the rest length
     bool finite = true;
+    BadAnswer bad;
 
     void add(const RopeResult& other) {
         if (other.iterations > iterations) iterations = other.iterations;
         if (other.error > error) error = other.error;
         finite &= other.finite;
+        if (bad.collider == SIZE_MAX) bad = other.bad;
     }
 };
 
 // The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand,
-// without air and beyond that with it; a call with one strand needs no more than that strand's.
+// without air and beyond that with it, for each collider, for each callback and for any; a call with one strand needs no
+// more than that strand's.
 constexpr size_t kRopeStrands = 8, kRopeScratch = 55, kAirScratch = 15, kContactScratch = 30;
+constexpr size_t kAnswerScratch = 4, kQuestionScratch = 7;
 
 namespace CD_ISA {
 

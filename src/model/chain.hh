@@ -57,11 +57,11 @@ struct Chain : Body, ChainSettings {
         f(c.pin...), f(c.node_mass...), f(c.spring_stiffness...), f(c.node_bend...), f(c.spring_length...);
         f(c.spring_strength...);
         f(c.attach_stiffness...), f(c.attach_damping...), f(c.position...), f(c.velocity...), f(c.force...);
-        f(c.target...), f(c.tension...), f(c.wind...), f(c.colliders...);
+        f(c.target...), f(c.tension...), f(c.wind...), f(c.colliders...), f(c.beds...);
     }
     template <class F> static void each_array(F f, Chain& c) {
         each_field(f, c);
-        f(c.coefficients), f(c.scratch), f(c.ring_response);
+        f(c.coefficients), f(c.scratch), f(c.ring_response), f(c.callbacks);
     }
 };
 
@@ -185,7 +185,7 @@ double stable_dt(const Chain& c); // chain_limit.cpp
 // Why such a chain can't make its next step, or null.
 const char* what_ropes_lack(const Chain& c);
 // Of strands that are stepped at once: the doubles of scratch; and of the coefficients.
-size_t rope_scratch(const Chain& c, bool air, size_t colliders);
+size_t rope_scratch(const Chain& c, bool air, ColliderSizes colliders);
 size_t rope_coefficients(const Chain& c, size_t colliders);
 // As step_chain; leaves `iterations`, `residual` and `broken`.
 uint64_t step_ropes(Chain& c, double dt, size_t count);

@@ -10,14 +10,16 @@ namespace {
 
 // Strands are stepped in groups, and a task steps some groups one after the other with a scratch of its own.
 constexpr size_t kMostTasks = 16;
+constexpr size_t kObstacleNumbers = (sizeof(Obstacle) + sizeof(double) - 1) / sizeof(double);
 
 size_t groups_of(const Chain& c) { return (c.strands + kRopeStrands - 1) / kRopeStrands; }
 size_t tasks_of(const Chain& c) { return groups_of(c) < kMostTasks ? groups_of(c) : kMostTasks; }
-size_t scratch_of_node(const Chain& c, bool air, size_t colliders) {
-    const size_t of_node = kRopeScratch + (air ? kAirScratch : 0) + colliders * kContactScratch;
+size_t scratch_of_node(const Chain& c, bool air, ColliderSizes colliders) {
+    const size_t of_node = kRopeScratch + (air ? kAirScratch : 0) + colliders.count * kContactScratch +
+                           colliders.callbacks * kAnswerScratch + (colliders.callbacks > 0 ? kQuestionScratch : 0);
     return of_node * (c.strands > 1 ? kRopeStrands : 1);
 }
-size_t scratch_of_task(const Chain& c, bool air, size_t colliders) {
+size_t scratch_of_task(const Chain& c, bool air, ColliderSizes colliders) {
     return c.nodes * scratch_of_node(c, air, colliders);
 }
 
@@ -70,8 +72,8 @@ const char* what_ropes_lack(const Chain& c) {
     return nullptr;
 }
 
-size_t rope_coefficients(const Chain& c, size_t colliders) { return c.nodes + 3 + colliders * kColliderNumbers; }
-size_t rope_scratch(const Chain& c, bool air, size_t colliders) {
+size_t rope_coefficients(const Chain& c, size_t colliders) { return c.nodes + 3 + colliders * kObstacleNumbers; }
+size_t rope_scratch(const Chain& c, bool air, ColliderSizes colliders) {
     size_t numbers;
     const bool fits = multiply(tasks_of(c) * c.nodes, scratch_of_node(c, air, colliders), numbers);
     return fits ? numbers : SIZE_MAX; // more than there is
@@ -95,7 +97,12 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                          state_of(c, c.target),
                          state_of(c, c.wind),
                          c.tension.data};
-    Collider* const colliders = reinterpret_cast<Collider*>(c.coefficients.data + c.nodes + 3);
+    Obstacle* const obstacles = reinterpret_cast<Obstacle*>(c.coefficients.data + c.nodes + 3);
+    ColliderSizes met = {};
+    each_obstacle(c, c.rope.thickness, [&](const Obstacle& to) {
+        obstacles[met.count++] = to;
+        met.callbacks += to.callback != nullptr;
+    });
     const RopeStage stage = {dt,
                              c.lambda,
                              {c.gravity[0], c.gravity[1], c.gravity[2]},
@@ -105,8 +112,9 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                              c.rope.push != 0,
                              c.rope.tolerance,
                              size_t(c.rope.most_iterations),
-                             colliders,
-                             gather_colliders(c, c.rope.thickness, colliders),
+                             obstacles,
+                             met.count,
+                             met.callbacks,
                              0,
                              0};
     RopeResult results[kMostTasks];
@@ -115,7 +123,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
     const size_t groups = groups_of(c), tasks = tasks_of(c);
     auto task = [&](size_t t) {
         RopeStage now = stage;
-        double* const scratch = c.scratch.data + t * scratch_of_task(c, stage.has_air(), stage.collider_count);
+        double* const scratch = c.scratch.data + t * scratch_of_task(c, stage.has_air(), met);
         bad[t] = UINT64_MAX;
         for (size_t g = t * groups / tasks; g < (t + 1) * groups / tasks; ++g) {
             const size_t first = g * kRopeStrands, left = c.strands - first,
@@ -138,6 +146,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
         if (results[t].iterations > c.iterations) c.iterations = results[t].iterations;
         c.broken += broken[t];
         if (!(results[t].error <= c.residual)) c.residual = results[t].error;
+        if (c.bad_answer.collider == SIZE_MAX) c.bad_answer = results[t].bad;
     }
     return first_bad;
 }
