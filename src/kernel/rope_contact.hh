@@ -97,21 +97,19 @@ template <int N> void RopeBundle<N>::ask_all(bool at_start) {
 
 // Looks at collider k where the guess ends.
 //
-// A hollow pushes along n0 with work where a node gets in front of n0's plane while the surface rises before it. So a
-// node need not come further out than to that plane: then no push gives energy, and the next step takes it out of what
-// it went into. Of what is convex the plane lies behind the surface, and changes nothing.
+// Pushes along n0 give energy where a node gets in front of n0's plane, as it would have to in a hollow whose surface
+// rises before it. So no node has to come further out than to that plane, and the next step takes it out of what it went
+// into. Behind it lies all that is convex, and no callback's ball or box is met otherwise than at its surface. Beds are
+// met at the plane alone: where their slope turns often, what keeps to both finds no end.
 template <int N> void RopeBundle<N>::look_at_end(size_t k, size_t i, V before, V x, Contact& c) const {
     const Obstacle& to = stage.colliders[k];
-    if (to.callback) {
-        const Answer& told = answers[to.question * ropes.nodes + i];
-        c.normal = told.normal, c.gap = told.gap;
-    } else {
-        look_at_gap(to, x, stage.time_after, c.normal, c.gap);
-    }
-    if (to.is_convex()) return;
+    if (to.is_convex()) return look_at_gap(to, x, stage.time_after, c.normal, c.gap);
     const L plane = c.before + dot(c.acting, (x - before) - L::splat(stage.dt) * velocity_of(to));
-    c.normal = select(plane - c.gap, c.acting, c.normal);
-    c.gap = larger(plane, c.gap);
+    c.normal = c.acting, c.gap = plane;
+    if (!to.callback) return;
+    const Answer& told = answers[to.question * ropes.nodes + i];
+    const L outside = plane - told.gap;
+    c.normal = select(outside, c.normal, told.normal), c.gap = select(outside, plane, told.gap);
 }
 
 // The longer of the springs at node i, by which the tolerance is counted.
