@@ -180,7 +180,8 @@ typedef struct cd_parallel {
  * distances [m], less than 0 inside, at most 1e60 in size; and the unit vector along which that distance grows fastest,
  * of a length within 1e-3 of 1: out_distances[i], out_normals[i][component]. It is called from steps, from any thread
  * of cd_parallel and from several at once, and has to give the same position the same answer at the same time, whatever
- * it is asked with; it may call no function on the object. Copied when it is set. */
+ * it is asked with; it may call no function on the object. A shape that moves as a whole should do so by the collider's
+ * velocity: one that changes with time by itself is met where it was when the step began. Copied when it is set. */
 typedef struct cd_distance {
     void* user;
     void (*distance)(void* user, double time, size_t count, size_t components, const double* positions,

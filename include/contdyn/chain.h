@@ -227,16 +227,16 @@ CD_API cd_status cd_chain_set_plane(cd_chain* chain, size_t index, const double*
 CD_API cd_status cd_chain_set_capsule(cd_chain* chain, size_t index, const double* first, const double* last,
                                       size_t count, double radius, double friction);
 
-/* Makes a collider all that lies below a bed of heights [m], at most 1e60 in size, which are copied: with 3 components
- * heights[j * columns + i] at the first two components origin + (i column_spacing, j row_spacing), at least 2 columns
- * and 2 rows; with 2 components, along the first one, a single row, and row_spacing means nothing. The last component is
- * up, and heights begin at the origin's. Spacings [m] are 1e-60 to 1e60. Between heights the bed is bilinear, with its
- * creases rounded in a quarter of the spacing either side; beyond the border it goes on at the border's height. How far
- * outside of it a node is, is its height above the bed times the upward part of the bed's unit normal. Uneven ground is
- * met to first order: in a hollow a node keeps to the plane that touches the bed where the step finds it, so that it may
- * end the step inside, by what the bed rises above that plane; the next step takes it out. However fast, none falls
- * through. Errors: CD_ERROR_RANGE too, if height_count is not columns * rows; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with
- * 1 component. */
+/* Makes a collider all that lies below a bed of heights [m], at most 1e60 in size, which are copied. The last component
+ * is up. With 3 components heights[j * columns + i] is at the first two components origin + (i column_spacing,
+ * j row_spacing), of at least 2 columns and rows; with 2 components a single row is along the first one, and row_spacing
+ * means nothing. Heights count from the origin's own; spacings [m] are 1e-60 to 1e60. Between heights the bed is
+ * bilinear, with creases rounded within a quarter of the spacing either side; beyond the border it goes on at the
+ * border's height. How far outside a node is, is its height above the bed times the upward part of the bed's normal.
+ * A step meets the bed at the plane that touches it there where it finds the node. What the bed rises above that plane
+ * on the node's way the node may end inside of, and the next step takes it out; however fast, none falls through.
+ * Errors: CD_ERROR_RANGE too, if height_count is not columns * rows; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 1
+ * component. */
 CD_API cd_status cd_chain_set_bed(cd_chain* chain, size_t index, const double* origin, size_t count, size_t columns,
                                   size_t rows, double column_spacing, double row_spacing, const double* heights,
                                   size_t height_count, double friction);
@@ -246,8 +246,8 @@ CD_API cd_status cd_chain_get_bed(const cd_chain* chain, size_t index, size_t* o
                                   double* out_heights, size_t height_count);
 
 /* Makes a collider the shape that a callback tells the distances of, whose positions are relative to origin [m]. A step
- * asks for all nodes of a strand at once, at its start and then in each iteration where they would end. Hollow shapes
- * are met as beds are. Where an answer is not what cd_distance says, that step takes it for nothing there, and
+ * asks for all nodes of a strand at once, at its start and then in each iteration where they would end. Where a
+ * shape is hollow it is met as beds are. Where an answer is not what cd_distance says, that step takes it for nothing there, and
  * cd_chain_step says CD_ERROR_CALLBACK. The callback itself is no state: after a load, or a copied state, a collider
  * that was CD_SHAPE_CALLBACK before goes on with the one it had, and for any other cd_chain_step says
  * CD_ERROR_UNSUPPORTED until it is set again. origin may be null: a collider that is CD_SHAPE_CALLBACK stays as it is
@@ -264,7 +264,8 @@ CD_API cd_status cd_chain_remove_collider(cd_chain* chain, size_t index);
 CD_API cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, const double* velocity, size_t count);
 
 /* What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends; of a
- * bed its origin and its spacings, 0 upward; of a callback its origin; else zeros, but for its velocity. One number per component in each array. Each output may be null.
+ * bed its origin and its spacings, 0 upward; of a callback its origin; else zeros, but for its velocity. One number per
+ * component in each array. Each output may be null.
  * Errors: CD_ERROR_RANGE for an index that no collider has, or a count that is not the number of components. */
 CD_API cd_status cd_chain_get_collider(const cd_chain* chain, size_t index, cd_shape* out_shape, double* out_first,
                                        double* out_second, double* out_velocity, size_t count, double* out_radius,

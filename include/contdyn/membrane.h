@@ -240,9 +240,9 @@ CD_API cd_status cd_membrane_get_wind(const cd_membrane* membrane, double* out_v
 
 /* ---- what cloth touches ------------------------------------------------------------------------------------------ */
 /* As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
- * them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
- * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
- * at any speed.
+ * them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it is
+ * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through
+ * a collider, at any speed.
  * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
  * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
  * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what

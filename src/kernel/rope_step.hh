@@ -72,8 +72,8 @@ struct RopeResult {
 };
 
 // The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand,
-// without air and beyond that with it, for each collider, for each callback and for any; a call with one strand needs no
-// more than that strand's.
+// without air and beyond that with it, for each collider, for each callback and for any; a call with one strand needs
+// no more than that strand's.
 constexpr size_t kRopeStrands = 8, kRopeScratch = 55, kAirScratch = 15, kContactScratch = 30;
 constexpr size_t kAnswerScratch = 4, kQuestionScratch = 7;
 

@@ -9,8 +9,8 @@ namespace {
 struct ChainKeep {
     using Object = Chain;
     using Settings = KeptSettings<ChainSettings>;
-    // Among the bits of fields: the settings of ropes follow, those of air, the strength, what ropes touch, and how much
-    // of that are beds and callbacks.
+    // Among the bits of fields: the settings of ropes follow, those of air, the strength, what ropes touch, and how
+    // much of that are beds and callbacks.
     static constexpr uint32_t kOfRopes = 1u << 31, kOfAir = 1u << 30, kOfStrength = 1u << 29, kOfContacts = 1u << 28;
     static constexpr uint32_t kOfShapes = 1u << 27;
     static constexpr Kind kind = {1, "chain", {"strands", "springs"}};

@@ -110,8 +110,8 @@ static bool valid_collider_number(double number, size_t at) {
     }
 }
 
-// Columns, rows and heights of the bed of a body of so many components, which begins at this one of `all` numbers; tells
-// how many they are, 0 where they are not valid.
+// Columns, rows and heights of a bed in so many components, which begins at this one of `all` numbers; tells how many
+// they are, 0 where they are not valid.
 static size_t valid_bed(size_t components, SavedNumbers numbers, size_t at, size_t all) {
     if (components < 2 || all - at < kBedHead) return 0;
     const double columns = numbers[at], rows = numbers[at + 1], most = double(all - at);
@@ -125,8 +125,8 @@ static size_t valid_bed(size_t components, SavedNumbers numbers, size_t at, size
     return taken;
 }
 
-// A plane's normal has length 1, a capsule a radius, a bed its heights, and none reaches out of the space that the nodes
-// are in.
+// A plane's normal has length 1, a capsule a radius, a bed its heights, and none reaches out of the space that the
+// nodes are in.
 static bool colliders_are_shaped(const Body& b, const KeptBody& s, SavedNumbers numbers, SavedNumbers beds) {
     constexpr double kNormalError = 1e-12; // of its square
     bool good = true;

@@ -85,7 +85,8 @@ struct MembraneKeep {
         for (cd_field field : {CD_MASS, CD_FORCE, CD_TARGET, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_PIN, CD_MASK})
             optional |= 1u << field;
         const bool is_cloth = (s.fields & kOfCloth) != 0;
-        if (is_cloth) optional |= kOfCloth | kOfShapes | 1u << CD_REST_LENGTH_U | 1u << CD_REST_LENGTH_V | 1u << CD_WIND;
+        if (is_cloth) optional |= kOfCloth | kOfShapes | 1u << CD_WIND;
+        if (is_cloth) optional |= 1u << CD_REST_LENGTH_U | 1u << CD_REST_LENGTH_V;
         bool good = valid_body(s) && (s.fields & ~optional) == 0 && (!is_cloth || valid_cloth(m, s));
         good &= own.solver == CD_SOLVER_ALTERNATING || own.solver == CD_SOLVER_COUPLED;
         good &= own.tolerance >= kLeastTolerance && own.tolerance <= kMostTolerance && own.most_iterations >= 1;

@@ -1,5 +1,5 @@
-/* Ropes and cloth on beds of heights: the shape of the bed, rest, slopes, hollows, beds that move. The last component is
- * up. */
+/* Ropes and cloth on beds of heights: the shape of the bed, rest, slopes, hollows, beds that move. The last component
+ * is up. */
 #include <math.h>
 #include <string.h>
 
@@ -194,7 +194,7 @@ static void a_rope_comes_to_rest_on_hills(void** state) {
             }
 }
 
-/* Without friction it slides through hollows for long. Of 9 J, it never has more by this than it had at any time before:
+/* Without friction it slides through hollows for long. Of 9 J, it never has more by this than at any time before:
  * what went into a hollow is lifted out of it. */
 static void hollows_give_no_energy(void** state) {
     (void)state;
