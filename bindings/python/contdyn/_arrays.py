@@ -179,13 +179,8 @@ def dense(values: Values, shape: Sequence[int], precision: Optional[Precision]) 
 
 def row(values: Values) -> Dense:
     """All the values in one row, in float64."""
-    return shaped(values)[0]
-
-
-def shaped(values: Values) -> Tuple[Dense, Tuple[int, ...]]:
-    """All the values in one row, in float64, and the shape that they had."""
     taken = _taken_numpy(values, Precision.FLOAT64) if numpy is not None else _taken(values, Precision.FLOAT64)
-    return taken.pointed_at(), taken.shape
+    return taken.pointed_at()
 
 
 def pairs(values: Values) -> Dense:

@@ -3,11 +3,10 @@ from ctypes import byref, c_double, c_int32, c_size_t
 from typing import NamedTuple, Optional, Sequence, Tuple
 
 from ._api import Field, MassRule, Precision, Shape
-from ._arrays import Array, Values, dense, empty, row, shaped, target
+from ._arrays import Array, Values, dense, empty, row, target
 from ._callbacks import Distance
 from ._callbacks import Shape as Asked
 from ._object import Object
-from .errors import RangeError
 from ._properties import Reading, ReadingPerComponent, Setting, SettingOfSeveral, SettingPerComponent, State
 
 
@@ -114,16 +113,13 @@ class Body(Object):
         place = dense(first, (other.length,), Precision.FLOAT64)
         self._call(name, index, place.address, other.address, other.length, *numbers)
 
-    def set_bed(self, index: int, origin: Values, spacing: Sequence[float], heights: Values,
-                friction: float = 0) -> None:
+    def set_bed(self, index: int, origin: Values, columns: int, rows: int, column_spacing: float, row_spacing: float,
+                heights: Values, friction: float = 0) -> None:
         """Makes a collider all that lies below a bed: heights[row][column] [m] above the origin's last component, at
-        the first two components origin + (column * spacing[0], row * spacing[1]); with 2 components heights[column]
-        along the first, and one spacing. Beyond its border the bed goes on at the border's height."""
-        place, (numbers, extent) = row(origin), shaped(heights)
-        if len(extent) not in (1, 2) or len(spacing) != len(extent):
-            raise RangeError(f"heights have {len(extent)} dimensions, must have 1 or 2, and spacing as many numbers")
-        rows, between_rows = (1, 0) if len(extent) == 1 else (extent[0], spacing[1])
-        self._call("set_bed", index, place.address, place.length, extent[-1], rows, spacing[0], between_rows,
+        the first two components origin + (column * column_spacing, row * row_spacing). With 2 components it has one
+        row, along the first. Beyond its border the bed goes on at the border's height."""
+        place, numbers = row(origin), row(heights)
+        self._call("set_bed", index, place.address, place.length, columns, rows, column_spacing, row_spacing,
                    numbers.address, numbers.length, friction)
 
     def get_bed(self, index: int) -> Array:

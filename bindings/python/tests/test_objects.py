@@ -218,7 +218,7 @@ class Chains(unittest.TestCase):
         rope.position = [[[i / 4, 0.5, 0.5] for i in range(5)]]
         rope.rest_length, rope.stiffness, rope.gravity = 1, math.inf, (0, 0, -10)
         rope.colliders = 2
-        rope.set_bed(0, (-1, -1, -1), (1, 2), [[0.25, 0.25, 0.25, 0.25], [0.25, 0.25, 0.25, 0.25]], 0.5)
+        rope.set_bed(0, (-1, -1, -1), 4, 2, 1, 2, [[0.25, 0.25, 0.25, 0.25], [0.25, 0.25, 0.25, 0.25]], 0.5)
         self.assertEqual(rope.get_bed(0).tolist(), [[0.25] * 4] * 2)
         self.assertEqual(rope.get_bed(1).tolist(), [])
         self.assertEqual(rope.get_collider(0), (Shape.BED, (-1, -1, -1), (1, 2, 0), (0, 0, 0), 0, 0.5))
@@ -227,8 +227,12 @@ class Chains(unittest.TestCase):
             self.assertAlmostEqual(rope.position[0, node, 2], -0.75, 5)
         flat = Chain(1, 4, 2)
         flat.rest_length, flat.colliders = 1, 1
-        flat.set_bed(0, (-1, -1), (0.5,), [0.5, 0.25, 0])
+        flat.set_bed(0, (-1, -1), 3, 1, 0.5, 0, [0.5, 0.25, 0])
         self.assertEqual(flat.get_bed(0).tolist(), [[0.5, 0.25, 0]])
+        cloth = Membrane(2, 2, 3)
+        cloth.rest_length, cloth.colliders = (1, 1), 1
+        cloth.set_bed(0, (0, 0, -1), 2, 2, 1, 1, array("d", (0, 1, 2, 3)))
+        self.assertEqual(cloth.get_bed(0).tolist(), [[0, 1], [2, 3]])
 
     def test_a_function_may_be_what_a_rope_and_cloth_touch(self):
         asked = []
