@@ -32,13 +32,13 @@ from .water import (Account, Limited, Sample, SideState, Water, WaterEnergy, Wat
 
 __all__ = [
     "Account", "Allocator", "Array", "Attachment", "BedRule", "Border", "CallbackError", "Chain", "ChainShape",
-    "Collider", "Convergence", "DisabledError", "Distance", "DivergedError", "Edge", "Effort", "End", "Energy", "Error",
-    "Field", "FormatError", "HandleError", "InvalidEnumError", "InvalidValueError", "Kernels", "Limited", "MassRule", "Membrane",
-    "MembraneShape", "Method", "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Parallel",
-    "Precision", "RangeError", "Resistance", "RestLength", "Ring", "Sample", "Shape", "Side", "SideState", "SizeError",
-    "Solver", "Status", "Stiffness", "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices", "View",
-    "Water", "WaterEnergy", "WaterShape", "WaterVertices", "build_info", "kernels_name", "library_path",
-    "runnable_kernels", "status_name", "version",
+    "Collider", "Convergence", "DisabledError", "Distance", "DivergedError", "Edge", "Effort", "End", "Energy",
+    "Error", "Field", "FormatError", "HandleError", "InvalidEnumError", "InvalidValueError", "Kernels", "Limited",
+    "MassRule", "Membrane", "MembraneShape", "Method", "MismatchError", "Momentum", "Node", "NullError",
+    "OutOfMemoryError", "Parallel", "Precision", "RangeError", "Resistance", "RestLength", "Ring", "Sample",
+    "Shape", "Side", "SideState", "SizeError", "Solver", "Status", "Stiffness", "Task", "Tolerance",
+    "ToleranceError", "UnsupportedError", "Vertices", "View", "Water", "WaterEnergy", "WaterShape", "WaterVertices",
+    "build_info", "kernels_name", "library_path", "runnable_kernels", "status_name", "version",
 ]
 
 

@@ -594,28 +594,22 @@ public:
             return detail::done(CD_ERROR_RANGE, "chain::set_capsule: first and last differ in size");
         return call(cd_chain_set_capsule, index, first.data(), last.data(), last.size(), radius, friction);
     }
-    // A bed is given by its heights row after row; get_bed tells its size, then its heights.
+    // A bed is given by its heights row after row; get_bed tells its size, and its heights if
+    // there is room for them.
     outcome<> set_bed(std::size_t index, span<const double> origin, std::size_t columns, std::size_t rows,
                       double column_spacing, double row_spacing, span<const double> heights, double friction = 0) {
         return call(cd_chain_set_bed, index, origin.data(), origin.size(), columns, rows, column_spacing, row_spacing,
                     heights.data(), heights.size(), friction);
     }
-    outcome<lattice> get_bed(std::size_t index) const {
+    outcome<lattice> get_bed(std::size_t index, span<double> heights = {}) const {
         lattice out{};
-        return detail::got(cd_chain_get_bed(handle_, index, &out.columns, &out.rows, nullptr, 0), out);
-    }
-    outcome<> get_bed(std::size_t index, span<double> heights) const {
-        std::size_t* const untold = nullptr;
-        return call(cd_chain_get_bed, index, untold, untold, heights.data(), heights.size());
+        return detail::got(
+            cd_chain_get_bed(handle_, index, &out.columns, &out.rows, heights.data(), heights.size()), out);
     }
     // Without an origin the collider stays as it is, and only gets its callback again.
-    outcome<> set_callback(std::size_t index, const cd_distance& distance, span<const double> origin,
+    outcome<> set_callback(std::size_t index, const cd_distance* distance, span<const double> origin,
                            double friction = 0) {
-        return call(cd_chain_set_callback, index, &distance, origin.data(), origin.size(), friction);
-    }
-    outcome<> set_callback(std::size_t index, const cd_distance& distance) {
-        const double* const as_it_is = nullptr;
-        return call(cd_chain_set_callback, index, &distance, as_it_is, std::size_t{0}, 0.0);
+        return call(cd_chain_set_callback, index, distance, origin.data(), origin.size(), friction);
     }
     outcome<> remove_collider(std::size_t index) { return call(cd_chain_remove_collider, index); }
     outcome<> set_collider_velocity(std::size_t index, span<const double> velocity) {
@@ -985,28 +979,22 @@ public:
             return detail::done(CD_ERROR_RANGE, "membrane::set_capsule: first and last differ in size");
         return call(cd_membrane_set_capsule, index, first.data(), last.data(), last.size(), radius, friction);
     }
-    // A bed is given by its heights row after row; get_bed tells its size, then its heights.
+    // A bed is given by its heights row after row; get_bed tells its size, and its heights if
+    // there is room for them.
     outcome<> set_bed(std::size_t index, span<const double> origin, std::size_t columns, std::size_t rows,
                       double column_spacing, double row_spacing, span<const double> heights, double friction = 0) {
         return call(cd_membrane_set_bed, index, origin.data(), origin.size(), columns, rows, column_spacing,
                     row_spacing, heights.data(), heights.size(), friction);
     }
-    outcome<lattice> get_bed(std::size_t index) const {
+    outcome<lattice> get_bed(std::size_t index, span<double> heights = {}) const {
         lattice out{};
-        return detail::got(cd_membrane_get_bed(handle_, index, &out.columns, &out.rows, nullptr, 0), out);
-    }
-    outcome<> get_bed(std::size_t index, span<double> heights) const {
-        std::size_t* const untold = nullptr;
-        return call(cd_membrane_get_bed, index, untold, untold, heights.data(), heights.size());
+        return detail::got(
+            cd_membrane_get_bed(handle_, index, &out.columns, &out.rows, heights.data(), heights.size()), out);
     }
     // Without an origin the collider stays as it is, and only gets its callback again.
-    outcome<> set_callback(std::size_t index, const cd_distance& distance, span<const double> origin,
+    outcome<> set_callback(std::size_t index, const cd_distance* distance, span<const double> origin,
                            double friction = 0) {
-        return call(cd_membrane_set_callback, index, &distance, origin.data(), origin.size(), friction);
-    }
-    outcome<> set_callback(std::size_t index, const cd_distance& distance) {
-        const double* const as_it_is = nullptr;
-        return call(cd_membrane_set_callback, index, &distance, as_it_is, std::size_t{0}, 0.0);
+        return call(cd_membrane_set_callback, index, distance, origin.data(), origin.size(), friction);
     }
     outcome<> remove_collider(std::size_t index) { return call(cd_membrane_remove_collider, index); }
     outcome<> set_collider_velocity(std::size_t index, span<const double> velocity) {
