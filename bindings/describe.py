@@ -31,11 +31,15 @@ NULLABLE = {
     "cd_membrane_attach": ["target"],
     "cd_chain_teleport": ["rotation"],
     "cd_membrane_teleport": ["rotation"],
+    "cd_chain_set_callback": ["origin"],
+    "cd_membrane_set_callback": ["origin"],
     "cd_membrane_get_collider": ["out_shape", "out_first", "out_second", "out_velocity", "out_radius", "out_friction"],
     "cd_water_add_volume": ["out_added"],
     "cd_water_set_hull": ["heights"],
     "cd_water_add_volume_rectangle": ["out_added"],
 }
+# Tables of callbacks that may not.
+NEEDED = {"cd_distance"}
 EACH_MAY_BE_NULL = re.compile(r"each\s+(output\s+)?may\s+be\s+null", re.IGNORECASE)
 
 # Arrays that hold more than one number for each place that their length counts, or have no length after them: the
@@ -49,6 +53,10 @@ LENGTHS = {
     ("cd_membrane_set_capsule", "first"): ("count", 1),
     ("cd_membrane_get_collider", "out_first"): ("count", 1),
     ("cd_membrane_get_collider", "out_second"): ("count", 1),
+    ("cd_chain_set_bed", "heights"): ("height_count", 1),
+    ("cd_chain_get_bed", "out_heights"): ("height_count", 1),
+    ("cd_membrane_set_bed", "heights"): ("height_count", 1),
+    ("cd_membrane_get_bed", "out_heights"): ("height_count", 1),
     ("cd_chain_teleport", "rotation"): ("count", "count"),
     ("cd_membrane_teleport", "rotation"): ("count", "count"),
     ("cd_membrane_sample", "at"): ("n", 2),
@@ -261,7 +269,7 @@ class Description:
         if stars:
             each = direction == "out" and role in ("result", "array") and EACH_MAY_BE_NULL.search(function["doc"])
             parameter["null"] = bool(
-                role == "callbacks" or each or name in (self.table(NULLABLE, function["name"]) or []))
+                (role == "callbacks" and base not in NEEDED) or each or name in (self.table(NULLABLE, function["name"]) or []))
 
     def table(self, table, key):
         if key in table:

@@ -83,6 +83,8 @@ export const Status: {
   readonly errorMismatch: 12;
   /** steps were made, but an iterative solve ended short of its tolerance */
   readonly errorTolerance: 13;
+  /** steps were made, but a callback gave numbers that it may not */
+  readonly errorCallback: 14;
 };
 export type Status = keyof typeof Status;
 
@@ -178,6 +180,8 @@ export const Shape: {
   readonly none: 0;
   readonly plane: 1;
   readonly capsule: 2;
+  readonly bed: 3;
+  readonly callback: 4;
 };
 export type Shape = keyof typeof Shape;
 
@@ -617,8 +621,8 @@ export class Chain extends Handle {
 
   // ---- what ropes touch ---------------------------------------------------------------------------------------------
   // The nodes of a rope stay outside of colliders, numbered from 0, which all strands meet: half spaces, and capsules,
-  // spheres among them, each with a velocity and a friction of its own. A step that reaches its tolerance leaves no
-  // free
+  // spheres among them, beds of heights, and shapes that a callback tells the distance from, each with a velocity and a
+  // friction of its own. A step that reaches its tolerance leaves no free
   // node deeper inside than that, times the springs' length, and colliders at rest give no energy. What falls on one
   // does not bounce; what comes to rest stays. A strand that touches something makes that step with lambda = 1. A node
   // that lies inside when a step begins comes out of it, and is not thrown. Nodes collide; the springs between them do
@@ -627,7 +631,8 @@ export class Chain extends Handle {
   // node's push, times v / (v + 1e-4 m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the
   // push that 50 iterations found. So what it holds creeps: at half of what it bears by 1e-4 m/s.
   // Errors of all that set: "errorUnsupported" of a chain that is no rope; "errorRange" for an index that no collider
-  // has, or a count that is not the number of components; "errorValue".
+  // has, or a count that is not the number of components; "errorValue"; "errorMemory" where a bed or a callback
+  // becomes something else.
 
   /**
    * How many colliders there are, 0 to 4096, default 0: new ones are "none", those that stay keep what they are.
@@ -648,18 +653,45 @@ export class Chain extends Handle {
    */
   setCapsule(index: number, first: Numbers, last: Numbers, radius: number, friction?: number): void;
 
+  /**
+   * Makes a collider all that lies below a bed of heights [m], at most 1e60 in size, which are copied. The last
+   * component
+   * is up. With 3 components heights[j * columns + i] is at the first two components origin + (i columnSpacing,
+   * j rowSpacing), of at least 2 columns and rows; with 2 components a single row is along the first one, and
+   * rowSpacing
+   * means nothing. Heights count from the origin's own; spacings [m] are 1e-60 to 1e60. Between heights the bed is
+   * bilinear, with creases rounded within a quarter of the spacing either side; beyond the border it goes on at the
+   * border's height. How far outside a node is, is its height above the bed times the upward part of the bed's normal.
+   * A step meets the bed at the plane that touches it there where it finds the node. What the bed rises above that
+   * plane
+   * on the node's way the node may end inside of, and the next step takes it out; however fast, none falls through.
+   * Errors: "errorRange" too, if heightCount is not columns * rows; "errorMemory"; "errorUnsupported" with 1
+   * component.
+   */
+  setBed(index: number, origin: Numbers, columns: number, rows: number, columnSpacing: number, rowSpacing: number,
+    heights: Numbers, friction: number): void;
+
+  /**
+   * ; 0 columns and rows of what is no bed. Errors: "errorRange" for an index that no collider
+   * has, and, with heights, if heightCount is not columns * rows.
+   */
+  getBed(index: number, heightCount?: number): { columns: number; rows: number; heights: Float64Array };
+
   /** Makes a collider "none", at rest: nothing touches it. */
   removeCollider(index: number): void;
 
   /**
    * Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move it, and it
-   * carries what it touches along. It keeps its velocity when it is made another plane or capsule.
+   * carries what it touches along. It keeps its velocity when it is made another shape.
    */
   setColliderVelocity(index: number, velocity: Numbers): void;
 
   /**
    * What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends; of
-   * what is none, zeros, but for its velocity. One number per component in each array.
+   * a
+   * bed its origin and its spacings, 0 upward; of a callback its origin; else zeros, but for its velocity. One number
+   * per
+   * component in each array.
    * Errors: "errorRange" for an index that no collider has, or a count that is not the number of components.
    */
   getCollider(index: number): { shape: Shape; first: Float64Array; second: Float64Array; velocity: Float64Array; radius:
@@ -809,8 +841,9 @@ export class Chain extends Handle {
    * count * strands * nodes * components.
    * Errors: "errorValue"; "errorDiverged" if a number leaves the finite range: all steps are made, the message gives
    * the first bad one, the chain can be read, and steps again after reset, a load, or once finite positions and
-   * velocities have been written; of ropes "errorUnsupported" for what they can't have, and "errorTolerance" if a
-   * step ended short of its tolerance: all steps are made, and good to the error that convergence tells.
+   * velocities have been written; of ropes "errorUnsupported" for what they can't have, "errorCallback" as
+   * setCallback says, and "errorTolerance" if a step ended short of its tolerance: all steps are made, and
+   * good to the error that convergence tells.
    */
   step(dt: number, count?: number): void;
 
@@ -1253,14 +1286,21 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
-   * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
-   * at any speed.
+   * them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it
+   * is
+   * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
+   * through
+   * a collider, at any speed.
    * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
    * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
    * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
    * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
    * of it.
+   * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
+   * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
+   * for
+   * all nodes; answers that it may not give make step say "errorCallback", and one that is missing after a
+   * load "errorUnsupported".
    * Errors and ranges are those of the functions of Chain.
    */
   get colliders(): number;
@@ -1268,58 +1308,74 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
-   * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
-   * at any speed.
+   * them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it
+   * is
+   * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
+   * through
+   * a collider, at any speed.
    * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
    * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
    * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
    * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
    * of it.
+   * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
+   * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
+   * for
+   * all nodes; answers that it may not give make step say "errorCallback", and one that is missing after a
+   * load "errorUnsupported".
    * Errors and ranges are those of the functions of Chain.
    */
   setPlane(index: number, point: Numbers, normal: Numbers, friction?: number): void;
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
-   * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
-   * at any speed.
+   * them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it
+   * is
+   * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
+   * through
+   * a collider, at any speed.
    * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
    * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
    * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
    * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
    * of it.
+   * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
+   * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
+   * for
+   * all nodes; answers that it may not give make step say "errorCallback", and one that is missing after a
+   * load "errorUnsupported".
    * Errors and ranges are those of the functions of Chain.
    */
   setCapsule(index: number, first: Numbers, last: Numbers, radius: number, friction?: number): void;
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
-   * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
-   * at any speed.
+   * them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it
+   * is
+   * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
+   * through
+   * a collider, at any speed.
    * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
    * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
    * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
    * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
    * of it.
+   * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
+   * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
+   * for
+   * all nodes; answers that it may not give make step say "errorCallback", and one that is missing after a
+   * load "errorUnsupported".
    * Errors and ranges are those of the functions of Chain.
    */
+  setBed(index: number, origin: Numbers, columns: number, rows: number, columnSpacing: number, rowSpacing: number,
+    heights: Numbers, friction: number): void;
+
+  getBed(index: number, heightCount?: number): { columns: number; rows: number; heights: Float64Array };
+
+  /** origin may be null where the collider is "callback" already: it stays as it is. */
   removeCollider(index: number): void;
 
-  /**
-   * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
-   * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
-   * at any speed.
-   * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
-   * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
-   * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
-   * of it.
-   * Errors and ranges are those of the functions of Chain.
-   */
+  /** origin may be null where the collider is "callback" already: it stays as it is. */
   setColliderVelocity(index: number, velocity: Numbers): void;
 
   getCollider(index: number): { shape: Shape; first: Float64Array; second: Float64Array; velocity: Float64Array; radius:

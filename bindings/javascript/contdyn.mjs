@@ -24,6 +24,7 @@ export const Status = enumeration({
   errorFormat: 11,
   errorMismatch: 12,
   errorTolerance: 13,
+  errorCallback: 14,
 });
 
 export const Precision = enumeration({
@@ -66,6 +67,8 @@ export const Shape = enumeration({
   none: 0,
   plane: 1,
   capsule: 2,
+  bed: 3,
+  callback: 4,
 });
 
 export const Field = enumeration({
@@ -429,6 +432,31 @@ export class Chain extends Handle {
     const countOf = firstAt.length;
     check(wasm.cd_chain_set_capsule(address, size(index, "index"), firstAt.address, lastAt.address, countOf,
       number(radius, "radius"), number(friction, "friction")));
+  }
+
+  setBed(index, origin, columns, rows, columnSpacing, rowSpacing, heights, friction) {
+    const address = addressOf(this, Chain);
+    begin();
+    const originAt = put(origin, Float64Array, "origin");
+    const heightsAt = put(heights, Float64Array, "heights");
+    const countOf = originAt.length;
+    const heightCountOf = heightsAt.length;
+    check(wasm.cd_chain_set_bed(address, size(index, "index"), originAt.address, countOf, size(columns, "columns"),
+      size(rows, "rows"), number(columnSpacing, "columnSpacing"), number(rowSpacing, "rowSpacing"), heightsAt.address,
+      heightCountOf, number(friction, "friction")));
+  }
+
+  getBed(index, heightCount = 0) {
+    const address = addressOf(this, Chain);
+    begin();
+    const heightCountOf = size(heightCount, "heightCount");
+    const heightsAt = heightCountOf === 0 ? 0 : take(Float64Array.BYTES_PER_ELEMENT * heightCountOf);
+    check(wasm.cd_chain_get_bed(address, size(index, "index"), result(0), result(1), heightsAt, heightCountOf));
+    return {
+      columns: whole(0),
+      rows: whole(1),
+      heights: got(heightsAt, Float64Array, heightCountOf),
+    };
   }
 
   removeCollider(index) {
@@ -977,6 +1005,31 @@ export class Membrane extends Handle {
     const countOf = firstAt.length;
     check(wasm.cd_membrane_set_capsule(address, size(index, "index"), firstAt.address, lastAt.address, countOf,
       number(radius, "radius"), number(friction, "friction")));
+  }
+
+  setBed(index, origin, columns, rows, columnSpacing, rowSpacing, heights, friction) {
+    const address = addressOf(this, Membrane);
+    begin();
+    const originAt = put(origin, Float64Array, "origin");
+    const heightsAt = put(heights, Float64Array, "heights");
+    const countOf = originAt.length;
+    const heightCountOf = heightsAt.length;
+    check(wasm.cd_membrane_set_bed(address, size(index, "index"), originAt.address, countOf, size(columns, "columns"),
+      size(rows, "rows"), number(columnSpacing, "columnSpacing"), number(rowSpacing, "rowSpacing"), heightsAt.address,
+      heightCountOf, number(friction, "friction")));
+  }
+
+  getBed(index, heightCount = 0) {
+    const address = addressOf(this, Membrane);
+    begin();
+    const heightCountOf = size(heightCount, "heightCount");
+    const heightsAt = heightCountOf === 0 ? 0 : take(Float64Array.BYTES_PER_ELEMENT * heightCountOf);
+    check(wasm.cd_membrane_get_bed(address, size(index, "index"), result(0), result(1), heightsAt, heightCountOf));
+    return {
+      columns: whole(0),
+      rows: whole(1),
+      heights: got(heightsAt, Float64Array, heightCountOf),
+    };
   }
 
   removeCollider(index) {

@@ -38,6 +38,7 @@ TYPES = {
     "double*": "POINTER(c_double)",
     "Allocator*": "POINTER(Allocator)",
     "Parallel*": "POINTER(Parallel)",
+    "Distance*": "POINTER(Distance)",
 }
 WORDS = {
     "int32_t": "int",
@@ -92,7 +93,8 @@ def enumeration(enum):
 
 
 def prototype(member):
-    types = [{"void*": "c_void_p", "size_t": "c_size_t", "void": "None"}.get(part.get("type", ""))
+    types = [{"void*": "c_void_p", "size_t": "c_size_t", "double": "c_double", "const double*": "c_void_p",
+              "double*": "c_void_p", "void": "None"}.get(part.get("type", ""))
              or f"{part['name'].upper()}_FUNCTION" for part in member["parameters"]]
     returns = {"void*": "c_void_p", "void": "None"}[member["returns"]]
     return f"{member['name'].upper()}_FUNCTION = CFUNCTYPE({', '.join([returns, *types])})"

@@ -1,9 +1,9 @@
-/* contdyn: what every object shares: status codes, enumerations, the two callback tables, version.
+/* contdyn: what every object shares: status codes, enumerations, the callback tables, version.
  *
  * Conventions, the same in every header:
  *   - A function that can fail returns cd_status: CD_OK (0) or an error. cd_error_message() then tells what was wrong
  *     and gives the offending value. A call that fails changes nothing, but for steps that end with
- *     CD_ERROR_DIVERGED or CD_ERROR_TOLERANCE: those have been made.
+ *     CD_ERROR_DIVERGED, CD_ERROR_TOLERANCE or CD_ERROR_CALLBACK: those have been made.
  *   - Outputs come last and are named out_*. Unless a comment says otherwise, an output pointer may not be null; an
  *     array of no numbers may.
  *   - A handle is valid from create to destroy. After that it may not be used: its memory is the allocator's again.
@@ -44,7 +44,8 @@ enum {
     CD_ERROR_DIVERGED = 10,   /* the state left the finite range during a step, or has not come back to it */
     CD_ERROR_FORMAT = 11,     /* the bytes to load are damaged, or of another version or kind */
     CD_ERROR_MISMATCH = 12,   /* the two objects, or the object and the bytes, differ in shape or precision */
-    CD_ERROR_TOLERANCE = 13   /* steps were made, but an iterative solve ended short of its tolerance */
+    CD_ERROR_TOLERANCE = 13,  /* steps were made, but an iterative solve ended short of its tolerance */
+    CD_ERROR_CALLBACK = 14    /* steps were made, but a callback gave numbers that it may not */
 };
 
 /* Name of a status, such as "CD_ERROR_VALUE"; "CD_ERROR_UNKNOWN" for a number that is none. A static string. */
@@ -115,7 +116,7 @@ enum {
 
 /* What a collider of ropes and cloth is. */
 typedef int32_t cd_shape;
-enum { CD_SHAPE_NONE = 0, CD_SHAPE_PLANE = 1, CD_SHAPE_CAPSULE = 2 };
+enum { CD_SHAPE_NONE = 0, CD_SHAPE_PLANE = 1, CD_SHAPE_CAPSULE = 2, CD_SHAPE_BED = 3, CD_SHAPE_CALLBACK = 4 };
 
 /* Per-node and per-spring data; which object has which is in its own header. */
 typedef int32_t cd_field;
@@ -173,6 +174,19 @@ typedef struct cd_parallel {
     void* user;
     void (*run)(void* user, size_t count, void (*task)(void* context, size_t index), void* context);
 } cd_parallel;
+
+/* A shape from the caller, of a collider of ropes and cloth. distance tells of `count` positions, each of `components`
+ * numbers and relative to the collider's origin, how far outside of the shape they are at this time [s], as signed
+ * distances [m], less than 0 inside, at most 1e60 in size; and the unit vector along which that distance grows fastest,
+ * of a length within 1e-3 of 1: out_distances[i], out_normals[i][component]. It is called from steps, from any thread
+ * of cd_parallel and from several at once, and has to give the same position the same answer at the same time, whatever
+ * it is asked with; it may call no function on the object. A shape that moves as a whole should do so by the collider's
+ * velocity: one that changes with time by itself is met where it was when the step began. Copied when it is set. */
+typedef struct cd_distance {
+    void* user;
+    void (*distance)(void* user, double time, size_t count, size_t components, const double* positions,
+                     double* out_distances, double* out_normals);
+} cd_distance;
 
 /* ---- kernels ------------------------------------------------------------------------------------------------- */
 

@@ -209,7 +209,8 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
 
 /* ---- what ropes touch -------------------------------------------------------------------------------------------- */
 /* The nodes of a rope stay outside of colliders, numbered from 0, which all strands meet: half spaces, and capsules,
- * spheres among them, each with a velocity and a friction of its own. A step that reaches its tolerance leaves no free
+ * spheres among them, beds of heights, and shapes that a callback tells the distance from, each with a velocity and a
+ * friction of its own. A step that reaches its tolerance leaves no free
  * node deeper inside than that, times the springs' length, and colliders at rest give no energy. What falls on one
  * does not bounce; what comes to rest stays. A strand that touches something makes that step with lambda = 1. A node
  * that lies inside when a step begins comes out of it, and is not thrown. Nodes collide; the springs between them do
@@ -218,7 +219,8 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  * node's push, times v / (v + 1e-4 m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the
  * push that 50 iterations found. So what it holds creeps: at half of what it bears by 1e-4 m/s.
  * Errors of all that set: CD_ERROR_UNSUPPORTED of a chain that is no rope; CD_ERROR_RANGE for an index that no collider
- * has, or a count that is not the number of components; CD_ERROR_VALUE. */
+ * has, or a count that is not the number of components; CD_ERROR_VALUE; CD_ERROR_MEMORY where a bed or a callback
+ * becomes something else. */
 
 /* How many colliders there are, 0 to 4096, default 0: new ones are CD_SHAPE_NONE, those that stay keep what they are.
  * Rest length 0 takes them away. Errors: CD_ERROR_MEMORY. */
@@ -235,15 +237,45 @@ CD_API cd_status cd_chain_set_plane(cd_chain* chain, size_t index, const double*
 CD_API cd_status cd_chain_set_capsule(cd_chain* chain, size_t index, const double* first, const double* last,
                                       size_t count, double radius, double friction);
 
+/* Makes a collider all that lies below a bed of heights [m], at most 1e60 in size, which are copied. The last component
+ * is up. With 3 components heights[j * columns + i] is at the first two components origin + (i column_spacing,
+ * j row_spacing), of at least 2 columns and rows; with 2 components a single row is along the first one, and row_spacing
+ * means nothing. Heights count from the origin's own; spacings [m] are 1e-60 to 1e60. Between heights the bed is
+ * bilinear, with creases rounded within a quarter of the spacing either side; beyond the border it goes on at the
+ * border's height. How far outside a node is, is its height above the bed times the upward part of the bed's normal.
+ * A step meets the bed at the plane that touches it there where it finds the node. What the bed rises above that plane
+ * on the node's way the node may end inside of, and the next step takes it out; however fast, none falls through.
+ * Errors: CD_ERROR_RANGE too, if height_count is not columns * rows; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 1
+ * component. */
+CD_API cd_status cd_chain_set_bed(cd_chain* chain, size_t index, const double* origin, size_t count, size_t columns,
+                                  size_t rows, double column_spacing, double row_spacing, const double* heights,
+                                  size_t height_count, double friction);
+/* Each output may be null; 0 columns and rows of what is no bed. Errors: CD_ERROR_RANGE for an index that no collider
+ * has, and, with out_heights, if height_count is not columns * rows. */
+CD_API cd_status cd_chain_get_bed(const cd_chain* chain, size_t index, size_t* out_columns, size_t* out_rows,
+                                  double* out_heights, size_t height_count);
+
+/* Makes a collider the shape that a callback tells the distances of, whose positions are relative to origin [m]. A step
+ * asks for all nodes of a strand at once, at its start and then in each iteration where they would end. Where a
+ * shape is hollow it is met as beds are. Where an answer is not what cd_distance says, that step takes it for nothing there, and
+ * cd_chain_step says CD_ERROR_CALLBACK. The callback itself is no state: after a load, or a copied state, a collider
+ * that was CD_SHAPE_CALLBACK before goes on with the one it had, and for any other cd_chain_step says
+ * CD_ERROR_UNSUPPORTED until it is set again. origin may be null: a collider that is CD_SHAPE_CALLBACK stays as it is
+ * and gets this callback; count and friction mean nothing then.
+ * Errors: CD_ERROR_NULL too, for a table without a function; CD_ERROR_MEMORY. */
+CD_API cd_status cd_chain_set_callback(cd_chain* chain, size_t index, const cd_distance* distance,
+                                       const double* origin, size_t count, double friction);
+
 /* Makes a collider CD_SHAPE_NONE, at rest: nothing touches it. */
 CD_API cd_status cd_chain_remove_collider(cd_chain* chain, size_t index);
 
 /* Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move it, and it
- * carries what it touches along. It keeps its velocity when it is made another plane or capsule. */
+ * carries what it touches along. It keeps its velocity when it is made another shape. */
 CD_API cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, const double* velocity, size_t count);
 
-/* What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends; of
- * what is none, zeros, but for its velocity. One number per component in each array. Each output may be null.
+/* What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends; of a
+ * bed its origin and its spacings, 0 upward; of a callback its origin; else zeros, but for its velocity. One number per
+ * component in each array. Each output may be null.
  * Errors: CD_ERROR_RANGE for an index that no collider has, or a count that is not the number of components. */
 CD_API cd_status cd_chain_get_collider(const cd_chain* chain, size_t index, cd_shape* out_shape, double* out_first,
                                        double* out_second, double* out_velocity, size_t count, double* out_radius,
@@ -345,8 +377,9 @@ CD_API cd_status cd_chain_weld(cd_chain* chain, size_t strand, size_t spring);
  * count * strands * nodes * components.
  * Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives
  * the first bad one, the chain can be read, and steps again after cd_chain_reset, a load, or once finite positions and
- * velocities have been written; of ropes CD_ERROR_UNSUPPORTED for what they can't have, and CD_ERROR_TOLERANCE if a
- * step ended short of its tolerance: all steps are made, and good to the error that cd_chain_get_convergence tells. */
+ * velocities have been written; of ropes CD_ERROR_UNSUPPORTED for what they can't have, CD_ERROR_CALLBACK as
+ * cd_chain_set_callback says, and CD_ERROR_TOLERANCE if a step ended short of its tolerance: all steps are made, and
+ * good to the error that cd_chain_get_convergence tells. */
 CD_API cd_status cd_chain_step(cd_chain* chain, double dt, size_t count);
 
 /* The longest dt at which CD_METHOD_SYMPLECTIC_EULER stays bounded, whatever method is set: the largest dt with

@@ -240,14 +240,18 @@ CD_API cd_status cd_membrane_get_wind(const cd_membrane* membrane, double* out_v
 
 /* ---- what cloth touches ------------------------------------------------------------------------------------------ */
 /* As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
- * them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
- * nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider,
- * at any speed.
+ * them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it is
+ * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through
+ * a collider, at any speed.
  * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
  * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
  * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
  * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
  * of it.
+ * Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow
+ * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
+ * all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a
+ * load CD_ERROR_UNSUPPORTED.
  * Errors and ranges are those of the functions of cd_chain. */
 CD_API cd_status cd_membrane_set_colliders(cd_membrane* membrane, size_t count);
 CD_API cd_status cd_membrane_get_colliders(const cd_membrane* membrane, size_t* out_count);
@@ -255,6 +259,15 @@ CD_API cd_status cd_membrane_set_plane(cd_membrane* membrane, size_t index, cons
                                        size_t count, double friction);
 CD_API cd_status cd_membrane_set_capsule(cd_membrane* membrane, size_t index, const double* first, const double* last,
                                          size_t count, double radius, double friction);
+CD_API cd_status cd_membrane_set_bed(cd_membrane* membrane, size_t index, const double* origin, size_t count,
+                                     size_t columns, size_t rows, double column_spacing, double row_spacing,
+                                     const double* heights, size_t height_count, double friction);
+/* Each output may be null. */
+CD_API cd_status cd_membrane_get_bed(const cd_membrane* membrane, size_t index, size_t* out_columns, size_t* out_rows,
+                                     double* out_heights, size_t height_count);
+/* origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is. */
+CD_API cd_status cd_membrane_set_callback(cd_membrane* membrane, size_t index, const cd_distance* distance,
+                                          const double* origin, size_t count, double friction);
 CD_API cd_status cd_membrane_remove_collider(cd_membrane* membrane, size_t index);
 CD_API cd_status cd_membrane_set_collider_velocity(cd_membrane* membrane, size_t index, const double* velocity,
                                                    size_t count);

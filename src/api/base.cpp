@@ -55,6 +55,7 @@ const char* cd_status_name(cd_status status) {
         CD_NAME(CD_ERROR_FORMAT)
         CD_NAME(CD_ERROR_MISMATCH)
         CD_NAME(CD_ERROR_TOLERANCE)
+        CD_NAME(CD_ERROR_CALLBACK)
 #undef CD_NAME
     default: return "CD_ERROR_UNKNOWN";
     }

@@ -124,7 +124,7 @@ cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
     Features wanted = features(c);
     wanted.length = length > 0;
     if (length == 0) wanted.spring_length = wanted.air = wanted.wind = wanted.spring_strength = false;
-    if (length == 0) wanted.colliders = 0;
+    if (length == 0) wanted.colliders = {};
     CD_CHECK(shared::change_features(__func__, c, wanted));
     if (length == 0) c.air = {}, c.rope.strength = INFINITY, c.rope.thickness = 0;
     c.rope.length = length > 0 ? length : 0; // not -0
@@ -169,8 +169,10 @@ cd_status cd_chain_step(cd_chain* chain, double dt, size_t count) {
     CD_CHECK(shared::can_step(__func__, c, dt, count));
     if (count == 0) return CD_OK;
     if (has_lengths(c)) CD_CHECK(shared::takes_all(__func__, what_ropes_lack(c)));
+    CD_CHECK(shared::knows_colliders(__func__, c));
     const uint64_t bad = step_chain(c, dt, count);
     if (bad) return shared::diverged_at(__func__, bad);
+    CD_CHECK(shared::was_told_distances(__func__, c));
     if (c.residual <= c.rope.tolerance) return CD_OK;
     return fail(CD_ERROR_TOLERANCE, __func__, "springs are wrong by %g of their length after %zu iterations",
                 c.residual, c.iterations);

@@ -148,8 +148,10 @@ cd_status cd_membrane_step(cd_membrane* membrane, double dt, size_t count) {
     if (count == 0) return CD_OK;
     if constexpr (CD_WITH_CLOTH)
         if (has_lengths(m)) CD_CHECK(shared::takes_all(__func__, what_cloth_lacks(m)));
+    CD_CHECK(shared::knows_colliders(__func__, m));
     const MembraneOutcome outcome = step_membrane(m, dt, count);
     if (outcome.diverged_at) return shared::diverged_at(__func__, outcome.diverged_at);
+    CD_CHECK(shared::was_told_distances(__func__, m));
     if (outcome.converged) return CD_OK;
     return fail(CD_ERROR_TOLERANCE, __func__, "a residual of %g is left after %zu iterations, tolerance is %g",
                 m.residual, m.iterations, m.tolerance);

@@ -23,7 +23,7 @@ cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, dou
     MembraneFeatures wanted = features(m);
     wanted.cloth = cloth;
     if (!cloth) wanted.spring_length[kU] = wanted.spring_length[kV] = wanted.air = wanted.wind = false;
-    if (!cloth) wanted.colliders = 0;
+    if (!cloth) wanted.colliders = {};
     CD_CHECK(shared::change_features(__func__, m, wanted));
     if (cloth && !has_lengths(m)) m.lambda = 1;
     if (!cloth) m.cloth = {};

@@ -267,6 +267,20 @@ inline cd_status takes_all(const char* function, const char* lack) {
     return lack ? fail(CD_ERROR_UNSUPPORTED, function, "springs that have a length take no %s", lack) : CD_OK;
 }
 
+// Before steps, whether all colliders are known; and after them, whether their callbacks told distances.
+inline cd_status knows_colliders(const char* function, const Body& b) {
+    const size_t index = unanswered(b);
+    if (index == SIZE_MAX) return CD_OK;
+    return fail(CD_ERROR_UNSUPPORTED, function, "collider %zu has lost its callback: it must be set again", index);
+}
+inline cd_status was_told_distances(const char* function, const Body& b) {
+    const BadAnswer& bad = b.bad_answer;
+    if (bad.collider == SIZE_MAX) return CD_OK;
+    return fail(CD_ERROR_CALLBACK, function,
+                "the callback of collider %zu gave a distance of %g and a normal of length %g: taken for nothing there",
+                bad.collider, bad.distance, bad.length);
+}
+
 template <class X> cd_status tell_stable_dt(const char* function, const X& x, double* out) {
     CD_CHECK(not_null(function, "out_dt", out));
     if (has_lengths(x))

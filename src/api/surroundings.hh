@@ -63,7 +63,9 @@ template <class X> cd_status set_colliders(const char* function, X& x, size_t co
         return fail(CD_ERROR_VALUE, function, "count is %zu, must be at most %zu", count, kMostColliders);
     CD_CHECK(touches(function, x));
     auto wanted = features(x);
-    wanted.colliders = count;
+    const size_t had = wanted.colliders.count;
+    wanted.colliders = collider_sizes(x, count < had ? count : had);
+    wanted.colliders.count = count;
     return change_features(function, x, wanted);
 }
 
@@ -73,6 +75,34 @@ cd_status set_thickness(const char* function, const X& x, const char* name, doub
     CD_CHECK(in_range(function, name, distance, 0, kMost));
     CD_CHECK(touches(function, x));
     thickness = distance + 0.0; // not -0
+    return CD_OK;
+}
+
+// Makes a collider one of this shape, here and now, with room for so many numbers of a bed; its velocity stays.
+template <class X> cd_status reshape(const char* function, X& x, size_t index, cd_shape shape, size_t numbers = 0) {
+    Collider& to = collider(x, index);
+    const size_t before = bed_numbers(x, index), old = bed_of(x, index).numbers(), rest = x.beds.count - before - old;
+    Array<double> beds = x.beds;
+    size_t all;
+    if (numbers != old && !(add(before + rest, numbers, all) && allocate(x.memory, all, beds)))
+        return fail(CD_ERROR_MEMORY, function, "no memory for a bed of %zu numbers", numbers);
+    auto wanted = features(x);
+    wanted.colliders.callbacks += size_t(shape == CD_SHAPE_CALLBACK) - size_t(to.shape == CD_SHAPE_CALLBACK);
+    if (!set_features(x, wanted)) {
+        if (numbers != old) release(x.memory, beds);
+        return fail(CD_ERROR_MEMORY, function, "no memory for a collider");
+    }
+    if (numbers != old) {
+        if (before > 0) memcpy(beds.data, x.beds.data, before * sizeof(double));
+        if (rest > 0) memcpy(beds.data + before + numbers, x.beds.data + before + old, rest * sizeof(double));
+        release(x.memory, x.beds);
+        x.beds = beds;
+    }
+    Collider made = {};
+    made.shape = shape, made.since = x.clock.time();
+    for (int k = 0; k < 3; ++k) made.velocity[k] = to.velocity[k];
+    to = made;
+    forget_callbacks(x);
     return CD_OK;
 }
 
@@ -87,8 +117,9 @@ template <class X> cd_status set_plane(const char* function, X& x, size_t index,
         if (fabs(normal[k]) > largest) largest = fabs(normal[k]);
     if (!(largest > 0)) return fail(CD_ERROR_VALUE, function, "normal is 0: it has no direction");
     for (size_t k = 0; k < count; ++k) square += (normal[k] / largest) * (normal[k] / largest);
+    CD_CHECK(reshape(function, x, index, CD_SHAPE_PLANE));
     Collider& to = collider(x, index);
-    to.shape = CD_SHAPE_PLANE, to.radius = 0, to.friction = friction, to.since = x.clock.time();
+    to.friction = friction;
     for (size_t k = 0; k < count; ++k) to.point[k] = point[k], to.way[k] = normal[k] / largest / sqrt(square);
     return CD_OK;
 }
@@ -100,14 +131,82 @@ template <class X> cd_status set_capsule(const char* function, X& x, size_t inde
     CD_CHECK(is_vector(function, "last", last, count));
     CD_CHECK(in_range(function, "radius", radius, kLeastMass, kMost));
     CD_CHECK(in_range(function, "friction", friction, 0, kMost));
+    CD_CHECK(reshape(function, x, index, CD_SHAPE_CAPSULE));
     Collider& to = collider(x, index);
-    to.shape = CD_SHAPE_CAPSULE, to.radius = radius, to.friction = friction, to.since = x.clock.time();
+    to.radius = radius, to.friction = friction;
     for (size_t k = 0; k < count; ++k) to.point[k] = first[k], to.way[k] = last[k] - first[k];
+    return CD_OK;
+}
+
+inline cd_status is_lattice(const char* function, size_t components, size_t columns, size_t rows, size_t count) {
+    if (components < 2)
+        return fail(CD_ERROR_UNSUPPORTED, function, "a bed needs 2 or 3 components, there are %zu", components);
+    if (columns < 2) return fail(CD_ERROR_VALUE, function, "columns is %zu, must be at least 2", columns);
+    if (components == 2 ? rows != 1 : rows < 2)
+        return fail(CD_ERROR_VALUE, function, "rows is %zu, must be %s with %zu components", rows,
+                    components == 2 ? "1" : "at least 2", components);
+    size_t heights;
+    if (multiply(columns, rows, heights) && count == heights) return CD_OK;
+    return fail(CD_ERROR_RANGE, function, "height_count is %zu, must be %zu columns times %zu rows", count, columns,
+                rows);
+}
+
+template <class X>
+cd_status set_bed(const char* function, X& x, size_t index, const double* origin, size_t count, size_t columns,
+                  size_t rows, double column_spacing, double row_spacing, const double* heights, size_t height_count,
+                  double friction) {
+    CD_CHECK(is_collider(function, x, index, count));
+    CD_CHECK(is_vector(function, "origin", origin, count));
+    CD_CHECK(is_lattice(function, count, columns, rows, height_count));
+    CD_CHECK(in_range(function, "column_spacing", column_spacing, kLeastMass, kMost));
+    if (rows > 1) CD_CHECK(in_range(function, "row_spacing", row_spacing, kLeastMass, kMost));
+    CD_CHECK(is_vector(function, "heights", heights, height_count));
+    CD_CHECK(in_range(function, "friction", friction, 0, kMost));
+    size_t numbers;
+    if (!add(height_count, kBedHead, numbers))
+        return fail(CD_ERROR_MEMORY, function, "no memory for a bed of %zu heights", height_count);
+    CD_CHECK(reshape(function, x, index, CD_SHAPE_BED, numbers));
+    Collider& to = collider(x, index);
+    to.friction = friction, to.way[0] = column_spacing, to.way[1] = rows > 1 ? row_spacing : 0;
+    for (size_t k = 0; k < count; ++k) to.point[k] = origin[k];
+    const Bed bed{x.beds.data + bed_numbers(x, index)};
+    bed.at[0] = double(columns), bed.at[1] = double(rows);
+    for (size_t i = 0; i < height_count; ++i) bed.heights()[i] = heights[i];
+    return CD_OK;
+}
+
+inline cd_status get_bed(const char* function, const Body& b, size_t index, size_t* out_columns, size_t* out_rows,
+                         double* out_heights, size_t height_count) {
+    CD_CHECK(is_index(function, "index", index, collider_count(b)));
+    const Bed bed = bed_of(b, index);
+    const size_t columns = bed ? bed.columns() : 0, rows = bed ? bed.rows() : 0;
+    if (out_heights) CD_CHECK(is_count(function, "height_count", height_count, columns * rows));
+    for (size_t i = 0; out_heights && i < height_count; ++i) out_heights[i] = bed.heights()[i];
+    if (out_columns) *out_columns = columns;
+    if (out_rows) *out_rows = rows;
+    return CD_OK;
+}
+
+template <class X> cd_status set_callback(const char* function, X& x, size_t index, const cd_distance* distance,
+                                          const double* origin, size_t count, double friction) {
+    CD_CHECK(is_collider(function, x, index, origin ? count : x.components));
+    CD_CHECK(not_null(function, "distance", distance));
+    if (!distance->distance) return fail(CD_ERROR_NULL, function, "distance has no function");
+    if (origin || collider(x, index).shape != CD_SHAPE_CALLBACK) {
+        CD_CHECK(is_vector(function, "origin", origin, count));
+        CD_CHECK(in_range(function, "friction", friction, 0, kMost));
+        CD_CHECK(reshape(function, x, index, CD_SHAPE_CALLBACK));
+        Collider& to = collider(x, index);
+        to.friction = friction;
+        for (size_t k = 0; k < count; ++k) to.point[k] = origin[k];
+    }
+    x.callbacks[index] = *distance;
     return CD_OK;
 }
 
 template <class X> cd_status remove_collider(const char* function, X& x, size_t index) {
     CD_CHECK(is_collider(function, x, index, x.components));
+    CD_CHECK(reshape(function, x, index, CD_SHAPE_NONE));
     collider(x, index) = {};
     return CD_OK;
 }
@@ -160,6 +259,17 @@ inline cd_status get_collider(const char* function, const Body& b, size_t index,
     CD_FUNCTION(object, , set_capsule,                                                                                 \
                 (size_t index, const double* first, const double* last, size_t count, double radius, double friction), \
                 shared::set_capsule(__func__, x, index, first, last, count, radius, friction))                         \
+    CD_FUNCTION(object, , set_bed,                                                                                     \
+                (size_t index, const double* origin, size_t count, size_t columns, size_t rows, double column_spacing, \
+                 double row_spacing, const double* heights, size_t height_count, double friction),                     \
+                shared::set_bed(__func__, x, index, origin, count, columns, rows, column_spacing, row_spacing,         \
+                                heights, height_count, friction))                                                      \
+    CD_FUNCTION(object, const, get_bed,                                                                                \
+                (size_t index, size_t * out_columns, size_t* out_rows, double* out_heights, size_t height_count),      \
+                shared::get_bed(__func__, x, index, out_columns, out_rows, out_heights, height_count))                 \
+    CD_FUNCTION(object, , set_callback,                                                                                \
+                (size_t index, const cd_distance* distance, const double* origin, size_t count, double friction),      \
+                shared::set_callback(__func__, x, index, distance, origin, count, friction))                           \
     CD_FUNCTION(object, , remove_collider, (size_t index), shared::remove_collider(__func__, x, index))                \
     CD_FUNCTION(object, , set_collider_velocity, (size_t index, const double* velocity, size_t count),                 \
                 shared::set_collider_velocity(__func__, x, index, velocity, count))                                    \

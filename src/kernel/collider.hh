@@ -1,17 +1,57 @@
 // What the nodes of ropes and cloth do not go through.
 #pragma once
 
+#include <stddef.h>
+#include <stdint.h>
+
+#include "contdyn/base.h"
+
 namespace cd {
 
 struct Collider {
-    double shape;    // a cd_shape; the kernels get none that is CD_SHAPE_NONE
-    double point[3]; // of the plane, or the capsule's first end [m]
-    double way[3];   // the plane's outward normal, of length 1, or from the capsule's first end to its last [m]
+    double shape;    // a cd_shape
+    double point[3]; // of the plane, the capsule's first end, the origin of a bed or callback [m]
+    double way[3];   // the plane's outward normal, of length 1, from the capsule's first end to its last, of a bed the
+                     // distances between its heights [m]
     double radius, friction;
     double velocity[3]; // [m/s]
     double since;       // the time at which it was there [s]
 
     double place(int k, double time) const { return point[k] + (time - since) * velocity[k]; }
 };
+
+// A collider that is not CD_SHAPE_NONE, as steps meet it: its radius has the thickness of what touches it.
+struct Obstacle : Collider {
+    size_t index;                // among the colliders
+    size_t columns, rows;        // of a bed: one row where a node has two components
+    const double* heights;       // row after row [m]
+    const cd_distance* callback; // null: of no callback
+    size_t question;             // its number among callbacks
+
+    bool is_convex() const { return shape == CD_SHAPE_PLANE || shape == CD_SHAPE_CAPSULE; }
+};
+
+// How far outside of a bed x is at this time, to first order, and the unit vector out of it.
+//
+// Along one axis the bed goes linearly from height to height, h + s f where f is the distance from the nearest height,
+// counted in spacings; within kRoundCrease of that height it is the parabola that goes on where the lines end:
+//
+//      h + (s_left + s_right) / 2 f + (s_right - s_left) (f^2 + r^2) / (4 r),      r = kRoundCrease
+//
+// With sharp creases what lies in one would be pushed from side to side for ever. Along two axes it is the product of
+// both, and beyond the last height there are more of the same height.
+constexpr double kRoundCrease = 0.25;
+double gap_to_bed(const Obstacle& bed, const double* x, double time, double* normal);
+
+// An answer of a callback that is no distance, or no unit vector.
+struct BadAnswer {
+    size_t collider = SIZE_MAX; // none
+    double distance = 0, length = 0;
+};
+
+// A callback's distances, less the radius, and normals for `count` places, rows of `components` numbers, which become
+// those relative to the collider. Where the answer is bad nothing is near.
+void ask(const Obstacle& of, double time, size_t count, size_t components, double* places, double* distances,
+         double* normals, BadAnswer& bad);
 
 } // namespace cd

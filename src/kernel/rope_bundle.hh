@@ -78,6 +78,11 @@ template <int N> struct RopeBundle {
         Resisted pulled[4]; // by the link: its transverse stiffness along x, y, z, and along itself
         V by_link[4];
     };
+    // What a callback tells of a node: the way out, and how far outside it is where the guess ends.
+    struct Answer {
+        V normal;
+        L gap;
+    };
     // Of spring i from node i to node i + 1.
     struct Spring {
         L length, per_length, compliance;
@@ -102,6 +107,8 @@ template <int N> struct RopeBundle {
     Contact* const contacts;    // of node after node, with each collider
     Joint* const joints;        // of rods
     V* const by_link;           // of rods: three of each node for the air, then three of each contact
+    Answer* const answers;      // of callback after callback, for each node
+    double* const question;     // room for places of nodes and what is told of them
     size_t first, count;        // strands
     L lambda, per_lambda, open; // open: 1 where a strand is still to be solved
     L iterations{}, reached{}, failed{};
@@ -110,6 +117,7 @@ template <int N> struct RopeBundle {
     bool newtonian = true;                      // while Newton's method is at work
     L apart{};                                  // the error of springs between held nodes
     L least_worth{};                            // what tensions times lengths are at least, as errors count
+    BadAnswer bad_answer{};
 
     static L one() { return L::splat(1); }
     // 1 for 0, and 0 for what is positive.
@@ -264,7 +272,10 @@ template <int N> struct RopeBundle {
         return {L::splat(c.velocity[0]), L::splat(c.velocity[1]), L::splat(c.velocity[2])};
     }
     L length_at(size_t i) const;
-    void look_at_gap(const Collider& to, V x, double time, V& normal, L& gap) const;
+    void look_at_gap(const Obstacle& to, V x, double time, V& normal, L& gap) const;
+    __attribute__((noinline)) void look_at_bed(const Obstacle& to, V x, double time, V& normal, L& gap) const;
+    __attribute__((noinline)) void ask_all(bool at_start);
+    void look_at_end(size_t k, size_t i, V before, V x, Contact& c) const;
     L leaving(size_t i, const Contact& c) const;
     V slip_at(const Collider& to, size_t i, const Contact& c) const;
     static Axes surface_axes(V normal, V slip);

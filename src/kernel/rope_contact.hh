@@ -27,7 +27,8 @@ constexpr double kFrictionError = 1e-2;
 constexpr size_t kGripIterations = 50;
 
 // Of a place x and a collider at this time: the way out of it, and how far outside x lies.
-template <int N> void RopeBundle<N>::look_at_gap(const Collider& to, V x, double time, V& normal, L& gap) const {
+template <int N> void RopeBundle<N>::look_at_gap(const Obstacle& to, V x, double time, V& normal, L& gap) const {
+    if (to.shape == CD_SHAPE_BED) return look_at_bed(to, x, time, normal, gap);
     const auto at = [&](int k) { return L::splat(to.place(k, time)); };
     const V way{L::splat(to.way[0]), L::splat(to.way[1]), L::splat(to.way[2])}, from = x - V{at(0), at(1), at(2)};
     const L radius = L::splat(to.radius);
@@ -41,6 +42,74 @@ template <int N> void RopeBundle<N>::look_at_gap(const Collider& to, V x, double
     const L distance = root(dot(off, off));
     normal = direction(off, distance - kNoDirection * radius, one() / distance, V{one(), L{}, L{}});
     gap = distance - radius;
+}
+
+template <int N> void RopeBundle<N>::look_at_bed(const Obstacle& to, V x, double time, V& normal, L& gap) const {
+    double place[3][N], out[3][N], gaps[N];
+    x.x.store(place[0]), x.y.store(place[1]), x.z.store(place[2]);
+    for (int j = 0; j < N; ++j) {
+        const double at[3] = {place[0][j], place[1][j], place[2][j]};
+        double way[3];
+        gaps[j] = gap_to_bed(to, at, time, way);
+        for (int k = 0; k < 3; ++k) out[k][j] = way[k];
+    }
+    normal = {L::load(out[0]), L::load(out[1]), L::load(out[2])}, gap = L::load(gaps);
+}
+
+// Asks all callbacks about the nodes of the strands that are open, one strand after the other: where the step begins,
+// for their contacts, or where the guess ends.
+template <int N> void RopeBundle<N>::ask_all(bool at_start) {
+    const size_t n = ropes.nodes, components = ropes.components;
+    double is_open[N];
+    open.store(is_open);
+    double *const places = question, *const gaps = places + 3 * N * n, *const normals = gaps + N * n;
+    for (size_t k = 0; k < stage.collider_count; ++k) {
+        const Obstacle& to = stage.colliders[k];
+        if (!to.callback) continue;
+        for (size_t i = 0; i < n; ++i) {
+            const V before = load(ropes.position, i), x = at_start ? before : before + L::splat(stage.dt) * nodes[i].w;
+            double lane[3][N];
+            x.x.store(lane[0]), x.y.store(lane[1]), x.z.store(lane[2]);
+            for (int j = 0; j < N; ++j)
+                for (size_t c = 0; c < components; ++c) places[(size_t(j) * n + i) * components + c] = lane[c][j];
+        }
+        for (size_t j = 0; j < count; ++j)
+            if (is_open[j] > 0)
+                ask(to, at_start ? stage.time_before : stage.time_after, n, components, places + j * n * components,
+                    gaps + j * n, normals + j * n * components, bad_answer);
+        for (size_t i = 0; i < n; ++i) {
+            double lane[4][N] = {};
+            for (int j = 0; j < N; ++j) {
+                const size_t own = size_t(j) < count ? size_t(j) : count - 1;
+                if (!(is_open[own] > 0)) continue;
+                for (size_t c = 0; c < components; ++c) lane[c][j] = normals[(own * n + i) * components + c];
+                lane[3][j] = gaps[own * n + i];
+            }
+            const V normal{L::load(lane[0]), L::load(lane[1]), L::load(lane[2])};
+            Answer& told = answers[to.question * n + i];
+            Contact& contact = contacts[i * stage.collider_count + k];
+            V& out = at_start ? contact.acting : told.normal;
+            L& gap = at_start ? contact.before : told.gap;
+            out = select(open, normal, out), gap = select(open, L::load(lane[3]), gap);
+        }
+    }
+}
+
+// Looks at collider k where the guess ends.
+//
+// Pushes along n0 give energy where a node gets in front of n0's plane, as it would have to in a hollow whose surface
+// rises before it. So no node has to come further out than to that plane, and the next step takes it out of what it
+// went into. Behind it lies all that is convex, and no callback's ball or box is met otherwise than at its surface. Beds are
+// met at the plane alone: where their slope turns often, what keeps to both finds no end.
+template <int N> void RopeBundle<N>::look_at_end(size_t k, size_t i, V before, V x, Contact& c) const {
+    const Obstacle& to = stage.colliders[k];
+    if (to.is_convex()) return look_at_gap(to, x, stage.time_after, c.normal, c.gap);
+    const L plane = c.before + dot(c.acting, (x - before) - L::splat(stage.dt) * velocity_of(to));
+    c.normal = c.acting, c.gap = plane;
+    if (!to.callback) return;
+    const Answer& told = answers[to.question * ropes.nodes + i];
+    const L outside = plane - told.gap;
+    c.normal = select(outside, c.normal, told.normal), c.gap = select(outside, plane, told.gap);
 }
 
 // The longer of the springs at node i, by which the tolerance is counted.
@@ -74,11 +143,11 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
     const L length = length_at(i), room = stage.tolerance * length, free = opposite(held(i));
     L error{};
     for (size_t k = 0; k < stage.collider_count; ++k) {
-        const Collider& to = stage.colliders[k];
+        const Obstacle& to = stage.colliders[k];
         Contact& c = contacts[i * stage.collider_count + k];
         if (iteration == 0) {
-            look_at_gap(to, before, stage.time_before, c.acting, c.before);
-            look_at_gap(to, x, stage.time_after, c.normal, c.gap);
+            if (!to.callback) look_at_gap(to, before, stage.time_before, c.acting, c.before);
+            look_at_end(k, i, before, x, c);
             const L alone = nodes[i].ground * positive(leaving(i, c) - dot(c.normal, nodes[i].b));
             c.on = select(open, free * select(room - c.gap, one(), L{}), c.on);
             c.grip = c.push = select(open, c.on * alone, c.push);
@@ -87,7 +156,7 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
             continue;
         }
         const V normal = c.normal;
-        look_at_gap(to, x, stage.time_after, c.normal, c.gap);
+        look_at_end(k, i, before, x, c);
         const L was = c.on, inside = free * select(room + c.gap, L{}, one()); // deeper than the tolerance
         // How far it is inside, or off the surface where it is pushed.
         const L off = select(free, select(was, size_of(c.gap), positive(L{} - c.gap)), L{});

@@ -24,6 +24,10 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
     Seen seen;
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, barrier, interior, seen);
     if (is_rod()) look_at_joints(seen);
+    if (stage.callback_count > 0) {
+        if (iteration == 0) ask_all(true);
+        ask_all(false);
+    }
     for (size_t i = 0; i < ropes.nodes && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, iteration));
     const L worth = larger(seen.worth, larger(weight, least_worth));
     const L wrong = larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths);
@@ -273,6 +277,7 @@ template <int N> RopeResult RopeBundle<N>::step() {
     result.finite = !bad.any_nan();
     result.error = largest_in(larger(reached, apart));
     result.iterations = size_t(largest_in(iterations));
+    result.bad = bad_answer;
     return result;
 }
 
@@ -287,10 +292,15 @@ template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopePar
     static_assert(sizeof(typename Here::Contact) == kContactScratch * N * sizeof(double));
     auto* const contacts = reinterpret_cast<typename Here::Contact*>(in_air + (stage.has_air() ? ropes.nodes : 0));
     const size_t contact_count = ropes.nodes * stage.collider_count;
+    static_assert(sizeof(typename Here::Answer) == kAnswerScratch * N * sizeof(double));
+    auto* const answers = reinterpret_cast<typename Here::Answer*>(contacts + contact_count);
     static_assert(sizeof(typename Here::Joint) == kJointScratch * N * sizeof(double));
-    auto* const joints = reinterpret_cast<typename Here::Joint*>(contacts + contact_count);
+    auto* const joints = reinterpret_cast<typename Here::Joint*>(answers + ropes.nodes * stage.callback_count);
     auto* const by_link = reinterpret_cast<typename Here::V*>(joints + (stage.bends ? ropes.nodes : 0));
-    Here bundle{ropes, c, stage, nodes, springs, in_air, contacts, joints, by_link, first, count, {}, {}, {}};
+    const size_t link_count = stage.bends ? 3 * (contact_count + (stage.has_air() ? ropes.nodes : 0)) : 0;
+    auto* const question = reinterpret_cast<double*>(by_link + link_count);
+    Here bundle{ropes,   c,        stage, nodes, springs, in_air, contacts, joints, by_link,
+                answers, question, first, count, {},      {},     {}};
     return bundle.step();
 }
 

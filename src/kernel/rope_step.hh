@@ -52,8 +52,8 @@ struct RopeStage {
     bool bends;                    // whether any node has a bend stiffness
     double tolerance;              // of the length that a spring should have, over its rest length
     size_t most_iterations;
-    const Collider* colliders;
-    size_t collider_count;
+    const Obstacle* colliders;
+    size_t collider_count, callback_count;
     double time_before, time_after; // of the step [s]
 
     bool has_air() const { return along > 0 || across > 0; }
@@ -63,18 +63,22 @@ struct RopeResult {
     size_t iterations = 0; // of the strand that took most
     double error = 0;      // of the worst length, over the rest length
     bool finite = true;
+    BadAnswer bad;
 
     void add(const RopeResult& other) {
         if (other.iterations > iterations) iterations = other.iterations;
         if (other.error > error) error = other.error;
         finite &= other.finite;
+        if (bad.collider == SIZE_MAX) bad = other.bad;
     }
 };
 
 // The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand:
-// always, for the air, and for each collider; a call with one strand needs no more than that strand's.
+// always, for the air, for each collider, for each callback and for any; of rods, and there for the air and for each
+// collider; a call with one strand needs no more than that strand's.
 constexpr size_t kRopeStrands = 8, kRopeScratch = 55, kAirScratch = 15, kContactScratch = 30;
-constexpr size_t kJointScratch = 63, kLinkScratch = 9; // of rods: the latter for the air, and for each collider
+constexpr size_t kAnswerScratch = 4, kQuestionScratch = 7;
+constexpr size_t kJointScratch = 63, kLinkScratch = 9;
 
 namespace CD_ISA {
 

@@ -35,7 +35,10 @@ struct Body : Object, BodySettings {
     // and per node and component, in the object's precision and layout; position and velocity are always there
     Array<char> position, velocity, force, target, wind;
 
-    Array<double> colliders; // each a Collider
+    Array<double> colliders;      // each a Collider
+    Array<double> beds;           // of each CD_SHAPE_BED, in their order: columns, rows, heights
+    Array<cd_distance> callbacks; // no state: of each collider, without a function where none is set
+    BadAnswer bad_answer;         // of a callback, in the last call of step
 };
 
 inline double tie_of(const Body& b, size_t node) { return b.attach_stiffness ? b.attach_stiffness[node] : 0; }
@@ -62,16 +65,73 @@ constexpr size_t kColliderNumbers = sizeof(Collider) / sizeof(double);
 inline size_t collider_count(const Body& b) { return b.colliders.count / kColliderNumbers; }
 inline Collider& collider(const Body& b, size_t index) { return reinterpret_cast<Collider*>(b.colliders.data)[index]; }
 
-// Those that are not CD_SHAPE_NONE, thicker by the thickness of what touches them; tells how many.
-inline size_t gather_colliders(const Body& b, double thickness, Collider* out) {
-    size_t count = 0;
-    for (size_t i = 0; i < collider_count(b); ++i) {
-        if (collider(b, i).shape == CD_SHAPE_NONE) continue;
-        out[count] = collider(b, i);
-        out[count++].radius += thickness;
+// A bed among a body's beds.
+constexpr size_t kBedHead = 2;
+struct Bed {
+    double* at = nullptr; // null: none
+
+    explicit operator bool() const { return at != nullptr; }
+    size_t columns() const { return size_t(at[0]); }
+    size_t rows() const { return size_t(at[1]); }
+    double* heights() const { return at + kBedHead; }
+    size_t numbers() const { return at ? kBedHead + columns() * rows() : 0; }
+};
+
+// f(collider, its bed) for the first `count` colliders; tells how many numbers all their beds have.
+template <class F> size_t each_collider(const Body& b, size_t count, F f) {
+    size_t numbers = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const Collider& it = collider(b, i);
+        const Bed bed = it.shape == CD_SHAPE_BED ? Bed{b.beds.data + numbers} : Bed();
+        f(it, bed);
+        numbers += bed.numbers();
     }
-    return count;
+    return numbers;
 }
+inline size_t bed_numbers(const Body& b, size_t count) {
+    return each_collider(b, count, [](const Collider&, Bed) {});
+}
+inline Bed bed_of(const Body& b, size_t index) {
+    return collider(b, index).shape == CD_SHAPE_BED ? Bed{b.beds.data + bed_numbers(b, index)} : Bed();
+}
+
+// f(obstacle) for each collider that is not CD_SHAPE_NONE, thicker by the thickness of what touches it.
+template <class F> void each_obstacle(const Body& b, double thickness, F f) {
+    size_t questions = 0;
+    each_collider(b, collider_count(b), [&](const Collider& it, Bed bed) {
+        if (it.shape == CD_SHAPE_NONE) return;
+        const size_t index = size_t(&it - &collider(b, 0));
+        Obstacle to{it, index, 0, 0, nullptr, nullptr, 0};
+        to.radius += thickness;
+        if (bed) to.columns = bed.columns(), to.rows = bed.rows(), to.heights = bed.heights();
+        if (it.shape == CD_SHAPE_CALLBACK) to.callback = &b.callbacks[index], to.question = questions++;
+        f(to);
+    });
+}
+
+// The memory that the first `count` colliders take.
+struct ColliderSizes {
+    size_t count, beds, callbacks; // numbers of all beds; how many are CD_SHAPE_CALLBACK
+};
+inline ColliderSizes collider_sizes(const Body& b, size_t count) {
+    size_t callbacks = 0;
+    const size_t beds =
+        each_collider(b, count, [&](const Collider& it, Bed) { callbacks += it.shape == CD_SHAPE_CALLBACK; });
+    return {count, beds, callbacks};
+}
+
+// A collider by callback that has none, as after a load; or SIZE_MAX.
+inline size_t unanswered(const Body& b) {
+    for (size_t i = 0; i < collider_count(b); ++i)
+        if (collider(b, i).shape == CD_SHAPE_CALLBACK && !b.callbacks[i].distance) return i;
+    return SIZE_MAX;
+}
+// What is no longer CD_SHAPE_CALLBACK has no callback.
+inline void forget_callbacks(Body& b) {
+    for (size_t i = 0; i < b.callbacks.count; ++i)
+        if (collider(b, i).shape != CD_SHAPE_CALLBACK) b.callbacks[i] = {};
+}
+inline void forget_callbacks(Object&) {}
 
 // Colliders stay where they are when time begins anew.
 inline void stop_clocks(Body& b) {
@@ -97,12 +157,13 @@ inline void clear_state(Body& b) {
 struct BodyFeatures {
     cd_method method;
     bool node_mass, force, target, bend, air, wind;
-    size_t colliders;
+    ColliderSizes colliders;
 };
 
 // The memory that such features change.
 struct BodyChanges {
-    Change<double> mass, attach_stiffness, attach_damping, coefficients, scratch, colliders;
+    Change<double> mass, attach_stiffness, attach_damping, coefficients, scratch, colliders, beds;
+    Change<cd_distance> callbacks;
     Change<char> force, target, wind;
 
     // numbers: of a field that has one per node, or one per node and strand
@@ -112,15 +173,19 @@ struct BodyChanges {
           attach_damping{b.attach_damping, wanted.target ? numbers : 0},
           coefficients{b.coefficients, coefficients_needed},
           scratch{b.scratch, scratch_needed},
-          colliders{b.colliders, wanted.colliders * kColliderNumbers},
+          colliders{b.colliders, wanted.colliders.count * kColliderNumbers},
+          beds{b.beds, wanted.colliders.beds},
+          callbacks{b.callbacks, wanted.colliders.callbacks > 0 ? wanted.colliders.count : 0},
           force{b.force, wanted.force ? b.position.count : 0},
           target{b.target, wanted.target ? b.position.count : 0},
           wind{b.wind, wanted.wind ? b.position.count : 0} {}
 
     template <class F> bool all(F f) {
         return f(mass) && f(attach_stiffness) && f(attach_damping) && f(coefficients) && f(scratch) && f(colliders) &&
-               f(force) && f(target) && f(wind);
+               f(beds) && f(callbacks) && f(force) && f(target) && f(wind);
     }
+    // Before they are put: what there is of colliders stays.
+    void carry_over() const { colliders.carry_over(), beds.carry_over(), callbacks.carry_over(); }
     // A new target is the present position. New masses and winds are for the object to fill.
     void fill(Body& b) const {
         if (target.is_new()) memcpy(b.target.data, b.position.data, b.target.count);

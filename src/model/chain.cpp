@@ -65,7 +65,7 @@ static bool line_pitch(size_t lines, size_t number, size_t& out) {
 
 Features features(const Chain& c) {
     return {{c.method, bool(c.node_mass), bool(c.force), bool(c.target), c.bend > 0, c.air.resists(), bool(c.wind),
-             collider_count(c)},
+             collider_sizes(c, collider_count(c))},
             bool(c.spring_stiffness),
             bool(c.node_bend),
             c.ring != 0,
@@ -85,7 +85,7 @@ struct Needs {
 // their two ways.
 Needs needs_of(const Chain& c, const Features& f) {
     const bool bends = f.bend || f.node_bend, rod = bends || f.ring;
-    if (f.length) return {rope_coefficients(c, f.colliders), rope_scratch(c, {bends, f.air, f.colliders}), 0};
+    if (f.length) return {rope_coefficients(c, f.colliders.count), rope_scratch(c, {bends, f.air, f.colliders}), 0};
     const size_t gains = 2 + size_t(f.force) + size_t(f.target), stages = f.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
     if (is_explicit(f.method)) return {(gains + 2 + size_t(bends)) * row_length(c), 0, 0};
     const bool segments = takes_segments(c, rod);
@@ -119,7 +119,7 @@ bool set_features(Chain& c, const Features& wanted) {
     pin.spread(c.nodes), body.attach_stiffness.spread(c.nodes), body.attach_damping.spread(c.nodes);
     const bool has_mass = body.mass.spread(c.nodes), has_bend = bend.spread(c.nodes);
     const bool has_stiffness = wanted.ring == (c.ring != 0) && stiffness.spread(springs);
-    body.colliders.carry_over();
+    body.carry_over();
     put_all(c.memory, all);
     c.ring = wanted.ring;
     c.method = wanted.method;

@@ -57,11 +57,11 @@ struct Chain : Body, ChainSettings {
         f(c.pin...), f(c.node_mass...), f(c.spring_stiffness...), f(c.node_bend...), f(c.spring_length...);
         f(c.spring_strength...);
         f(c.attach_stiffness...), f(c.attach_damping...), f(c.position...), f(c.velocity...), f(c.force...);
-        f(c.target...), f(c.tension...), f(c.wind...), f(c.colliders...);
+        f(c.target...), f(c.tension...), f(c.wind...), f(c.colliders...), f(c.beds...);
     }
     template <class F> static void each_array(F f, Chain& c) {
         each_field(f, c);
-        f(c.coefficients), f(c.scratch), f(c.ring_response);
+        f(c.coefficients), f(c.scratch), f(c.ring_response), f(c.callbacks);
     }
 };
 
@@ -193,7 +193,7 @@ const char* what_ropes_lack(const Chain& c);
 // Of strands that are stepped at once: the doubles of scratch; and of the coefficients.
 struct RopeNeeds {
     bool bend, air;
-    size_t colliders;
+    ColliderSizes colliders;
 };
 size_t rope_scratch(const Chain& c, const RopeNeeds& needs);
 size_t rope_coefficients(const Chain& c, size_t colliders);

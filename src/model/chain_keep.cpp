@@ -9,8 +9,10 @@ namespace {
 struct ChainKeep {
     using Object = Chain;
     using Settings = KeptSettings<ChainSettings>;
-    // Among the bits of fields: the settings of ropes follow, those of air, the strength, and what ropes touch.
+    // Among the bits of fields: the settings of ropes follow, those of air, the strength, what ropes touch, and how
+    // much of that are beds and callbacks.
     static constexpr uint32_t kOfRopes = 1u << 31, kOfAir = 1u << 30, kOfStrength = 1u << 29, kOfContacts = 1u << 28;
+    static constexpr uint32_t kOfShapes = 1u << 27;
     static constexpr Kind kind = {1, "chain", {"strands", "springs"}};
 
     static Shape shape_of(const Chain& c) { return {{c.strands, c.springs}, c.components, c.precision}; }
@@ -25,6 +27,7 @@ struct ChainKeep {
         if (!(c.air == AirSettings())) s.fields |= kOfAir;
         if (c.rope.breaks()) s.fields |= kOfStrength;
         if (s.colliders > 0 || c.rope.thickness > 0) s.fields |= kOfContacts;
+        if (s.has_shapes()) s.fields |= kOfShapes;
         return s;
     }
 
@@ -51,14 +54,15 @@ struct ChainKeep {
         if (s.fields & kOfAir) walk_air(w, s.own.air);
         if (s.fields & kOfStrength) walk(w, rope.strength);
         if (s.fields & kOfContacts) walk(w, s.colliders), walk(w, rope.thickness);
+        if (s.fields & kOfShapes) walk(w, s.beds), walk(w, s.callbacks);
     }
     template <class W> static void walk_choices(W& w, ChainSettings& s) { walk(w, s.ring); }
     template <class W> static void walk_numbers(W& w, ChainSettings& s) { walk(w, s.stiffness), walk(w, s.bend); }
 
     static bool valid(const Chain& c, const Settings& s) {
         const uint32_t optional = 1u << CD_MASS | 1u << CD_STIFFNESS | 1u << CD_BEND | 1u << CD_FORCE | 1u << CD_TARGET;
-        const uint32_t of_ropes = s.fields & (kOfRopes | kOfAir | kOfStrength | kOfContacts | 1u << CD_REST_LENGTH |
-                                              1u << CD_WIND | 1u << CD_STRENGTH);
+        const uint32_t of_ropes = s.fields & (kOfRopes | kOfAir | kOfStrength | kOfContacts | kOfShapes |
+                                              1u << CD_REST_LENGTH | 1u << CD_WIND | 1u << CD_STRENGTH);
         return valid_body(s) && (s.fields & ~(optional | of_ropes)) == 0 &&
                (s.own.ring == 0 || (s.own.ring == 1 && c.nodes >= 3)) && valid_parameter(s.own.bend) &&
                valid_rope(c, s.own.rope, of_ropes) && valid_air(c, s.own.air) && valid_strength(s) &&
@@ -80,7 +84,7 @@ struct ChainKeep {
     // What differs from the defaults is told, and nothing else.
     static bool are_told(const Settings& s) {
         const bool contacts = s.colliders > 0 || s.own.rope.thickness > 0;
-        return contacts == ((s.fields & kOfContacts) != 0) &&
+        return contacts == ((s.fields & kOfContacts) != 0) && s.has_shapes() == ((s.fields & kOfShapes) != 0) &&
                (s.own.air == AirSettings()) == ((s.fields & kOfAir) == 0);
     }
 

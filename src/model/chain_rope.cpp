@@ -10,13 +10,16 @@ namespace {
 
 // Strands are stepped in groups, and a task steps some groups one after the other with a scratch of its own.
 constexpr size_t kMostTasks = 16;
+constexpr size_t kObstacleNumbers = (sizeof(Obstacle) + sizeof(double) - 1) / sizeof(double);
 
 size_t groups_of(const Chain& c) { return (c.strands + kRopeStrands - 1) / kRopeStrands; }
 size_t tasks_of(const Chain& c) { return groups_of(c) < kMostTasks ? groups_of(c) : kMostTasks; }
 size_t scratch_of_node(const Chain& c, const RopeNeeds& needs) {
     const size_t more = needs.bend ? kLinkScratch : 0;
+    const ColliderSizes& colliders = needs.colliders;
     const size_t of_node = kRopeScratch + (needs.air ? kAirScratch + more : 0) +
-                           needs.colliders * (kContactScratch + more) + (needs.bend ? kJointScratch : 0);
+                           colliders.count * (kContactScratch + more) + colliders.callbacks * kAnswerScratch +
+                           (colliders.callbacks > 0 ? kQuestionScratch : 0) + (needs.bend ? kJointScratch : 0);
     return of_node * (c.strands > 1 ? kRopeStrands : 1);
 }
 
@@ -72,7 +75,7 @@ const char* what_ropes_lack(const Chain& c) {
 // Numbers that all strands have in common: see parameters_of.
 static size_t common_numbers(const Chain& c) { return c.nodes + 4; }
 
-size_t rope_coefficients(const Chain& c, size_t colliders) { return common_numbers(c) + colliders * kColliderNumbers; }
+size_t rope_coefficients(const Chain& c, size_t colliders) { return common_numbers(c) + colliders * kObstacleNumbers; }
 size_t rope_scratch(const Chain& c, const RopeNeeds& needs) {
     size_t numbers;
     const bool fits = multiply(tasks_of(c) * c.nodes, scratch_of_node(c, needs), numbers);
@@ -97,7 +100,12 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                          state_of(c, c.target),
                          state_of(c, c.wind),
                          c.tension.data};
-    Collider* const colliders = reinterpret_cast<Collider*>(c.coefficients.data + common_numbers(c));
+    Obstacle* const obstacles = reinterpret_cast<Obstacle*>(c.coefficients.data + common_numbers(c));
+    ColliderSizes met = {};
+    each_obstacle(c, c.rope.thickness, [&](const Obstacle& to) {
+        obstacles[met.count++] = to;
+        met.callbacks += to.callback != nullptr;
+    });
     const RopeStage stage = {dt,
                              c.lambda,
                              {c.gravity[0], c.gravity[1], c.gravity[2]},
@@ -108,15 +116,16 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                              has_bend(c),
                              c.rope.tolerance,
                              size_t(c.rope.most_iterations),
-                             colliders,
-                             gather_colliders(c, c.rope.thickness, colliders),
+                             obstacles,
+                             met.count,
+                             met.callbacks,
                              0,
                              0};
     RopeResult results[kMostTasks];
     uint64_t bad[kMostTasks];
     size_t broken[kMostTasks] = {};
     const size_t groups = groups_of(c), tasks = tasks_of(c);
-    const size_t of_task = c.nodes * scratch_of_node(c, {stage.bends, stage.has_air(), stage.collider_count});
+    const size_t of_task = c.nodes * scratch_of_node(c, {stage.bends, stage.has_air(), met});
     auto task = [&](size_t t) {
         RopeStage now = stage;
         double* const scratch = c.scratch.data + t * of_task;
@@ -142,6 +151,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
         if (results[t].iterations > c.iterations) c.iterations = results[t].iterations;
         c.broken += broken[t];
         if (!(results[t].error <= c.residual)) c.residual = results[t].error;
+        if (c.bad_answer.collider == SIZE_MAX) c.bad_answer = results[t].bad;
     }
     return first_bad;
 }

@@ -409,7 +409,7 @@ static void pose_nodes(Chain& c, double seconds) {
 uint64_t step_chain(Chain& c, double dt, size_t count) {
     uint64_t bad = UINT64_MAX;
     pose_nodes(c, dt * double(count));
-    c.iterations = c.broken = 0, c.residual = 0;
+    c.iterations = c.broken = 0, c.residual = 0, c.bad_answer = {};
     if (has_lengths(c)) {
         bad = step_ropes(c, dt, count);
     } else {

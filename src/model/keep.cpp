@@ -49,10 +49,13 @@ cd_status shapes_differ(const char* function, const Kind& kind, const char* sour
 
 KeptBody keep_body(const Body& b) {
     const auto bit = [](bool on, cd_field field) { return uint32_t(on) << field; };
+    const ColliderSizes colliders = collider_sizes(b, collider_count(b));
     return {b,
             bit(bool(b.node_mass), CD_MASS) | bit(bool(b.force), CD_FORCE) | bit(bool(b.target), CD_TARGET) |
                 bit(bool(b.wind), CD_WIND),
-            collider_count(b)};
+            colliders.count,
+            colliders.beds,
+            colliders.callbacks};
 }
 
 bool valid_body(const KeptBody& kept) {
@@ -67,7 +70,7 @@ bool valid_body(const KeptBody& kept) {
 
 BodyFeatures features_of_body(const KeptBody& s, bool bend, const AirSettings& air) {
     return {s.body.method, s.on(CD_MASS), s.on(CD_FORCE), s.on(CD_TARGET),
-            bend,          air.resists(), s.on(CD_WIND),  size_t(s.colliders)};
+            bend,          air.resists(), s.on(CD_WIND),  {size_t(s.colliders), size_t(s.beds), size_t(s.callbacks)}};
 }
 
 bool valid_air(const Body& b, const AirSettings& air) {
@@ -76,7 +79,7 @@ bool valid_air(const Body& b, const AirSettings& air) {
     return good;
 }
 bool valid_contacts(const KeptBody& s, double thickness) {
-    return s.colliders <= kMostColliders && valid_parameter(thickness);
+    return s.colliders <= kMostColliders && s.callbacks <= s.colliders && valid_parameter(thickness);
 }
 
 SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s,
@@ -99,7 +102,7 @@ SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout
 static bool valid_collider_number(double number, size_t at) {
     constexpr double kFarthest = 1e200; // places and velocities: of any time the products are finite
     switch (at % kColliderNumbers) {
-    case 0: return number == CD_SHAPE_NONE || number == CD_SHAPE_PLANE || number == CD_SHAPE_CAPSULE;
+    case 0: return number >= CD_SHAPE_NONE && number <= CD_SHAPE_CALLBACK && number == floor(number);
     case offsetof(Collider, radius) / sizeof(double):
     case offsetof(Collider, friction) / sizeof(double): return valid_parameter(number);
     case offsetof(Collider, since) / sizeof(double): return number >= 0 && number <= kMost;
@@ -107,11 +110,28 @@ static bool valid_collider_number(double number, size_t at) {
     }
 }
 
-// A plane's normal has length 1, a capsule a radius, and neither reaches out of the space that the nodes are in.
-static bool colliders_are_shaped(const Body& b, SavedNumbers numbers, size_t count) {
+// Columns, rows and heights of a bed in so many components, which begins at this one of `all` numbers; tells how many
+// they are, 0 where they are not valid.
+static size_t valid_bed(size_t components, SavedNumbers numbers, size_t at, size_t all) {
+    if (components < 2 || all - at < kBedHead) return 0;
+    const double columns = numbers[at], rows = numbers[at + 1], most = double(all - at);
+    const bool whole = columns == floor(columns) && rows == floor(rows);
+    if (!whole || !(columns >= 2 && columns <= most) || !(components == 3 ? rows >= 2 && rows <= most : rows == 1))
+        return 0;
+    if (!(columns * rows <= double(all - at - kBedHead))) return 0;
+    const size_t taken = kBedHead + size_t(columns) * size_t(rows);
+    for (size_t i = kBedHead; i < taken; ++i)
+        if (!(fabs(numbers[at + i]) <= kMost)) return 0;
+    return taken;
+}
+
+// A plane's normal has length 1, a capsule a radius, a bed its heights, and none reaches out of the space that the
+// nodes are in.
+static bool colliders_are_shaped(const Body& b, const KeptBody& s, SavedNumbers numbers, SavedNumbers beds) {
     constexpr double kNormalError = 1e-12; // of its square
     bool good = true;
-    for (size_t i = 0; i < count; ++i) {
+    size_t bed_numbers = 0, callbacks = 0;
+    for (size_t i = 0; i < s.colliders && good; ++i) {
         Collider it;
         double all[kColliderNumbers];
         for (size_t k = 0; k < kColliderNumbers; ++k) all[k] = numbers[i * kColliderNumbers + k];
@@ -119,9 +139,17 @@ static bool colliders_are_shaped(const Body& b, SavedNumbers numbers, size_t cou
         const double square = (it.way[0] * it.way[0] + it.way[1] * it.way[1]) + it.way[2] * it.way[2];
         if (it.shape == CD_SHAPE_PLANE) good &= fabs(square - 1) < kNormalError;
         if (it.shape == CD_SHAPE_CAPSULE) good &= valid_mass(it.radius);
+        if (it.shape == CD_SHAPE_CALLBACK) ++callbacks, good &= square == 0;
+        if (it.shape == CD_SHAPE_BED) {
+            const size_t taken = valid_bed(b.components, beds, bed_numbers, size_t(s.beds));
+            good &= taken > 0;
+            for (size_t k = 0; k < 3; ++k) good &= k + 1 < b.components ? valid_mass(it.way[k]) : it.way[k] == 0;
+            bed_numbers += taken;
+        }
+        if (it.shape != CD_SHAPE_CAPSULE) good &= it.radius == 0;
         for (size_t k = b.components; k < 3; ++k) good &= it.point[k] == 0 && it.way[k] == 0 && it.velocity[k] == 0;
     }
-    return good;
+    return good && bed_numbers == s.beds && callbacks == s.callbacks;
 }
 
 bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s) {
@@ -132,7 +160,10 @@ bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, 
     });
     const SavedNumbers colliders = check.here<double>();
     check.numbers<double>(size_t(s.colliders) * kColliderNumbers, valid_collider_number);
-    return check.all_good() && colliders_are_shaped(b, colliders, size_t(s.colliders));
+    const SavedNumbers beds = check.here<double>();
+    if (s.beds > size_t(check.reader.end - check.reader.from) / sizeof(double)) return false;
+    check.numbers<double>(size_t(s.beds), [](double, size_t) { return true; });
+    return check.all_good() && colliders_are_shaped(b, s, colliders, beds);
 }
 
 } // namespace cd

@@ -115,6 +115,7 @@ cd_status load_object(const char* function, typename K::Object& x, const unsigne
         return fail(CD_ERROR_MEMORY, function, "no memory for the saved fields");
     K::apply(x, settings);
     walk_fields(reader, x);
+    forget_callbacks(x);
     x.prepared_dt = 0;
     x.diverged = !all_finite(x);
     return CD_OK;
@@ -131,6 +132,7 @@ cd_status copy_object(const char* function, typename K::Object& x, const typenam
         if (from_array) memcpy(to.data, from_array.data, from_array.bytes());
     };
     K::Object::each_field(copy, x, source);
+    forget_callbacks(x);
     x.prepared_dt = 0;
     x.diverged = source.diverged;
     return CD_OK;
@@ -179,6 +181,10 @@ struct KeptBody {
     BodySettings body;
     uint32_t fields;    // a bit per optional field, by cd_field
     uint64_t colliders; // how many
+    uint64_t beds;      // numbers of all beds
+    uint64_t callbacks; // how many colliders are CD_SHAPE_CALLBACK
+
+    bool has_shapes() const { return beds > 0 || callbacks > 0; }
 
     bool on(cd_field field) const { return (fields >> field & 1) != 0; }
 };
@@ -215,7 +221,7 @@ inline bool valid_shared_mass(double value, size_t) { return value >= 1e-100 && 
 // What comes after an object's own fields: attachments, `ties` nodes', and the state. Tells where the velocities lie.
 SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s,
                                   size_t ties);
-// What comes last: winds and colliders. Whether these and all that was checked are good.
+// What comes last: winds, colliders and beds. Whether these and all that was checked are good.
 bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s);
 
 } // namespace cd

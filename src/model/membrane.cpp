@@ -137,8 +137,9 @@ double drag_of(const Membrane& m, size_t u, size_t v) {
 
 MembraneFeatures features(const Membrane& m) {
     MembraneFeatures f{};
-    static_cast<BodyFeatures&>(f) = {m.method,   bool(m.node_mass), bool(m.force), bool(m.target),
-                                     m.bend > 0, m.cloth.resists(), bool(m.wind),  collider_count(m)};
+    static_cast<BodyFeatures&>(f) = {m.method,   bool(m.node_mass), bool(m.force),
+                                     bool(m.target), m.bend > 0,    m.cloth.resists(),
+                                     bool(m.wind),   collider_sizes(m, collider_count(m))};
     for (Direction d : {kU, kV}) {
         f.spring_stiffness[d] = bool(m.spring_stiffness[d]);
         f.spring_length[d] = bool(m.spring_length[d]);
@@ -171,7 +172,7 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
     const bool same_edges = memcmp(wanted.edge, m.edge, sizeof m.edge) == 0, same_pin = pin.keep();
     if (wanted.method == m.method && wanted.solver == m.solver && same_ring && same_edges && keep_all(all)) return true;
     if (!take_all(m.memory, all)) return false;
-    body.colliders.carry_over();
+    body.carry_over();
     put_all(m.memory, all);
     m.method = wanted.method;
     m.solver = wanted.solver;

@@ -57,11 +57,12 @@ struct Membrane : Body, MembraneSettings {
     template <class F, class... M> static void each_field(F f, M&... m) {
         f(m.pin...), f(m.mask...), f(m.node_mass...), f(m.spring_stiffness[kU]...), f(m.spring_stiffness[kV]...);
         f(m.spring_length[kU]...), f(m.spring_length[kV]...), f(m.attach_stiffness...), f(m.attach_damping...);
-        f(m.position...), f(m.velocity...), f(m.force...), f(m.target...), f(m.wind...), f(m.colliders...);
+        f(m.position...), f(m.velocity...), f(m.force...), f(m.target...), f(m.wind...);
+        f(m.colliders...), f(m.beds...);
     }
     template <class F> static void each_array(F f, Membrane& m) {
         each_field(f, m);
-        f(m.coefficients), f(m.scratch), f(m.pressed);
+        f(m.coefficients), f(m.scratch), f(m.pressed), f(m.callbacks);
     }
 };
 

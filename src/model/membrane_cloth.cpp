@@ -72,22 +72,24 @@ ClothWork::ClothWork(const Membrane& m, const MembraneFeatures& f, Carver& coeff
         vector(planes, grid);
     vector(turned_z, turned);
     inertia = scratch.plane(grid);
-    const bool blocks = f.air || f.colliders > 0;
+    const bool blocks = f.air || f.colliders.count > 0;
     for (int k = 0; k < 6; ++k) {
         own[k] = blocks ? scratch.plane(grid) : k < 3 ? inertia : nullptr;
-        ground[k] = f.colliders > 0 ? scratch.plane(grid) : own[k];
+        ground[k] = f.colliders.count > 0 ? scratch.plane(grid) : own[k];
     }
     for (auto& planes : curvature) vector(planes, grid, 4);
     vector(turned_curvature, turned, 4);
     vector(block, grid, 6);
     vector(turned_block, turned, 6);
-    size_t numbers = 0, contact_numbers = 0;
-    constexpr size_t kContactNumbers = sizeof(ClothContact) / sizeof(double);
+    size_t numbers = 0, contact_numbers = 0, question_numbers = 0;
+    constexpr size_t kContactNumbers = sizeof(ClothContact) / sizeof(double), kQuestionNumbers = 7;
     scratch.fits = scratch.fits && multiply(parts.count(), kClothRows * grid.pitch, numbers) &&
-                   multiply(m.nodes, most_contacts(f.colliders) * kContactNumbers, contact_numbers);
+                   multiply(m.nodes, most_contacts(f.colliders.count) * kContactNumbers, contact_numbers) &&
+                   multiply(m.nodes, f.colliders.callbacks > 0 ? kQuestionNumbers : 0, question_numbers);
     rows = scratch.numbers(numbers);
     sums = scratch.numbers(m.rows);
     contacts = reinterpret_cast<ClothContact*>(scratch.numbers(contact_numbers));
+    question = scratch.numbers(question_numbers);
 }
 
 ClothSprings ClothWork::springs() const {

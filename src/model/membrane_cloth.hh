@@ -41,6 +41,7 @@ struct ClothWork {
     double *curvature[kClothSprings][4], *turned_curvature[4], *block[6], *turned_block[6];
     double *rows, *sums; // kClothRows rows for each part; a number per row
     ClothContact* contacts;
+    double* question; // of callbacks: places of nodes, gaps, normals
 
     ClothWork(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, Carver& scratch);
     bool has_blocks() const { return own[3] != nullptr; }
@@ -61,7 +62,7 @@ void add_air(const Membrane& m, ClothWork& w, double h);
 constexpr size_t kMostTouched = 3;
 size_t most_contacts(size_t colliders);
 // Finds what nodes may touch in a step of dt that begins at the time `now`; tells how many contacts there are.
-size_t find_contacts(const Membrane& m, ClothWork& w, double now, double dt);
+size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt);
 // Friction goes by the pushes of the velocities w from here on.
 void take_pushes(ClothWork& w, size_t contacts, double dt);
 // residual += the contacts' impulses at `velocity`; ground, if not null, gets their stiffness.

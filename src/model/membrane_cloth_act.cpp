@@ -73,7 +73,12 @@ struct Gap {
 };
 
 // How far outside of a collider x lies at this time, and the way out.
-Gap gap_to(const Collider& to, Vector3 x, double time) {
+Gap gap_to(const Obstacle& to, Vector3 x, double time) {
+    if (to.shape == CD_SHAPE_BED) {
+        Gap gap;
+        gap.size = gap_to_bed(to, x.k, time, gap.normal.k);
+        return gap;
+    }
     const Vector3 at = {{to.place(0, time), to.place(1, time), to.place(2, time)}};
     const Vector3 way = {{to.way[0], to.way[1], to.way[2]}}, from = x - at;
     if (to.shape == CD_SHAPE_PLANE) return {way, dot(way, from) - to.radius};
@@ -97,26 +102,49 @@ Vector3 collider_velocity(const ClothContact& c) { return {{c.velocity[0], c.vel
 
 size_t most_contacts(size_t colliders) { return colliders < kMostTouched ? colliders : kMostTouched; }
 
-size_t find_contacts(const Membrane& m, ClothWork& w, double now, double dt) {
-    const size_t colliders = collider_count(m);
-    size_t found = 0;
-    for (size_t v = 0; v < m.rows && colliders > 0; ++v)
-        for (size_t u = 0; u < m.columns; ++u) {
-            const size_t at = w.place(u, v), first = found;
-            if (!(w.moves[at] > 0)) continue;
-            for (size_t i = 0; i < colliders; ++i) {
-                Collider to = collider(m, i);
-                if (to.shape == CD_SHAPE_NONE) continue;
-                to.radius += m.cloth.thickness;
-                const Gap gap = gap_to(to, vector_at(w.from, at), now);
-                const Vector3 velocity = {{to.velocity[0], to.velocity[1], to.velocity[2]}};
-                // The nearest ones, in the order of their gaps.
-                size_t place = found;
-                while (place > first && w.contacts[place - 1].gap > gap.size) --place;
-                if (place == first + kMostTouched) continue;
-                if (found < first + kMostTouched) ++found;
-                for (size_t j = found - 1; j > place; --j) w.contacts[j] = w.contacts[j - 1];
-                w.contacts[place] = {double(at),
+namespace {
+
+// What the callback of a collider tells of all nodes: their gaps, and normals of three components each.
+struct Answers {
+    const double *gaps, *normals;
+
+    Gap operator[](size_t node) const {
+        const double* const n = normals + 3 * node;
+        return {{{n[0], n[1], n[2]}}, gaps[node]};
+    }
+};
+Answers ask_all(Membrane& m, const ClothWork& w, const Obstacle& to, double time) {
+    double *const places = w.question, *const gaps = places + 3 * m.nodes, *const normals = gaps + m.nodes;
+    for (size_t v = 0, i = 0; v < m.rows; ++v)
+        for (size_t u = 0; u < m.columns; ++u)
+            for (const double* plane : w.from) places[i++] = plane[w.place(u, v)];
+    ask(to, time, m.nodes, 3, places, gaps, normals, m.bad_answer);
+    return {gaps, normals};
+}
+
+// Puts a contact among the nearest ones of its node, in the order of their gaps.
+void keep_nearest(ClothContact* of_node, size_t most, const ClothContact& contact) {
+    size_t place = most;
+    while (place > 0 && of_node[place - 1].gap > contact.gap) --place;
+    if (place == most) return;
+    for (size_t j = most - 1; j > place; --j) of_node[j] = of_node[j - 1];
+    of_node[place] = contact;
+}
+
+} // namespace
+
+size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt) {
+    const size_t most = most_contacts(collider_count(m)), places = most * m.nodes;
+    for (size_t i = 0; i < places; ++i) w.contacts[i].gap = HUGE_VAL; // none
+    each_obstacle(m, m.cloth.thickness, [&](const Obstacle& to) {
+        const Vector3 velocity = {{to.velocity[0], to.velocity[1], to.velocity[2]}};
+        const Answers told = to.callback ? ask_all(m, w, to, now) : Answers();
+        for (size_t v = 0, node = 0; v < m.rows; ++v)
+            for (size_t u = 0; u < m.columns; ++u, ++node) {
+                const size_t at = w.place(u, v);
+                if (!(w.moves[at] > 0)) continue;
+                const Gap gap = to.callback ? told[node] : gap_to(to, vector_at(w.from, at), now);
+                ClothContact contact{double(at),
                                      {},
                                      gap.size,
                                      gap.size - dt * dot(gap.normal, velocity),
@@ -124,10 +152,13 @@ size_t find_contacts(const Membrane& m, ClothWork& w, double now, double dt) {
                                      to.friction,
                                      {},
                                      0};
-                for (int k = 0; k < 3; ++k)
-                    w.contacts[place].normal[k] = gap.normal[k], w.contacts[place].velocity[k] = velocity[k];
+                for (int k = 0; k < 3; ++k) contact.normal[k] = gap.normal[k], contact.velocity[k] = velocity[k];
+                keep_nearest(w.contacts + node * most, most, contact);
             }
-        }
+    });
+    size_t found = 0;
+    for (size_t i = 0; i < places; ++i)
+        if (w.contacts[i].gap < HUGE_VAL) w.contacts[found++] = w.contacts[i];
     return found;
 }
 

@@ -9,8 +9,8 @@ namespace {
 struct MembraneKeep {
     using Object = Membrane;
     using Settings = KeptSettings<MembraneSettings>;
-    // Among the bits of fields: the settings of cloth follow.
-    static constexpr uint32_t kOfCloth = 1u << 31;
+    // Among the bits of fields: the settings of cloth follow, and how much of what it touches are beds and callbacks.
+    static constexpr uint32_t kOfCloth = 1u << 31, kOfShapes = 1u << 30;
     static constexpr Kind kind = {2, "membrane", {"springs along u", "along v"}};
 
     static Shape shape_of(const Membrane& m) { return {{m.springs[kU], m.springs[kV]}, m.components, m.precision}; }
@@ -24,6 +24,7 @@ struct MembraneKeep {
         if (m.spring_length[kU]) s.fields |= 1u << CD_REST_LENGTH_U;
         if (m.spring_length[kV]) s.fields |= 1u << CD_REST_LENGTH_V;
         if (has_lengths(m)) s.fields |= kOfCloth;
+        if (s.has_shapes()) s.fields |= kOfShapes;
         return s;
     }
 
@@ -56,6 +57,7 @@ struct MembraneKeep {
         walk(w, cloth.length[kU]), walk(w, cloth.length[kV]), walk(w, cloth.shear), walk(w, cloth.compression);
         walk(w, cloth.newton), walk(w, cloth.gradient), walk_air(w, cloth);
         walk(w, s.colliders), walk(w, cloth.thickness);
+        if (s.fields & kOfShapes) walk(w, s.beds), walk(w, s.callbacks);
     }
     template <class W> static void walk_choices(W& w, MembraneSettings& s) {
         walk(w, s.solver), walk(w, s.ring[kU]), walk(w, s.ring[kV]);
@@ -73,7 +75,8 @@ struct MembraneKeep {
         return can_have_lengths(m) && valid_mass(cloth.length[kU]) && valid_mass(cloth.length[kV]) &&
                valid_parameter(cloth.shear) && valid_parameter(cloth.compression) && cloth.newton >= 1 &&
                cloth.newton <= kMostNewton && cloth.gradient >= 1 && cloth.gradient <= kMostGradient &&
-               valid_air(m, cloth) && valid_contacts(s, cloth.thickness);
+               valid_air(m, cloth) && valid_contacts(s, cloth.thickness) &&
+               s.has_shapes() == ((s.fields & kOfShapes) != 0);
     }
 
     static bool valid(const Membrane& m, const Settings& s) {
@@ -82,7 +85,8 @@ struct MembraneKeep {
         for (cd_field field : {CD_MASS, CD_FORCE, CD_TARGET, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_PIN, CD_MASK})
             optional |= 1u << field;
         const bool is_cloth = (s.fields & kOfCloth) != 0;
-        if (is_cloth) optional |= kOfCloth | 1u << CD_REST_LENGTH_U | 1u << CD_REST_LENGTH_V | 1u << CD_WIND;
+        if (is_cloth) optional |= kOfCloth | kOfShapes | 1u << CD_WIND;
+        if (is_cloth) optional |= 1u << CD_REST_LENGTH_U | 1u << CD_REST_LENGTH_V;
         bool good = valid_body(s) && (s.fields & ~optional) == 0 && (!is_cloth || valid_cloth(m, s));
         good &= own.solver == CD_SOLVER_ALTERNATING || own.solver == CD_SOLVER_COUPLED;
         good &= own.tolerance >= kLeastTolerance && own.tolerance <= kMostTolerance && own.most_iterations >= 1;

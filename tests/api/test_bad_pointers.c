@@ -88,6 +88,9 @@ static void only_a_living_chain_is_taken_for_one(void** state) {
     refuses_handles(cd_chain_get_colliders, out.size);
     refuses_handles(cd_chain_set_plane, 0, numbers, numbers, COMPONENTS, 0.5);
     refuses_handles(cd_chain_set_capsule, 0, numbers, numbers, COMPONENTS, 1, 0.5);
+    refuses_handles(cd_chain_set_bed, 0, numbers, COMPONENTS, 2, 2, 1, 1, numbers, 4, 0.5);
+    refuses_handles(cd_chain_get_bed, 0, out.size, out.size + 1, out.number, 0);
+    refuses_handles(cd_chain_set_callback, 0, &(cd_distance){0}, numbers, COMPONENTS, 0.5);
     refuses_handles(cd_chain_remove_collider, 0);
     refuses_handles(cd_chain_set_collider_velocity, 0, numbers, COMPONENTS);
     refuses_handles(cd_chain_get_collider, 0, &out.i32, out.number, out.number + 3, out.number + 6, COMPONENTS,
@@ -165,6 +168,9 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(rope, cd_chain_set_capsule(rope, 0, NULL, numbers, COMPONENTS, 1, 0.5), CD_ERROR_NULL, "first");
     refuses(rope, cd_chain_set_capsule(rope, 0, numbers, NULL, COMPONENTS, 1, 0.5), CD_ERROR_NULL, "last");
     refuses(rope, cd_chain_set_collider_velocity(rope, 0, NULL, COMPONENTS), CD_ERROR_NULL, "velocity");
+    refuses(rope, cd_chain_set_bed(rope, 0, NULL, COMPONENTS, 2, 1, 1, 1, numbers, 2, 0), CD_ERROR_NULL, "origin");
+    refuses(rope, cd_chain_set_bed(rope, 0, numbers, COMPONENTS, 2, 1, 1, 1, NULL, 2, 0), CD_ERROR_NULL, "heights");
+    refuses(rope, cd_chain_set_callback(rope, 0, NULL, numbers, COMPONENTS, 0), CD_ERROR_NULL, "distance");
     cd_chain_destroy(rope);
     refuses(chain, cd_chain_get_strength(chain, NULL), CD_ERROR_NULL, "out_strength");
     refuses(chain, cd_chain_get_broken(chain, NULL), CD_ERROR_NULL, "out_springs");
@@ -214,10 +220,18 @@ static const char* const nullable[] = {
     "cd_chain_get_shape out_springs",    "cd_chain_get_shape out_components", "cd_chain_get_shape out_precision",
     "cd_chain_set_parallel parallel",    "cd_chain_attach target",          "cd_chain_get_energy out_kinetic",
     "cd_chain_get_energy out_elastic",   "cd_chain_get_energy out_gravity",   "cd_chain_get_convergence out_iterations",
-    "cd_chain_get_convergence out_residual", "cd_chain_teleport rotation",  "cd_chain_get_collider out_shape",
+    "cd_chain_get_convergence out_residual", "cd_chain_teleport rotation",  "cd_chain_get_bed out_columns",
+    "cd_chain_get_bed out_rows",         "cd_chain_get_bed out_heights",    "cd_chain_set_callback origin",
+    "cd_chain_get_collider out_shape",
     "cd_chain_get_collider out_first",   "cd_chain_get_collider out_second", "cd_chain_get_collider out_velocity",
     "cd_chain_get_collider out_radius",  "cd_chain_get_collider out_friction",
 };
+
+static void tell_nothing(void* user, double time, size_t count, size_t components, const double* positions,
+                         double* distances, double* normals) {
+    (void)user, (void)time, (void)count, (void)components, (void)positions, (void)distances, (void)normals;
+}
+static const cd_distance far = {NULL, tell_nothing};
 
 static void what_may_be_null_is_taken_as_null(void** state) {
     (void)state;
@@ -235,6 +249,10 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     ok(cd_chain_set_rest_length(other, 1));
     ok(cd_chain_set_colliders(other, 1));
     ok(cd_chain_get_collider(other, 0, NULL, NULL, NULL, NULL, COMPONENTS, NULL, NULL));
+    ok(cd_chain_get_bed(other, 0, NULL, NULL, NULL, 0));
+    ok(cd_chain_get_bed(other, 0, NULL, NULL, NULL, SIZE_MAX)); /* then height_count means nothing */
+    ok(cd_chain_set_callback(other, 0, &far, target, COMPONENTS, 0));
+    ok(cd_chain_set_callback(other, 0, &far, NULL, SIZE_MAX, -1)); /* then count and friction mean nothing */
     cd_chain_destroy(other);
     cd_chain_destroy(NULL);
 }

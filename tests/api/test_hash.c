@@ -92,6 +92,21 @@ static void capsule_longer(cd_chain* c) { ok(cd_chain_set_capsule(c, 2, lower, l
 static void capsule_thicker(cd_chain* c) { ok(cd_chain_set_capsule(c, 2, low, left, COMPONENTS, 0.26, 0)); }
 static void capsule_rough(cd_chain* c) { ok(cd_chain_set_capsule(c, 2, low, left, COMPONENTS, 0.25, 0.5)); }
 static void sphere(cd_chain* c) { ok(cd_chain_set_capsule(c, 2, low, low, COMPONENTS, 0.25, 0)); }
+static const double hills[3] = {0.25, -0.5, 0.125}, valley[3] = {0.25, -0.5, 0.25};
+static void bed(cd_chain* c) { ok(cd_chain_set_bed(c, 2, low, COMPONENTS, 3, 1, 0.5, 1, hills, 3, 0)); }
+static void bed_higher(cd_chain* c) { ok(cd_chain_set_bed(c, 2, low, COMPONENTS, 3, 1, 0.5, 1, valley, 3, 0)); }
+static void bed_shorter(cd_chain* c) { ok(cd_chain_set_bed(c, 2, low, COMPONENTS, 2, 1, 0.5, 1, hills, 2, 0)); }
+static void bed_wider(cd_chain* c) { ok(cd_chain_set_bed(c, 2, low, COMPONENTS, 3, 1, 0.75, 1, hills, 3, 0)); }
+static void bed_lower(cd_chain* c) { ok(cd_chain_set_bed(c, 2, lower, COMPONENTS, 3, 1, 0.5, 1, hills, 3, 0)); }
+static void bed_rough(cd_chain* c) { ok(cd_chain_set_bed(c, 2, low, COMPONENTS, 3, 1, 0.5, 1, hills, 3, 0.5)); }
+static void tell_nothing(void* user, double time, size_t count, size_t components, const double* positions,
+                         double* distances, double* normals) {
+    (void)user, (void)time, (void)count, (void)components, (void)positions, (void)distances, (void)normals;
+}
+static const cd_distance nothing = {NULL, tell_nothing};
+static void callback(cd_chain* c) { ok(cd_chain_set_callback(c, 2, &nothing, low, COMPONENTS, 0)); }
+static void callback_lower(cd_chain* c) { ok(cd_chain_set_callback(c, 2, &nothing, lower, COMPONENTS, 0)); }
+static void callback_rough(cd_chain* c) { ok(cd_chain_set_callback(c, 2, &nothing, low, COMPONENTS, 0.5)); }
 static void another_plane(cd_chain* c) { ok(cd_chain_set_plane(c, 3, low, gravity[1], COMPONENTS, 0)); }
 static void plane_moves(cd_chain* c) { ok(cd_chain_set_collider_velocity(c, 0, gravity[0], COMPONENTS)); }
 static void capsule_moves(cd_chain* c) { ok(cd_chain_set_collider_velocity(c, 1, gravity[0], COMPONENTS)); }
@@ -149,7 +164,8 @@ static void (*const rope_changes[])(cd_chain*) = {
     attach_in_one_strand, strength, no_strengths, end_posed, shifted, turned, thickness, no_colliders, collider_less,
     collider_more, no_plane, no_capsule, plane, plane_lower, plane_turned, plane_rough, capsule, capsule_back,
     capsule_longer, capsule_thicker, capsule_rough, sphere, another_plane, plane_moves, capsule_moves, capsule_falls,
-    capsule_moves_on, distant_plane_moves_on, distant_plane_and_a_step};
+    capsule_moves_on, distant_plane_moves_on, distant_plane_and_a_step, bed, bed_higher, bed_shorter, bed_wider,
+    bed_lower, bed_rough, callback, callback_lower, callback_rough};
 
 static void (*const changes[])(cd_chain*) = {
     lambda,    method_1,  method_2, method_3, mass,       mass_rule,        stiffness,      bend,          drag,
@@ -184,6 +200,25 @@ static void every_change_of_a_rope_gives_another_hash(void** state) {
             if (hashes[i] == hashes[j]) fail_msg("changes %zu and %zu give the same hash", i, j);
         cd_chain_destroy(chain);
     }
+}
+
+/* Nor does it matter what a callback computes, or in which order beds were made. */
+static void callbacks_and_orders_are_not_in_the_hash(void** state) {
+    (void)state;
+    int thing;
+    const cd_distance other = {&thing, tell_nothing};
+    cd_chain *a = with_lengths(CD_FLOAT64), *b = with_lengths(CD_FLOAT64);
+    callback(a);
+    ok(cd_chain_set_callback(b, 2, &other, low, COMPONENTS, 0));
+    assert_int_equal(hash_of(a), hash_of(b));
+    bed(a);
+    ok(cd_chain_set_bed(a, 0, low, COMPONENTS, 2, 1, 0.5, 1, valley, 2, 0));
+    ok(cd_chain_set_bed(b, 0, low, COMPONENTS, 3, 1, 0.5, 1, valley, 3, 0));
+    bed(b);
+    ok(cd_chain_set_bed(b, 0, low, COMPONENTS, 2, 1, 0.5, 1, valley, 2, 0));
+    assert_int_equal(hash_of(a), hash_of(b));
+    cd_chain_destroy(a);
+    cd_chain_destroy(b);
 }
 
 static void every_number_of_every_field_is_in_the_hash(void** state) {
@@ -278,6 +313,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_change_gives_another_hash),
         cmocka_unit_test(every_change_of_a_rope_gives_another_hash),
+        cmocka_unit_test(callbacks_and_orders_are_not_in_the_hash),
         cmocka_unit_test(every_number_of_every_field_is_in_the_hash),
         cmocka_unit_test(numbers_that_change_places_change_the_hash),
         cmocka_unit_test(shapes_and_precisions_differ_in_the_hash),

@@ -243,7 +243,8 @@ static void statuses_have_names(void** state) {
                  {CD_ERROR_DIVERGED, "CD_ERROR_DIVERGED"},
                  {CD_ERROR_FORMAT, "CD_ERROR_FORMAT"},
                  {CD_ERROR_MISMATCH, "CD_ERROR_MISMATCH"},
-                 {CD_ERROR_TOLERANCE, "CD_ERROR_TOLERANCE"}};
+                 {CD_ERROR_TOLERANCE, "CD_ERROR_TOLERANCE"},
+                 {CD_ERROR_CALLBACK, "CD_ERROR_CALLBACK"}};
     static const cd_status none[] = {-1, (cd_status)COUNT(names), 1000, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < COUNT(names); ++i) {
         assert_int_equal(names[i].status, i);

@@ -91,6 +91,9 @@ static void only_a_living_membrane_is_taken_for_one(void** state) {
     refuses_handles(cd_membrane_get_colliders, out.size);
     refuses_handles(cd_membrane_set_plane, 0, numbers, numbers, COMPONENTS, 0.5);
     refuses_handles(cd_membrane_set_capsule, 0, numbers, numbers, COMPONENTS, 1.0, 0.5);
+    refuses_handles(cd_membrane_set_bed, 0, numbers, COMPONENTS, 2, 2, 1, 1, numbers, 4, 0.5);
+    refuses_handles(cd_membrane_get_bed, 0, out.size, out.size + 1, out.number, 0);
+    refuses_handles(cd_membrane_set_callback, 0, &(cd_distance){0}, numbers, COMPONENTS, 0.5);
     refuses_handles(cd_membrane_remove_collider, 0);
     refuses_handles(cd_membrane_set_collider_velocity, 0, numbers, COMPONENTS);
     refuses_handles(cd_membrane_get_collider, 0, &out.i32, out.number, out.number + 3, out.number + 6, COMPONENTS,
@@ -196,6 +199,9 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(sail, cd_membrane_set_capsule(sail, 0, NULL, numbers, COMPONENTS, 1, 0.5), CD_ERROR_NULL, "first");
     refuses(sail, cd_membrane_set_capsule(sail, 0, numbers, NULL, COMPONENTS, 1, 0.5), CD_ERROR_NULL, "last");
     refuses(sail, cd_membrane_set_collider_velocity(sail, 0, NULL, COMPONENTS), CD_ERROR_NULL, "velocity");
+    refuses(sail, cd_membrane_set_bed(sail, 0, NULL, COMPONENTS, 2, 2, 1, 1, numbers, 4, 0), CD_ERROR_NULL, "origin");
+    refuses(sail, cd_membrane_set_bed(sail, 0, numbers, COMPONENTS, 2, 2, 1, 1, NULL, 4, 0), CD_ERROR_NULL, "heights");
+    refuses(sail, cd_membrane_set_callback(sail, 0, NULL, numbers, COMPONENTS, 0), CD_ERROR_NULL, "distance");
     cd_membrane_destroy(sail);
     refuses(m, cd_membrane_write_f32(m, CD_POSITION, 0, 0, 1, 1, NULL, COMPONENTS), CD_ERROR_NULL, "values");
     refuses(m, cd_membrane_write_f64(m, CD_POSITION, 0, 0, 1, 1, NULL, COMPONENTS), CD_ERROR_NULL, "values");
@@ -244,6 +250,10 @@ static const char* const nullable[] = {
     "cd_membrane_get_energy out_kinetic",
     "cd_membrane_get_energy out_elastic",
     "cd_membrane_get_energy out_gravity",
+    "cd_membrane_get_bed out_columns",
+    "cd_membrane_get_bed out_rows",
+    "cd_membrane_get_bed out_heights",
+    "cd_membrane_set_callback origin",
     "cd_membrane_get_collider out_shape",
     "cd_membrane_get_collider out_first",
     "cd_membrane_get_collider out_second",
@@ -257,6 +267,12 @@ static const char* const nullable[] = {
     "cd_membrane_write_indices membrane",
     "cd_membrane_write_indices buffer",
 };
+
+static void tell_nothing(void* user, double time, size_t count, size_t components, const double* positions,
+                         double* distances, double* normals) {
+    (void)user, (void)time, (void)count, (void)components, (void)positions, (void)distances, (void)normals;
+}
+static const cd_distance far = {NULL, tell_nothing};
 
 static void what_may_be_null_is_taken_as_null(void** state) {
     (void)state;
@@ -276,6 +292,9 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     cloth_sail(sail);
     cloth_meet(sail);
     ok(cd_membrane_get_collider(sail, 0, NULL, NULL, NULL, NULL, COMPONENTS, NULL, NULL));
+    ok(cd_membrane_get_bed(sail, 0, NULL, NULL, NULL, SIZE_MAX));
+    ok(cd_membrane_set_callback(sail, 0, &far, numbers, COMPONENTS, 0));
+    ok(cd_membrane_set_callback(sail, 0, &far, NULL, SIZE_MAX, -1)); /* then count and friction mean nothing */
     cd_membrane_destroy(sail);
     cd_membrane_destroy(NULL);
 }

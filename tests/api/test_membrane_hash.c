@@ -117,6 +117,11 @@ static void plane_rough(cd_membrane* m) { ok(cd_membrane_set_plane(m, 0, pull[0]
 static void capsule(cd_membrane* m) { ok(cd_membrane_set_capsule(m, 2, pull[0], pull[1], COMPONENTS, 0.5, 0)); }
 static void capsule_thick(cd_membrane* m) { ok(cd_membrane_set_capsule(m, 2, pull[0], pull[1], COMPONENTS, 0.625, 0)); }
 static void capsule_back(cd_membrane* m) { ok(cd_membrane_set_capsule(m, 2, pull[1], pull[0], COMPONENTS, 0.5, 0)); }
+static const double hills[6] = {0.25, -0.5, 0.125, 0, 0.25, 0.5};
+static void bed(cd_membrane* m) { ok(cd_membrane_set_bed(m, 2, pull[0], 3, 3, 2, 0.5, 1, hills, 6, 0)); }
+static void bed_turned(cd_membrane* m) { ok(cd_membrane_set_bed(m, 2, pull[0], 3, 2, 3, 0.5, 1, hills, 6, 0)); }
+static void bed_smaller(cd_membrane* m) { ok(cd_membrane_set_bed(m, 2, pull[0], 3, 2, 2, 0.5, 1, hills, 4, 0)); }
+static void bed_longer(cd_membrane* m) { ok(cd_membrane_set_bed(m, 2, pull[0], 3, 3, 2, 0.5, 2, hills, 6, 0)); }
 static void plane_moves(cd_membrane* m) { ok(cd_membrane_set_collider_velocity(m, 0, pull[0], COMPONENTS)); }
 static void ball_moves(cd_membrane* m) { ok(cd_membrane_set_collider_velocity(m, 1, pull[0], COMPONENTS)); }
 static void ball_falls(cd_membrane* m) { ok(cd_membrane_set_collider_velocity(m, 1, pull[1], COMPONENTS)); }
@@ -127,7 +132,7 @@ static void (*const cloth_changes[])(cd_membrane*) = {
     thickness,   no_colliders, collider_less, collider_more, no_plane,    plane,        plane_turned,  plane_rough,
     capsule,     capsule_back, capsule_thick, plane_moves,   ball_moves,  ball_falls,   mass,          bend,
     pressure,    ring_v,       no_force,      no_along_u,    no_pin,      no_mask,      tie_stiffness, impulse,
-    step,        two_steps,    reset};
+    step,        two_steps,    reset,         bed,           bed_turned,  bed_smaller,  bed_longer};
 
 static void every_change_of_cloth_gives_another_hash(void** state) {
     (void)state;

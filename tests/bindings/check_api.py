@@ -49,7 +49,8 @@ SHAPES = {"chain": (2, 4, COMPONENTS, 1, None), "membrane": (4, 5, COMPONENTS, 1
 VALUES = {"lambda": 0.5, "tolerance": 0.01, "dt": 0.01, "strand": 0, "index_size": 4, "stride": 64,
           "position_offset": 0, "normal_offset": 12, "depth_offset": 24, "first": 0, "first_strand": 0, "first_u": 0,
           "first_v": 0, "first_x": 0, "first_y": 0, "along_u": 1, "along_v": 1, "height": 0.1, "skip_dry": 0,
-          "index": 0}
+          "index": 0, "columns": 2, "rows": 2}
+HEIGHTS = {"set_bed": 4, "get_bed": 0}
 IDENTITY = [float(row == column) for row in range(COMPONENTS) for column in range(COMPONENTS)]
 ROOM = 1 << 16
 
@@ -106,10 +107,12 @@ def arguments(library, function, handle, other, saved):
             value = {"bytes": ROOM}.get(counted["role"], 1 if single or kind == "water" else COMPONENTS)
             if function["short"] == "load":
                 value = len(saved)
+            if p["name"] == "height_count":
+                value = HEIGHTS[function["short"]]
         elif role == "bytes" and p["direction"] == "in":
             value = ctypes.create_string_buffer(saved, len(saved))
         elif role == "callbacks":
-            value = None
+            value = None if p["null"] else (ctypes.c_size_t * 2)(1, 1)  # never called
         elif p["name"] in ("rotation", "normal"):  # a normal has the first numbers of these
             value = (ctypes.c_double * len(IDENTITY))(*IDENTITY)
         elif role != "length":
@@ -232,8 +235,8 @@ def behaviour(api, path):
 
 # ---- scenes ---------------------------------------------------------------------------------------------------------
 
-# What plays scenes sets the kernels; the last two are save_and_load and copy.
-NOT_IN_SCENES = {"destroy", "set_parallel", "set_kernels", "load", "copy_state"}
+# What plays scenes sets the kernels; the last two are save_and_load and copy. Callbacks are no numbers.
+NOT_IN_SCENES = {"destroy", "set_parallel", "set_callback", "set_kernels", "load", "copy_state"}
 
 
 def scenes(api, path, calls, enumerators):

@@ -95,7 +95,7 @@ static cd_status save_and_load(const struct object* to, const struct object* fro
 #define WATER_0(name) TRY(water, name, cd_water_##name(object->water))
 #define TRY(kind, name, call_of_it) if (object->kind && strcmp(word, #name) == 0) return call_of_it;
 
-enum { MOST_ARGUMENTS = 6 };
+enum { MOST_ARGUMENTS = 8 };
 
 /* Sets arrays[k] to argument k where that is an array, to null where it is none. */
 static void read_arrays(const struct arguments* call, struct numbers* arrays) {

@@ -81,7 +81,57 @@ template <class Scene, class Pick> void write_part(const Scene& scene, typename 
     returned += scene.write(handle, field, row, rows, column, columns, values);
 }
 
-// Planes and capsules near the nodes, some of which lie in them. Api has the functions of ropes, or those of cloth.
+// What a collider by callback is, by its index, for all objects alike: a ball, a bowl, a cylinder that grows, or a ball
+// that tells nothing of some places.
+inline void tell_distances(void* user, double time, size_t count, size_t components, const double* positions,
+                           double* distances, double* normals) {
+    const int kind = *static_cast<const int*>(user);
+    for (size_t i = 0; i < count; ++i) {
+        const double* const x = positions + i * components;
+        double* const normal = normals + i * components;
+        const size_t first = kind == 2 && components > 1 ? 1 : 0;
+        double square = 0;
+        for (size_t k = first; k < components; ++k) square += x[k] * x[k];
+        const double r = sqrt(square), way = kind == 1 ? -1 : 1;
+        distances[i] = way * (r - (kind == 1 ? 1 : 0.25)) - (kind == 2 ? 0.125 * (time < 1 ? time : 1) : 0);
+        for (size_t k = 0; k < components; ++k) normal[k] = k >= first && r > 0 ? way * x[k] / r : 0;
+        if (!(r > 0)) normal[components - 1] = 1;
+        if (kind == 3 && x[0] > 0.75) distances[i] = double(NAN);
+    }
+}
+inline cd_distance distance_of(size_t index) {
+    static int kinds[4] = {0, 1, 2, 3};
+    return {&kinds[index % 4], tell_distances};
+}
+// What a load and a copied state leave out.
+template <class Api, class Handle> void set_callbacks_again(Handle* handle, size_t components) {
+    size_t count = 0;
+    Api::get_colliders(handle, &count);
+    for (size_t i = 0; i < count; ++i) {
+        cd_shape shape = CD_SHAPE_NONE;
+        Api::get_collider(handle, i, &shape, nullptr, nullptr, nullptr, components, nullptr, nullptr);
+        const cd_distance distance = distance_of(i);
+        if (shape == CD_SHAPE_CALLBACK) Api::set_callback(handle, i, &distance, nullptr, 0, 0);
+    }
+}
+
+// A bed of hills about as high as they are wide, which nodes may lie in.
+template <class Api, class Handle>
+void lie_on_a_bed(Handle* handle, size_t index, size_t components, double size, Random& random, Returned& returned) {
+    const size_t columns = random.from_to(2, 6), rows = components == 3 ? random.from_to(2, 6) : 1;
+    const double spacing = size * random.decades(-1, 0), friction = random.chance(0.3) ? 0 : random.uniform(0, 2);
+    double origin[3], heights[36];
+    for (double& x : origin) x = size * random.uniform(-2, 0);
+    for (double& h : heights) h = spacing * random.uniform(0, 1);
+    returned += Api::set_bed(handle, index, origin, components, columns, rows, spacing < 1e-60 ? 1e-60 : spacing,
+                             spacing < 5e-61 ? 1e-60 : 2 * spacing, heights, columns * rows, friction);
+    size_t told = 0;
+    returned += Api::get_bed(handle, index, &told, nullptr, heights, 0);
+    returned += double(told);
+}
+
+// Planes, capsules, beds and callbacks near the nodes, some of which lie in them. Api has the functions of ropes, or
+// those of cloth.
 template <class Api, class Handle>
 void meet_things(Handle* handle, size_t components, double size, Random& random, Returned& returned) {
     size_t count = 0;
@@ -95,13 +145,18 @@ void meet_things(Handle* handle, size_t components, double size, Random& random,
     }
     const double radius = size * random.decades(-2, 0), friction = random.chance(0.3) ? 0 : random.uniform(0, 2);
     for (size_t index = 0; index < count; ++index) {
-        const size_t kind = random.below(8);
+        const size_t kind = random.below(11);
+        const cd_distance distance = distance_of(index);
         if (kind <= 1) returned += Api::set_plane(handle, index, first, normal, components, friction);
         else if (kind <= 4)
             returned += Api::set_capsule(handle, index, first, kind == 4 ? first : last, components,
                                          radius < 1e-60 ? 1e-60 : radius, friction);
         else if (kind == 5) returned += Api::set_velocity(handle, index, velocity, components);
         else if (kind == 6) returned += Api::remove(handle, index);
+        else if (kind == 7) lie_on_a_bed<Api>(handle, index, components, size, random, returned);
+        else if (kind == 8)
+            returned += Api::set_callback(handle, index, &distance, random.chance(0.2) ? nullptr : first, components,
+                                          friction);
         for (size_t k = 0; k < 3; ++k) first[k] += radius, normal[k] += 0.25;
     }
     if (random.chance(0.3)) returned += Api::set_thickness(handle, size * random.any_of({0, 0.001, 0.05}));
@@ -115,6 +170,10 @@ void meet_things(Handle* handle, size_t components, double size, Random& random,
         static constexpr auto set_plane = cd_##object##_set_plane;                \
         static constexpr auto set_capsule = cd_##object##_set_capsule;            \
         static constexpr auto set_velocity = cd_##object##_set_collider_velocity; \
+        static constexpr auto set_bed = cd_##object##_set_bed;                    \
+        static constexpr auto get_bed = cd_##object##_get_bed;                    \
+        static constexpr auto set_callback = cd_##object##_set_callback;          \
+        static constexpr auto get_collider = cd_##object##_get_collider;          \
         static constexpr auto remove = cd_##object##_remove_collider;             \
         static constexpr auto set_thickness = cd_##object##_set_thickness;        \
     }
@@ -194,6 +253,7 @@ struct ChainScene {
         else if (random.chance(0.3)) returned += cd_chain_set_method(chain, cd_method(random.below(4)));
         for (size_t k = random.below(busy); k > 0; --k) act(chain, random, returned);
     }
+    void set_callbacks(Handle* chain) const { set_callbacks_again<RopeThings>(chain, components); }
     void become_rope(Handle* chain, Random& random, Returned& returned) const;
     void act_on_rope(Handle* chain, Random& random, Returned& returned) const;
     void write_numbers(Handle* chain, cd_field field, Random& random, Returned& returned) const {
@@ -295,8 +355,9 @@ inline void ChainScene::act_on_rope(Handle* chain, Random& random, Returned& ret
         break;
     case 9: {
         const double wind[3] = {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)};
-        const double across = random.decades(-3, 3);
-        returned += cd_chain_set_air(chain, random.any_of({0, 0.1, 2}) * across, random.chance(0.2) ? 0 : across);
+        const double most = random.decades(-3, 3), along = random.any_of({0, 0.1, 2}) * most;
+        const double across = random.chance(0.2) ? 0 : most;
+        returned += cd_chain_set_air(chain, along, across);
         returned += cd_chain_set_wind(chain, wind, components);
         break;
     }

@@ -79,6 +79,7 @@ struct MembraneScene {
         return ChainScene::chain_or_membrane_dt(membrane, cd_membrane_get_method, cd_membrane_get_lambda,
                                                 cd_membrane_stable_dt, random, returned);
     }
+    void set_callbacks(Handle* membrane) const { set_callbacks_again<ClothThings>(membrane, components); }
     void measure(const Handle* membrane, Returned& returned) const {
         double k = 0, e = 0, g = 0, residual = 0;
         size_t iterations = 0;

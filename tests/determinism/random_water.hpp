@@ -79,6 +79,7 @@ struct WaterScene {
         if (method == CD_METHOD_SYMPLECTIC_EULER || lambda < 0.5) return share * stable;
         return fmin(1e20, crossed * fmin(dx, dy) / sqrt(9.81 * depth));
     }
+    void set_callbacks(Handle*) const {}
     void measure(const Handle* water, Returned& returned) const {
         double out[7] = {};
         uint64_t cells = 0;

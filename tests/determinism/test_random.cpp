@@ -96,6 +96,7 @@ typename Scene::Handle* successor_of(const Scene& scene, const Variant<typename 
         status = save(v.object, bytes, &written);
         if (status == CD_OK) status = load(next, bytes);
     }
+    scene.set_callbacks(next);
     if (status != CD_OK) print_error("%s: %s\n", v.text().c_str(), cd_error_message());
     destroy(v.object);
     return next;

@@ -74,6 +74,9 @@ template <class Api> struct Colliders;
         static constexpr auto get_colliders = cd_##object##_get_colliders;                 \
         static constexpr auto set_plane = cd_##object##_set_plane;                         \
         static constexpr auto set_capsule = cd_##object##_set_capsule;                     \
+        static constexpr auto set_bed = cd_##object##_set_bed;                             \
+        static constexpr auto get_bed = cd_##object##_get_bed;                             \
+        static constexpr auto set_callback = cd_##object##_set_callback;                   \
         static constexpr auto remove_collider = cd_##object##_remove_collider;             \
         static constexpr auto set_collider_velocity = cd_##object##_set_collider_velocity; \
         static constexpr auto get_collider = cd_##object##_get_collider;                   \

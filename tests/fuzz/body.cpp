@@ -23,6 +23,7 @@ template <class Api> double Body<Api>::room_for_energy(double dt) const {
 }
 
 template <class Api> void Body<Api>::before_step(double dt) {
+    if (has_lengths()) set_callbacks_again();
     energy_before = energy();
     room_before = room_for_energy(dt);
 }

@@ -36,10 +36,16 @@ protected:
     std::vector<Thing> things() const;
     static bool moves(const Thing& thing);
     static bool same(const Thing& a, const Thing& b);
-    double depth_in(const Thing& thing, const double* x) const; // less than 0 outside
+    // Whether it is a bed or a callback, which nodes may end in the hollows of: what such do is not checked by numbers.
+    static bool has_hollows(const Thing& thing);
+    double depth_in(const Thing& thing, const double* x) const; // less than 0 outside, and where it has hollows
+    void set_callbacks_again();                                 // which loads and copies leave out
     void set_colliders();
     void set_plane();
     void set_capsule();
+    void set_bed();
+    void get_bed();
+    void set_callback();
     void remove_collider();
     void set_collider_velocity();
     void set_thickness();

@@ -153,7 +153,7 @@ bool Chain::is_driven() const {
 // ---- calls ---------------------------------------------------------------------------------------------------------
 
 void Chain::act_by_kind() {
-    switch (below(is_rope() || likes_lengths ? 48 : 25)) {
+    switch (below(is_rope() || likes_lengths ? 53 : 25)) {
     case 0: set_number("set_mass", cd_chain_set_mass, pick_number(-2, 3), {1e-3, 1e4}); break;
     case 1: set_stiffness(); break;
     case 2: set_number("set_bend", cd_chain_set_bend, chance(0.3) ? 0 : pick_number(-6, 1), {0, 1e2}, 0); break;
@@ -204,6 +204,11 @@ void Chain::act_by_kind() {
     case 44: set_collider_velocity(); break;
     case 45: set_thickness(); break;
     case 46: get_collider(); break;
+    case 47:
+    case 48: set_bed(); break;
+    case 49: get_bed(); break;
+    case 50:
+    case 51: set_callback(); break;
     default: get_convergence();
     }
 }

@@ -183,6 +183,8 @@ void Chain::check_rope(const Step& s) {
     if (iterations[0] < 1 || iterations[0] > 20 + most) return problem("rope: %zu iterations", iterations[0]);
     if (!run.sane || !past.moderate || past.crafted) return;
     if (s.status != CD_OK) return;
+    for (const Thing& thing : things())
+        if (has_hollows(thing)) return; // how far nodes come out of such counts for what tensions may be
     check_lengths(tolerance, s.dt);
     if (!run.broken) check_depth(s);
     if (s.count == 1 && is_free() && !run.broken) check_momentum(s);

@@ -11,6 +11,7 @@ void Chain::act() {
     if (likes_lengths && !is_rope() && chance(0.1)) return set_rest_length();
     if (likes_things && is_rope() && chance(0.12)) {
         if (things().empty()) return set_colliders();
+        if (chance(0.3)) return chance(0.5) ? set_bed() : set_callback();
         return chance(0.4) ? set_plane() : set_capsule();
     }
     Body<ChainApi>::act();

@@ -21,7 +21,36 @@ template <class Api> std::vector<typename Body<Api>::Thing> Body<Api>::things() 
 template <class Api> bool Body<Api>::moves(const Thing& thing) {
     for (double v : thing.velocity)
         if (v != 0 && thing.shape != CD_SHAPE_NONE) return true;
-    return false;
+    return has_hollows(thing); // energy comes of what is taken out of them
+}
+
+template <class Api> bool Body<Api>::has_hollows(const Thing& thing) {
+    return thing.shape == CD_SHAPE_BED || thing.shape == CD_SHAPE_CALLBACK;
+}
+
+// A ball, or everything around one.
+static void tell_distances(void* user, double, size_t count, size_t components, const double* positions,
+                           double* distances, double* normals) {
+    const double radius = *static_cast<const double*>(user), way = radius < 0 ? -1 : 1;
+    for (size_t i = 0; i < count; ++i) {
+        double square = 0;
+        for (size_t c = 0; c < components; ++c) square += pow(positions[i * components + c], 2);
+        const double r = sqrt(square);
+        distances[i] = way * r - radius;
+        for (size_t c = 0; c < components; ++c)
+            normals[i * components + c] = r > 0 ? way * positions[i * components + c] / r : c == 0;
+    }
+}
+static double ball = 0.75, bowl = -1.5;
+
+template <class Api> void Body<Api>::set_callbacks_again() {
+    const std::vector<Thing> all = things();
+    const cd_distance table = {&ball, tell_distances};
+    for (size_t i = 0; i < all.size(); ++i)
+        for (Handle* handle : {this->first(), this->twin()})
+            if (all[i].shape == CD_SHAPE_CALLBACK &&
+                Colliders<Api>::set_callback(handle, i, &table, nullptr, 0, 0) != CD_OK)
+                problem("set_callback: %s", cd_error_message());
 }
 
 template <class Api> bool Body<Api>::same(const Thing& a, const Thing& b) {
@@ -34,7 +63,7 @@ template <class Api> bool Body<Api>::same(const Thing& a, const Thing& b) {
 template <class Api> double Body<Api>::depth_in(const Thing& thing, const double* x) const {
     double thickness = 0, along = 0, square = 0, away = 0;
     Colliders<Api>::get_thickness(this->first(), &thickness);
-    if (thing.shape == CD_SHAPE_NONE) return -HUGE_VAL;
+    if (thing.shape == CD_SHAPE_NONE || has_hollows(thing)) return -HUGE_VAL;
     if (thing.shape == CD_SHAPE_PLANE) {
         for (size_t c = 0; c < components; ++c) away += (x[c] - thing.first[c]) * thing.second[c];
         return thickness - away;
@@ -93,7 +122,7 @@ template <class Api> void Body<Api>::set_plane() {
         this->both(text("set_plane %zu, %.17g %.17g %.17g, %.17g %.17g %.17g, count %zu, %.17g%s", index, point.at[0],
                         point.at[1], point.at[2], normal.at[0], normal.at[1], normal.at[2], count, friction,
                         null[0] || null[1] ? ", null" : ""),
-                   kNoMemory, [&](Handle* handle, int) {
+                   0, [&](Handle* handle, int) {
                        return Colliders<Api>::set_plane(handle, index, null[0] ? nullptr : point.at,
                                                         null[1] ? nullptr : normal.at, count, friction);
                    });
@@ -116,7 +145,7 @@ template <class Api> void Body<Api>::set_capsule() {
         this->both(text("set_capsule %zu, %.17g %.17g %.17g, %.17g %.17g %.17g, count %zu, %.17g, %.17g%s", index,
                         first_end.at[0], first_end.at[1], first_end.at[2], last_end.at[0], last_end.at[1],
                         last_end.at[2], count, radius, friction, null[0] || null[1] ? ", null" : ""),
-                   kNoMemory, [&](Handle* handle, int) {
+                   0, [&](Handle* handle, int) {
                        return Colliders<Api>::set_capsule(handle, index, null[0] ? nullptr : first_end.at,
                                                           null[1] ? nullptr : last_end.at, count, radius, friction);
                    });
@@ -126,9 +155,74 @@ template <class Api> void Body<Api>::set_capsule() {
         problem("set_capsule: collider %zu is none", index);
 }
 
+template <class Api> void Body<Api>::set_bed() {
+    const size_t index = pick_collider(), columns = chance(0.05) ? below(3) : 2 + below(6);
+    const size_t rows = chance(0.05) ? below(3) : components == 3 ? 2 + below(6) : 1;
+    const Place origin = pick_place(decades(-2, 1));
+    const double spacing[2] = {pick_number(-2, 1), pick_number(-2, 1)}, high = pick_number(-2, 0);
+    const double friction = chance(0.3) ? 0 : pick_number(-2, 1);
+    double heights[49];
+    for (double& h : heights) h = high * uniform(-1, 1);
+    if (chance(run.bad * 0.5)) heights[below(columns * rows + 1)] = wild_number();
+    const size_t count = pick_count(columns * rows);
+    const bool null[2] = {pick_null(), pick_null()};
+    const cd_status status = this->both(
+        text("set_bed %zu, %.17g %.17g %.17g, count %zu, %zu x %zu, %.17g %.17g, %.17g, %zu, %.17g%s", index,
+             origin.at[0], origin.at[1], origin.at[2], origin.count, columns, rows, spacing[0], spacing[1], high, count,
+             friction, null[0] || null[1] ? ", null" : ""),
+        0, [&](Handle* handle, int) {
+            return Colliders<Api>::set_bed(handle, index, null[0] ? nullptr : origin.at, origin.count, columns, rows,
+                                           spacing[0], spacing[1], null[1] ? nullptr : heights, count, friction);
+        });
+    if (status != CD_OK || run.broken) return;
+    for (double number : {spacing[0], spacing[1], high, friction}) this->past.moderate &= number < 1e3;
+    this->past.moderate &= origin.moderate && spacing[0] > 1e-3 && spacing[1] > 1e-3;
+    double told[49];
+    size_t extent[2] = {};
+    if (things()[index].shape != CD_SHAPE_BED) return problem("set_bed: collider %zu is none", index);
+    if (Colliders<Api>::get_bed(this->first(), index, &extent[0], &extent[1], told, count) != CD_OK ||
+        extent[0] != columns || extent[1] != rows)
+        return problem("set_bed: %zu x %zu, told are %zu x %zu", columns, rows, extent[0], extent[1]);
+    for (size_t i = 0; i < count; ++i)
+        if (told[i] != heights[i]) problem("set_bed: height %zu is %g, not %g", i, told[i], heights[i]);
+}
+
+template <class Api> void Body<Api>::get_bed() {
+    const size_t index = pick_collider(), count = chance(0.5) ? 0 : below(49);
+    double told[2][49] = {};
+    size_t extent[2][2] = {};
+    const bool some = chance(0.2), none = chance(0.5);
+    this->both(text("get_bed %zu, count %zu", index, count), kReads, [&](Handle* handle, int which) {
+        return Colliders<Api>::get_bed(handle, index, some ? nullptr : &extent[which][0], &extent[which][1],
+                                       none ? nullptr : told[which], count);
+    });
+    this->must_agree("get_bed", told[0], told[1], 49);
+    this->must_agree("get_bed", extent[0], extent[1], 2);
+}
+
+template <class Api> void Body<Api>::set_callback() {
+    const size_t index = pick_collider();
+    const Place origin = pick_place(decades(-2, 1));
+    const double friction = chance(0.3) ? 0 : pick_number(-2, 1);
+    const bool no_table = pick_null(), no_function = pick_null(), no_origin = chance(0.2);
+    cd_distance table = {chance(0.5) ? &ball : &bowl, tell_distances};
+    if (no_function) table.distance = nullptr;
+    const cd_status status =
+        this->both(text("set_callback %zu, %.17g %.17g %.17g, count %zu, %.17g%s", index, origin.at[0], origin.at[1],
+                        origin.at[2], origin.count, friction, no_table || no_function || no_origin ? ", null" : ""),
+                   0, [&](Handle* handle, int) {
+                       return Colliders<Api>::set_callback(handle, index, no_table ? nullptr : &table,
+                                                           no_origin ? nullptr : origin.at, origin.count, friction);
+                   });
+    if (status != CD_OK || run.broken) return;
+    if (!no_origin) this->past.moderate &= origin.moderate && friction < 1e3;
+    if (no_table || no_function) problem("set_callback: no function is taken");
+    if (things()[index].shape != CD_SHAPE_CALLBACK) problem("set_callback: collider %zu is none", index);
+}
+
 template <class Api> void Body<Api>::remove_collider() {
     const size_t index = pick_collider();
-    const cd_status status = this->both(text("remove_collider %zu", index), kNoMemory, [&](Handle* handle, int) {
+    const cd_status status = this->both(text("remove_collider %zu", index), 0, [&](Handle* handle, int) {
         return Colliders<Api>::remove_collider(handle, index);
     });
     if (status != CD_OK || run.broken) return;

@@ -160,7 +160,7 @@ bool Membrane::keeps_its_energy() const {
 // ---- setters -------------------------------------------------------------------------------------------------------
 
 void Membrane::act_by_kind() {
-    switch (below(has_lengths() || likes_lengths ? 56 : 33)) {
+    switch (below(has_lengths() || likes_lengths ? 61 : 33)) {
     case 0: set_number("set_mass", cd_membrane_set_mass, pick_number(-2, 3), {1e-3, 1e4}); break;
     case 1:
     case 2: set_stiffness(); break;
@@ -221,6 +221,11 @@ void Membrane::act_by_kind() {
     case 52: set_collider_velocity(); break;
     case 53: set_thickness(); break;
     case 54: get_collider(); break;
+    case 55:
+    case 56: set_bed(); break;
+    case 57: get_bed(); break;
+    case 58:
+    case 59: set_callback(); break;
     default: get_parameter();
     }
 }

@@ -11,6 +11,7 @@ void Membrane::act() {
     if (likes_lengths && !has_lengths() && chance(0.1)) return set_rest_length();
     if (likes_things && has_lengths() && chance(0.08)) {
         if (things().empty()) return set_colliders();
+        if (chance(0.3)) return chance(0.5) ? set_bed() : set_callback();
         return chance(0.4) ? set_plane() : set_capsule();
     }
     Body<MembraneApi>::act();

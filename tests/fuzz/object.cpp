@@ -112,7 +112,7 @@ template <class Api> void Object<Api>::step() {
 template <class Api> void Object<Api>::check_step(const Step& s) {
     const char* const name = cd_status_name(s.status);
     const bool diverged = s.status == CD_ERROR_DIVERGED;
-    if (s.status != CD_OK && s.status != CD_ERROR_TOLERANCE && !diverged) return;
+    if (s.status != CD_OK && s.status != CD_ERROR_TOLERANCE && s.status != CD_ERROR_CALLBACK && !diverged) return;
     totals->steps += s.count;
     totals->diverged += diverged;
     totals->short_of_tolerance += s.status == CD_ERROR_TOLERANCE;

@@ -83,9 +83,9 @@ template <class Api> static void create_by_chance() {
 }
 
 static void read_constants() {
-    const cd_status status = wild_enum(CD_ERROR_TOLERANCE);
+    const cd_status status = wild_enum(CD_ERROR_CALLBACK);
     const cd_kernels kernels = wild_enum(CD_KERNELS_AVX512);
-    const bool known = status >= CD_OK && status <= CD_ERROR_TOLERANCE;
+    const bool known = status >= CD_OK && status <= CD_ERROR_CALLBACK;
     if ((strcmp(cd_status_name(status), "CD_ERROR_UNKNOWN") != 0) != known) problem("cd_status_name(%d)", int(status));
     if (!*cd_kernels_name(kernels)) problem("cd_kernels_name(%d)", int(kernels));
     if (!*cd_version_string() || !*cd_build_info() || cd_version() == 0) problem("no version or build is told");

@@ -82,8 +82,9 @@ template <class Api> cd_status Twins<Api>::both(const std::string& what, unsigne
         trace_detail(text("    %s%s, hash %016llx, %zu bytes", cd_status_name(status),
                           heap.has_failed ? ", an allocation failed" : "", static_cast<unsigned long long>(hash),
                           held));
-    if (status < CD_OK || status > CD_ERROR_TOLERANCE) problem("%s: status %d", what.c_str(), int(status));
-    const bool has_stepped = (flags & kSteps) && (status == CD_ERROR_DIVERGED || status == CD_ERROR_TOLERANCE);
+    if (status < CD_OK || status > CD_ERROR_CALLBACK) problem("%s: status %d", what.c_str(), int(status));
+    const bool has_stepped = (flags & kSteps) && (status == CD_ERROR_DIVERGED || status == CD_ERROR_TOLERANCE ||
+                                                  status == CD_ERROR_CALLBACK);
     if (status != CD_OK && !has_stepped) check_failure(what, status, hash, held, held_before);
     if (heap.has_failed != (status == CD_ERROR_MEMORY))
         problem("%s: %s, an allocation failed: %d", what.c_str(), cd_status_name(status), heap.has_failed);

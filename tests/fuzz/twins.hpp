@@ -17,7 +17,7 @@ namespace fuzz {
 
 // What a call is known for.
 enum : unsigned {
-    kSteps = 1,    // may end with CD_ERROR_DIVERGED or CD_ERROR_TOLERANCE, and has been made all the same
+    kSteps = 1,    // may end with CD_ERROR_DIVERGED, _TOLERANCE or _CALLBACK, and has been made all the same
     kNoMemory = 2, // may neither allocate nor release
     kReads = 4,    // changes nothing, and may not allocate either
     kNoTwin = 8,   // is for the first of the two only

@@ -52,6 +52,23 @@ static cd_status one_collider(cd_chain* c) { return cd_chain_set_colliders(c, 1)
 static cd_status colliders(cd_chain* c) { return cd_chain_set_colliders(c, 6); }
 static cd_status no_colliders(cd_chain* c) { return cd_chain_set_colliders(c, 0); }
 static cd_status ball(cd_chain* c) { return cd_chain_set_capsule(c, 0, target, target, COMPONENTS, 0.5, 1); }
+static void tell_nothing(void* user, double time, size_t count, size_t components, const double* positions,
+                         double* distances, double* normals) {
+    (void)user, (void)time, (void)positions;
+    for (size_t i = 0; i < count; ++i) {
+        distances[i] = 1;
+        for (size_t k = 0; k < components; ++k) normals[i * components + k] = k == 0;
+    }
+}
+static const cd_distance distance = {NULL, tell_nothing};
+static const double hills[6] = {-9, -8, -9, -8, -9, -8};
+static cd_status bed(cd_chain* c) {
+    return cd_chain_set_bed(c, 0, target, COMPONENTS, 3, 2, 1, 1, hills, 6, 0);
+}
+static cd_status smaller_bed(cd_chain* c) {
+    return cd_chain_set_bed(c, 0, target, COMPONENTS, 2, 2, 1, 1, hills, 4, 0);
+}
+static cd_status callback(cd_chain* c) { return cd_chain_set_callback(c, 0, &distance, target, COMPONENTS, 0); }
 static cd_status no_ball(cd_chain* c) { return cd_chain_remove_collider(c, 0); }
 static cd_status thickness(cd_chain* c) { return cd_chain_set_thickness(c, 0.01); }
 static cd_status tolerance(cd_chain* c) { return cd_chain_set_tolerance(c, 1e-7, 50); }
@@ -102,8 +119,11 @@ static const struct call {
              {"set_colliders 1", one_collider, 0},
              {"set_colliders 6", colliders, 0},
              {"set_colliders 0", no_colliders, 0},
-             {"set_capsule", ball, 1},
-             {"remove_collider", no_ball, 1},
+             {"set_capsule", ball, 0},
+             {"set_bed", bed, 0},
+             {"set_bed, smaller", smaller_bed, 0},
+             {"set_callback", callback, 0},
+             {"remove_collider", no_ball, 0},
              {"set_thickness", thickness, 1},
              {"load rope", load_rope, 0},
              {"copy rope", copy_rope, 0},

@@ -51,6 +51,23 @@ static cd_status one_collider(cd_membrane* m) { return cd_membrane_set_colliders
 static cd_status colliders(cd_membrane* m) { return cd_membrane_set_colliders(m, 6); }
 static cd_status no_colliders(cd_membrane* m) { return cd_membrane_set_colliders(m, 0); }
 static cd_status ball(cd_membrane* m) { return cd_membrane_set_capsule(m, 0, target, target, COMPONENTS, 0.5, 1); }
+static void tell_nothing(void* user, double time, size_t count, size_t components, const double* positions,
+                         double* distances, double* normals) {
+    (void)user, (void)time, (void)positions;
+    for (size_t i = 0; i < count; ++i) {
+        distances[i] = 1;
+        for (size_t k = 0; k < components; ++k) normals[i * components + k] = k == 0;
+    }
+}
+static const cd_distance distance = {NULL, tell_nothing};
+static const double hills[6] = {-9, -8, -9, -8, -9, -8};
+static cd_status bed(cd_membrane* m) {
+    return cd_membrane_set_bed(m, 0, target, COMPONENTS, 3, 2, 1, 1, hills, 6, 0);
+}
+static cd_status smaller_bed(cd_membrane* m) {
+    return cd_membrane_set_bed(m, 0, target, COMPONENTS, 2, 2, 1, 1, hills, 4, 0);
+}
+static cd_status callback(cd_membrane* m) { return cd_membrane_set_callback(m, 0, &distance, target, COMPONENTS, 0); }
 static cd_status no_ball(cd_membrane* m) { return cd_membrane_remove_collider(m, 0); }
 static cd_status shear(cd_membrane* m) { return cd_membrane_set_shear(m, 50); }
 static cd_status no_mass(cd_membrane* m) { return cd_membrane_disable_field(m, CD_MASS); }
@@ -86,8 +103,10 @@ static const struct call {
              {"enable wind", winds, 0},        {"disable wind", no_winds, 0},
              {"set_air", air, 0},              {"set_air 0", no_air, 0},
              {"set_colliders 1", one_collider, 0}, {"set_colliders 6", colliders, 0},
-             {"set_colliders 0", no_colliders, 0}, {"set_capsule", ball, 1},
-             {"remove_collider", no_ball, 1},  {"set_shear", shear, 1},
+             {"set_colliders 0", no_colliders, 0}, {"set_capsule", ball, 0},
+             {"set_bed", bed, 0},              {"set_bed, smaller", smaller_bed, 0},
+             {"set_callback", callback, 0},
+             {"remove_collider", no_ball, 0},  {"set_shear", shear, 1},
              {"step", step, 1},                {"reset", reset, 1},
              {"impulse", impulse, 1}};
 

@@ -18,14 +18,24 @@ void ok(cd_status status) {
     if (status != CD_OK) fail_msg("%s: %s", cd_status_name(status), cd_error_message());
 }
 
+const double heights[6] = {-8, -9, -8.5, -7, -8, -9};
+
 // get: of an object of kComponents components
-template <auto get, int kComponents, class Handle> bool colliders_are_possible(const Handle* object, size_t count) {
+template <auto get, auto get_bed, int kComponents, class Handle>
+bool colliders_are_possible(const Handle* object, size_t count) {
     bool good = count <= 4096;
     for (size_t i = 0; i < count; ++i) {
         cd_shape shape = -1;
         double first[kComponents], second[kComponents], velocity[kComponents], radius = -1, friction = -1, normal = 0;
         ok(get(object, i, &shape, first, second, velocity, kComponents, &radius, &friction));
-        good &= shape >= CD_SHAPE_NONE && shape <= CD_SHAPE_CAPSULE && radius >= 0 && radius <= 1e60;
+        good &= shape >= CD_SHAPE_NONE && shape <= CD_SHAPE_CALLBACK && radius >= 0 && radius <= 1e60;
+        size_t columns = 0, rows = 0;
+        ok(get_bed(object, i, &columns, &rows, nullptr, 0));
+        good &= shape == CD_SHAPE_BED ? columns >= 2 && rows >= kComponents - 1 : columns + rows == 0;
+        double heights[6];
+        good &= columns * rows <= 6;
+        if (good) ok(get_bed(object, i, nullptr, nullptr, heights, columns * rows));
+        for (size_t k = 0; good && k < columns * rows; ++k) good &= std::fabs(heights[k]) <= 1e60;
         good &= friction >= 0 && friction <= 1e60;
         for (int k = 0; k < kComponents; ++k) {
             good &= std::isfinite(first[k]) && std::isfinite(second[k]) && std::isfinite(velocity[k]);
@@ -100,10 +110,12 @@ struct RopeCalls : ChainCalls {
         ok(cd_chain_set_wind(chain, gravity, 2));
         ok(cd_chain_set_strength(chain, 1e9));
         ok(cd_chain_set_thickness(chain, 0.125));
-        ok(cd_chain_set_colliders(chain, 2));
+        ok(cd_chain_set_colliders(chain, 4));
         ok(cd_chain_set_plane(chain, 0, gravity, gravity, 2, 0.5));
         ok(cd_chain_set_capsule(chain, 1, gravity, pins, 2, 0.25, 1));
         ok(cd_chain_set_collider_velocity(chain, 1, gravity, 2));
+        ok(cd_chain_set_bed(chain, 2, gravity, 2, 3, 1, 0.5, 1, heights, 3, 0.25));
+        ok(cd_chain_set_bed(chain, 3, gravity, 2, 2, 1, 0.5, 1, heights, 2, 0.25));
         for (cd_field field : {CD_MASS, CD_STIFFNESS, CD_FORCE, CD_REST_LENGTH, CD_WIND, CD_STRENGTH})
             ok(cd_chain_enable_field(chain, field));
         ok(cd_chain_set_gravity(chain, gravity, 2));
@@ -118,7 +130,8 @@ struct RopeCalls : ChainCalls {
         double thickness = -1;
         ok(cd_chain_get_colliders(chain, &count));
         ok(cd_chain_get_thickness(chain, &thickness));
-        return thickness >= 0 && thickness <= 1e60 && colliders_are_possible<cd_chain_get_collider, 2>(chain, count);
+        return thickness >= 0 && thickness <= 1e60 &&
+               colliders_are_possible<cd_chain_get_collider, cd_chain_get_bed, 2>(chain, count);
     }
     static bool is_possible(const Handle* chain) {
         double length = 0, tolerance = 0, stiffness = 0, time;
@@ -217,6 +230,7 @@ struct ClothCalls : MembraneCalls {
         ok(cd_membrane_set_plane(membrane, 0, there, up, 3, 0.5));
         ok(cd_membrane_set_capsule(membrane, 1, there, up, 3, 0.25, 1));
         ok(cd_membrane_set_collider_velocity(membrane, 1, there, 3));
+        ok(cd_membrane_set_bed(membrane, 2, there, 3, 3, 2, 0.5, 1, heights, 6, 0.25));
         for (cd_field field : {CD_MASS, CD_STIFFNESS_U, CD_REST_LENGTH_U, CD_REST_LENGTH_V, CD_WIND, CD_PIN, CD_MASK})
             ok(cd_membrane_enable_field(membrane, field));
         ok(cd_membrane_set_gravity(membrane, there, 3));
@@ -251,7 +265,7 @@ struct ClothCalls : MembraneCalls {
             for (size_t i = 0; i < 9; ++i) good &= v[i] > 0 && std::isfinite(v[i]);
         if (cd_membrane_read_f64(membrane, CD_REST_LENGTH_V, 0, 0, 4, 2, v, 8) == CD_OK)
             for (size_t i = 0; i < 8; ++i) good &= v[i] > 0 && std::isfinite(v[i]);
-        return good && colliders_are_possible<cd_membrane_get_collider, 3>(membrane, count);
+        return good && colliders_are_possible<cd_membrane_get_collider, cd_membrane_get_bed, 3>(membrane, count);
     }
 };
 

@@ -226,6 +226,60 @@ void colliders() {
     CHECK(GET(rope.get_collider(1, first, second, velocity)).shape == contdyn::shape::none);
 }
 
+// A floor 1 below, which counts how often it is asked.
+void tell_floor(void* user, double, std::size_t count, std::size_t components, const double* positions,
+                double* distances, double* normals) {
+    ++*static_cast<int*>(user);
+    for (std::size_t i = 0; i < count; ++i) {
+        distances[i] = positions[i * components + 1] + 1;
+        for (std::size_t k = 0; k < components; ++k) normals[i * components + k] = k == 1;
+    }
+}
+
+// A bed, and a shape by callback: get_bed tells what was set, and they carry what falls on them.
+void beds_and_callbacks() {
+    int asked = 0;
+    const cd_distance floor = {&asked, tell_floor};
+    chain rope = GET(chain::create(1, 4, 2, precision::float64));
+    OK(rope.set_rest_length(1));
+    OK(rope.set_gravity({0, -10}));
+    OK(rope.write_f64(field::position, 0, 1, 0, 5, {0, 0.1, 0.25, 0.1, 0.5, 0.1, 0.75, 0.1, 1, 0.1}));
+    OK(rope.set_colliders(2));
+    OK(rope.set_bed(0, {-1, -2}, 3, 1, 1.5, 0, {0.5, 0.5, 0.5}, 0.25));
+    const lattice size = GET(rope.get_bed(0));
+    CHECK(size.columns == 3 && size.rows == 1 && GET(rope.get_bed(1)).columns == 0);
+    std::array<double, 3> heights{};
+    CHECK(GET(rope.get_bed(0, heights)).columns == 3);
+    CHECK(heights[0] == 0.5 && heights[2] == 0.5);
+    OK(rope.set_callback(1, &floor, {0, 0}, 0.5));
+    OK(rope.set_callback(1, &floor, {}));
+    std::array<double, 2> first{}, second{}, velocity{};
+    const collider bed = GET(rope.get_collider(0, first, second, velocity));
+    CHECK(bed.shape == contdyn::shape::bed && bed.friction == 0.25 && first[1] == -2 && second[0] == 1.5);
+    CHECK(GET(rope.get_collider(1, first, second, velocity)).shape == contdyn::shape::callback);
+    OK(rope.step(0.01, 200));
+    CHECK(asked >= 200);
+    for (std::size_t i = 1; i < 10; i += 2) CHECK(std::fabs(GET(rope.read_f64(field::position))[i] + 1) < 1e-6);
+
+    membrane rug = GET(membrane::create(2, 2, 3, precision::float64));
+    OK(rug.set_rest_length(1, 1));
+    for (std::size_t i = 0; i < 9; ++i)
+        OK(rug.write_f64(field::position, i % 3, i / 3, 1, 1, {0.5 * double(i % 3), 0, 0.5 * double(i / 3)}));
+    OK(rug.set_gravity({0, -10, 0}));
+    OK(rug.set_colliders(2));
+    OK(rug.set_bed(0, {-1, -2, -3}, 3, 2, 1.5, 2, {0.5, 0.5, 0.5, 0.25, 0.25, 0.25}));
+    CHECK(GET(rug.get_bed(0)).columns == 3 && GET(rug.get_bed(0)).rows == 2);
+    std::array<double, 6> of_rug{};
+    CHECK(GET(rug.get_bed(0, of_rug)).rows == 2);
+    CHECK(of_rug[2] == 0.5 && of_rug[5] == 0.25);
+    OK(rug.set_callback(1, &floor, {0, 0.5, 0}));
+    OK(rug.set_callback(1, &floor, {}));
+    asked = 0;
+    OK(rug.step(0.01, 200));
+    CHECK(asked == 200);
+    CHECK(std::fabs(GET(rug.read_f64(field::position))[1] + 0.5) < 1e-3);
+}
+
 // A sheet of 20 nodes that hangs from an edge, in springs that have a length; then in the wind, and on what it touches.
 void cloth() {
     membrane sheet = GET(membrane::create(4, 3, 3, precision::float64));
@@ -572,6 +626,7 @@ int main() {
     chains();
     ropes();
     colliders();
+    beds_and_callbacks();
     cloth();
     posed();
     membranes();

@@ -164,6 +164,13 @@ void lengths() {
     KEPT(rope, status::error_range, "chain::set_plane", rope.set_plane(0, {0}, {0, 1}));
     KEPT(rope, status::error_range, "chain::set_capsule", rope.set_capsule(0, {0}, {0, 1}, 1));
     KEPT(rope, status::error_value, "radius", rope.set_capsule(0, {0, 0}, {0, 1}, 0));
+    KEPT(rope, status::error_value, "columns", rope.set_bed(0, {0, 0}, 1, 1, 1, 0, {0}));
+    KEPT(rope, status::error_range, "height_count", rope.set_bed(0, {0, 0}, 2, 1, 1, 0, {0}));
+    KEPT(rope, status::error_range, "height_count", rope.get_bed(0, two));
+    KEPT(rope, status::error_range, "index", rope.get_bed(1));
+    KEPT(rope, status::error_null, "distance", rope.set_callback(0, nullptr, {0, 0}));
+    const cd_distance no_function{};
+    KEPT(rope, status::error_null, "distance", rope.set_callback(0, &no_function, {}));
     KEPT(rope, status::error_value, "velocity", rope.set_collider_velocity(0, {0, nan_value}));
     KEPT(rope, status::error_value, "radius", rope.set_thickness(-1));
     KEPT(rope, status::error_range, "index", rope.remove_collider(1));

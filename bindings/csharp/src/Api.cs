@@ -38,6 +38,8 @@ namespace Contdyn
         ErrorMismatch = 12,
         /// <summary>steps were made, but an iterative solve ended short of its tolerance</summary>
         ErrorTolerance = 13,
+        /// <summary>steps were made, but a callback gave numbers that it may not</summary>
+        ErrorCallback = 14,
     }
 
     /// <summary>What an object stores its state in; chosen when it is made. Steps compute in double precision
@@ -119,6 +121,8 @@ namespace Contdyn
         None = 0,
         Plane = 1,
         Capsule = 2,
+        Bed = 3,
+        Callback = 4,
     }
 
     /// <summary>Per-node and per-spring data; which object has which is in its own header.</summary>
@@ -308,6 +312,44 @@ namespace Contdyn
         }
     }
 
+    /// <summary>A shape from the caller, of a collider of ropes and cloth. distance tells of `count` positions,
+    /// each of `components` numbers and relative to the collider's origin, how far outside of the shape they are at
+    /// this time [s], as signed distances [m], less than 0 inside, at most 1e60 in size; and the unit vector along
+    /// which that distance grows fastest, of a length within 1e-3 of 1: out_distances[i],
+    /// out_normals[i][component]. It is called from steps, from any thread of cd_parallel and from several at once,
+    /// and has to give the same position the same answer at the same time, whatever it is asked with; it may call
+    /// no function on the object. A shape that moves as a whole should do so by the collider's velocity: one that
+    /// changes with time by itself is met where it was when the step began. Copied when it is set.</summary>
+    public sealed unsafe class DistanceCallbacks : Callbacks
+    {
+        public delegate void DistanceFunction(double time, long count, long components, IntPtr positions,
+            IntPtr outDistances, IntPtr outNormals);
+
+        public DistanceFunction Distance;
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        private delegate void DistanceNative(IntPtr user, double time, UIntPtr count, UIntPtr components,
+            IntPtr positions, IntPtr outDistances, IntPtr outNormals);
+
+        private void CallDistance(IntPtr user, double time, UIntPtr count, UIntPtr components, IntPtr positions,
+            IntPtr outDistances, IntPtr outNormals)
+        {
+            try
+            {
+                Distance(time, (long)count, (long)components, positions, outDistances, outNormals);
+            }
+            catch (Exception raised)
+            {
+                Raised(raised);
+            }
+        }
+
+        internal override void* Struct()
+        {
+            return Made(null, (Distance == null ? null : new DistanceNative(CallDistance)));
+        }
+    }
+
     /// <summary>The library's functions that belong to no object.</summary>
     public static class Library
     {
@@ -417,6 +459,19 @@ namespace Contdyn
         {
             Iterations = iterations;
             Residual = residual;
+        }
+    }
+
+    /// <summary>What Chain.GetBed tells.</summary>
+    public struct ChainBed
+    {
+        public readonly long Columns;
+        public readonly long Rows;
+
+        internal ChainBed(long columns, long rows)
+        {
+            Columns = columns;
+            Rows = rows;
         }
     }
 
@@ -1135,6 +1190,127 @@ namespace Contdyn
                 Native.Size(count, "cd_chain_set_capsule", "count"), radius, friction));
         }
 
+        /// <summary>Makes a collider all that lies below a bed of heights [m], at most 1e60 in size, which are copied.
+        /// The last component is up. With 3 components heights[j * columns + i] is at the first two components origin +
+        /// (i column_spacing, j row_spacing), of at least 2 columns and rows; with 2 components a single row is along
+        /// the first one, and row_spacing means nothing. Heights count from the origin's own; spacings [m] are 1e-60 to
+        /// 1e60. Between heights the bed is bilinear, with creases rounded within a quarter of the spacing either side;
+        /// beyond the border it goes on at the border's height. How far outside a node is, is its height above the bed
+        /// times the upward part of the bed's normal. A step meets the bed at the plane that touches it there where it
+        /// finds the node. What the bed rises above that plane on the node's way the node may end inside of, and the
+        /// next step takes it out; however fast, none falls through. Errors: CD_ERROR_RANGE too, if height_count is not
+        /// columns * rows; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 1 component.</summary>
+        public void SetBed(long index, double[] origin, long columns, long rows, double columnSpacing,
+            double rowSpacing, double[] heights, double friction)
+        {
+            fixed (double* originPointer = origin)
+            fixed (double* heightsPointer = heights)
+                SetBedCore(index, originPointer, Native.Length(origin), columns, rows, columnSpacing, rowSpacing,
+                    heightsPointer, Native.Length(heights), friction);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Makes a collider all that lies below a bed of heights [m], at most 1e60 in size, which are copied.
+        /// The last component is up. With 3 components heights[j * columns + i] is at the first two components origin +
+        /// (i column_spacing, j row_spacing), of at least 2 columns and rows; with 2 components a single row is along
+        /// the first one, and row_spacing means nothing. Heights count from the origin's own; spacings [m] are 1e-60 to
+        /// 1e60. Between heights the bed is bilinear, with creases rounded within a quarter of the spacing either side;
+        /// beyond the border it goes on at the border's height. How far outside a node is, is its height above the bed
+        /// times the upward part of the bed's normal. A step meets the bed at the plane that touches it there where it
+        /// finds the node. What the bed rises above that plane on the node's way the node may end inside of, and the
+        /// next step takes it out; however fast, none falls through. Errors: CD_ERROR_RANGE too, if height_count is not
+        /// columns * rows; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 1 component.</summary>
+        public void SetBed(long index, ReadOnlySpan<double> origin, long columns, long rows, double columnSpacing,
+            double rowSpacing, ReadOnlySpan<double> heights, double friction)
+        {
+            fixed (double* originPointer = &MemoryMarshal.GetReference(origin))
+            fixed (double* heightsPointer = &MemoryMarshal.GetReference(heights))
+                SetBedCore(index, origin.Length == 0 ? null : originPointer, origin.Length, columns, rows,
+                    columnSpacing, rowSpacing, heights.Length == 0 ? null : heightsPointer, heights.Length, friction);
+        }
+
+#endif
+        private void SetBedCore(long index, double* origin, long originLength, long columns, long rows,
+            double columnSpacing, double rowSpacing, double* heights, long heightsLength, double friction)
+        {
+            long count = Native.Count(originLength, 1, "cd_chain_set_bed", "origin");
+            long heightCount = Native.Count(heightsLength, 1, "cd_chain_set_bed", "heights");
+            Changed();
+            Check(Native.cd_chain_set_bed(Handle, Native.Size(index, "cd_chain_set_bed", "index"), origin,
+                Native.Size(count, "cd_chain_set_bed", "count"), Native.Size(columns, "cd_chain_set_bed", "columns"),
+                Native.Size(rows, "cd_chain_set_bed", "rows"), columnSpacing, rowSpacing, heights,
+                Native.Size(heightCount, "cd_chain_set_bed", "height_count"), friction));
+        }
+
+        /// <summary>Each output may be null; 0 columns and rows of what is no bed. Errors: CD_ERROR_RANGE for an index
+        /// that no collider has, and, with out_heights, if height_count is not columns * rows.</summary>
+        public ChainBed GetBed(long index, double[] outHeights)
+        {
+            fixed (double* outHeightsPointer = outHeights)
+                return GetBedCore(index, outHeightsPointer, Native.Length(outHeights));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Each output may be null; 0 columns and rows of what is no bed. Errors: CD_ERROR_RANGE for an index
+        /// that no collider has, and, with out_heights, if height_count is not columns * rows.</summary>
+        public ChainBed GetBed(long index, Span<double> outHeights)
+        {
+            fixed (double* outHeightsPointer = &MemoryMarshal.GetReference(outHeights))
+                return GetBedCore(index, outHeights.Length == 0 ? null : outHeightsPointer, outHeights.Length);
+        }
+
+#endif
+        private ChainBed GetBedCore(long index, double* outHeights, long outHeightsLength)
+        {
+            long heightCount = Native.Count(outHeightsLength, 1, "cd_chain_get_bed", "out_heights");
+            UIntPtr outColumns;
+            UIntPtr outRows;
+            Check(Native.cd_chain_get_bed(Handle, Native.Size(index, "cd_chain_get_bed", "index"), &outColumns,
+                &outRows, outHeights, Native.Size(heightCount, "cd_chain_get_bed", "height_count")));
+            return new ChainBed((long)outColumns, (long)outRows);
+        }
+
+        /// <summary>Makes a collider the shape that a callback tells the distances of, whose positions are relative to
+        /// origin [m]. A step asks for all nodes of a strand at once, at its start and then in each iteration where
+        /// they would end. Where a shape is hollow it is met as beds are. Where an answer is not what cd_distance says,
+        /// that step takes it for nothing there, and cd_chain_step says CD_ERROR_CALLBACK. The callback itself is no
+        /// state: after a load, or a copied state, a collider that was CD_SHAPE_CALLBACK before goes on with the one it
+        /// had, and for any other cd_chain_step says CD_ERROR_UNSUPPORTED until it is set again. origin may be null: a
+        /// collider that is CD_SHAPE_CALLBACK stays as it is and gets this callback; count and friction mean nothing
+        /// then. Errors: CD_ERROR_NULL too, for a table without a function; CD_ERROR_MEMORY.</summary>
+        public void SetCallback(long index, DistanceCallbacks distance, double[] origin, double friction)
+        {
+            fixed (double* originPointer = origin)
+                SetCallbackCore(index, distance, originPointer, Native.Length(origin), friction);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Makes a collider the shape that a callback tells the distances of, whose positions are relative to
+        /// origin [m]. A step asks for all nodes of a strand at once, at its start and then in each iteration where
+        /// they would end. Where a shape is hollow it is met as beds are. Where an answer is not what cd_distance says,
+        /// that step takes it for nothing there, and cd_chain_step says CD_ERROR_CALLBACK. The callback itself is no
+        /// state: after a load, or a copied state, a collider that was CD_SHAPE_CALLBACK before goes on with the one it
+        /// had, and for any other cd_chain_step says CD_ERROR_UNSUPPORTED until it is set again. origin may be null: a
+        /// collider that is CD_SHAPE_CALLBACK stays as it is and gets this callback; count and friction mean nothing
+        /// then. Errors: CD_ERROR_NULL too, for a table without a function; CD_ERROR_MEMORY.</summary>
+        public void SetCallback(long index, DistanceCallbacks distance, ReadOnlySpan<double> origin, double friction)
+        {
+            fixed (double* originPointer = &MemoryMarshal.GetReference(origin))
+                SetCallbackCore(index, distance, origin.Length == 0 ? null : originPointer, origin.Length, friction);
+        }
+
+#endif
+        private void SetCallbackCore(long index, DistanceCallbacks distance, double* origin, long originLength,
+            double friction)
+        {
+            long count = Native.Count(originLength, 1, "cd_chain_set_callback", "origin");
+            void* distanceStruct = distance == null ? null : distance.Struct();
+            Changed();
+            Check(Native.cd_chain_set_callback(Handle, Native.Size(index, "cd_chain_set_callback", "index"),
+                distanceStruct, origin, Native.Size(count, "cd_chain_set_callback", "count"), friction));
+            Handle.Keep("distance", distance);
+        }
+
         /// <summary>Makes a collider CD_SHAPE_NONE, at rest: nothing touches it.</summary>
         public void RemoveCollider(long index)
         {
@@ -1143,8 +1319,7 @@ namespace Contdyn
         }
 
         /// <summary>Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move
-        /// it, and it carries what it touches along. It keeps its velocity when it is made another plane or
-        /// capsule.</summary>
+        /// it, and it carries what it touches along. It keeps its velocity when it is made another shape.</summary>
         public void SetColliderVelocity(long index, params double[] velocity)
         {
             fixed (double* velocityPointer = velocity)
@@ -1153,8 +1328,7 @@ namespace Contdyn
 
 #if CONTDYN_SPANS
         /// <summary>Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move
-        /// it, and it carries what it touches along. It keeps its velocity when it is made another plane or
-        /// capsule.</summary>
+        /// it, and it carries what it touches along. It keeps its velocity when it is made another shape.</summary>
         public void SetColliderVelocity(long index, ReadOnlySpan<double> velocity)
         {
             fixed (double* velocityPointer = &MemoryMarshal.GetReference(velocity))
@@ -1171,9 +1345,9 @@ namespace Contdyn
         }
 
         /// <summary>What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule
-        /// its two ends; of what is none, zeros, but for its velocity. One number per component in each array. Each
-        /// output may be null. Errors: CD_ERROR_RANGE for an index that no collider has, or a count that is not the
-        /// number of components.</summary>
+        /// its two ends; of a bed its origin and its spacings, 0 upward; of a callback its origin; else zeros, but for
+        /// its velocity. One number per component in each array. Each output may be null. Errors: CD_ERROR_RANGE for an
+        /// index that no collider has, or a count that is not the number of components.</summary>
         public ChainCollider GetCollider(long index, double[] outFirst, double[] outSecond, double[] outVelocity)
         {
             fixed (double* outFirstPointer = outFirst)
@@ -1185,9 +1359,9 @@ namespace Contdyn
 
 #if CONTDYN_SPANS
         /// <summary>What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule
-        /// its two ends; of what is none, zeros, but for its velocity. One number per component in each array. Each
-        /// output may be null. Errors: CD_ERROR_RANGE for an index that no collider has, or a count that is not the
-        /// number of components.</summary>
+        /// its two ends; of a bed its origin and its spacings, 0 upward; of a callback its origin; else zeros, but for
+        /// its velocity. One number per component in each array. Each output may be null. Errors: CD_ERROR_RANGE for an
+        /// index that no collider has, or a count that is not the number of components.</summary>
         public ChainCollider GetCollider(long index, Span<double> outFirst, Span<double> outSecond,
             Span<double> outVelocity)
         {
@@ -1582,8 +1756,9 @@ namespace Contdyn
         /// proportional to count * strands * nodes * components. Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number
         /// leaves the finite range: all steps are made, the message gives the first bad one, the chain can be read, and
         /// steps again after cd_chain_reset, a load, or once finite positions and velocities have been written; of
-        /// ropes CD_ERROR_UNSUPPORTED for what they can't have, and CD_ERROR_TOLERANCE if a step ended short of its
-        /// tolerance: all steps are made, and good to the error that cd_chain_get_convergence tells.</summary>
+        /// ropes CD_ERROR_UNSUPPORTED for what they can't have, CD_ERROR_CALLBACK as cd_chain_set_callback says, and
+        /// CD_ERROR_TOLERANCE if a step ended short of its tolerance: all steps are made, and good to the error that
+        /// cd_chain_get_convergence tells.</summary>
         public void Step(double dt, long count = 1)
         {
             Changed();
@@ -1925,6 +2100,19 @@ namespace Contdyn
         {
             Along = along;
             Across = across;
+        }
+    }
+
+    /// <summary>What Membrane.GetBed tells.</summary>
+    public struct MembraneBed
+    {
+        public readonly long Columns;
+        public readonly long Rows;
+
+        internal MembraneBed(long columns, long rows)
+        {
+            Columns = columns;
+            Rows = rows;
         }
     }
 
@@ -2618,14 +2806,18 @@ namespace Contdyn
         }
 
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
-        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
-        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
-        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
-        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
-        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
-        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
-        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
-        /// ranges are those of the functions of cd_chain.</summary>
+        /// capsules, spheres among them, beds and callbacks, each with a velocity and a friction of its own. In a step
+        /// a node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the
+        /// planes that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the
+        /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+        /// of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public long Colliders
         {
             get
@@ -2644,14 +2836,18 @@ namespace Contdyn
         }
 
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
-        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
-        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
-        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
-        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
-        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
-        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
-        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
-        /// ranges are those of the functions of cd_chain.</summary>
+        /// capsules, spheres among them, beds and callbacks, each with a velocity and a friction of its own. In a step
+        /// a node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the
+        /// planes that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the
+        /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+        /// of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetPlane(long index, double[] point, double[] normal, double friction)
         {
             fixed (double* pointPointer = point)
@@ -2661,14 +2857,18 @@ namespace Contdyn
 
 #if CONTDYN_SPANS
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
-        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
-        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
-        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
-        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
-        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
-        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
-        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
-        /// ranges are those of the functions of cd_chain.</summary>
+        /// capsules, spheres among them, beds and callbacks, each with a velocity and a friction of its own. In a step
+        /// a node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the
+        /// planes that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the
+        /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+        /// of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetPlane(long index, ReadOnlySpan<double> point, ReadOnlySpan<double> normal, double friction)
         {
             fixed (double* pointPointer = &MemoryMarshal.GetReference(point))
@@ -2689,14 +2889,18 @@ namespace Contdyn
         }
 
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
-        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
-        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
-        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
-        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
-        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
-        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
-        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
-        /// ranges are those of the functions of cd_chain.</summary>
+        /// capsules, spheres among them, beds and callbacks, each with a velocity and a friction of its own. In a step
+        /// a node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the
+        /// planes that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the
+        /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+        /// of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetCapsule(long index, double[] first, double[] last, double radius, double friction)
         {
             fixed (double* firstPointer = first)
@@ -2707,14 +2911,18 @@ namespace Contdyn
 
 #if CONTDYN_SPANS
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
-        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
-        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
-        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
-        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
-        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
-        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
-        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
-        /// ranges are those of the functions of cd_chain.</summary>
+        /// capsules, spheres among them, beds and callbacks, each with a velocity and a friction of its own. In a step
+        /// a node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the
+        /// planes that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the
+        /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+        /// of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetCapsule(long index, ReadOnlySpan<double> first, ReadOnlySpan<double> last, double radius,
             double friction)
         {
@@ -2736,14 +2944,117 @@ namespace Contdyn
         }
 
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
-        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
-        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
-        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
-        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
-        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
-        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
-        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
-        /// ranges are those of the functions of cd_chain.</summary>
+        /// capsules, spheres among them, beds and callbacks, each with a velocity and a friction of its own. In a step
+        /// a node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the
+        /// planes that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the
+        /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+        /// of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
+        public void SetBed(long index, double[] origin, long columns, long rows, double columnSpacing,
+            double rowSpacing, double[] heights, double friction)
+        {
+            fixed (double* originPointer = origin)
+            fixed (double* heightsPointer = heights)
+                SetBedCore(index, originPointer, Native.Length(origin), columns, rows, columnSpacing, rowSpacing,
+                    heightsPointer, Native.Length(heights), friction);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
+        /// capsules, spheres among them, beds and callbacks, each with a velocity and a friction of its own. In a step
+        /// a node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the
+        /// planes that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the
+        /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
+        /// of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
+        public void SetBed(long index, ReadOnlySpan<double> origin, long columns, long rows, double columnSpacing,
+            double rowSpacing, ReadOnlySpan<double> heights, double friction)
+        {
+            fixed (double* originPointer = &MemoryMarshal.GetReference(origin))
+            fixed (double* heightsPointer = &MemoryMarshal.GetReference(heights))
+                SetBedCore(index, origin.Length == 0 ? null : originPointer, origin.Length, columns, rows,
+                    columnSpacing, rowSpacing, heights.Length == 0 ? null : heightsPointer, heights.Length, friction);
+        }
+
+#endif
+        private void SetBedCore(long index, double* origin, long originLength, long columns, long rows,
+            double columnSpacing, double rowSpacing, double* heights, long heightsLength, double friction)
+        {
+            long count = Native.Count(originLength, 1, "cd_membrane_set_bed", "origin");
+            long heightCount = Native.Count(heightsLength, 1, "cd_membrane_set_bed", "heights");
+            Changed();
+            Check(Native.cd_membrane_set_bed(Handle, Native.Size(index, "cd_membrane_set_bed", "index"), origin,
+                Native.Size(count, "cd_membrane_set_bed", "count"), Native.Size(columns, "cd_membrane_set_bed",
+                "columns"), Native.Size(rows, "cd_membrane_set_bed", "rows"), columnSpacing, rowSpacing, heights,
+                Native.Size(heightCount, "cd_membrane_set_bed", "height_count"), friction));
+        }
+
+        /// <summary>Each output may be null.</summary>
+        public MembraneBed GetBed(long index, double[] outHeights)
+        {
+            fixed (double* outHeightsPointer = outHeights)
+                return GetBedCore(index, outHeightsPointer, Native.Length(outHeights));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>Each output may be null.</summary>
+        public MembraneBed GetBed(long index, Span<double> outHeights)
+        {
+            fixed (double* outHeightsPointer = &MemoryMarshal.GetReference(outHeights))
+                return GetBedCore(index, outHeights.Length == 0 ? null : outHeightsPointer, outHeights.Length);
+        }
+
+#endif
+        private MembraneBed GetBedCore(long index, double* outHeights, long outHeightsLength)
+        {
+            long heightCount = Native.Count(outHeightsLength, 1, "cd_membrane_get_bed", "out_heights");
+            UIntPtr outColumns;
+            UIntPtr outRows;
+            Check(Native.cd_membrane_get_bed(Handle, Native.Size(index, "cd_membrane_get_bed", "index"), &outColumns,
+                &outRows, outHeights, Native.Size(heightCount, "cd_membrane_get_bed", "height_count")));
+            return new MembraneBed((long)outColumns, (long)outRows);
+        }
+
+        /// <summary>origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.</summary>
+        public void SetCallback(long index, DistanceCallbacks distance, double[] origin, double friction)
+        {
+            fixed (double* originPointer = origin)
+                SetCallbackCore(index, distance, originPointer, Native.Length(origin), friction);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.</summary>
+        public void SetCallback(long index, DistanceCallbacks distance, ReadOnlySpan<double> origin, double friction)
+        {
+            fixed (double* originPointer = &MemoryMarshal.GetReference(origin))
+                SetCallbackCore(index, distance, origin.Length == 0 ? null : originPointer, origin.Length, friction);
+        }
+
+#endif
+        private void SetCallbackCore(long index, DistanceCallbacks distance, double* origin, long originLength,
+            double friction)
+        {
+            long count = Native.Count(originLength, 1, "cd_membrane_set_callback", "origin");
+            void* distanceStruct = distance == null ? null : distance.Struct();
+            Changed();
+            Check(Native.cd_membrane_set_callback(Handle, Native.Size(index, "cd_membrane_set_callback", "index"),
+                distanceStruct, origin, Native.Size(count, "cd_membrane_set_callback", "count"), friction));
+            Handle.Keep("distance", distance);
+        }
+
+        /// <summary>origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.</summary>
         public void RemoveCollider(long index)
         {
             Changed();
@@ -2751,15 +3062,7 @@ namespace Contdyn
                 "index")));
         }
 
-        /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
-        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
-        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
-        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
-        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
-        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
-        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
-        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
-        /// ranges are those of the functions of cd_chain.</summary>
+        /// <summary>origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.</summary>
         public void SetColliderVelocity(long index, params double[] velocity)
         {
             fixed (double* velocityPointer = velocity)
@@ -2767,15 +3070,7 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
-        /// capsules, spheres among them, each with a velocity and a friction of its own. In a step a node heeds the
-        /// three that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch
-        /// them there: none goes through a collider, at any speed. Contacts yield a little: to the force on a node
-        /// times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies
-        /// between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the
-        /// speed v, of the push that the step's iterations find: with the default effort what begins to slide is up to
-        /// a quarter too slow in its first half second. What lies inside when a step begins comes out of it. Errors and
-        /// ranges are those of the functions of cd_chain.</summary>
+        /// <summary>origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.</summary>
         public void SetColliderVelocity(long index, ReadOnlySpan<double> velocity)
         {
             fixed (double* velocityPointer = &MemoryMarshal.GetReference(velocity))

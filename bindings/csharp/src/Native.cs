@@ -178,6 +178,19 @@ namespace Contdyn
             UIntPtr count, double radius, double friction);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_chain_set_bed(ChainHandle chain, UIntPtr index, double* origin, UIntPtr count,
+            UIntPtr columns, UIntPtr rows, double columnSpacing, double rowSpacing, double* heights,
+            UIntPtr heightCount, double friction);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_chain_get_bed(ChainHandle chain, UIntPtr index, UIntPtr* outColumns,
+            UIntPtr* outRows, double* outHeights, UIntPtr heightCount);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_chain_set_callback(ChainHandle chain, UIntPtr index, void* distance,
+            double* origin, UIntPtr count, double friction);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_chain_remove_collider(ChainHandle chain, UIntPtr index);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -455,6 +468,19 @@ namespace Contdyn
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_membrane_set_capsule(MembraneHandle membrane, UIntPtr index, double* first,
             double* last, UIntPtr count, double radius, double friction);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_set_bed(MembraneHandle membrane, UIntPtr index, double* origin,
+            UIntPtr count, UIntPtr columns, UIntPtr rows, double columnSpacing, double rowSpacing, double* heights,
+            UIntPtr heightCount, double friction);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_get_bed(MembraneHandle membrane, UIntPtr index, UIntPtr* outColumns,
+            UIntPtr* outRows, double* outHeights, UIntPtr heightCount);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_set_callback(MembraneHandle membrane, UIntPtr index, void* distance,
+            double* origin, UIntPtr count, double friction);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_membrane_remove_collider(MembraneHandle membrane, UIntPtr index);

@@ -26,6 +26,8 @@ typedef struct cd_allocator { void* user; void* (*allocate)(void* user, size_t s
     size_t alignment); void (*release)(void* user, void* pointer, size_t size, size_t alignment); } cd_allocator;
 typedef struct cd_parallel { void* user; void (*run)(void* user, size_t count, void (*task)(void* context,
     size_t index), void* context); } cd_parallel;
+typedef struct cd_distance { void* user; void (*distance)(void* user, double time, size_t count, size_t components,
+    const double* positions, double* out_distances, double* out_normals); } cd_distance;
 const char* cd_status_name(cd_status status);
 const char* cd_error_message(void);
 uint32_t cd_runnable_kernels(void);
@@ -84,6 +86,13 @@ cd_status cd_chain_set_plane(cd_chain* chain, size_t index, const double* point,
     double friction);
 cd_status cd_chain_set_capsule(cd_chain* chain, size_t index, const double* first, const double* last, size_t count,
     double radius, double friction);
+cd_status cd_chain_set_bed(cd_chain* chain, size_t index, const double* origin, size_t count, size_t columns,
+    size_t rows, double column_spacing, double row_spacing, const double* heights, size_t height_count,
+    double friction);
+cd_status cd_chain_get_bed(const cd_chain* chain, size_t index, size_t* out_columns, size_t* out_rows,
+    double* out_heights, size_t height_count);
+cd_status cd_chain_set_callback(cd_chain* chain, size_t index, const cd_distance* distance, const double* origin,
+    size_t count, double friction);
 cd_status cd_chain_remove_collider(cd_chain* chain, size_t index);
 cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, const double* velocity, size_t count);
 cd_status cd_chain_get_collider(const cd_chain* chain, size_t index, cd_shape* out_shape, double* out_first,
@@ -182,6 +191,13 @@ cd_status cd_membrane_set_plane(cd_membrane* membrane, size_t index, const doubl
     size_t count, double friction);
 cd_status cd_membrane_set_capsule(cd_membrane* membrane, size_t index, const double* first, const double* last,
     size_t count, double radius, double friction);
+cd_status cd_membrane_set_bed(cd_membrane* membrane, size_t index, const double* origin, size_t count, size_t columns,
+    size_t rows, double column_spacing, double row_spacing, const double* heights, size_t height_count,
+    double friction);
+cd_status cd_membrane_get_bed(const cd_membrane* membrane, size_t index, size_t* out_columns, size_t* out_rows,
+    double* out_heights, size_t height_count);
+cd_status cd_membrane_set_callback(cd_membrane* membrane, size_t index, const cd_distance* distance,
+    const double* origin, size_t count, double friction);
 cd_status cd_membrane_remove_collider(cd_membrane* membrane, size_t index);
 cd_status cd_membrane_set_collider_velocity(cd_membrane* membrane, size_t index, const double* velocity, size_t count);
 cd_status cd_membrane_get_collider(const cd_membrane* membrane, size_t index, cd_shape* out_shape, double* out_first,
@@ -391,6 +407,8 @@ api["status"] = support.enumeration("cd_status", {
   ["error_mismatch"] = 12,
   -- steps were made, but an iterative solve ended short of its tolerance
   ["error_tolerance"] = 13,
+  -- steps were made, but a callback gave numbers that it may not
+  ["error_callback"] = 14,
 })
 
 -- What an object stores its state in; chosen when it is made. Steps compute in double precision whatever it is, but for
@@ -464,6 +482,8 @@ api["shape"] = support.enumeration("cd_shape", {
   ["none"] = 0,
   ["plane"] = 1,
   ["capsule"] = 2,
+  ["bed"] = 3,
+  ["callback"] = 4,
 })
 
 -- Per-node and per-spring data; which object has which is in its own header.
@@ -583,6 +603,22 @@ function api.parallel(functions)
     run = {"void (*)(void* user, size_t count, void (*task)(void* context, size_t index), void* context)",
         function(user, count, task, context)
       return functions.run(tonumber(count), function(index) return task(context, index) end)
+    end},
+  })
+end
+
+-- A shape from the caller, of a collider of ropes and cloth. distance tells of `count` positions, each of `components`
+-- numbers and relative to the collider's origin, how far outside of the shape they are at this time [s], as signed
+-- distances [m], less than 0 inside, at most 1e60 in size; and the unit vector along which that distance grows fastest,
+-- of a length within 1e-3 of 1: out_distances[i], out_normals[i][component]. It is called from steps, from any thread
+-- of cd_parallel and from several at once, and has to give the same position the same answer at the same time, whatever
+-- it is asked with; it may call no function on the object. A shape that moves as a whole should do so by the collider's
+-- velocity: one that changes with time by itself is met where it was when the step began. Copied when it is set.
+function api.distance(functions)
+  return support.callbacks("cd_distance", {
+    distance = {"void (*)(void* user, double time, size_t count, size_t components, const double* positions, double* out_distances, double* out_normals)", function(user, time, count, components, positions, out_distances, out_normals)
+      return functions.distance(tonumber(time), tonumber(count), tonumber(components), positions, out_distances,
+          out_normals)
     end},
   })
 end
@@ -1152,6 +1188,64 @@ function Chain:set_capsule(index, first, last, radius, friction)
   check(lib.cd_chain_set_capsule(handle_of(self), index, p_first, p_last, count, radius, friction))
 end
 
+-- Makes a collider all that lies below a bed of heights [m], at most 1e60 in size, which are copied. The last component
+-- is up. With 3 components heights[j * columns + i] is at the first two components origin + (i column_spacing, j
+-- row_spacing), of at least 2 columns and rows; with 2 components a single row is along the first one, and row_spacing
+-- means nothing. Heights count from the origin's own; spacings [m] are 1e-60 to 1e60. Between heights the bed is
+-- bilinear, with creases rounded within a quarter of the spacing either side; beyond the border it goes on at the
+-- border's height. How far outside a node is, is its height above the bed times the upward part of the bed's normal. A
+-- step meets the bed at the plane that touches it there where it finds the node. What the bed rises above that plane on
+-- the node's way the node may end inside of, and the next step takes it out; however fast, none falls through. Errors:
+-- CD_ERROR_RANGE too, if height_count is not columns * rows; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 1 component.
+function Chain:set_bed(index, origin, columns, rows, column_spacing, row_spacing, heights, friction)
+  local where = "cd_chain_set_bed"
+  index = integer_in(index, where, "index")
+  local p_origin, n_origin = array_in("double", origin, where, "origin")
+  columns = integer_in(columns, where, "columns")
+  rows = integer_in(rows, where, "rows")
+  column_spacing = number_in(column_spacing, where, "column_spacing")
+  row_spacing = number_in(row_spacing, where, "row_spacing")
+  local p_heights, n_heights = array_in("double", heights, where, "heights")
+  friction = number_in(friction, where, "friction")
+  local count = count_of(n_origin, 1, where, "origin")
+  local height_count = count_of(n_heights, 1, where, "heights")
+  self._version = self._version + 1
+  check(lib.cd_chain_set_bed(handle_of(self), index, p_origin, count, columns, rows, column_spacing, row_spacing,
+      p_heights, height_count, friction))
+end
+
+-- Each output may be null; 0 columns and rows of what is no bed. Errors: CD_ERROR_RANGE for an index that no collider
+-- has, and, with out_heights, if height_count is not columns * rows.
+function Chain:get_bed(index, out_heights)
+  local where = "cd_chain_get_bed"
+  index = integer_in(index, where, "index")
+  local p_out_heights, n_out_heights = array_out("double", out_heights, components_of(self), where, "out_heights")
+  local height_count = n_out_heights or 0
+  local out_columns = size_t_1()
+  local out_rows = size_t_1()
+  check(lib.cd_chain_get_bed(handle_of(self), index, out_columns, out_rows, p_out_heights, height_count))
+  return tonumber(out_columns[0]), tonumber(out_rows[0]), array_result(out_heights, p_out_heights, n_out_heights)
+end
+
+-- Makes a collider the shape that a callback tells the distances of, whose positions are relative to origin [m]. A step
+-- asks for all nodes of a strand at once, at its start and then in each iteration where they would end. Where a shape
+-- is hollow it is met as beds are. Where an answer is not what cd_distance says, that step takes it for nothing there,
+-- and cd_chain_step says CD_ERROR_CALLBACK. The callback itself is no state: after a load, or a copied state, a
+-- collider that was CD_SHAPE_CALLBACK before goes on with the one it had, and for any other cd_chain_step says
+-- CD_ERROR_UNSUPPORTED until it is set again. origin may be null: a collider that is CD_SHAPE_CALLBACK stays as it is
+-- and gets this callback; count and friction mean nothing then. Errors: CD_ERROR_NULL too, for a table without a
+-- function; CD_ERROR_MEMORY.
+function Chain:set_callback(index, distance, origin, friction)
+  local where = "cd_chain_set_callback"
+  index = integer_in(index, where, "index")
+  local p_origin, n_origin = array_in("double", origin, where, "origin", true)
+  friction = number_in(friction, where, "friction")
+  local count = count_of(n_origin, 1, where, "origin")
+  self._version = self._version + 1
+  check(lib.cd_chain_set_callback(handle_of(self), index, distance, p_origin, count, friction))
+  self._kept.distance = distance
+end
+
 -- Makes a collider CD_SHAPE_NONE, at rest: nothing touches it.
 function Chain:remove_collider(index)
   local where = "cd_chain_remove_collider"
@@ -1161,7 +1255,7 @@ function Chain:remove_collider(index)
 end
 
 -- Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move it, and it
--- carries what it touches along. It keeps its velocity when it is made another plane or capsule.
+-- carries what it touches along. It keeps its velocity when it is made another shape.
 function Chain:set_collider_velocity(index, velocity)
   local where = "cd_chain_set_collider_velocity"
   index = integer_in(index, where, "index")
@@ -1171,9 +1265,10 @@ function Chain:set_collider_velocity(index, velocity)
   check(lib.cd_chain_set_collider_velocity(handle_of(self), index, p_velocity, count))
 end
 
--- What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends; of
--- what is none, zeros, but for its velocity. One number per component in each array. Each output may be null. Errors:
--- CD_ERROR_RANGE for an index that no collider has, or a count that is not the number of components.
+-- What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends; of a
+-- bed its origin and its spacings, 0 upward; of a callback its origin; else zeros, but for its velocity. One number per
+-- component in each array. Each output may be null. Errors: CD_ERROR_RANGE for an index that no collider has, or a
+-- count that is not the number of components.
 function Chain:get_collider(index, out_first, out_second, out_velocity)
   local where = "cd_chain_get_collider"
   index = integer_in(index, where, "index")
@@ -1424,8 +1519,8 @@ end
 -- count * strands * nodes * components. Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range:
 -- all steps are made, the message gives the first bad one, the chain can be read, and steps again after cd_chain_reset,
 -- a load, or once finite positions and velocities have been written; of ropes CD_ERROR_UNSUPPORTED for what they can't
--- have, and CD_ERROR_TOLERANCE if a step ended short of its tolerance: all steps are made, and good to the error that
--- cd_chain_get_convergence tells.
+-- have, CD_ERROR_CALLBACK as cd_chain_set_callback says, and CD_ERROR_TOLERANCE if a step ended short of its tolerance:
+-- all steps are made, and good to the error that cd_chain_get_convergence tells.
 function Chain:step(dt, count)
   local where = "cd_chain_step"
   dt = number_in(dt, where, "dt")
@@ -2123,13 +2218,17 @@ function Membrane:get_wind(out_velocity)
 end
 
 -- As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
--- them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
--- nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider, at
--- any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a
--- sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is
--- Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default
--- effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins
--- comes out of it. Errors and ranges are those of the functions of cd_chain.
+-- them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it is
+-- deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through
+-- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
+-- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
+-- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
+-- default effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a
+-- step begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
+-- step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+-- callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+-- CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
+-- functions of cd_chain.
 function Membrane:set_colliders(count)
   local where = "cd_membrane_set_colliders"
   count = integer_in(count, where, "count")
@@ -2138,13 +2237,17 @@ function Membrane:set_colliders(count)
 end
 
 -- As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
--- them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
--- nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider, at
--- any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a
--- sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is
--- Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default
--- effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins
--- comes out of it. Errors and ranges are those of the functions of cd_chain.
+-- them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it is
+-- deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through
+-- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
+-- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
+-- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
+-- default effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a
+-- step begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
+-- step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+-- callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+-- CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
+-- functions of cd_chain.
 function Membrane:get_colliders()
   local where = "cd_membrane_get_colliders"
   local out_count = size_t_1()
@@ -2153,13 +2256,17 @@ function Membrane:get_colliders()
 end
 
 -- As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
--- them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
--- nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider, at
--- any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a
--- sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is
--- Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default
--- effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins
--- comes out of it. Errors and ranges are those of the functions of cd_chain.
+-- them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it is
+-- deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through
+-- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
+-- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
+-- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
+-- default effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a
+-- step begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
+-- step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+-- callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+-- CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
+-- functions of cd_chain.
 function Membrane:set_plane(index, point, normal, friction)
   local where = "cd_membrane_set_plane"
   index = integer_in(index, where, "index")
@@ -2173,13 +2280,17 @@ function Membrane:set_plane(index, point, normal, friction)
 end
 
 -- As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
--- them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
--- nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider, at
--- any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a
--- sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is
--- Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default
--- effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins
--- comes out of it. Errors and ranges are those of the functions of cd_chain.
+-- them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it is
+-- deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through
+-- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
+-- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
+-- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
+-- default effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a
+-- step begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
+-- step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+-- callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+-- CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
+-- functions of cd_chain.
 function Membrane:set_capsule(index, first, last, radius, friction)
   local where = "cd_membrane_set_capsule"
   index = integer_in(index, where, "index")
@@ -2194,13 +2305,59 @@ function Membrane:set_capsule(index, first, last, radius, friction)
 end
 
 -- As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
--- them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
--- nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider, at
--- any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a
--- sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is
--- Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default
--- effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins
--- comes out of it. Errors and ranges are those of the functions of cd_chain.
+-- them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it is
+-- deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through
+-- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
+-- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
+-- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
+-- default effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a
+-- step begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
+-- step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+-- callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+-- CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
+-- functions of cd_chain.
+function Membrane:set_bed(index, origin, columns, rows, column_spacing, row_spacing, heights, friction)
+  local where = "cd_membrane_set_bed"
+  index = integer_in(index, where, "index")
+  local p_origin, n_origin = array_in("double", origin, where, "origin")
+  columns = integer_in(columns, where, "columns")
+  rows = integer_in(rows, where, "rows")
+  column_spacing = number_in(column_spacing, where, "column_spacing")
+  row_spacing = number_in(row_spacing, where, "row_spacing")
+  local p_heights, n_heights = array_in("double", heights, where, "heights")
+  friction = number_in(friction, where, "friction")
+  local count = count_of(n_origin, 1, where, "origin")
+  local height_count = count_of(n_heights, 1, where, "heights")
+  self._version = self._version + 1
+  check(lib.cd_membrane_set_bed(handle_of(self), index, p_origin, count, columns, rows, column_spacing, row_spacing,
+      p_heights, height_count, friction))
+end
+
+-- Each output may be null.
+function Membrane:get_bed(index, out_heights)
+  local where = "cd_membrane_get_bed"
+  index = integer_in(index, where, "index")
+  local p_out_heights, n_out_heights = array_out("double", out_heights, components_of(self), where, "out_heights")
+  local height_count = n_out_heights or 0
+  local out_columns = size_t_1()
+  local out_rows = size_t_1()
+  check(lib.cd_membrane_get_bed(handle_of(self), index, out_columns, out_rows, p_out_heights, height_count))
+  return tonumber(out_columns[0]), tonumber(out_rows[0]), array_result(out_heights, p_out_heights, n_out_heights)
+end
+
+-- origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.
+function Membrane:set_callback(index, distance, origin, friction)
+  local where = "cd_membrane_set_callback"
+  index = integer_in(index, where, "index")
+  local p_origin, n_origin = array_in("double", origin, where, "origin", true)
+  friction = number_in(friction, where, "friction")
+  local count = count_of(n_origin, 1, where, "origin")
+  self._version = self._version + 1
+  check(lib.cd_membrane_set_callback(handle_of(self), index, distance, p_origin, count, friction))
+  self._kept.distance = distance
+end
+
+-- origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.
 function Membrane:remove_collider(index)
   local where = "cd_membrane_remove_collider"
   index = integer_in(index, where, "index")
@@ -2208,14 +2365,7 @@ function Membrane:remove_collider(index)
   check(lib.cd_membrane_remove_collider(handle_of(self), index))
 end
 
--- As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
--- them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest in, or
--- nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a collider, at
--- any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a
--- sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is
--- Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default
--- effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins
--- comes out of it. Errors and ranges are those of the functions of cd_chain.
+-- origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.
 function Membrane:set_collider_velocity(index, velocity)
   local where = "cd_membrane_set_collider_velocity"
   index = integer_in(index, where, "index")

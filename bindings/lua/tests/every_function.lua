@@ -172,6 +172,15 @@ return {
     {name = "cd_chain_set_capsule", call = function(o, other, saved)
       return o:set_capsule(0, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1, 1)
     end},
+    {name = "cd_chain_set_bed", call = function(o, other, saved)
+      return o:set_bed(0, {0.0, 0.0, 0.0}, 2, 2, 1, 1, {0.0, 0.0, 0.0}, 1)
+    end},
+    {name = "cd_chain_get_bed", call = function(o, other, saved)
+      return o:get_bed(0, nil)
+    end},
+    {name = "cd_chain_set_callback", call = function(o, other, saved)
+      return o:set_callback(0, nil, {0.0, 0.0, 0.0}, 1)
+    end},
     {name = "cd_chain_remove_collider", call = function(o, other, saved)
       return o:remove_collider(0)
     end},
@@ -464,6 +473,15 @@ return {
     end},
     {name = "cd_membrane_set_capsule", call = function(o, other, saved)
       return o:set_capsule(0, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1, 1)
+    end},
+    {name = "cd_membrane_set_bed", call = function(o, other, saved)
+      return o:set_bed(0, {0.0, 0.0, 0.0}, 2, 2, 1, 1, {0.0, 0.0, 0.0}, 1)
+    end},
+    {name = "cd_membrane_get_bed", call = function(o, other, saved)
+      return o:get_bed(0, nil)
+    end},
+    {name = "cd_membrane_set_callback", call = function(o, other, saved)
+      return o:set_callback(0, nil, {0.0, 0.0, 0.0}, 1)
     end},
     {name = "cd_membrane_remove_collider", call = function(o, other, saved)
       return o:remove_collider(0)

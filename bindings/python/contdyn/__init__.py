@@ -21,25 +21,26 @@ from ._api import (BedRule, Border, Edge, End, Field, Kernels, MassRule, Method,
                    Side, Solver, Status)
 from ._arrays import Array, View
 from ._body import Attachment, Collider, Convergence, Energy, Resistance, Tolerance
-from ._callbacks import Allocator, Parallel, Task
+from ._callbacks import Allocator, Distance, Parallel, Task
 from ._sheet import Vertices
 from .chain import Chain, ChainShape
-from .errors import (DisabledError, DivergedError, Error, FormatError, HandleError, InvalidEnumError, InvalidValueError,
-                     MismatchError, NullError, OutOfMemoryError, RangeError, SizeError, ToleranceError,
-                     UnsupportedError)
+from .errors import (CallbackError, DisabledError, DivergedError, Error, FormatError, HandleError, InvalidEnumError,
+                     InvalidValueError, MismatchError, NullError, OutOfMemoryError, RangeError, SizeError,
+                     ToleranceError, UnsupportedError)
 from .membrane import Effort, Membrane, MembraneShape, RestLength, Ring, Stiffness
 from .water import (Account, Hull, HullDrag, HullPose, Hulls, HullWays, Limited, Sample, SideState, Water,
                     WaterEnergy, WaterShape, WaterVertices)
 
 __all__ = [
-    "Account", "Allocator", "Array", "Attachment", "BedRule", "Border", "Chain", "ChainShape", "Collider",
-    "Convergence", "DisabledError", "DivergedError", "Edge", "Effort", "End", "Energy", "Error", "Field", "FormatError",
-    "HandleError", "Hull", "HullDrag", "HullPose", "HullWays", "Hulls", "InvalidEnumError", "InvalidValueError", "Kernels", "Limited", "MassRule", "Membrane",
-    "MembraneShape", "Method", "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Parallel",
-    "Precision", "RangeError", "Resistance", "RestLength", "Ring", "Sample", "Shape", "Side", "SideState", "SizeError",
-    "Solver", "Status", "Stiffness", "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices", "View",
-    "Water", "WaterEnergy", "WaterShape", "WaterVertices", "build_info", "kernels_name", "library_path",
-    "runnable_kernels", "status_name", "version",
+    "Account", "Allocator", "Array", "Attachment", "BedRule", "Border", "CallbackError", "Chain", "ChainShape",
+    "Collider", "Convergence", "DisabledError", "Distance", "DivergedError", "Edge", "Effort", "End", "Energy",
+    "Error", "Field", "FormatError", "HandleError", "Hull", "HullDrag", "HullPose", "HullWays", "Hulls",
+    "InvalidEnumError", "InvalidValueError", "Kernels", "Limited", "MassRule", "Membrane", "MembraneShape",
+    "Method", "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Parallel", "Precision",
+    "RangeError", "Resistance", "RestLength", "Ring", "Sample", "Shape", "Side", "SideState", "SizeError", "Solver",
+    "Status", "Stiffness", "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices", "View", "Water",
+    "WaterEnergy", "WaterShape", "WaterVertices", "build_info", "kernels_name", "library_path", "runnable_kernels",
+    "status_name", "version",
 ]
 
 

@@ -37,6 +37,8 @@ class Status(IntEnum):
     ERROR_MISMATCH = 12
     #: steps were made, but an iterative solve ended short of its tolerance
     ERROR_TOLERANCE = 13
+    #: steps were made, but a callback gave numbers that it may not
+    ERROR_CALLBACK = 14
 
 
 class Precision(IntEnum):
@@ -117,6 +119,8 @@ class Shape(IntEnum):
     NONE = 0
     PLANE = 1
     CAPSULE = 2
+    BED = 3
+    CALLBACK = 4
 
 
 class Field(IntEnum):
@@ -310,6 +314,18 @@ class Parallel(Structure):
     ]
 
 
+DISTANCE_FUNCTION = CFUNCTYPE(None, c_void_p, c_double, c_size_t, c_size_t, c_void_p, c_void_p, c_void_p)
+
+
+class Distance(Structure):
+    """cd_distance."""
+
+    _fields_ = [
+        ("user", c_void_p),
+        ("distance", DISTANCE_FUNCTION),
+    ]
+
+
 TYPES: Dict[str, Any] = {
     "handle": c_void_p,
     "pointer": c_void_p,
@@ -329,6 +345,7 @@ TYPES: Dict[str, Any] = {
     "double*": POINTER(c_double),
     "Allocator*": POINTER(Allocator),
     "Parallel*": POINTER(Parallel),
+    "Distance*": POINTER(Distance),
 }
 
 # What each function returns: its parameters' names and types.
@@ -391,6 +408,13 @@ FUNCTIONS: Dict[str, str] = {
                            "double"),
     "cd_chain_set_capsule": ("status: chain handle, index size, first pointer, last pointer, count size, radius "
                              "double, friction double"),
+    "cd_chain_set_bed": ("status: chain handle, index size, origin pointer, count size, columns size, rows size, "
+                         "column_spacing double, row_spacing double, heights pointer, height_count size, friction "
+                         "double"),
+    "cd_chain_get_bed": ("status: chain handle, index size, out_columns size*, out_rows size*, out_heights pointer, "
+                         "height_count size"),
+    "cd_chain_set_callback": ("status: chain handle, index size, distance Distance*, origin pointer, count size, "
+                              "friction double"),
     "cd_chain_remove_collider": "status: chain handle, index size",
     "cd_chain_set_collider_velocity": "status: chain handle, index size, velocity pointer, count size",
     "cd_chain_get_collider": ("status: chain handle, index size, out_shape int*, out_first pointer, out_second "
@@ -488,6 +512,13 @@ FUNCTIONS: Dict[str, str] = {
                               "friction double"),
     "cd_membrane_set_capsule": ("status: membrane handle, index size, first pointer, last pointer, count size, radius "
                                 "double, friction double"),
+    "cd_membrane_set_bed": ("status: membrane handle, index size, origin pointer, count size, columns size, rows size, "
+                            "column_spacing double, row_spacing double, heights pointer, height_count size, friction "
+                            "double"),
+    "cd_membrane_get_bed": ("status: membrane handle, index size, out_columns size*, out_rows size*, out_heights "
+                            "pointer, height_count size"),
+    "cd_membrane_set_callback": ("status: membrane handle, index size, distance Distance*, origin pointer, count size, "
+                                 "friction double"),
     "cd_membrane_remove_collider": "status: membrane handle, index size",
     "cd_membrane_set_collider_velocity": "status: membrane handle, index size, velocity pointer, count size",
     "cd_membrane_get_collider": ("status: membrane handle, index size, out_shape int*, out_first pointer, out_second "

@@ -1,9 +1,11 @@
 """What chain and membrane have in common: nodes with mass, joined by springs."""
-from ctypes import byref, c_double, c_int32
+from ctypes import byref, c_double, c_int32, c_size_t
 from typing import NamedTuple, Optional, Sequence, Tuple
 
 from ._api import Field, MassRule, Precision, Shape
-from ._arrays import Values, dense, row
+from ._arrays import Array, Values, dense, empty, row, target
+from ._callbacks import Distance
+from ._callbacks import Shape as Asked
 from ._object import Object
 from ._properties import Reading, ReadingPerComponent, Setting, SettingOfSeveral, SettingPerComponent, State
 
@@ -54,7 +56,8 @@ class Convergence(NamedTuple):
 
 
 class Collider(NamedTuple):
-    """What a rope or cloth touches: of a plane a point and the normal, of a capsule its two ends."""
+    """What a rope or cloth touches: of a plane a point and the normal, of a capsule its two ends, of a bed its origin
+    and spacings, of a callback its origin."""
 
     shape: Shape
     first: Tuple[float, ...]
@@ -109,6 +112,44 @@ class Body(Object):
         other = row(second)
         place = dense(first, (other.length,), Precision.FLOAT64)
         self._call(name, index, place.address, other.address, other.length, *numbers)
+
+    def set_bed(self, index: int, origin: Values, columns: int, rows: int, column_spacing: float, row_spacing: float,
+                heights: Values, friction: float = 0) -> None:
+        """Makes a collider all that lies below a bed: heights[row][column] [m] above the origin's last component, at
+        the first two components origin + (column * column_spacing, row * row_spacing). With 2 components it has one
+        row, along the first. Beyond its border the bed goes on at the border's height."""
+        place, numbers = row(origin), row(heights)
+        self._call("set_bed", index, place.address, place.length, columns, rows, column_spacing, row_spacing,
+                   numbers.address, numbers.length, friction)
+
+    def get_bed(self, index: int) -> Array:
+        """A copy of a bed's heights[row][column]; of no rows and columns if the collider is none."""
+        columns, rows = c_size_t(), c_size_t()
+        with self._lock:
+            self._call("get_bed", index, byref(columns), byref(rows), None, 0)
+            heights: Array = empty((rows.value, columns.value), "d")
+            to = target(heights, rows.value * columns.value)
+            self._call("get_bed", index, None, None, to.address, to.length)
+        return heights
+
+    def set_callback(self, index: int, distance: Distance, origin: Optional[Values] = None,
+                     friction: float = 0) -> None:
+        """Makes a collider the shape that distance(time, positions) describes: of positions[place][component], which
+        are relative to origin [m], it gives how far outside of the shape they are, distances[place] [m], below 0
+        inside, and unit vectors on the way out, normals[place][component]. Steps call it, from threads of `parallel`
+        too. It must not call the object; if it raises, steps are made as if nothing were there, and end with
+        CallbackError.
+
+        It is not part of the saved state: after a load or a copied state it may have to be set again, without origin.
+        """
+        asked = Asked(distance)
+        place = None if origin is None else row(origin)
+        with self._lock:
+            handle = self._handle
+            self._call("set_callback", index, byref(asked.struct), place.address if place else None,
+                       place.length if place else 0, friction)
+            assert handle is not None
+            handle.shapes[index] = asked
 
     def remove_collider(self, index: int) -> None:
         """Makes a collider Shape.NONE: nothing touches it."""

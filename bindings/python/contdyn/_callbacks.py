@@ -4,15 +4,23 @@ import sys
 import threading
 from concurrent.futures import Executor, ThreadPoolExecutor
 from operator import index
-from typing import Any, Callable, List, Optional, Protocol, Union
+from ctypes import c_double, memmove
+from typing import Any, Callable, List, Optional, Protocol, Tuple, Union
 
-from . import _api
+from . import _api, _arrays
+from ._api import Precision
+from ._arrays import Array, Values
 from .errors import Error
 
 #: What a `parallel` callable gets: task(i) does the i-th part, on any thread.
 Task = Callable[[int], None]
 #: What may be set as `parallel`: nothing, a number of threads, an executor of threads, or run(count, task).
 Parallel = Union[None, int, Executor, Callable[[int, Task], None]]
+
+
+#: What may be a collider: distance(time, positions) of positions[place][component] gives distances[place], and unit
+#: vectors normals[place][component].
+Distance = Callable[[float, Array], Tuple[Values, Values]]
 
 
 class Allocator(Protocol):
@@ -47,6 +55,35 @@ class Provider:
         """The error, with what the allocator raised for its cause."""
         error.__cause__, self.kept = self.kept, None
         return error
+
+
+class Shape:
+    """A caller's distances, as the C API wants them. What the function raises is kept, and stands for no answer."""
+
+    def __init__(self, distance: Distance) -> None:
+        if not callable(distance):
+            raise TypeError(f"distance is {distance!r}, must be a function of a time and positions")
+        self.kept: Optional[BaseException] = None
+        self.distance = distance
+        self.struct = _api.Distance(None, _api.DISTANCE_FUNCTION(self._tell))
+
+    def _tell(self, _user: Any, time: float, count: int, components: int, positions: int, out_distances: int,
+              out_normals: int) -> None:
+        try:
+            places = (c_double * (count * components)).from_buffer_copy(
+                (c_double * (count * components)).from_address(positions))
+            shown = _arrays.show(places, Precision.FLOAT64, (count, components), (8 * components, 8))
+            distances, normals = self.distance(time, shown)
+            for values, shape, to in ((distances, (count,), out_distances),
+                                      (normals, (count, components), out_normals)):
+                numbers = _arrays.dense(values, shape, Precision.FLOAT64)
+                memmove(to, numbers.address, 8 * numbers.length)
+        except BaseException as error:  # raised as the cause of CallbackError
+            self.kept = self.kept or error
+
+    def cause(self, error: Error) -> None:
+        if self.kept is not None:
+            error.__cause__, self.kept = self.kept, None
 
 
 class Runner:

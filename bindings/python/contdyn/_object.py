@@ -10,7 +10,7 @@ from typing import Any, Callable, ClassVar, Dict, List, Optional, Sequence, Tupl
 from . import _arrays
 from ._api import FIELDS, Field, FieldInfo, Kernels, Method, Precision
 from ._arrays import Array, Values
-from ._callbacks import Allocator, Parallel, Provider, Runner
+from ._callbacks import Allocator, Parallel, Provider, Runner, Shape
 from ._library import MOST, Functions, failure
 from ._properties import Reading, Setting
 from .errors import DisabledError, Error, HandleError, InvalidEnumError, RangeError
@@ -25,6 +25,7 @@ class Handle(c_void_p):
     destroy: Callable[..., Any]
     provider: Optional[Provider] = None
     runner: Optional[Runner] = None
+    shapes: Dict[int, Shape]
     shown: Dict[Field, "weakref.ref[CArray[c_char]]"]
 
     def memory(self, field: Field, address: int, size: int) -> "CArray[c_char]":
@@ -83,7 +84,7 @@ class Object:
         if status:
             raise provider.cause(failure(status)) if provider else failure(status)
         handle = Handle(made.value)
-        handle.destroy, handle.provider, handle.shown = self._c.destroy.raw, provider, {}
+        handle.destroy, handle.provider, handle.shown, handle.shapes = self._c.destroy.raw, provider, {}, {}
         self._handle = handle
         *sizes, precision = self._get("get_shape")
         self._precision = Precision(precision)
@@ -116,7 +117,7 @@ class Object:
         return f"<{'closed ' if self.closed else ''}{type(self).__name__}({shape})>"
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        """Copies and pickles hold what save() gives: not the allocator, `parallel` or `kernels`."""
+        """Copies and pickles hold what save() gives: not the allocator, `parallel`, `kernels` or callbacks."""
         return _restored, (type(self), self._made_of, self.save()), getattr(self, "__dict__", None) or None
 
     # ---- calls ------------------------------------------------------------------------------------------------------
@@ -138,8 +139,10 @@ class Object:
         handle = self._handle
         if handle is None:
             return HandleError(f"this {type(self).__name__} is closed")
-        provider = handle.provider
-        return provider.cause(failure(status)) if provider else failure(status)
+        error, provider = failure(status), handle.provider
+        for shape in handle.shapes.values():
+            shape.cause(error)
+        return provider.cause(error) if provider else error
 
     # ---- method -----------------------------------------------------------------------------------------------------
 
@@ -189,7 +192,8 @@ class Object:
         """Makes `count` steps of dt [s] each, in [1e-30, 1e30]. Never allocates in the library.
 
         DivergedError: a number left the finite range. ToleranceError: a coupled solve of a membrane, or a step of a
-        rope, ended short of its tolerance. All steps have been made in both cases.
+        rope, ended short of its tolerance. CallbackError: a callback of a collider gave no distance. All steps have
+        been made in all these cases.
         """
         if not 0 <= count <= _MOST_STEPS:
             self._c.step.refuse(2, count)

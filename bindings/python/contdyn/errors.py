@@ -6,7 +6,7 @@ from ._api import Status
 __all__ = [
     "Error", "NullError", "HandleError", "InvalidValueError", "InvalidEnumError", "RangeError", "SizeError",
     "OutOfMemoryError", "DisabledError", "UnsupportedError", "DivergedError", "FormatError", "MismatchError",
-    "ToleranceError",
+    "ToleranceError", "CallbackError",
 ]
 
 
@@ -92,6 +92,12 @@ class ToleranceError(Error, ArithmeticError):
     """An iterative solve ended short of its tolerance. All steps were made, as good as `convergence` tells."""
 
     status = Status.ERROR_TOLERANCE
+
+
+class CallbackError(Error, ArithmeticError):
+    """A callback gave numbers that it may not, or raised what is this error's cause. All steps were made."""
+
+    status = Status.ERROR_CALLBACK
 
 
 CLASSES: Dict[int, Type[Error]] = {kind.status: kind for kind in Error.__subclasses__() if kind.status is not None}

@@ -1,4 +1,5 @@
 """What each function does to its object, seen through the others."""
+import copy
 import math
 import unittest
 from array import array
@@ -211,6 +212,69 @@ class Chains(unittest.TestCase):
         self.assertEqual(rope.get_collider(1), (Shape.CAPSULE, (3, 0, 0), (4, 0, 0), (0, 0, 0), 0.5, 0))
         rope.remove_collider(1)
         self.assertIs(rope.get_collider(1).shape, Shape.NONE)
+
+    def test_a_rope_lies_on_a_bed(self):
+        rope = Chain(1, 4, 3)
+        rope.position = [[[i / 4, 0.5, 0.5] for i in range(5)]]
+        rope.rest_length, rope.stiffness, rope.gravity = 1, math.inf, (0, 0, -10)
+        rope.colliders = 2
+        rope.set_bed(0, (-1, -1, -1), 4, 2, 1, 2, [[0.25, 0.25, 0.25, 0.25], [0.25, 0.25, 0.25, 0.25]], 0.5)
+        self.assertEqual(rope.get_bed(0).tolist(), [[0.25] * 4] * 2)
+        self.assertEqual(rope.get_bed(1).tolist(), [])
+        self.assertEqual(rope.get_collider(0), (Shape.BED, (-1, -1, -1), (1, 2, 0), (0, 0, 0), 0, 0.5))
+        rope.step(1 / 60, 120)
+        for node in range(5):
+            self.assertAlmostEqual(rope.position[0, node, 2], -0.75, 5)
+        flat = Chain(1, 4, 2)
+        flat.rest_length, flat.colliders = 1, 1
+        flat.set_bed(0, (-1, -1), 3, 1, 0.5, 0, [0.5, 0.25, 0])
+        self.assertEqual(flat.get_bed(0).tolist(), [[0.5, 0.25, 0]])
+        cloth = Membrane(2, 2, 3)
+        cloth.rest_length, cloth.colliders = (1, 1), 1
+        cloth.set_bed(0, (0, 0, -1), 2, 2, 1, 1, array("d", (0, 1, 2, 3)))
+        self.assertEqual(cloth.get_bed(0).tolist(), [[0, 1], [2, 3]])
+
+    def test_a_function_may_be_what_a_rope_and_cloth_touch(self):
+        asked = []
+
+        def floor(time, positions):
+            asked.append((time, tuple(positions.shape)))
+            return [float(x[1]) + 1 for x in positions], [(0, 1, 0)] * len(positions)
+
+        rope, cloth = Chain(1, 4, 3), Membrane(2, 2, 3)
+        rope.position = [[[i / 4, 0.5, 0] for i in range(5)]]
+        cloth.position = [[[u / 2, 0.5, v / 2] for u in range(3)] for v in range(3)]
+        rope.rest_length, rope.stiffness, cloth.rest_length, cloth.lambda_ = 1, math.inf, (1, 1), 1
+        for body, height in ((rope, -0.5), (cloth, -0.5)):
+            body.gravity, body.colliders = (0, -10, 0), 1
+            body.set_callback(0, floor, (0, 0.5, 0), 0.5)
+            self.assertEqual(body.get_collider(0), (Shape.CALLBACK, (0, 0.5, 0), (0, 0, 0), (0, 0, 0), 0, 0.5))
+            body.step(1 / 60, 120)
+            self.assertAlmostEqual(float(body.position[0, 0, 1]), height, 3)
+            self.assertAlmostEqual(asked[-1][0], 2, delta=0.1)
+        self.assertIn((5, 3), [shape for _, shape in asked])
+        self.assertEqual(asked[-1][1], (9, 3))
+        copied = copy.copy(rope)
+        with self.assertRaises(contdyn.UnsupportedError):
+            copied.step(1 / 60)
+        copied.set_callback(0, floor)
+        copied.step(1 / 60)
+
+        def forgetful(time, positions):
+            raise KeyError("a place")
+
+        rope.set_callback(0, forgetful)
+        steps = rope.steps
+        with self.assertRaises(contdyn.CallbackError) as caught:
+            rope.step(1 / 60, 2)
+        self.assertIsInstance(caught.exception.__cause__, KeyError)
+        self.assertEqual(rope.steps, steps + 2)
+        rope.set_callback(0, lambda time, positions: ([math.nan] * 5, [(0, 1, 0)] * 5))
+        with self.assertRaises(contdyn.CallbackError) as caught:
+            rope.step(1 / 60)
+        self.assertIsNone(caught.exception.__cause__)
+        with self.assertRaises(TypeError):
+            rope.set_callback(0, 3)
 
     def test_a_posed_end_goes_to_its_target(self):
         for kind, hold in ((Chain, lambda made: made.set_end(End.FIRST, Node.POSED)),

@@ -34,11 +34,13 @@ pub enum Status {
     ErrorMismatch = 12,
     /// steps were made, but an iterative solve ended short of its tolerance
     ErrorTolerance = 13,
+    /// steps were made, but a callback gave numbers that it may not
+    ErrorCallback = 14,
 }
 
 impl Status {
     /// Every one of them.
-    pub const ALL: [Status; 14] = [
+    pub const ALL: [Status; 15] = [
         Status::Ok,
         Status::ErrorNull,
         Status::ErrorHandle,
@@ -53,6 +55,7 @@ impl Status {
         Status::ErrorFormat,
         Status::ErrorMismatch,
         Status::ErrorTolerance,
+        Status::ErrorCallback,
     ];
 
     /// The one with C's value.
@@ -231,14 +234,18 @@ pub enum Shape {
     None = 0,
     Plane = 1,
     Capsule = 2,
+    Bed = 3,
+    Callback = 4,
 }
 
 impl Shape {
     /// Every one of them.
-    pub const ALL: [Shape; 3] = [
+    pub const ALL: [Shape; 5] = [
         Shape::None,
         Shape::Plane,
         Shape::Capsule,
+        Shape::Bed,
+        Shape::Callback,
     ];
 
     /// The one with C's value.
@@ -551,6 +558,13 @@ pub struct ChainTolerance {
 pub struct ChainConvergence {
     pub iterations: usize,
     pub residual: f64,
+}
+
+/// What [`Chain::get_bed`] tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainBed {
+    pub columns: usize,
+    pub rows: usize,
 }
 
 /// What [`Chain::get_collider`] tells.
@@ -1113,21 +1127,75 @@ impl Chain {
             friction) })
     }
 
+    /// Makes a collider all that lies below a bed of heights \[m\], at most 1e60 in size, which are copied. The last
+    /// component is up. With 3 components heights\[j \* columns + i\] is at the first two components origin + (i
+    /// column_spacing, j row_spacing), of at least 2 columns and rows; with 2 components a single row is along the
+    /// first one, and row_spacing means nothing. Heights count from the origin's own; spacings \[m\] are 1e-60 to 1e60.
+    /// Between heights the bed is bilinear, with creases rounded within a quarter of the spacing either side; beyond
+    /// the border it goes on at the border's height. How far outside a node is, is its height above the bed times the
+    /// upward part of the bed's normal. A step meets the bed at the plane that touches it there where it finds the
+    /// node. What the bed rises above that plane on the node's way the node may end inside of, and the next step takes
+    /// it out; however fast, none falls through. Errors: CD_ERROR_RANGE too, if height_count is not columns \* rows;
+    /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 1 component.
+    pub fn set_bed(&mut self, index: usize, origin: &[f64], columns: usize, rows: usize, column_spacing: f64,
+        row_spacing: f64, heights: &[f64], friction: f64) -> Result<()> {
+        let count = count_of(origin.len(), 1, "cd_chain_set_bed", "origin")?;
+        let height_count = count_of(heights.len(), 1, "cd_chain_set_bed", "heights")?;
+        check(unsafe { sys::cd_chain_set_bed(self.as_ptr(), index, origin.as_ptr(), count, columns, rows,
+            column_spacing, row_spacing, heights.as_ptr(), height_count, friction) })
+    }
+
+    /// Each output may be null; 0 columns and rows of what is no bed. Errors: CD_ERROR_RANGE for an index that no
+    /// collider has, and, with out_heights, if height_count is not columns \* rows.
+    pub fn get_bed(&self, index: usize, out_heights: Option<&mut [f64]>) -> Result<ChainBed> {
+        let height_count = out_heights.as_deref().map(<[_]>::len);
+        let height_count = count_of(height_count.unwrap_or(0), 1, "cd_chain_get_bed", "out_heights")?;
+        let mut out_columns = 0;
+        let mut out_rows = 0;
+        check(unsafe { sys::cd_chain_get_bed(self.as_ptr(), index, &mut out_columns, &mut out_rows,
+            out_heights.map_or(std::ptr::null_mut(), <[_]>::as_mut_ptr), height_count) })?;
+        Ok(ChainBed {
+            columns: out_columns,
+            rows: out_rows,
+        })
+    }
+
+    /// Makes a collider the shape that a callback tells the distances of, whose positions are relative to origin \[m\].
+    /// A step asks for all nodes of a strand at once, at its start and then in each iteration where they would end.
+    /// Where a shape is hollow it is met as beds are. Where an answer is not what cd_distance says, that step takes it
+    /// for nothing there, and cd_chain_step says CD_ERROR_CALLBACK. The callback itself is no state: after a load, or a
+    /// copied state, a collider that was CD_SHAPE_CALLBACK before goes on with the one it had, and for any other
+    /// cd_chain_step says CD_ERROR_UNSUPPORTED until it is set again. origin may be null: a collider that is
+    /// CD_SHAPE_CALLBACK stays as it is and gets this callback; count and friction mean nothing then. Errors:
+    /// CD_ERROR_NULL too, for a table without a function; CD_ERROR_MEMORY.
+    ///
+    /// # Safety
+    /// The functions and `user` must be good for as long as the object may call them, from whichever threads
+    /// it is used on, and must not unwind.
+    pub unsafe fn set_callback(&mut self, index: usize, distance: Option<&sys::cd_distance>, origin: Option<&[f64]>,
+        friction: f64) -> Result<()> {
+        let count = origin.map(<[_]>::len);
+        let count = count_of(count.unwrap_or(0), 1, "cd_chain_set_callback", "origin")?;
+        check(unsafe { sys::cd_chain_set_callback(self.as_ptr(), index, distance.map_or(std::ptr::null(),
+            |c| c as *const _), origin.map_or(std::ptr::null(), <[_]>::as_ptr), count, friction) })
+    }
+
     /// Makes a collider CD_SHAPE_NONE, at rest: nothing touches it.
     pub fn remove_collider(&mut self, index: usize) -> Result<()> {
         check(unsafe { sys::cd_chain_remove_collider(self.as_ptr(), index) })
     }
 
     /// Velocity of a collider \[m/s\], default 0, one number per component, at most 1e60 in size: steps move it, and it
-    /// carries what it touches along. It keeps its velocity when it is made another plane or capsule.
+    /// carries what it touches along. It keeps its velocity when it is made another shape.
     pub fn set_collider_velocity(&mut self, index: usize, velocity: &[f64]) -> Result<()> {
         let count = count_of(velocity.len(), 1, "cd_chain_set_collider_velocity", "velocity")?;
         check(unsafe { sys::cd_chain_set_collider_velocity(self.as_ptr(), index, velocity.as_ptr(), count) })
     }
 
     /// What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends;
-    /// of what is none, zeros, but for its velocity. One number per component in each array. Each output may be null.
-    /// Errors: CD_ERROR_RANGE for an index that no collider has, or a count that is not the number of components.
+    /// of a bed its origin and its spacings, 0 upward; of a callback its origin; else zeros, but for its velocity. One
+    /// number per component in each array. Each output may be null. Errors: CD_ERROR_RANGE for an index that no
+    /// collider has, or a count that is not the number of components.
     pub fn get_collider(&self, index: usize, out_first: Option<&mut [f64]>, out_second: Option<&mut [f64]>,
         out_velocity: Option<&mut [f64]>) -> Result<ChainCollider> {
         let count = out_first.as_deref().map(<[_]>::len);
@@ -1321,8 +1389,9 @@ impl Chain {
     /// proportional to count \* strands \* nodes \* components. Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number
     /// leaves the finite range: all steps are made, the message gives the first bad one, the chain can be read, and
     /// steps again after cd_chain_reset, a load, or once finite positions and velocities have been written; of ropes
-    /// CD_ERROR_UNSUPPORTED for what they can't have, and CD_ERROR_TOLERANCE if a step ended short of its tolerance:
-    /// all steps are made, and good to the error that cd_chain_get_convergence tells.
+    /// CD_ERROR_UNSUPPORTED for what they can't have, CD_ERROR_CALLBACK as cd_chain_set_callback says, and
+    /// CD_ERROR_TOLERANCE if a step ended short of its tolerance: all steps are made, and good to the error that
+    /// cd_chain_get_convergence tells.
     pub fn step(&mut self, dt: f64, count: usize) -> Result<()> {
         check(unsafe { sys::cd_chain_step(self.as_ptr(), dt, count) })
     }
@@ -1515,6 +1584,13 @@ pub struct MembraneEffort {
 pub struct MembraneAir {
     pub along: f64,
     pub across: f64,
+}
+
+/// What [`Membrane::get_bed`] tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MembraneBed {
+    pub columns: usize,
+    pub rows: usize,
 }
 
 /// What [`Membrane::get_collider`] tells.
@@ -2121,25 +2197,33 @@ impl Membrane {
     }
 
     /// As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres
-    /// among them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest
-    /// in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a
-    /// collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is
-    /// some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
-    /// itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
-    /// find: with the default effort what begins to slide is up to a quarter too slow in its first half second. What
-    /// lies inside when a step begins comes out of it. Errors and ranges are those of the functions of cd_chain.
+    /// among them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three
+    /// that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there:
+    /// none goes through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4
+    /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
+    /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
+    /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
+    /// half second. What lies inside when a step begins comes out of it. Beds and callbacks are those of cd_chain, met
+    /// at the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
+    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
+    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
+    /// Errors and ranges are those of the functions of cd_chain.
     pub fn set_colliders(&mut self, count: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_colliders(self.as_ptr(), count) })
     }
 
     /// As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres
-    /// among them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest
-    /// in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a
-    /// collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is
-    /// some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
-    /// itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
-    /// find: with the default effort what begins to slide is up to a quarter too slow in its first half second. What
-    /// lies inside when a step begins comes out of it. Errors and ranges are those of the functions of cd_chain.
+    /// among them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three
+    /// that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there:
+    /// none goes through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4
+    /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
+    /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
+    /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
+    /// half second. What lies inside when a step begins comes out of it. Beds and callbacks are those of cd_chain, met
+    /// at the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
+    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
+    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
+    /// Errors and ranges are those of the functions of cd_chain.
     pub fn get_colliders(&self) -> Result<usize> {
         let mut out_count = 0;
         check(unsafe { sys::cd_membrane_get_colliders(self.as_ptr(), &mut out_count) })?;
@@ -2147,13 +2231,17 @@ impl Membrane {
     }
 
     /// As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres
-    /// among them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest
-    /// in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a
-    /// collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is
-    /// some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
-    /// itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
-    /// find: with the default effort what begins to slide is up to a quarter too slow in its first half second. What
-    /// lies inside when a step begins comes out of it. Errors and ranges are those of the functions of cd_chain.
+    /// among them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three
+    /// that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there:
+    /// none goes through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4
+    /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
+    /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
+    /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
+    /// half second. What lies inside when a step begins comes out of it. Beds and callbacks are those of cd_chain, met
+    /// at the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
+    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
+    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
+    /// Errors and ranges are those of the functions of cd_chain.
     pub fn set_plane(&mut self, index: usize, point: &[f64], normal: &[f64], friction: f64) -> Result<()> {
         let count = count_of(point.len(), 1, "cd_membrane_set_plane", "point")?;
         same(Some(normal.len()), count.checked_mul(1), "cd_membrane_set_plane", "normal")?;
@@ -2162,13 +2250,17 @@ impl Membrane {
     }
 
     /// As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres
-    /// among them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest
-    /// in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a
-    /// collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is
-    /// some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
-    /// itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
-    /// find: with the default effort what begins to slide is up to a quarter too slow in its first half second. What
-    /// lies inside when a step begins comes out of it. Errors and ranges are those of the functions of cd_chain.
+    /// among them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three
+    /// that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there:
+    /// none goes through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4
+    /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
+    /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
+    /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
+    /// half second. What lies inside when a step begins comes out of it. Beds and callbacks are those of cd_chain, met
+    /// at the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
+    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
+    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
+    /// Errors and ranges are those of the functions of cd_chain.
     pub fn set_capsule(&mut self, index: usize, first: &[f64], last: &[f64], radius: f64, friction: f64) -> Result<()> {
         let count = count_of(first.len(), 1, "cd_membrane_set_capsule", "first")?;
         same(Some(last.len()), count.checked_mul(1), "cd_membrane_set_capsule", "last")?;
@@ -2177,25 +2269,58 @@ impl Membrane {
     }
 
     /// As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres
-    /// among them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest
-    /// in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a
-    /// collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is
-    /// some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
-    /// itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
-    /// find: with the default effort what begins to slide is up to a quarter too slow in its first half second. What
-    /// lies inside when a step begins comes out of it. Errors and ranges are those of the functions of cd_chain.
+    /// among them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three
+    /// that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there:
+    /// none goes through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4
+    /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
+    /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
+    /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
+    /// half second. What lies inside when a step begins comes out of it. Beds and callbacks are those of cd_chain, met
+    /// at the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
+    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
+    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
+    /// Errors and ranges are those of the functions of cd_chain.
+    pub fn set_bed(&mut self, index: usize, origin: &[f64], columns: usize, rows: usize, column_spacing: f64,
+        row_spacing: f64, heights: &[f64], friction: f64) -> Result<()> {
+        let count = count_of(origin.len(), 1, "cd_membrane_set_bed", "origin")?;
+        let height_count = count_of(heights.len(), 1, "cd_membrane_set_bed", "heights")?;
+        check(unsafe { sys::cd_membrane_set_bed(self.as_ptr(), index, origin.as_ptr(), count, columns, rows,
+            column_spacing, row_spacing, heights.as_ptr(), height_count, friction) })
+    }
+
+    /// Each output may be null.
+    pub fn get_bed(&self, index: usize, out_heights: Option<&mut [f64]>) -> Result<MembraneBed> {
+        let height_count = out_heights.as_deref().map(<[_]>::len);
+        let height_count = count_of(height_count.unwrap_or(0), 1, "cd_membrane_get_bed", "out_heights")?;
+        let mut out_columns = 0;
+        let mut out_rows = 0;
+        check(unsafe { sys::cd_membrane_get_bed(self.as_ptr(), index, &mut out_columns, &mut out_rows,
+            out_heights.map_or(std::ptr::null_mut(), <[_]>::as_mut_ptr), height_count) })?;
+        Ok(MembraneBed {
+            columns: out_columns,
+            rows: out_rows,
+        })
+    }
+
+    /// origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.
+    ///
+    /// # Safety
+    /// The functions and `user` must be good for as long as the object may call them, from whichever threads
+    /// it is used on, and must not unwind.
+    pub unsafe fn set_callback(&mut self, index: usize, distance: Option<&sys::cd_distance>, origin: Option<&[f64]>,
+        friction: f64) -> Result<()> {
+        let count = origin.map(<[_]>::len);
+        let count = count_of(count.unwrap_or(0), 1, "cd_membrane_set_callback", "origin")?;
+        check(unsafe { sys::cd_membrane_set_callback(self.as_ptr(), index, distance.map_or(std::ptr::null(),
+            |c| c as *const _), origin.map_or(std::ptr::null(), <[_]>::as_ptr), count, friction) })
+    }
+
+    /// origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.
     pub fn remove_collider(&mut self, index: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_remove_collider(self.as_ptr(), index) })
     }
 
-    /// As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres
-    /// among them, each with a velocity and a friction of its own. In a step a node heeds the three that it is deepest
-    /// in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through a
-    /// collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is
-    /// some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
-    /// itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
-    /// find: with the default effort what begins to slide is up to a quarter too slow in its first half second. What
-    /// lies inside when a step begins comes out of it. Errors and ranges are those of the functions of cd_chain.
+    /// origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.
     pub fn set_collider_velocity(&mut self, index: usize, velocity: &[f64]) -> Result<()> {
         let count = count_of(velocity.len(), 1, "cd_membrane_set_collider_velocity", "velocity")?;
         check(unsafe { sys::cd_membrane_set_collider_velocity(self.as_ptr(), index, velocity.as_ptr(), count) })

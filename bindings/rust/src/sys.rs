@@ -21,6 +21,7 @@ pub const CD_ERROR_DIVERGED: cd_status = 10;
 pub const CD_ERROR_FORMAT: cd_status = 11;
 pub const CD_ERROR_MISMATCH: cd_status = 12;
 pub const CD_ERROR_TOLERANCE: cd_status = 13;
+pub const CD_ERROR_CALLBACK: cd_status = 14;
 
 pub type cd_precision = i32;
 pub const CD_FLOAT32: cd_precision = 0;
@@ -56,6 +57,8 @@ pub type cd_shape = i32;
 pub const CD_SHAPE_NONE: cd_shape = 0;
 pub const CD_SHAPE_PLANE: cd_shape = 1;
 pub const CD_SHAPE_CAPSULE: cd_shape = 2;
+pub const CD_SHAPE_BED: cd_shape = 3;
+pub const CD_SHAPE_CALLBACK: cd_shape = 4;
 
 pub type cd_field = i32;
 pub const CD_POSITION: cd_field = 0;
@@ -160,6 +163,22 @@ pub struct cd_parallel {
         task: Option<unsafe extern "C" fn(context: *mut c_void, index: usize)>, context: *mut c_void)>,
 }
 
+/// A shape from the caller, of a collider of ropes and cloth. distance tells of `count` positions, each of
+/// `components` numbers and relative to the collider's origin, how far outside of the shape they are at this time
+/// \[s\], as signed distances \[m\], less than 0 inside, at most 1e60 in size; and the unit vector along which that
+/// distance grows fastest, of a length within 1e-3 of 1: out_distances\[i\], out_normals\[i\]\[component\]. It is
+/// called from steps, from any thread of cd_parallel and from several at once, and has to give the same position
+/// the same answer at the same time, whatever it is asked with; it may call no function on the object. A shape that
+/// moves as a whole should do so by the collider's velocity: one that changes with time by itself is met where it
+/// was when the step began. Copied when it is set.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct cd_distance {
+    pub user: *mut c_void,
+    pub distance: Option<unsafe extern "C" fn(user: *mut c_void, time: f64, count: usize, components: usize,
+        positions: *const f64, out_distances: *mut f64, out_normals: *mut f64)>,
+}
+
 extern "C" {
     pub fn cd_status_name(status: cd_status) -> *const c_char;
     pub fn cd_error_message() -> *const c_char;
@@ -222,6 +241,13 @@ extern "C" {
         friction: f64) -> cd_status;
     pub fn cd_chain_set_capsule(chain: *mut cd_chain, index: usize, first: *const f64, last: *const f64, count: usize,
         radius: f64, friction: f64) -> cd_status;
+    pub fn cd_chain_set_bed(chain: *mut cd_chain, index: usize, origin: *const f64, count: usize, columns: usize,
+        rows: usize, column_spacing: f64, row_spacing: f64, heights: *const f64, height_count: usize,
+        friction: f64) -> cd_status;
+    pub fn cd_chain_get_bed(chain: *const cd_chain, index: usize, out_columns: *mut usize, out_rows: *mut usize,
+        out_heights: *mut f64, height_count: usize) -> cd_status;
+    pub fn cd_chain_set_callback(chain: *mut cd_chain, index: usize, distance: *const cd_distance, origin: *const f64,
+        count: usize, friction: f64) -> cd_status;
     pub fn cd_chain_remove_collider(chain: *mut cd_chain, index: usize) -> cd_status;
     pub fn cd_chain_set_collider_velocity(chain: *mut cd_chain, index: usize, velocity: *const f64,
         count: usize) -> cd_status;
@@ -332,6 +358,13 @@ extern "C" {
         count: usize, friction: f64) -> cd_status;
     pub fn cd_membrane_set_capsule(membrane: *mut cd_membrane, index: usize, first: *const f64, last: *const f64,
         count: usize, radius: f64, friction: f64) -> cd_status;
+    pub fn cd_membrane_set_bed(membrane: *mut cd_membrane, index: usize, origin: *const f64, count: usize,
+        columns: usize, rows: usize, column_spacing: f64, row_spacing: f64, heights: *const f64, height_count: usize,
+        friction: f64) -> cd_status;
+    pub fn cd_membrane_get_bed(membrane: *const cd_membrane, index: usize, out_columns: *mut usize,
+        out_rows: *mut usize, out_heights: *mut f64, height_count: usize) -> cd_status;
+    pub fn cd_membrane_set_callback(membrane: *mut cd_membrane, index: usize, distance: *const cd_distance,
+        origin: *const f64, count: usize, friction: f64) -> cd_status;
     pub fn cd_membrane_remove_collider(membrane: *mut cd_membrane, index: usize) -> cd_status;
     pub fn cd_membrane_set_collider_velocity(membrane: *mut cd_membrane, index: usize, velocity: *const f64,
         count: usize) -> cd_status;

@@ -58,7 +58,8 @@ enum class [[nodiscard]] status : std::int32_t {
     error_diverged = CD_ERROR_DIVERGED,
     error_format = CD_ERROR_FORMAT,
     error_mismatch = CD_ERROR_MISMATCH,
-    error_tolerance = CD_ERROR_TOLERANCE
+    error_tolerance = CD_ERROR_TOLERANCE,
+    error_callback = CD_ERROR_CALLBACK
 };
 
 // What an object stores and computes in.
@@ -91,7 +92,13 @@ enum class node : std::int32_t {
 };
 
 // What a collider of ropes and cloth is.
-enum class shape : std::int32_t { none = CD_SHAPE_NONE, plane = CD_SHAPE_PLANE, capsule = CD_SHAPE_CAPSULE };
+enum class shape : std::int32_t {
+    none = CD_SHAPE_NONE,
+    plane = CD_SHAPE_PLANE,
+    capsule = CD_SHAPE_CAPSULE,
+    bed = CD_SHAPE_BED,
+    callback = CD_SHAPE_CALLBACK
+};
 
 // Per-node and per-spring data.
 enum class field : std::int32_t {
@@ -453,6 +460,10 @@ struct collider {
     contdyn::shape shape;
     double radius, friction;
 };
+// Heights of a bed.
+struct lattice {
+    std::size_t columns, rows;
+};
 
 // ---- chain ----------------------------------------------------------------------------------------------------------
 
@@ -569,7 +580,7 @@ public:
 
     // What the nodes of a rope stay outside of. Places, radius and thickness are in metres, velocities in metres a
     // second, each array with a number per component. Of a plane get_collider tells its point first, then its normal;
-    // of a capsule its two ends.
+    // of a capsule its two ends, of a bed its origin and spacings, of a callback its origin.
     outcome<> set_colliders(std::size_t count) { return call(cd_chain_set_colliders, count); }
     outcome<std::size_t> get_colliders() const { return value<std::size_t>(cd_chain_get_colliders); }
     outcome<> set_plane(std::size_t index, span<const double> point, span<const double> normal, double friction = 0) {
@@ -582,6 +593,23 @@ public:
         if (first.size() != last.size())
             return detail::done(CD_ERROR_RANGE, "chain::set_capsule: first and last differ in size");
         return call(cd_chain_set_capsule, index, first.data(), last.data(), last.size(), radius, friction);
+    }
+    // A bed is given by its heights row after row; get_bed tells its size, and its heights if
+    // there is room for them.
+    outcome<> set_bed(std::size_t index, span<const double> origin, std::size_t columns, std::size_t rows,
+                      double column_spacing, double row_spacing, span<const double> heights, double friction = 0) {
+        return call(cd_chain_set_bed, index, origin.data(), origin.size(), columns, rows, column_spacing, row_spacing,
+                    heights.data(), heights.size(), friction);
+    }
+    outcome<lattice> get_bed(std::size_t index, span<double> heights = {}) const {
+        lattice out{};
+        return detail::got(
+            cd_chain_get_bed(handle_, index, &out.columns, &out.rows, heights.data(), heights.size()), out);
+    }
+    // Without an origin the collider stays as it is, and only gets its callback again.
+    outcome<> set_callback(std::size_t index, const cd_distance* distance, span<const double> origin,
+                           double friction = 0) {
+        return call(cd_chain_set_callback, index, distance, origin.data(), origin.size(), friction);
     }
     outcome<> remove_collider(std::size_t index) { return call(cd_chain_remove_collider, index); }
     outcome<> set_collider_velocity(std::size_t index, span<const double> velocity) {
@@ -937,7 +965,7 @@ public:
 
     // What the nodes of cloth stay outside of. Places, radius and thickness are in metres, velocities in metres a
     // second, each array with a number per component. Of a plane get_collider tells its point first, then its normal;
-    // of a capsule its two ends.
+    // of a capsule its two ends, of a bed its origin and spacings, of a callback its origin.
     outcome<> set_colliders(std::size_t count) { return call(cd_membrane_set_colliders, count); }
     outcome<std::size_t> get_colliders() const { return value<std::size_t>(cd_membrane_get_colliders); }
     outcome<> set_plane(std::size_t index, span<const double> point, span<const double> normal, double friction = 0) {
@@ -950,6 +978,23 @@ public:
         if (first.size() != last.size())
             return detail::done(CD_ERROR_RANGE, "membrane::set_capsule: first and last differ in size");
         return call(cd_membrane_set_capsule, index, first.data(), last.data(), last.size(), radius, friction);
+    }
+    // A bed is given by its heights row after row; get_bed tells its size, and its heights if
+    // there is room for them.
+    outcome<> set_bed(std::size_t index, span<const double> origin, std::size_t columns, std::size_t rows,
+                      double column_spacing, double row_spacing, span<const double> heights, double friction = 0) {
+        return call(cd_membrane_set_bed, index, origin.data(), origin.size(), columns, rows, column_spacing,
+                    row_spacing, heights.data(), heights.size(), friction);
+    }
+    outcome<lattice> get_bed(std::size_t index, span<double> heights = {}) const {
+        lattice out{};
+        return detail::got(
+            cd_membrane_get_bed(handle_, index, &out.columns, &out.rows, heights.data(), heights.size()), out);
+    }
+    // Without an origin the collider stays as it is, and only gets its callback again.
+    outcome<> set_callback(std::size_t index, const cd_distance* distance, span<const double> origin,
+                           double friction = 0) {
+        return call(cd_membrane_set_callback, index, distance, origin.data(), origin.size(), friction);
     }
     outcome<> remove_collider(std::size_t index) { return call(cd_membrane_remove_collider, index); }
     outcome<> set_collider_velocity(std::size_t index, span<const double> velocity) {

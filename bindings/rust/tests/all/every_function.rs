@@ -7,7 +7,7 @@ pub fn make_chain() -> Chain {
     Chain::new(2, 4, 3, Precision::Float64).unwrap()
 }
 
-pub const CHAIN: [Call<Chain>; 79] = [
+pub const CHAIN: [Call<Chain>; 82] = [
     Call {
         name: "cd_chain_get_shape",
         may_fail: false,
@@ -285,6 +285,24 @@ pub const CHAIN: [Call<Chain>; 79] = [
         told: |_| true,
     },
     Call {
+        name: "cd_chain_set_bed",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_bed(0, &[0.0, 0.0, 0.0], 2, 2, 1.0, 1.0, &[0.0, 0.0, 0.0], 1.0).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_chain_get_bed",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_bed(0, Some(&mut [0.0; 3])).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_chain_set_callback",
+        may_fail: false,
+        call: |o, _other, _saved| unsafe { o.set_callback(0, None, Some(&[0.0, 0.0, 0.0]), 1.0) }.map(drop),
+        told: |_| true,
+    },
+    Call {
         name: "cd_chain_remove_collider",
         may_fail: false,
         call: |o, _other, _saved| o.remove_collider(0).map(drop),
@@ -496,7 +514,7 @@ pub fn make_membrane() -> Membrane {
     Membrane::new(4, 5, 3, Precision::Float64).unwrap()
 }
 
-pub const MEMBRANE: [Call<Membrane>; 85] = [
+pub const MEMBRANE: [Call<Membrane>; 88] = [
     Call {
         name: "cd_membrane_get_shape",
         may_fail: false,
@@ -807,6 +825,24 @@ pub const MEMBRANE: [Call<Membrane>; 85] = [
         name: "cd_membrane_set_capsule",
         may_fail: false,
         call: |o, _other, _saved| o.set_capsule(0, &[0.0, 0.0, 0.0], &[0.0, 0.0, 0.0], 1.0, 1.0).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_membrane_set_bed",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_bed(0, &[0.0, 0.0, 0.0], 2, 2, 1.0, 1.0, &[0.0, 0.0, 0.0], 1.0).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_membrane_get_bed",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_bed(0, Some(&mut [0.0; 3])).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_membrane_set_callback",
+        may_fail: false,
+        call: |o, _other, _saved| unsafe { o.set_callback(0, None, Some(&[0.0, 0.0, 0.0]), 1.0) }.map(drop),
         told: |_| true,
     },
     Call {

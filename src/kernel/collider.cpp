@@ -1,0 +1,86 @@
+// Beds and callbacks: the same for all instructions, since this file is compiled once.
+#include "kernel/collider.hh"
+
+#include <math.h>
+
+namespace cd {
+
+namespace {
+
+constexpr double kFar = 1e60;         // as far as places are
+constexpr double kNormalError = 1e-3; // of a callback's normal, in its length
+
+// Of the three heights about a place along one axis, what their differences from the middle one count for: the height
+// beyond the middle one, and its slope per spacing.
+struct Weights {
+    size_t at[3];
+    double height[2], slope[2]; // of the left and of the right one
+
+    Weights(double place, size_t count) {
+        const double end = double(count) - 0.5;
+        const double inside = place > -0.5 ? (place < end ? place : end) : -0.5; // beyond it the bed is level
+        const size_t nearest = size_t(inside + 0.5), i = nearest < count ? nearest : count - 1;
+        const double f = inside - double(i);
+        const bool round = fabs(f) < kRoundCrease;
+        const double share = round ? (f * f + kRoundCrease * kRoundCrease) / (4 * kRoundCrease) : fabs(f) / 2;
+        const double turn = round ? f / (2 * kRoundCrease) : f < 0 ? -0.5 : 0.5;
+        at[0] = i > 0 ? i - 1 : 0, at[1] = i, at[2] = i + 1 < count ? i + 1 : i;
+        height[0] = share - f / 2, height[1] = share + f / 2;
+        slope[0] = turn - 0.5, slope[1] = turn + 0.5;
+    }
+    double height_of(const double* values) const {
+        return values[1] + (height[0] * (values[0] - values[1]) + height[1] * (values[2] - values[1]));
+    }
+    double slope_of(const double* values) const {
+        return slope[0] * (values[0] - values[1]) + slope[1] * (values[2] - values[1]);
+    }
+};
+
+} // namespace
+
+double gap_to_bed(const Obstacle& bed, const double* x, double time, double* normal) {
+    const int up = bed.rows > 1 ? 2 : 1;
+    const auto along = [&](int k) { return (x[k] - bed.place(k, time)) / bed.way[k]; };
+    const Weights of_columns(along(0), bed.columns), of_rows(up == 2 ? along(1) : 0, bed.rows);
+    double heights[3], slopes[3]; // of the three rows
+    for (int j = 0; j < 3; ++j) {
+        const double* const row = bed.heights + of_rows.at[j] * bed.columns;
+        const double values[3] = {row[of_columns.at[0]], row[of_columns.at[1]], row[of_columns.at[2]]};
+        heights[j] = of_columns.height_of(values), slopes[j] = of_columns.slope_of(values);
+    }
+    const double slope[2] = {of_rows.height_of(slopes) / bed.way[0],
+                             up == 2 ? of_rows.slope_of(heights) / bed.way[1] : 0};
+    const double upward = 1 / sqrt(1 + (slope[0] * slope[0] + slope[1] * slope[1]));
+    normal[1] = normal[2] = 0;
+    for (int k = 0; k < up; ++k) normal[k] = -slope[k] * upward;
+    normal[up] = upward;
+    return ((x[up] - bed.place(up, time)) - of_rows.height_of(heights)) * upward - bed.radius;
+}
+
+void ask(const Obstacle& of, double time, size_t count, size_t components, double* places, double* distances,
+         double* normals, BadAnswer& bad) {
+    const size_t numbers = count * components;
+    for (size_t i = 0; i < numbers; ++i) {
+        const double from = places[i] - of.place(int(i % components), time);
+        places[i] = isfinite(from) ? from : 0; // of a state that is none either
+        normals[i] = NAN;
+    }
+    for (size_t i = 0; i < count; ++i) distances[i] = NAN;
+    of.callback->distance(of.callback->user, time, count, components, places, distances, normals);
+    for (size_t i = 0; i < count; ++i) {
+        double* const normal = normals + i * components;
+        double square = 0;
+        for (size_t k = 0; k < components; ++k) square += normal[k] * normal[k];
+        const double length = sqrt(square);
+        if (fabs(distances[i]) <= kFar && fabs(length - 1) <= kNormalError) {
+            for (size_t k = 0; k < components; ++k) normal[k] = normal[k] / length;
+            distances[i] = distances[i] - of.radius;
+            continue;
+        }
+        if (bad.collider == SIZE_MAX) bad = {of.index, distances[i], length};
+        for (size_t k = 0; k < components; ++k) normal[k] = k == 0 ? 1 : 0;
+        distances[i] = kFar;
+    }
+}
+
+} // namespace cd
