@@ -1,5 +1,5 @@
 # Read by every script here. CMake gives: $SOURCE and $BUILD of contdyn, $LIBRARY and $ARCHIVE that it built, $CONFIG,
-# $VERSION, $LIBDIR, $WORK (a folder of the tests' own), $CMAKE, $CC, $CXX, $NM, $READELF.
+# $VERSION, $ABI_VERSION (that of the SONAME), $LIBDIR, $WORK (a folder of the tests' own), $CMAKE, $CC, $CXX, $NM, $READELF.
 set -euo pipefail
 export LC_ALL=C
 unset DESTDIR
@@ -41,7 +41,7 @@ runs() {
     said=$("$2") || fail "$2 exits with $?"
     [ "$said" = "$expected" ] || fail "$2 prints '$said', not '$expected'"
     case $1 in
-    shared) needs "$2" | grep -qx "libcontdyn.so.${VERSION%%.*}" || fail "$2 does not need the shared library" ;;
+    shared) needs "$2" | grep -qx "libcontdyn.so.$ABI_VERSION" || fail "$2 does not need the shared library" ;;
     static) ! needs "$2" | grep -q contdyn || fail "$2 needs the shared library" ;;
     esac
     echo "$2 ($1): $said"

@@ -15,7 +15,7 @@ $headers
 include/contdyn/contdyn.hpp
 $LIBDIR/libcontdyn.a
 $LIBDIR/libcontdyn.so
-$LIBDIR/libcontdyn.so.${VERSION%%.*}
+$LIBDIR/libcontdyn.so.$ABI_VERSION
 $LIBDIR/libcontdyn.so.$VERSION
 $LIBDIR/pkgconfig/contdyn.pc
 $LIBDIR/cmake/contdyn/contdynConfig.cmake
