@@ -17,11 +17,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(__GNUC__)
-#define CD_API __attribute__((visibility("default")))
-#else
-#define CD_API
-#endif
+#include "export.h"
 
 #ifdef __cplusplus
 extern "C" {
