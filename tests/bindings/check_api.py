@@ -40,8 +40,8 @@ def exports(api, nm, library):
 
 def dll(api, objdump, library):
     said = subprocess.run([objdump, "-p", library], check=True, text=True, capture_output=True).stdout
-    table = said[said.index("[Ordinal/Name Pointer] Table"):]
-    differ(set(re.findall(r"^\s*\[ *\d+\] (?:\+base\[ *\d+\] +\w+ )?(\S+)$", table, re.MULTILINE)),
+    table = re.split(r"\[Ordinal/Name Pointer\] Table|Export Table:", said)[1]  # GNU's objdump, or LLVM's
+    differ(set(re.findall(r"^\s*(?:\[ *\d+\](?: \+base\[ *\d+\] +\w+)?|\d+ +0x\w+) +(\S+)$", table, re.MULTILINE)),
            {f["name"] for f in api["functions"]}, "exported")
     needed = set(re.findall(r"DLL Name: (\S+)", said))
     check(needed, "no import was found")
