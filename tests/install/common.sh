@@ -31,8 +31,8 @@ configures() {
     quietly "$CMAKE" -B "$out" -DCMAKE_BUILD_TYPE="$CONFIG" -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" "$@"
 }
 
-builds() {
-    quietly "$CMAKE" --build "$1" --parallel 2
+builds() { # builds FOLDER ARGUMENT...
+    quietly "$CMAKE" --build "$1" --parallel 2 "${@:2}"
 }
 
 # runs shared|static PROGRAM: fails unless it prints what it should and is linked as it should be.
