@@ -21,8 +21,8 @@ LAYERS = ["base", "solve", "model", "api", "kernel"]  # the kernels' own names a
 INCLUDE = re.compile(r'^#include "(.*)"\n', re.MULTILINE)
 
 HEAD = """\
-// contdyn {version}: ropes, hair, cloth, drums and water, in one file. It was written by src/amalgamate.py, which says how
-// to compile it; the sources that it was made of are easier to read.
+// contdyn {version}: ropes, hair, cloth, drums and water, in one file. It was written by src/amalgamate.py, which says
+// how to compile it; the sources that it was made of are easier to read.
 
 #if defined(__FAST_MATH__)
 #error "contdyn's results would not be the same on every machine: compile it without -ffast-math."

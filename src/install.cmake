@@ -1,9 +1,9 @@
 # What is installed, in components, all of them where none is named:
 #
-#   cmake --install build --component contdyn_runtime       the shared library, under the name that programs load
-#   ...                               contdyn_development   C headers, archive, what linkers, pkg-config and CMake look for
-#   ...                               contdyn_cpp           the C++ header
-#   cmake --build build --target uninstall                  removes what the last cmake --install of this build installed
+#   cmake --install build --component contdyn_runtime    the shared library, under the name that programs load
+#   ...                             contdyn_development  headers, archive, what linkers, pkg-config and CMake look for
+#   ...                             contdyn_cpp          the C++ header
+#   cmake --build build --target uninstall               removes what the last cmake --install of this build installed
 
 # Whatever is built, all can be installed: the archive is of the objects that the shared library is linked from.
 add_dependencies(contdyn contdyn_archive)
