@@ -282,10 +282,10 @@ class Description:
         for kept, name, value in re.findall(r"^#define ((\w+)[ \t]*(.*))$", text, re.MULTILINE):
             if re.fullmatch(r"CD_VERSION_[A-Z]+", name) and value.isdigit():
                 self.macros.append({"name": name, "header": header, "value": int(value)})
-            elif name != "CD_API" and kept != f"CONTDYN_{header.upper().replace('.', '_')}":
+            elif kept != f"CONTDYN_{header.upper().replace('.', '_')}":
                 raise NotUnderstood(f"{header}: #define {kept}")
         text = re.sub(r'#ifdef __cplusplus\n(extern "C" \{|\})\n#endif\n', "", text)
-        text = re.sub(r"^#(define|include|ifndef|endif|if defined\(__GNUC__\)|else).*\n?", "", text, flags=re.MULTILINE)
+        text = re.sub(r"^#(define|include|ifndef|endif).*\n?", "", text, flags=re.MULTILINE)
         if re.search(r"^#", text, re.MULTILINE):
             raise NotUnderstood(f"{header}: a directive: {re.search('^#.*', text, re.MULTILINE).group(0)}")
         head, text = re.match(r"(/\*(?:.|\n)*?\*/)\n*((?:.|\n)*)", text).groups()
@@ -390,7 +390,7 @@ class Description:
             if not function["doc"]:
                 raise NotUnderstood(f"{function['name']} has no comment")
         beside = sorted(path.name for path in (include / "contdyn").glob("*.h"))
-        if beside != sorted([*HEADERS, "contdyn.h"]):
+        if beside != sorted([*HEADERS, "contdyn.h", "export.h"]):
             raise NotUnderstood(f"the headers are {beside}")
 
 

@@ -311,7 +311,7 @@ export function kernelsName(kernels: Kernels): string;
 /** Version of the library that runs: major * 1000000 + minor * 1000 + patch. The macros tell that of the header. */
 export function version(): number;
 
-/** The same as text, "0.1.0". A static string. */
+/** The same as text, "0.2.0". A static string. */
 export function versionString(): string;
 
 /** Compiler, target and what was left out of this build, in one line. A static string. */

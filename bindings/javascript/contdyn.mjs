@@ -7,7 +7,7 @@ import {
 
 export { ContdynError, load } from "./runtime.mjs";
 
-export const VERSION = "0.1.0";
+export const VERSION = "0.2.0";
 
 export const Status = enumeration({
   ok: 0,

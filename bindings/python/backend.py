@@ -25,10 +25,8 @@ SOURCES = HERE / "library" if (HERE / "library").exists() else HERE.parents[1]
 VERSION = ".".join(re.findall(r"#define CD_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)",
                               (SOURCES / "include" / "contdyn" / "base.h").read_text(encoding="utf-8")))
 NAME = f"contdyn-{VERSION}"
-LIBRARY = {"darwin": f"libcontdyn.{VERSION[0]}.dylib", "win32": "contdyn.dll"}.get(
-    sys.platform, f"libcontdyn.so.{VERSION.split('.', maxsplit=1)[0]}")
-
-STRIPPED = ["-DCMAKE_SHARED_LINKER_FLAGS=-s"] if sys.platform == "linux" else []
+ABI = re.match(r"0\.\d+|\d+", VERSION).group()  # before 1.0 every minor version may change the API
+LIBRARY = {"darwin": f"libcontdyn.{ABI}.dylib", "win32": "contdyn.dll"}.get(sys.platform, f"libcontdyn.so.{ABI}")
 
 
 def metadata():
@@ -45,9 +43,28 @@ Description-Content-Type: text/markdown
 """ + (HERE / "README.md").read_text(encoding="utf-8")
 
 
-def tag():
+def tag(built):
+    """Where the library runs, in pip's words: on Linux the C library that it needs, by the versions of its symbols."""
     platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
+    if platform.startswith("linux_"):
+        machine = platform[len("linux_"):]
+        needed = [int(minor) for minor in re.findall(rb"\0GLIBC_2\.(\d+)(?:\.\d+)?(?=\0)", built)]
+        if needed:
+            platform = f"manylinux_2_{max(17, *needed)}_{machine}"  # pip knows none older than 2.17 on all machines
+        elif re.search(rb"\0libc\.(musl-\w+\.)?so(\.1)?\0", built):
+            platform = f"musllinux_1_1_{machine}"
     return f"py3-none-{platform}"
+
+
+def options():
+    """For CMake: no symbols on Linux; on macOS the processors and the oldest system that this Python is for."""
+    if sys.platform == "linux":
+        return ["-DCMAKE_SHARED_LINKER_FLAGS=-s"]
+    if sys.platform == "darwin":
+        _, oldest, machine = sysconfig.get_platform().split("-")
+        processors = {"universal2": "arm64;x86_64"}.get(machine, machine)
+        return [f"-DCMAKE_OSX_ARCHITECTURES={processors}", f"-DCMAKE_OSX_DEPLOYMENT_TARGET={oldest}"]
+    return []
 
 
 def library(folder):
@@ -56,7 +73,7 @@ def library(folder):
     if given:
         return Path(given)
     subprocess.run(["cmake", "-S", SOURCES, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DCONTDYN_TESTS=OFF",
-                    "-DCONTDYN_REPORT=OFF", *STRIPPED, *shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
+                    "-DCONTDYN_REPORT=OFF", *options(), *shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
     subprocess.run(["cmake", "--build", folder, "--config", "Release", "--target", "contdyn",
                     "--parallel", str(os.cpu_count() or 1)], check=True)
     for pattern in ("libcontdyn.so", "libcontdyn.dylib", "*contdyn.dll"):
@@ -84,10 +101,12 @@ def prepare_metadata_for_build_wheel(directory, _settings=None):
 
 
 def build_wheel(directory, _settings=None, _metadata_directory=None):
-    name = f"{NAME}-{tag()}.whl"
+    with tempfile.TemporaryDirectory() as folder:
+        built = library(folder).read_bytes()
+    platform = tag(built)
+    name = f"{NAME}-{platform}.whl"
     record = []
-    with tempfile.TemporaryDirectory() as folder, \
-            zipfile.ZipFile(Path(directory, name), "w", zipfile.ZIP_DEFLATED) as wheel:
+    with zipfile.ZipFile(Path(directory, name), "w", zipfile.ZIP_DEFLATED) as wheel:
 
         def put(where, data, mode=0o644):
             entry = zipfile.ZipInfo(where, (1980, 1, 1, 0, 0, 0))  # the same bytes whenever it is built
@@ -100,10 +119,10 @@ def build_wheel(directory, _settings=None, _metadata_directory=None):
             if source.is_file():
                 put(f"contdyn/{source.name}", source.read_bytes())
         put("contdyn/py.typed", b"")
-        put(f"contdyn/{LIBRARY}", library(folder).read_bytes(), 0o755)
+        put(f"contdyn/{LIBRARY}", built, 0o755)
         info = f"{NAME}.dist-info"
         put(f"{info}/METADATA", metadata().encode())
-        put(f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: contdyn\nRoot-Is-Purelib: false\nTag: {tag()}\n".encode())
+        put(f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: contdyn\nRoot-Is-Purelib: false\nTag: {platform}\n".encode())
         put(f"{info}/RECORD", "\n".join([*record, f"{info}/RECORD,,", ""]).encode())
     return name
 

@@ -17,11 +17,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(__GNUC__)
-#define CD_API __attribute__((visibility("default")))
-#else
-#define CD_API
-#endif
+#include "export.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -201,13 +197,13 @@ CD_API const char* cd_kernels_name(cd_kernels kernels);
 /* ---- version ------------------------------------------------------------------------------------------------- */
 
 #define CD_VERSION_MAJOR 0
-#define CD_VERSION_MINOR 1
+#define CD_VERSION_MINOR 2
 #define CD_VERSION_PATCH 0
 
 /* Version of the library that runs: major * 1000000 + minor * 1000 + patch. The macros tell that of the header. */
 CD_API uint32_t cd_version(void);
 
-/* The same as text, "0.1.0". A static string. */
+/* The same as text, "0.2.0". A static string. */
 CD_API const char* cd_version_string(void);
 
 /* Compiler, target and what was left out of this build, in one line. A static string. */

@@ -1,7 +1,6 @@
 #include "base/status.hh"
 
 #include <stdarg.h>
-#include <stdio.h>
 
 namespace cd {
 

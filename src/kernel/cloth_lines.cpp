@@ -13,13 +13,6 @@ constexpr int kLanes = kNative;
 using L = Lanes<kLanes>;
 using V = Vector<kLanes>;
 
-V load(const double* const* planes, size_t at) {
-    return {L::load(planes[0] + at), L::load(planes[1] + at), L::load(planes[2] + at)};
-}
-void store(V v, double* const* planes, size_t at) {
-    v.x.store(planes[0] + at), v.y.store(planes[1] + at), v.z.store(planes[2] + at);
-}
-
 // Symmetric: xx yy zz xy xz yz.
 struct Block {
     L xx, yy, zz, xy, xz, yz;
@@ -38,7 +31,7 @@ struct Block {
 };
 
 V product(const ClothCurvature& spring, size_t at, V v) {
-    const V a = load(spring.plane + 1, at);
+    const V a = V::load(spring.plane + 1, at);
     return L::load(spring.plane[0] + at) * v + dot(a, v) * a;
 }
 
@@ -63,7 +56,8 @@ void cloth_factor(const Grid& grid, const ClothCurvature& spring, const double* 
             if (row > 0) {
                 const size_t over = at - grid.pitch;
                 const Block less =
-                    hanging(L::load(spring.plane[0] + over), load(spring.plane + 1, over), Block::load(blocks, over));
+                    hanging(L::load(spring.plane[0] + over), V::load(spring.plane + 1, over),
+                            Block::load(blocks, over));
                 g = {g.xx - less.xx, g.yy - less.yy, g.zz - less.zz, g.xy - less.xy, g.xz - less.xz, g.yz - less.yz};
             }
             const L x = g.yy * g.zz - g.yz * g.yz, y = g.xz * g.yz - g.xy * g.zz, z = g.xy * g.yz - g.xz * g.yy;
@@ -80,15 +74,15 @@ void cloth_solve(const Grid& grid, const ClothCurvature& spring, double* const* 
     for (size_t row = 0; row < grid.rows; ++row)
         for (size_t u = first; u < first + count; u += size_t(kLanes)) {
             const size_t at = row * grid.pitch + u;
-            V sum = load(z, at);
-            if (row > 0) sum = sum + product(spring, at - grid.pitch, load(z, at - grid.pitch));
-            store(Block::load(blocks, at).times(sum), z, at);
+            V sum = V::load(z, at);
+            if (row > 0) sum = sum + product(spring, at - grid.pitch, V::load(z, at - grid.pitch));
+            Block::load(blocks, at).times(sum).store(z, at);
         }
     for (size_t row = grid.rows - 1; row-- > 0;)
         for (size_t u = first; u < first + count; u += size_t(kLanes)) {
             const size_t at = row * grid.pitch + u;
-            const V pulled = product(spring, at, load(z, at + grid.pitch));
-            store(load(z, at) + Block::load(blocks, at).times(pulled), z, at);
+            const V pulled = product(spring, at, V::load(z, at + grid.pitch));
+            (V::load(z, at) + Block::load(blocks, at).times(pulled)).store(z, at);
         }
 }
 

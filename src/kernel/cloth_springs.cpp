@@ -10,15 +10,8 @@ namespace CD_ISA {
 namespace {
 
 constexpr int kLanes = kNative; // a spring's law takes all registers
+using V = Vector<kLanes>;
 constexpr ptrdiff_t kBefore = 8;
-
-template <int N> Vector<N> load(const double* const* planes, size_t at) {
-    using L = Lanes<N>;
-    return {L::load(planes[0] + at), L::load(planes[1] + at), L::load(planes[2] + at)};
-}
-template <int N> void store(Vector<N> v, double* const* planes, size_t at) {
-    v.x.store(planes[0] + at), v.y.store(planes[1] + at), v.z.store(planes[2] + at);
-}
 
 // Symmetric numbers in the order of ClothMatrix::ground, the last three null: they are 0.
 template <int N> Vector<N> times(const double* const* planes, size_t at, Vector<N> v) {
@@ -49,7 +42,7 @@ struct Pull {
             const L rising = within((0.5 / kSlackEnd) * (excess * per_length) + L::splat(0.5), 0, 1);
             const L most = (h * dt) * (stiffness * rising), across = smaller((h * dt) * along, most);
             ((h * dt) * compression + across).store(matrix.spring[number].plane[0] + at);
-            store((root(most - across) * per_now) * way, matrix.spring[number].plane + 1, at);
+            ((root(most - across) * per_now) * way).store(matrix.spring[number].plane + 1, at);
         }
         return (h * (along + compression)) * way;
     }
@@ -77,7 +70,7 @@ struct Product {
     template <int N> Vector<N> force(int number, size_t at, Vector<N> way, bool) const {
         using L = Lanes<N>;
         const double* const* const plane = matrix.spring[number].plane;
-        const Vector<N> a = load<N>(plane + 1, at);
+        const Vector<N> a = Vector<N>::load(plane + 1, at);
         return L::load(plane[0] + at) * way + dot(a, way) * a;
     }
 };
@@ -97,27 +90,26 @@ template <class Law, class Node> void sum_springs(const Grid& grid, const Law& l
         const size_t here = row * grid.pitch, below = grid.below(row) * grid.pitch;
         for (ptrdiff_t u = -kBefore; u < columns; u += kLanes) {
             const size_t at = here + size_t(u), under = below + size_t(u);
-            const Vector<kLanes> self = load<kLanes>(x, at), right = load<kLanes>(x, at + 1),
-                                 down = load<kLanes>(x, under), across = load<kLanes>(x, under + 1);
-            const Vector<kLanes> way[kClothSprings] = {right - self, down - self, across - self, down - right};
+            const V self = V::load(x, at), right = V::load(x, at + 1),
+                                 down = V::load(x, under), across = V::load(x, under + 1);
+            const V way[kClothSprings] = {right - self, down - self, across - self, down - right};
             for (int number = 0; number < kClothSprings; ++number)
-                store(law.template force<kLanes>(number, at, way[number], keeps), force[number], size_t(u));
+                law.template force<kLanes>(number, at, way[number], keeps).store(force[number], size_t(u));
         }
     };
     const auto carry = [&](ptrdiff_t u) {
-        store(load<kLanes>(force[kAlongV], size_t(u)) + load<kLanes>(force[kDiagonal], size_t(u - 1)) +
-                  load<kLanes>(force[kCounterDiagonal], size_t(u)),
-              carried, size_t(u));
+        const auto of = [&](ClothSpring number, ptrdiff_t i) { return V::load(force[number], size_t(i)); };
+        (of(kAlongV, u) + of(kDiagonal, u - 1) + of(kCounterDiagonal, u)).store(carried, size_t(u));
     };
     look(grid.above(first), false);
     for (ptrdiff_t u = 0; u < columns; u += kLanes) carry(u);
     for (size_t row = first; row < first + count; ++row) {
         look(row, true);
         for (ptrdiff_t u = 0; u < columns; u += kLanes) {
-            const auto of = [&](ClothSpring number, ptrdiff_t i) { return load<kLanes>(force[number], size_t(i)); };
-            const Vector<kLanes> starting =
+            const auto of = [&](ClothSpring number, ptrdiff_t i) { return V::load(force[number], size_t(i)); };
+            const V starting =
                                      of(kAlongU, u) + of(kAlongV, u) + of(kDiagonal, u) + of(kCounterDiagonal, u - 1),
-                                 ending = of(kAlongU, u - 1) + load<kLanes>(carried, size_t(u));
+                                 ending = of(kAlongU, u - 1) + V::load(carried, size_t(u));
             node(row * grid.pitch + size_t(u), starting - ending);
             carry(u);
         }
@@ -131,23 +123,23 @@ void cloth_residual(const Grid& grid, const ClothSprings& springs, const ClothMa
                     size_t count) {
     using L = Lanes<kLanes>;
     sum_springs(grid, Pull{springs, matrix, with.h, with.dt, curves}, y, scratch, first, count,
-                [&](size_t at, Vector<kLanes> pull) {
-                    const Vector<kLanes> own = times<kLanes>(matrix.ground, at, load<kLanes>(with.w, at));
-                    store(L::load(matrix.moves + at) * ((load<kLanes>(with.rhs, at) - own) + pull), r, at);
+                [&](size_t at, V pull) {
+                    const V own = times<kLanes>(matrix.ground, at, V::load(with.w, at));
+                    (L::load(matrix.moves + at) * ((V::load(with.rhs, at) - own) + pull)).store(r, at);
                 });
 }
 
 void cloth_unfold(const Grid& grid, const ClothSprings& springs, double h, const double* const* y, double* const* out,
                   double* scratch, size_t first, size_t count) {
     sum_springs(grid, Unfold{springs, h}, y, scratch, first, count,
-                [&](size_t at, Vector<kLanes> pull) { store(load<kLanes>(out, at) + pull, out, at); });
+                [&](size_t at, V pull) { (V::load(out, at) + pull).store(out, at); });
 }
 
 void cloth_apply(const Grid& grid, const ClothMatrix& matrix, const double* const* p, double* const* q, double* scratch,
                  size_t first, size_t count) {
     using L = Lanes<kLanes>;
-    sum_springs(grid, Product{matrix}, p, scratch, first, count, [&](size_t at, Vector<kLanes> pull) {
-        store(L::load(matrix.moves + at) * (times<kLanes>(matrix.ground, at, load<kLanes>(p, at)) - pull), q, at);
+    sum_springs(grid, Product{matrix}, p, scratch, first, count, [&](size_t at, V pull) {
+        (L::load(matrix.moves + at) * (times<kLanes>(matrix.ground, at, V::load(p, at)) - pull)).store(q, at);
     });
 }
 

@@ -1,7 +1,7 @@
 // A bundle of strands, and one Newton iteration for it: springs are linearized about a guess, and one elimination along
 // the strand solves the linear system. With C the mobility of all that hangs on the left of a node (velocity per
-// impulse) and y where that would go by itself, a spring passes both on: see rope_elimination.hh, and rope_rod.hh where the rope bends. What is
-// done with iterations is in rope_step.cpp.
+// impulse) and y where that would go by itself, a spring passes both on: see rope_elimination.hh, and rope_rod.hh where
+// the rope bends. What is done with iterations is in rope_step.cpp.
 #pragma once
 
 #include <math.h>

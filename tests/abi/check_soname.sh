@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
-# check_soname.sh LIBRARY VERSION: fails if the SONAME is not libcontdyn.so.MAJOR, if the file or the two links are not
-# named after it and the version, or if the library asks for an executable stack or relocated text.
+# check_soname.sh LIBRARY VERSION: fails if the SONAME is not libcontdyn.so.MAJOR, or libcontdyn.so.0.MINOR before 1.0,
+# if the file or the two links are not named after it and the version, or if the library asks for an executable stack
+# or relocated text.
 . "$(dirname "$0")/common.sh"
 
 folder=$(dirname "$1")
-soname=libcontdyn.so.${2%%.*}
+case $2 in
+0.*) soname=libcontdyn.so.${2%.*} ;;
+*) soname=libcontdyn.so.${2%%.*} ;;
+esac
 file=libcontdyn.so.$2
 dynamic=$("$READELF" -dW "$1")
 

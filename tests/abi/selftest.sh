@@ -70,6 +70,13 @@ selftest_soname() {
     "$CC" -shared -Wl,-soname,libcontdyn.so.1 -Wl,-z,execstack object.o -o good/libcontdyn.so.1.2.3
     ln -sf libcontdyn.so.1.2.3 good/libcontdyn.so.1
     refuses 'executable stack' good/libcontdyn.so 1.2.3
+    mkdir early
+    "$CC" -shared -Wl,-soname,libcontdyn.so.0.7 object.o -o early/libcontdyn.so.0.7.2
+    ln -s libcontdyn.so.0.7.2 early/libcontdyn.so.0.7
+    ln -s libcontdyn.so.0.7 early/libcontdyn.so
+    accepts early/libcontdyn.so 0.7.2
+    "$CC" -shared -Wl,-soname,libcontdyn.so.0 object.o -o early/libcontdyn.so.0.7.2
+    refuses 'SONAME is' early/libcontdyn.so 0.7.2
 }
 
 selftest_exports() {

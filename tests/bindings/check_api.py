@@ -2,6 +2,7 @@
 """Holds the library file to bindings/api.json.
 
     check_api.py exports API NM LIBRARY       it exports the functions described, and nothing else
+    check_api.py dll API OBJDUMP LIBRARY      so does a DLL of Windows, which needs none but the system's own
     check_api.py behaviour API LIBRARY        null pointers are refused where they should be, fields are as described
     check_api.py scenes API SCENES CALLS ENUMERATORS
                                               the conformance scenes use every call that changes an object, and numbers
@@ -35,6 +36,17 @@ def exports(api, nm, library):
                              capture_output=True).stdout
     kinds = {line.split()[0].split("@")[0]: line.split()[1] for line in symbols.splitlines()}
     differ({name for name, kind in kinds.items() if kind != "A"}, {f["name"] for f in api["functions"]}, "exported")
+
+
+def dll(api, objdump, library):
+    said = subprocess.run([objdump, "-p", library], check=True, text=True, capture_output=True).stdout
+    table = re.split(r"\[Ordinal/Name Pointer\] Table|Export Table:", said)[1]  # GNU's objdump, or LLVM's
+    differ(set(re.findall(r"^\s*(?:\[ *\d+\](?: \+base\[ *\d+\] +\w+)?|\d+ +0x\w+) +(\S+)$", table, re.MULTILINE)),
+           {f["name"] for f in api["functions"]}, "exported")
+    needed = set(re.findall(r"DLL Name: (\S+)", said))
+    check(needed, "no import was found")
+    more = [name for name in needed if not re.fullmatch(r"(?i)(kernel32|msvcrt|ucrtbase|api-ms-win-crt-.*)\.dll", name)]
+    check(not more, f"needs {', '.join(more)}")
 
 
 # ---- behaviour ------------------------------------------------------------------------------------------------------
@@ -274,7 +286,7 @@ def scenes(api, path, calls, enumerators):
 def main():
     task, path, *rest = sys.argv[1:]
     api = json.loads(Path(path).read_text(encoding="utf-8"))
-    {"exports": exports, "behaviour": behaviour, "scenes": scenes}[task](api, *rest)
+    {"exports": exports, "dll": dll, "behaviour": behaviour, "scenes": scenes}[task](api, *rest)
     if FAILURES:
         sys.exit("\n".join(FAILURES))
 

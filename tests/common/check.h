@@ -13,6 +13,7 @@
 #include "cmocka_all.h"
 
 #include <contdyn/contdyn.h>
+#include <stdio.h>
 
 /* Where the outputs of refused calls point: one of each type, and room for arrays. */
 struct outputs {
@@ -60,8 +61,14 @@ extern const struct bad_number not_finite[NOT_FINITE], negative[NEGATIVE], not_p
         refuses((object), call, CD_ERROR_VALUE, text_of("%s|%s", argument, (table)[i_].shown));                        \
     }
 
+#ifdef __MINGW_PRINTF_FORMAT /* C's formats, which GCC on Windows does not take for granted */
+#define FORMAT_OF_PRINTF __MINGW_PRINTF_FORMAT
+#else
+#define FORMAT_OF_PRINTF printf
+#endif
+
 /* Text by printf's rules, good for the next 8 calls; name_and_size gives "name|18446744073709551615". */
-const char* text_of(const char* format, ...) __attribute__((format(printf, 1, 2)));
+const char* text_of(const char* format, ...) __attribute__((format(FORMAT_OF_PRINTF, 1, 2)));
 const char* name_and_size(const char* name, size_t value);
 
 /* The hash of a chain's, a membrane's or a water's state; fails the test if there is none. Of NULL: 0. */

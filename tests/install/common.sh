@@ -1,5 +1,5 @@
 # Read by every script here. CMake gives: $SOURCE and $BUILD of contdyn, $LIBRARY and $ARCHIVE that it built, $CONFIG,
-# $VERSION, $LIBDIR, $WORK (a folder of the tests' own), $CMAKE, $CC, $CXX, $NM, $READELF.
+# $VERSION, $ABI_VERSION (that of the SONAME), $LIBDIR, $WORK (a folder of the tests' own), $CMAKE, $CC, $CXX, $NM, $READELF.
 set -euo pipefail
 export LC_ALL=C
 unset DESTDIR
@@ -31,8 +31,8 @@ configures() {
     quietly "$CMAKE" -B "$out" -DCMAKE_BUILD_TYPE="$CONFIG" -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" "$@"
 }
 
-builds() {
-    quietly "$CMAKE" --build "$1" --parallel 2
+builds() { # builds FOLDER ARGUMENT...
+    quietly "$CMAKE" --build "$1" --parallel 2 "${@:2}"
 }
 
 # runs shared|static PROGRAM: fails unless it prints what it should and is linked as it should be.
@@ -41,7 +41,7 @@ runs() {
     said=$("$2") || fail "$2 exits with $?"
     [ "$said" = "$expected" ] || fail "$2 prints '$said', not '$expected'"
     case $1 in
-    shared) needs "$2" | grep -qx "libcontdyn.so.${VERSION%%.*}" || fail "$2 does not need the shared library" ;;
+    shared) needs "$2" | grep -qx "libcontdyn.so.$ABI_VERSION" || fail "$2 does not need the shared library" ;;
     static) ! needs "$2" | grep -q contdyn || fail "$2 needs the shared library" ;;
     esac
     echo "$2 ($1): $said"

@@ -8,7 +8,8 @@ part=$1
 out=$WORK/without_$part
 CONFIG=None configures "$out" -S "$SOURCE" -DCONTDYN_"$part"=OFF -DCONTDYN_OPTIMIZE=OFF -DCONTDYN_TESTS=OFF \
     -DCONTDYN_REPORT=OFF
-builds "$out"
+builds "$out" --target contdyn
+quietly "$CMAKE" --install "$out" --prefix "$out/installed" # whatever target was built
 
 functions() { "$NM" -C --defined-only "$1" 2>/dev/null | grep -o "$2" | sort -u || true; }
 dropped() { # fails unless the whole library has functions of this pattern and the one without the part has none

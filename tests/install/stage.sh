@@ -15,7 +15,7 @@ $headers
 include/contdyn/contdyn.hpp
 $LIBDIR/libcontdyn.a
 $LIBDIR/libcontdyn.so
-$LIBDIR/libcontdyn.so.${VERSION%%.*}
+$LIBDIR/libcontdyn.so.$ABI_VERSION
 $LIBDIR/libcontdyn.so.$VERSION
 $LIBDIR/pkgconfig/contdyn.pc
 $LIBDIR/cmake/contdyn/contdynConfig.cmake
@@ -25,4 +25,6 @@ $LIBDIR/cmake/contdyn/contdynTargets-${config:-noconfig}.cmake
 EOT
 )
 diff <(cat <<<"$named") <(cat <<<"$found") || fail "other files than expected (<: missing, >: not expected)"
+grep -qF "\"version-semver\": \"$VERSION\"" "$SOURCE/pkgconfig/vcpkg/contdyn/vcpkg.json" ||
+    fail "vcpkg.json has another version"
 ! grep -rlIF -e "$WORK" -e "$SOURCE" -e "$BUILD" "$prefix" || fail "a path of the building machine is in these files"

@@ -2,6 +2,7 @@
 #include "check.hpp"
 
 #include <map>
+#include <new>
 
 using namespace contdyn;
 
@@ -13,16 +14,15 @@ struct heap {
     cd_allocator table() {
         return {this,
                 [](void* user, std::size_t size, std::size_t alignment) -> void* {
-                    const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-                    void* pointer = std::aligned_alloc(alignment, rounded ? rounded : alignment);
+                    void* pointer = ::operator new(size, std::align_val_t(alignment));
                     static_cast<heap*>(user)->held[pointer] = size;
                     return pointer;
                 },
-                [](void* user, void* pointer, std::size_t size, std::size_t) {
+                [](void* user, void* pointer, std::size_t size, std::size_t alignment) {
                     auto& known = static_cast<heap*>(user)->held;
                     CHECK(known.count(pointer) == 1 && known[pointer] == size);
                     known.erase(pointer);
-                    std::free(pointer);
+                    ::operator delete(pointer, std::align_val_t(alignment));
                 }};
     }
 };

@@ -393,7 +393,7 @@ namespace Contdyn
             return Native.cd_version();
         }
 
-        /// <summary>The same as text, "0.1.0". A static string.</summary>
+        /// <summary>The same as text, "0.2.0". A static string.</summary>
         public static string VersionString()
         {
             return Native.Text(Native.cd_version_string());

@@ -6,7 +6,7 @@ namespace Contdyn
 {
     internal static unsafe partial class Native
     {
-        internal const uint Major = 0, Minor = 1;
+        internal const uint Major = 0, Minor = 2;
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern IntPtr cd_status_name(int status);

@@ -345,7 +345,7 @@ cd_status cd_water_copy_state(cd_water* water, const cd_water* source);
 cd_status cd_water_reset(cd_water* water);
 ]]
 
-local lib = support.load(0, 1, 0)
+local lib = support.load(0, 2, 0)
 local check = support.check
 local handle_of = support.handle_of
 local number_in = support.number_in
@@ -652,7 +652,7 @@ function api.version()
   return tonumber(lib.cd_version())
 end
 
--- The same as text, "0.1.0". A static string.
+-- The same as text, "0.2.0". A static string.
 function api.version_string()
   return ffi.string(lib.cd_version_string())
 end

@@ -4,7 +4,7 @@ from ctypes import c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_
 from enum import IntEnum
 from typing import Any, Dict, NamedTuple, Tuple
 
-VERSION = (0, 1, 0)
+VERSION = (0, 2, 0)
 
 
 class Status(IntEnum):

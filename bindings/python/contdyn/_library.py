@@ -9,10 +9,11 @@ from typing import Any, Callable, Iterator, List, NoReturn, Tuple
 from ._api import FUNCTIONS, TYPES, VERSION
 from .errors import CLASSES, Error, RangeError, UnsupportedError
 
+_ABI = f"0.{VERSION[1]}" if VERSION[0] == 0 else f"{VERSION[0]}"  # before 1.0 every minor version may change the API
 _FILE_NAMES = {
-    "darwin": (f"libcontdyn.{VERSION[0]}.dylib", "libcontdyn.dylib"),
+    "darwin": (f"libcontdyn.{_ABI}.dylib", "libcontdyn.dylib"),
     "win32": ("contdyn.dll", "libcontdyn.dll"),
-}.get(sys.platform, (f"libcontdyn.so.{VERSION[0]}", "libcontdyn.so"))
+}.get(sys.platform, (f"libcontdyn.so.{_ABI}", "libcontdyn.so"))
 
 
 def _candidates() -> Iterator[str]:
@@ -54,7 +55,7 @@ def _open() -> Tuple[CDLL, str]:
 def _check_version() -> None:
     number = library.cd_version()
     version = (number // 1000000, number // 1000 % 1000, number % 1000)
-    if version[:2] != VERSION[:2]:  # before 1.0 every minor version may change the API
+    if version[:2] != VERSION[:2]:
         raise ImportError(f"{path} is contdyn {'.'.join(map(str, version))}, and this package is written for "
                           f"{VERSION[0]}.{VERSION[1]}")
 

@@ -520,7 +520,7 @@ pub fn version() -> u32 {
     unsafe { sys::cd_version() }
 }
 
-/// The same as text, "0.1.0". A static string.
+/// The same as text, "0.2.0". A static string.
 pub fn version_string() -> String {
     unsafe { string_of(sys::cd_version_string()) }
 }

@@ -3,7 +3,7 @@
 use std::os::raw::{c_char, c_void};
 
 pub const CD_VERSION_MAJOR: u32 = 0;
-pub const CD_VERSION_MINOR: u32 = 1;
+pub const CD_VERSION_MINOR: u32 = 2;
 pub const CD_VERSION_PATCH: u32 = 0;
 
 pub type cd_status = i32;

@@ -51,7 +51,7 @@ class Installed(Place):
                               check=True).stdout.strip()
         self.run_here(python, "-m", "pip", "wheel", "--no-index", "--no-build-isolation", self.folder / name)
         wheel, = self.folder.glob("*.whl")
-        self.assertRegex(wheel.name, r"^contdyn-[0-9.]+-py3-none-[a-z0-9_]+\.whl$")
+        self.assertRegex(wheel.name, r"^contdyn-[0-9.]+-py3-none-(many|musl)linux_[0-9]+_[0-9]+_\w+\.whl$")
         with zipfile.ZipFile(wheel) as archive:
             self.assertIsNone(archive.testzip())
             names = archive.namelist()
@@ -66,7 +66,8 @@ class Installed(Place):
     def test_the_installed_library_is_found(self):
         """By a package that has none beside it, as from `cmake --install`."""
         shutil.copytree(PYTHON / "contdyn", self.folder / "contdyn")
-        shutil.copy(LIBRARY, self.folder / "libcontdyn.so.0")
+        soname = re.search(rb"\0(libcontdyn\.so\.[0-9.]+)\0", Path(LIBRARY).read_bytes()).group(1).decode()
+        shutil.copy(LIBRARY, self.folder / soname)
         asked = ["-c", "import contdyn; print(contdyn.library_path(), contdyn.Water(1, 1, 1, 1).volume)"]
         self.assertEqual(self.run_here(sys.executable, *asked, LD_LIBRARY_PATH=str(self.folder)).split()[-1], "0.0")
         self.assertEqual(self.run_here(sys.executable, *asked, CONTDYN_LIBRARY=LIBRARY).split(), [LIBRARY, "0.0"])
