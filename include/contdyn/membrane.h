@@ -221,7 +221,7 @@ CD_API cd_status cd_membrane_get_compression(const cd_membrane* membrane, double
 /* How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
  * 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
  * cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's dearest step took, and
- * the largest gradient that a step left, over the one it started from. */
+ * the largest gradient that a step left, over the one it started from: INFINITY where that is no number. */
 CD_API cd_status cd_membrane_set_effort(cd_membrane* membrane, size_t newton, size_t gradient);
 CD_API cd_status cd_membrane_get_effort(const cd_membrane* membrane, size_t* out_newton, size_t* out_gradient);
 

@@ -372,7 +372,7 @@ MembraneOutcome step_cloth(Membrane& m, double dt, size_t count) {
         clock.advance(dt, s);
         const bool finite = step.step(clock.time());
         if (step.iterations > m.iterations) m.iterations = step.iterations;
-        if (!(step.left <= m.residual)) m.residual = step.left;
+        if (!(step.left <= m.residual)) m.residual = isnan(step.left) ? INFINITY : step.left;
         if (!finite && bad == 0) bad = m.clock.steps + s + 1;
     }
     if (bad) {

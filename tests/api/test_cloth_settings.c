@@ -341,6 +341,19 @@ static void what_is_set_acts_in_the_next_step(void** state) {
     cd_membrane_destroy(fresh);
 }
 
+/* Velocities whose squares are beyond all numbers leave a finite state, and a residual that is none. */
+static void a_residual_that_is_no_number_is_told_as_infinite(void** state) {
+    (void)state;
+    cd_membrane* m = flat(CD_FLOAT64);
+    double v[ALL], residual = 0;
+    for (int i = 0; i < ALL; ++i) v[i] = 1e160 * (i % 7 - 3);
+    ok(cd_membrane_write_f64(m, CD_VELOCITY, 0, 0, COLUMNS, ROWS, v, ALL));
+    ok(cd_membrane_step(m, 1e-3, 1));
+    ok(cd_membrane_get_convergence(m, NULL, &residual));
+    assert_true(isinf(residual));
+    cd_membrane_destroy(m);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(getters_tell_what_was_set),
@@ -353,6 +366,7 @@ int main(void) {
         cmocka_unit_test(cloth_has_no_longest_step_and_no_factorization),
         cmocka_unit_test(colliders_are_told_where_they_are),
         cmocka_unit_test(what_is_set_acts_in_the_next_step),
+        cmocka_unit_test(a_residual_that_is_no_number_is_told_as_infinite),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -136,8 +136,8 @@ double Chain::force_on_nodes(double dt) const {
 
 // What the tolerance is worth: tension times length, and the energy of a spring that is wrong by so much; after 8
 // or 16 iterations, which are Newton's, the interior point counts the force on the nodes for a smaller tension. A
-// spring of fixed length that was too long, which holds no energy, comes back by the work of its tension, and its nodes
-// keep the speed at which it did.
+// spring of fixed length that was too long, which holds no energy, comes back by the work of its tension, its nodes keep
+// the speed at which it did, and attachments give way to it.
 double Chain::room_of_kind() const {
     if (!is_rope() || is_ring()) return 0;
     double tolerance = 0, room = 0;
@@ -148,6 +148,9 @@ double Chain::room_of_kind() const {
     const double force = iterations > 8 ? force_on_nodes(step_before) : 0;
     if (depth_before > 0) // nodes come out of where they were within the tolerance
         room += 4 * double(nodes) * (force_on_nodes(step_before) + largest_of({CD_TENSION})) * depth_before;
+    double back = 0;
+    for (double stretch : stretched) back += stretch;
+    room += stiffest_tie() * double(nodes) * back * back;
     for (size_t i = 0; i < tension.size(); ++i) {
         const double wrong = tolerance * length[i];
         room += 4 * fmax(fabs(tension[i]), force) * wrong + fabs(tension[i]) * stretched[i];
