@@ -1260,7 +1260,7 @@ export class Membrane extends Handle {
    * How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
    * 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
    * convergence tells the iterations of conjugate gradients that the last call's dearest step took, and
-   * the largest gradient that a step left, over the one it started from.
+   * the largest gradient that a step left, over the one it started from: Infinity where that is no number.
    */
   get effort(): { newton: number; gradient: number };
   set effort(value: { newton?: number; gradient?: number });

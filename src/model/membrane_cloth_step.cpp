@@ -210,7 +210,7 @@ struct ClothStep {
             find_residual(w.w, true);
             const double size = dot(w.residual, w.residual);
             if (i == 0) start = size;
-            left = size > 0 ? sqrt(size / start) : 0;
+            left = size == 0 ? 0 : sqrt(size / start);
             if (!(size > 0) || !solve()) break;
             const double falls = -dot(w.residual, w.direction);
             if (!(falls < 0)) break;

@@ -2711,7 +2711,8 @@ namespace Contdyn
         /// <summary>How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients
         /// in each, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of
         /// the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
-        /// dearest step took, and the largest gradient that a step left, over the one it started from.</summary>
+        /// dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY where
+        /// that is no number.</summary>
         public void SetEffort(long newton, long gradient)
         {
             Changed();
@@ -2722,7 +2723,8 @@ namespace Contdyn
         /// <summary>How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients
         /// in each, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of
         /// the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
-        /// dearest step took, and the largest gradient that a step left, over the one it started from.</summary>
+        /// dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY where
+        /// that is no number.</summary>
         public MembraneEffort GetEffort()
         {
             UIntPtr outNewton;

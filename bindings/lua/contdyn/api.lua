@@ -2150,7 +2150,7 @@ end
 -- How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
 -- 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
 -- cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's dearest step took, and
--- the largest gradient that a step left, over the one it started from.
+-- the largest gradient that a step left, over the one it started from: INFINITY where that is no number.
 function Membrane:set_effort(newton, gradient)
   local where = "cd_membrane_set_effort"
   newton = integer_in(newton, where, "newton")
@@ -2162,7 +2162,7 @@ end
 -- How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
 -- 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
 -- cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's dearest step took, and
--- the largest gradient that a step left, over the one it started from.
+-- the largest gradient that a step left, over the one it started from: INFINITY where that is no number.
 function Membrane:get_effort()
   local where = "cd_membrane_get_effort"
   local out_newton = size_t_1()

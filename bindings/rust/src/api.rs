@@ -2139,7 +2139,7 @@ impl Membrane {
     /// How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
     /// 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
     /// cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's dearest step took,
-    /// and the largest gradient that a step left, over the one it started from.
+    /// and the largest gradient that a step left, over the one it started from: INFINITY where that is no number.
     pub fn set_effort(&mut self, newton: usize, gradient: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_effort(self.as_ptr(), newton, gradient) })
     }
@@ -2147,7 +2147,7 @@ impl Membrane {
     /// How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
     /// 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
     /// cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's dearest step took,
-    /// and the largest gradient that a step left, over the one it started from.
+    /// and the largest gradient that a step left, over the one it started from: INFINITY where that is no number.
     pub fn get_effort(&self) -> Result<MembraneEffort> {
         let mut out_newton = 0;
         let mut out_gradient = 0;
