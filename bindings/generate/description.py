@@ -137,6 +137,8 @@ class Function:
             return [("count", length), times]
         if any(p.base == "cd_field" for p in self.parameters):
             return [*self.range_sizes(), "values"]
+        if length.name == "height_count":  # as large as a bed that the caller knows
+            return None
         each = ["components"] if has_components else None
         places = next((other for other in self.lengths if other.given), None)
         if each and places:

@@ -16,6 +16,9 @@ def sizes(thing):
 
 def elements(function, array):
     """How many values an array argument has."""
+    own = check_api.COUNTS.get(function.short, {}).get(array.name)
+    if own is not None:
+        return own
     single = array.times in (2, 3) or function.short == "sample" and array.length == "n"
     count = 1 if single or function.object == "water" else COMPONENTS
     return count * (count if isinstance(array.times, str) else array.times)
@@ -37,7 +40,7 @@ def field(thing):
 def numbers(function, array):
     """An array's values."""
     count = elements(function, array)
-    if array.name in ("rotation", "normal"):  # a normal has the first numbers of these
+    if array.name in check_api.STARTS:
         return [float(x) for x in check_api.IDENTITY[:count]]
     return [0.0 if array.base in ("double", "float") else 0] * count
 
@@ -81,5 +84,6 @@ def told_by(thing, function):
 
 
 def may_fail(function):
-    """Of functions that these arguments do not suit; they then say CD_ERROR_UNSUPPORTED or CD_ERROR_RANGE."""
-    return function.short in ("disable_field", "get_volume")
+    """Of functions that these arguments do not suit; they then say CD_ERROR_UNSUPPORTED, CD_ERROR_RANGE, or without the
+    functions that they call back CD_ERROR_NULL."""
+    return function.short in ("disable_field", "get_volume", "set_callback")

@@ -62,7 +62,13 @@ VALUES = {"lambda": 0.5, "tolerance": 0.01, "dt": 0.01, "strand": 0, "index_size
           "position_offset": 0, "normal_offset": 12, "depth_offset": 24, "first": 0, "first_strand": 0, "first_u": 0,
           "first_v": 0, "first_x": 0, "first_y": 0, "along_u": 1, "along_v": 1, "height": 0.1, "skip_dry": 0,
           "index": 0, "columns": 2, "rows": 2}
-HEIGHTS = {"set_bed": 4, "get_bed": 0}
+# How many values arrays have whose lengths no shape tells.
+COUNTS = {"set_bed": {"heights": 4}, "get_bed": {"out_heights": 0}, "set_hull": {"heights": 1},
+          "get_hull": {"out_heights": 1}, "set_hull_pose": {"pose": 7}, "get_hull_pose": {"out_pose": 7},
+          "get_hull_floor": {"out_pose": 7}, "set_hull_velocity": {"velocity": 6},
+          "get_hull_velocity": {"out_velocity": 6}, "set_hull_force": {"force": 6}, "get_hull_force": {"out_force": 6},
+          "get_hull_load": {"out_load": 6}}
+STARTS = ("rotation", "normal", "pose")  # what begins as this does, in as many numbers as it has
 IDENTITY = [float(row == column) for row in range(COMPONENTS) for column in range(COMPONENTS)]
 ROOM = 1 << 16
 
@@ -119,13 +125,12 @@ def arguments(library, function, handle, other, saved):
             value = {"bytes": ROOM}.get(counted["role"], 1 if single or kind == "water" else COMPONENTS)
             if function["short"] == "load":
                 value = len(saved)
-            if p["name"] == "height_count":
-                value = HEIGHTS[function["short"]]
+            value = COUNTS.get(function["short"], {}).get(p["of"][0], value)
         elif role == "bytes" and p["direction"] == "in":
             value = ctypes.create_string_buffer(saved, len(saved))
         elif role == "callbacks":
             value = None if p["null"] else (ctypes.c_size_t * 2)(1, 1)  # never called
-        elif p["name"] in ("rotation", "normal"):  # a normal has the first numbers of these
+        elif p["name"] in STARTS:
             value = (ctypes.c_double * len(IDENTITY))(*IDENTITY)
         elif role != "length":
             value = ctypes.create_string_buffer(ROOM)
@@ -154,9 +159,13 @@ def nulls(library):
             values, kept = arguments(library, function, handle, other, saved_state(library, kind, other))
             call = getattr(library.dll, function["name"])
             status = call(*values)
-            if status in (UNSUPPORTED, RANGE) and kind != "water":  # some are of ropes, cloth and colliders only
-                set_length(library, kind, handle, 1.0)
-                getattr(library.dll, f"cd_{kind}_set_colliders")(handle, 1)
+            if status in (UNSUPPORTED, RANGE):  # some are of ropes, cloth, colliders and hulls only
+                if kind == "water":
+                    library.dll.cd_water_set_hulls(handle, 1, 1, 1)
+                    library.dll.cd_water_set_disc(handle, 0, 1.0, 1.0)
+                else:
+                    set_length(library, kind, handle, 1.0)
+                    getattr(library.dll, f"cd_{kind}_set_colliders")(handle, 1)
                 status = call(*values)
             if function["short"] not in ("disable_field", "get_volume"):
                 check(status in (OK, UNSUPPORTED), f"{function['name']}: {library.dll.cd_error_message()}: are the "

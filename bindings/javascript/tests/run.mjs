@@ -49,7 +49,12 @@ const makers = {
     cloth.colliders = 1;
     return cloth;
   },
-  water: () => new Water({ nx: 5, ny: 4, dx: 1, dy: 2, depth: 1 }),
+  water: () => {
+    const pool = new Water({ nx: 5, ny: 4, dx: 1, dy: 2, depth: 1 });
+    pool.hulls = { count: 1, nAlong: 1, nAcross: 1 };
+    pool.setDisc(0, 1, 1);
+    return pool;
+  },
 };
 
 /** Makes objects until the memory has had to grow: what is larger than one makes it grow again. */
@@ -103,17 +108,22 @@ test("every property takes what it reads", () => {
 const kNumbers = { lambda: 0.5, tolerance: 0.01, dt: 0.01, indexSize: 4, stride: 64, positionOffset: 0,
   normalOffset: 12, depthOffset: null, nX: 1, nY: 1, mostIterations: 5 };
 
+/** How many numbers describe a hull's pose and motion, and its one plate. */
+const kCounts = { get_hull: 1, set_hull: 1, set_hull_pose: 7, get_hull_pose: 7, get_hull_floor: 7,
+  set_hull_velocity: 6, get_hull_velocity: 6, set_hull_force: 6, get_hull_force: 6, get_hull_load: 6 };
+
 /** Arguments that a function of api.json takes, as far as its parameters tell. */
 function arguments_of({ parameters, short }, object, other) {
   const components = object.shape.components ?? 2;
   return parameters.filter((p) => p.direction !== "out" || p.role === "bytes").flatMap((p) => {
+    if (p.role === "length" && short.startsWith("get_hull")) return [kCounts[short]];
     if (p.role === "self" || p.role === "length" || p.role === "callbacks") return [];
     if (p.role === "handle") return [other];
     if (p.role === "bytes") return [new Uint8Array(1 << 14)];
     if (p.role === "array") {
       if (p.times === p.length) return [Array.from({ length: components }, (_, i) => Array.from({ length: components },
         (_, j) => Number(i === j)))];
-      return [new Float64Array(p.length === "n" ? p.times : components).fill(1)];
+      return [new Float64Array(p.length === "n" ? p.times : kCounts[short] ?? components).fill(1)];
     }
     if (p.base === "cd_field") return [object instanceof Water ? "source" : "force"];
     if (p.base.startsWith("cd_")) return [camel(api.enums.find(({ name }) => name === p.base).values[0].short)];

@@ -1219,7 +1219,7 @@ end
 function Chain:get_bed(index, out_heights)
   local where = "cd_chain_get_bed"
   index = integer_in(index, where, "index")
-  local p_out_heights, n_out_heights = array_out("double", out_heights, components_of(self), where, "out_heights")
+  local p_out_heights, n_out_heights = array_out("double", out_heights, nil, where, "out_heights")
   local height_count = n_out_heights or 0
   local out_columns = size_t_1()
   local out_rows = size_t_1()
@@ -2337,7 +2337,7 @@ end
 function Membrane:get_bed(index, out_heights)
   local where = "cd_membrane_get_bed"
   index = integer_in(index, where, "index")
-  local p_out_heights, n_out_heights = array_out("double", out_heights, components_of(self), where, "out_heights")
+  local p_out_heights, n_out_heights = array_out("double", out_heights, nil, where, "out_heights")
   local height_count = n_out_heights or 0
   local out_columns = size_t_1()
   local out_rows = size_t_1()

@@ -34,12 +34,14 @@ support.check = check
 
 -- ---- the library ---------------------------------------------------------------------------------------------------
 
-local function candidates(major)
+-- By the name that programs are linked to: before version 1 it has the minor version too.
+local function candidates(major, minor)
+  local abi = major > 0 and tostring(major) or major .. "." .. minor
   local names = {
-    OSX = {"libcontdyn." .. major .. ".dylib", "libcontdyn.dylib"},
+    OSX = {"libcontdyn." .. abi .. ".dylib", "libcontdyn.dylib"},
     Windows = {"contdyn.dll", "libcontdyn.dll"},
   }
-  names = names[ffi.os] or {"libcontdyn.so." .. major, "libcontdyn.so"}
+  names = names[ffi.os] or {"libcontdyn.so." .. abi, "libcontdyn.so"}
   local found = {}
   local here = debug.getinfo(1, "S").source:match("^@(.*[/\\])") or "./"
   local root = here .. "../../../"
@@ -58,7 +60,7 @@ end
 function support.load(major, minor)
   local named = os.getenv("CONTDYN_LIBRARY")
   local tried = {}
-  for _, path in ipairs(named and {named} or candidates(major)) do
+  for _, path in ipairs(named and {named} or candidates(major, minor)) do
     local loaded, result = pcall(ffi.load, path)
     if loaded then
       lib, support.path = result, path

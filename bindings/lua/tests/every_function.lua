@@ -173,12 +173,12 @@ return {
       return o:set_capsule(0, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1, 1)
     end},
     {name = "cd_chain_set_bed", call = function(o, other, saved)
-      return o:set_bed(0, {0.0, 0.0, 0.0}, 2, 2, 1, 1, {0.0, 0.0, 0.0}, 1)
+      return o:set_bed(0, {0.0, 0.0, 0.0}, 2, 2, 1, 1, {0.0, 0.0, 0.0, 0.0}, 1)
     end},
     {name = "cd_chain_get_bed", call = function(o, other, saved)
-      return o:get_bed(0, nil)
+      return o:get_bed(0, ffi.new("double[?]", 0))
     end},
-    {name = "cd_chain_set_callback", call = function(o, other, saved)
+    {name = "cd_chain_set_callback", may_fail = true, call = function(o, other, saved)
       return o:set_callback(0, nil, {0.0, 0.0, 0.0}, 1)
     end},
     {name = "cd_chain_remove_collider", call = function(o, other, saved)
@@ -475,12 +475,12 @@ return {
       return o:set_capsule(0, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1, 1)
     end},
     {name = "cd_membrane_set_bed", call = function(o, other, saved)
-      return o:set_bed(0, {0.0, 0.0, 0.0}, 2, 2, 1, 1, {0.0, 0.0, 0.0}, 1)
+      return o:set_bed(0, {0.0, 0.0, 0.0}, 2, 2, 1, 1, {0.0, 0.0, 0.0, 0.0}, 1)
     end},
     {name = "cd_membrane_get_bed", call = function(o, other, saved)
-      return o:get_bed(0, nil)
+      return o:get_bed(0, ffi.new("double[?]", 0))
     end},
-    {name = "cd_membrane_set_callback", call = function(o, other, saved)
+    {name = "cd_membrane_set_callback", may_fail = true, call = function(o, other, saved)
       return o:set_callback(0, nil, {0.0, 0.0, 0.0}, 1)
     end},
     {name = "cd_membrane_remove_collider", call = function(o, other, saved)
@@ -750,25 +750,25 @@ return {
       return o:launch_hull(0, 1, 1, 1, 1)
     end},
     {name = "cd_water_set_hull_pose", call = function(o, other, saved)
-      return o:set_hull_pose(0, {0.0})
+      return o:set_hull_pose(0, {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0})
     end},
     {name = "cd_water_get_hull_pose", call = function(o, other, saved)
-      return o:get_hull_pose(0, ffi.new("double[?]", 1))
+      return o:get_hull_pose(0, ffi.new("double[?]", 7))
     end},
     {name = "cd_water_set_hull_velocity", call = function(o, other, saved)
-      return o:set_hull_velocity(0, {0.0})
+      return o:set_hull_velocity(0, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0})
     end},
     {name = "cd_water_get_hull_velocity", call = function(o, other, saved)
-      return o:get_hull_velocity(0, ffi.new("double[?]", 1))
+      return o:get_hull_velocity(0, ffi.new("double[?]", 6))
     end},
     {name = "cd_water_get_hull_floor", call = function(o, other, saved)
-      return o:get_hull_floor(0, ffi.new("double[?]", 1))
+      return o:get_hull_floor(0, ffi.new("double[?]", 7))
     end},
     {name = "cd_water_set_hull_force", call = function(o, other, saved)
-      return o:set_hull_force(0, {0.0})
+      return o:set_hull_force(0, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0})
     end},
     {name = "cd_water_get_hull_force", call = function(o, other, saved)
-      return o:get_hull_force(0, ffi.new("double[?]", 1))
+      return o:get_hull_force(0, ffi.new("double[?]", 6))
     end},
     {name = "cd_water_set_hull_drag", call = function(o, other, saved)
       return o:set_hull_drag(0, 1, 1, 1)
@@ -779,7 +779,7 @@ return {
       return o:get_hull_drag(0)
     end},
     {name = "cd_water_get_hull_load", call = function(o, other, saved)
-      return o:get_hull_load(0, ffi.new("double[?]", 1))
+      return o:get_hull_load(0, ffi.new("double[?]", 6))
     end},
     {name = "cd_water_get_hull_energy", call = function(o, other, saved)
       return o:get_hull_energy()

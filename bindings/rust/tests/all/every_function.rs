@@ -287,18 +287,18 @@ pub const CHAIN: [Call<Chain>; 82] = [
     Call {
         name: "cd_chain_set_bed",
         may_fail: false,
-        call: |o, _other, _saved| o.set_bed(0, &[0.0, 0.0, 0.0], 2, 2, 1.0, 1.0, &[0.0, 0.0, 0.0], 1.0).map(drop),
+        call: |o, _other, _saved| o.set_bed(0, &[0.0, 0.0, 0.0], 2, 2, 1.0, 1.0, &[0.0, 0.0, 0.0, 0.0], 1.0).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_get_bed",
         may_fail: false,
-        call: |o, _other, _saved| o.get_bed(0, Some(&mut [0.0; 3])).map(drop),
+        call: |o, _other, _saved| o.get_bed(0, Some(&mut [0.0; 0])).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_set_callback",
-        may_fail: false,
+        may_fail: true,
         call: |o, _other, _saved| unsafe { o.set_callback(0, None, Some(&[0.0, 0.0, 0.0]), 1.0) }.map(drop),
         told: |_| true,
     },
@@ -830,18 +830,18 @@ pub const MEMBRANE: [Call<Membrane>; 88] = [
     Call {
         name: "cd_membrane_set_bed",
         may_fail: false,
-        call: |o, _other, _saved| o.set_bed(0, &[0.0, 0.0, 0.0], 2, 2, 1.0, 1.0, &[0.0, 0.0, 0.0], 1.0).map(drop),
+        call: |o, _other, _saved| o.set_bed(0, &[0.0, 0.0, 0.0], 2, 2, 1.0, 1.0, &[0.0, 0.0, 0.0, 0.0], 1.0).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_membrane_get_bed",
         may_fail: false,
-        call: |o, _other, _saved| o.get_bed(0, Some(&mut [0.0; 3])).map(drop),
+        call: |o, _other, _saved| o.get_bed(0, Some(&mut [0.0; 0])).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_membrane_set_callback",
-        may_fail: false,
+        may_fail: true,
         call: |o, _other, _saved| unsafe { o.set_callback(0, None, Some(&[0.0, 0.0, 0.0]), 1.0) }.map(drop),
         told: |_| true,
     },
@@ -1340,43 +1340,43 @@ pub const WATER: [Call<Water>; 79] = [
     Call {
         name: "cd_water_set_hull_pose",
         may_fail: false,
-        call: |o, _other, _saved| o.set_hull_pose(0, &[0.0]).map(drop),
+        call: |o, _other, _saved| o.set_hull_pose(0, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_water_get_hull_pose",
         may_fail: false,
-        call: |o, _other, _saved| o.get_hull_pose(0, &mut [0.0; 1]).map(drop),
+        call: |o, _other, _saved| o.get_hull_pose(0, &mut [0.0; 7]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_water_set_hull_velocity",
         may_fail: false,
-        call: |o, _other, _saved| o.set_hull_velocity(0, &[0.0]).map(drop),
+        call: |o, _other, _saved| o.set_hull_velocity(0, &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_water_get_hull_velocity",
         may_fail: false,
-        call: |o, _other, _saved| o.get_hull_velocity(0, &mut [0.0; 1]).map(drop),
+        call: |o, _other, _saved| o.get_hull_velocity(0, &mut [0.0; 6]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_water_get_hull_floor",
         may_fail: false,
-        call: |o, _other, _saved| o.get_hull_floor(0, &mut [0.0; 1]).map(drop),
+        call: |o, _other, _saved| o.get_hull_floor(0, &mut [0.0; 7]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_water_set_hull_force",
         may_fail: false,
-        call: |o, _other, _saved| o.set_hull_force(0, &[0.0]).map(drop),
+        call: |o, _other, _saved| o.set_hull_force(0, &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_water_get_hull_force",
         may_fail: false,
-        call: |o, _other, _saved| o.get_hull_force(0, &mut [0.0; 1]).map(drop),
+        call: |o, _other, _saved| o.get_hull_force(0, &mut [0.0; 6]).map(drop),
         told: |_| true,
     },
     Call {
@@ -1397,7 +1397,7 @@ pub const WATER: [Call<Water>; 79] = [
     Call {
         name: "cd_water_get_hull_load",
         may_fail: false,
-        call: |o, _other, _saved| o.get_hull_load(0, &mut [0.0; 1]).map(drop),
+        call: |o, _other, _saved| o.get_hull_load(0, &mut [0.0; 6]).map(drop),
         told: |_| true,
     },
     Call {
