@@ -1,5 +1,7 @@
 #include "model/keep.hh"
 
+#include "base/whole.hh"
+
 namespace cd {
 
 constexpr uint64_t kMagic = 0x006e7964746e6f63; // "contdyn"
@@ -102,7 +104,7 @@ SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout
 static bool valid_collider_number(double number, size_t at) {
     constexpr double kFarthest = 1e200; // places and velocities: of any time the products are finite
     switch (at % kColliderNumbers) {
-    case 0: return number >= CD_SHAPE_NONE && number <= CD_SHAPE_CALLBACK && number == floor(number);
+    case 0: return number >= CD_SHAPE_NONE && number <= CD_SHAPE_CALLBACK && number == whole_below(number);
     case offsetof(Collider, radius) / sizeof(double):
     case offsetof(Collider, friction) / sizeof(double): return valid_parameter(number);
     case offsetof(Collider, since) / sizeof(double): return number >= 0 && number <= kMost;
@@ -115,7 +117,7 @@ static bool valid_collider_number(double number, size_t at) {
 static size_t valid_bed(size_t components, SavedNumbers numbers, size_t at, size_t all) {
     if (components < 2 || all - at < kBedHead) return 0;
     const double columns = numbers[at], rows = numbers[at + 1], most = double(all - at);
-    const bool whole = columns == floor(columns) && rows == floor(rows);
+    const bool whole = columns == whole_below(columns) && rows == whole_below(rows);
     if (!whole || !(columns >= 2 && columns <= most) || !(components == 3 ? rows >= 2 && rows <= most : rows == 1))
         return 0;
     if (!(columns * rows <= double(all - at - kBedHead))) return 0;

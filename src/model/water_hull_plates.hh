@@ -1,6 +1,7 @@
 // The plates of a hull over the water's lattice, cut into parts of at most half a cell so that it has no holes there.
 #pragma once
 
+#include "base/whole.hh"
 #include "model/water_hull.hh"
 
 namespace cd {
@@ -41,10 +42,10 @@ inline bool between(double at, double size, double offset, size_t cells, size_t 
     }
     const double length = double(cells), round = periodic ? length : 2 * length;
     if (!(fabs(x) <= kFar * round)) return false; // nor NaN
-    x -= round * floor(x / round);
+    x -= round * whole_below(x / round);
     if (x > length) x = periodic ? 0 : round - x;
     x -= offset;
-    const double low = floor(x);
+    const double low = whole_below(x);
     part = x - low;
     if (periodic) {
         k[0] = low < 0 ? cells - 1 : low < double(cells) ? size_t(low) : cells - 1;

@@ -63,7 +63,7 @@ struct CellBox {
 double away(const Water& w, Axis a, double from_middle) {
     if (!periodic(w, a)) return from_middle;
     const double length = double(w.cells[a]) * w.size[a];
-    return from_middle - length * floor(from_middle / length + 0.5);
+    return from_middle - length * whole_below(from_middle / length + 0.5);
 }
 
 // The slope of the water's surface in a cell, in the mean of before and after a sweep. Closed faces stand as high as
@@ -325,7 +325,7 @@ struct Mover {
             const double length = double(w.cells[a]) * w.size[a], to = *at[a] + time * h.velocity[a];
             stops[a] = !periodic(w, a) && !(to >= 0 && to <= length);
             const double was = *at[a];
-            *at[a] = !periodic(w, a) ? (to > 0 ? (to < length ? to : length) : 0) : to - length * floor(to / length);
+            *at[a] = periodic(w, a) ? to - length * whole_below(to / length) : to > 0 ? (to < length ? to : length) : 0;
             if (cells_around(w, out.x, out.y).any) continue;
             stops[a] = true, *at[a] = was;
         }
