@@ -16,7 +16,7 @@ protected:
     cd_status view(cd_water* handle, cd_field field, View& out) const override;
     void act_by_kind() override;
     void check_state() override;
-    double state_size() const override { return largest_of({CD_DEPTH, CD_VELOCITY_X, CD_VELOCITY_Y}); }
+    double state_size() const override;
     bool is_driven() const override; // by sources or at its sides
     void before_step(double dt) override;
     void after_step(const Step& step) override;

@@ -6,6 +6,20 @@
 
 namespace fuzz {
 
+// Of hulls only whether they are finite counts.
+double Water::state_size() const {
+    size_t count = 0;
+    cd_water_get_hulls(first(), &count, nullptr, nullptr);
+    for (size_t i = 0; i < count; ++i) {
+        double numbers[13] = {};
+        cd_water_get_hull_pose(first(), i, numbers, 7);
+        cd_water_get_hull_velocity(first(), i, numbers + 7, 6);
+        for (double x : numbers)
+            if (!isfinite(x)) return HUGE_VAL;
+    }
+    return largest_of({CD_DEPTH, CD_VELOCITY_X, CD_VELOCITY_Y});
+}
+
 void Water::set_hulls() {
     const size_t count = below(4), along = pick_index(5) + 1, across = pick_index(4) + 1;
     both(text("set_hulls %zu %zu %zu", count, along, across), 0,
