@@ -1980,9 +1980,9 @@ export class Water extends Handle {
   // ---- what floats on it --------------------------------------------------------------------------------------------
   // Hulls float on the water, numbered from 0. Each is a rigid body whose floor is a rectangle of nAlong x nAcross
   // plates, at heights above its keel, with sides as high as it takes. What presses the water down makes waves; water
-  // that
-  // rises, slopes or runs lifts, pushes and drags the hull; where the bed is higher it lies on that. Water only meets a
-  // hull's floor, and hulls neither each other nor walls: their middles stay within the scene, at sides that are not
+  // that rises, slopes or runs lifts, pushes and drags the hull; where the bed is higher it lies on that. Water only
+  // meets
+  // a hull's floor, and hulls neither each other nor walls: their middles stay within the scene, at sides that are not
   // periodic they stop.
   //
   // A pose is {x, y, z, aheadX, aheadY, pitch, roll}: the middle, the height of the keel under it [m], the direction of
@@ -1997,8 +1997,8 @@ export class Water extends Handle {
   // Steps stay bounded at any dt, for hulls of any mass; hulls and water together gain no energy beyond what the water
   // itself does. In steps in which waves cross many cells, or a hull its own length, hulls are slowed down. Momentum
   // that
-  // a hull loses to water on a level bed the water has. Forces cost time in proportion to the cells under hulls, and
-  // steps of water with hulls some more per cell.
+  // a hull loses to water on a level bed the water gets to some per cent, in such long steps less. Forces cost time in
+  // proportion to the cells under hulls, and steps of water with hulls some more per cell.
   // Errors of all: "errorRange" for an index that no hull has, or a count that is not what the comment says.
 
   /**
@@ -2012,8 +2012,8 @@ export class Water extends Handle {
   /**
    * Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], > 0 and at most 512 cells. heights[j][i]: of
    * the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is
-   * nAlong *
-   * nAcross; null: flat. Where it is, and how it moves, stays. Errors: "errorValue", also for a floor without a plate.
+   * nAlong
+   * nAcross; null: flat. Where it is, and how it moves, stays. Errors: "errorValue", also for a floor of no plate.
    */
   setHull(index: number, mass: number, length: number, width: number, heights?: Numbers | null): void;
 

@@ -256,9 +256,9 @@ CD_API cd_status cd_chain_get_bed(const cd_chain* chain, size_t index, size_t* o
                                   double* out_heights, size_t height_count);
 
 /* Makes a collider the shape that a callback tells the distances of, whose positions are relative to origin [m]. A step
- * asks for all nodes of a strand at once, at its start and then in each iteration where they would end. Where a
- * shape is hollow it is met as beds are. Where an answer is not what cd_distance says, that step takes it for nothing there, and
- * cd_chain_step says CD_ERROR_CALLBACK. The callback itself is no state: after a load, or a copied state, a collider
+ * asks for all nodes of a strand at once, at its start and then in each iteration where they would end. Where a shape
+ * is hollow it is met as beds are. Where an answer is not what cd_distance says, that step takes it for nothing there,
+ * and cd_chain_step says CD_ERROR_CALLBACK. The callback itself is no state: after a load, or a copied state, a collider
  * that was CD_SHAPE_CALLBACK before goes on with the one it had, and for any other cd_chain_step says
  * CD_ERROR_UNSUPPORTED until it is set again. origin may be null: a collider that is CD_SHAPE_CALLBACK stays as it is
  * and gets this callback; count and friction mean nothing then.

@@ -272,9 +272,9 @@ CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double ra
 
 /* ---- what floats on it ------------------------------------------------------------------------------------------ */
 /* Hulls float on the water, numbered from 0. Each is a rigid body whose floor is a rectangle of n_along x n_across
- * plates, at heights above its keel, with sides as high as it takes. What presses the water down makes waves; water that
- * rises, slopes or runs lifts, pushes and drags the hull; where the bed is higher it lies on that. Water only meets a
- * hull's floor, and hulls neither each other nor walls: their middles stay within the scene, at sides that are not
+ * plates, at heights above its keel, with sides as high as it takes. What presses the water down makes waves; water
+ * that rises, slopes or runs lifts, pushes and drags the hull; where the bed is higher it lies on that. Water only meets
+ * a hull's floor, and hulls neither each other nor walls: their middles stay within the scene, at sides that are not
  * periodic they stop.
  *
  * A pose is {x, y, z, ahead_x, ahead_y, pitch, roll}: the middle, the height of the keel under it [m], the direction of
@@ -288,8 +288,8 @@ CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double ra
  *
  * Steps stay bounded at any dt, for hulls of any mass; hulls and water together gain no energy beyond what the water
  * itself does. In steps in which waves cross many cells, or a hull its own length, hulls are slowed down. Momentum that
- * a hull loses to water on a level bed the water has. Forces cost time in proportion to the cells under hulls, and
- * steps of water with hulls some more per cell.
+ * a hull loses to water on a level bed the water gets to some per cent, in such long steps less. Forces cost time in
+ * proportion to the cells under hulls, and steps of water with hulls some more per cell.
  * Errors of all: CD_ERROR_RANGE for an index that no hull has, or a count that is not what the comment says. */
 
 /* How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are none
@@ -300,8 +300,8 @@ CD_API cd_status cd_water_get_hulls(const cd_water* water, size_t* out_count, si
                                     size_t* out_n_across);
 
 /* Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], > 0 and at most 512 cells. heights[j][i]: of
- * the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is n_along *
- * n_across; null: flat. Where it is, and how it moves, stays. Errors: CD_ERROR_VALUE, also for a floor without a plate. */
+ * the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is n_along
+ * n_across; null: flat. Where it is, and how it moves, stays. Errors: CD_ERROR_VALUE, also for a floor of no plate. */
 CD_API cd_status cd_water_set_hull(cd_water* water, size_t index, double mass, double length, double width,
                                    const double* heights, size_t count);
 

@@ -101,9 +101,9 @@ static cd_status can_lose_lengths(const char* function, const Chain& c) {
                        strands_agree(c, c.spring_stiffness) && strands_agree(c, c.node_bend) &&
                        strands_agree(c, c.attach_stiffness) && strands_agree(c, c.attach_damping);
     if (!agree)
-        return fail(
-            CD_ERROR_UNSUPPORTED, function,
-            "length is 0, but strands differ in pins, masses, stiffnesses, bends or attachments, which they would share");
+        return fail(CD_ERROR_UNSUPPORTED, function,
+                    "length is 0, but strands differ in pins, masses, stiffnesses, bends or attachments, which they "
+                    "would share");
     if (isinf(c.stiffness)) return fail(CD_ERROR_UNSUPPORTED, function, "length is 0, but the stiffness is infinite");
     if (groups_are_sound(
             c.nodes, c.ring != 0, [&](size_t i) { return is_rigid(c, own_place(c, 0, i)); },

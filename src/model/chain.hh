@@ -116,7 +116,7 @@ inline bool can_break(const Chain& c) { return c.spring_strength || c.rope.break
 double bend_of(const Chain& c, size_t node, size_t at); // 0 at the ends of an open chain
 inline double bend_of(const Chain& c, size_t node) { return bend_of(c, node, node); }
 bool has_bend(const Chain& c);
-// The bend energy at a node is stiffness / 2 |right d_right - left d_left|^2, of the vectors d of the springs beside it.
+// The bend energy at a node is stiffness / 2 |right d_right - left d_left|^2, d the vectors of the springs beside it.
 struct Joint {
     double stiffness, left, right;
 };

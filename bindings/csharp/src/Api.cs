@@ -4546,8 +4546,8 @@ namespace Contdyn
 
         /// <summary>Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], &gt; 0 and at most 512
         /// cells. heights[j][i]: of the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where
-        /// there is none; `count` is n_along * n_across; null: flat. Where it is, and how it moves, stays. Errors:
-        /// CD_ERROR_VALUE, also for a floor without a plate.</summary>
+        /// there is none; `count` is n_along n_across; null: flat. Where it is, and how it moves, stays. Errors:
+        /// CD_ERROR_VALUE, also for a floor of no plate.</summary>
         public void SetHull(long index, double mass, double length, double width, params double[] heights)
         {
             fixed (double* heightsPointer = heights)
@@ -4557,8 +4557,8 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], &gt; 0 and at most 512
         /// cells. heights[j][i]: of the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where
-        /// there is none; `count` is n_along * n_across; null: flat. Where it is, and how it moves, stays. Errors:
-        /// CD_ERROR_VALUE, also for a floor without a plate.</summary>
+        /// there is none; `count` is n_along n_across; null: flat. Where it is, and how it moves, stays. Errors:
+        /// CD_ERROR_VALUE, also for a floor of no plate.</summary>
         public void SetHull(long index, double mass, double length, double width, ReadOnlySpan<double> heights)
         {
             fixed (double* heightsPointer = &MemoryMarshal.GetReference(heights))

@@ -3256,8 +3256,8 @@ impl Water {
 
     /// Makes a hull of a mass \[kg\] in \[1e-12, 1e15\] and length and width \[m\], \> 0 and at most 512 cells.
     /// heights\[j\]\[i\]: of the floor's plate i along, j to port, above the keel \[m\], in \[0, 1e60\], or -1 where
-    /// there is none; `count` is n_along \* n_across; null: flat. Where it is, and how it moves, stays. Errors:
-    /// CD_ERROR_VALUE, also for a floor without a plate.
+    /// there is none; `count` is n_along n_across; null: flat. Where it is, and how it moves, stays. Errors:
+    /// CD_ERROR_VALUE, also for a floor of no plate.
     pub fn set_hull(&mut self, index: usize, mass: f64, length: f64, width: f64,
         heights: Option<&[f64]>) -> Result<()> {
         let count = heights.map(<[_]>::len);
