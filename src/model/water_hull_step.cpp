@@ -380,6 +380,7 @@ struct Mover {
         if (taken > removable() + credit) taken = lose(due);
         else if (taken > 0) taken = remove(taken);
         h.owed = due > 0 ? due - taken : due < -credit ? -credit : due;
+        if (!isfinite(h.owed)) h.owed = 0; // velocities whose squares are no numbers have no energy to owe
     }
     static constexpr int kHalvings = 8;
     static constexpr double kCredit = 0.05; // of the hull's energy that may be owed, or kept for later

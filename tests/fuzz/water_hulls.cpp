@@ -11,9 +11,11 @@ double Water::state_size() const {
     size_t count = 0;
     cd_water_get_hulls(first(), &count, nullptr, nullptr);
     for (size_t i = 0; i < count; ++i) {
-        double numbers[13] = {};
+        double numbers[26] = {};
         cd_water_get_hull_pose(first(), i, numbers, 7);
         cd_water_get_hull_velocity(first(), i, numbers + 7, 6);
+        cd_water_get_hull_floor(first(), i, numbers + 13, 7);
+        cd_water_get_hull_load(first(), i, numbers + 20, 6);
         for (double x : numbers)
             if (!isfinite(x)) return HUGE_VAL;
     }
