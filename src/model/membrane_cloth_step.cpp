@@ -365,7 +365,6 @@ MembraneOutcome step_cloth(Membrane& m, double dt, size_t count) {
     ClothStep step{m, work, dt, h};
     m.iterations = 0;
     m.residual = 0;
-    m.bad_answer = {};
     uint64_t bad = 0;
     for (size_t s = 0; s < count; ++s) {
         Clock clock = m.clock;

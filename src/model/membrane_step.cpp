@@ -351,6 +351,7 @@ static MembraneOutcome step_by_precision(Membrane& m, double dt, size_t count) {
 
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
     pose_nodes(m, dt * double(count));
+    m.bad_answer = {};
     const MembraneOutcome outcome = step_by_precision(m, dt, count);
     m.clock.advance(dt, count);
     m.diverged = outcome.diverged_at != 0;

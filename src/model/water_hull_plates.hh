@@ -29,7 +29,7 @@ struct Corner4 {
 
 // Of n places along an axis, at (k + offset) sizes; beyond the last ones, the last one alone. What reaches past a side
 // that is not periodic is mirrored there: a hull at a wall is borne by the water along it.
-constexpr double kFar = 1e6; // times round a scene, of no hull
+constexpr double kMostRounds = 1e6; // times round a scene, of no hull
 
 inline bool between(double at, double size, double offset, size_t cells, size_t n, bool periodic, size_t (&k)[2],
                     double& part) {
@@ -41,7 +41,7 @@ inline bool between(double at, double size, double offset, size_t cells, size_t 
         return true;
     }
     const double length = double(cells), round = periodic ? length : 2 * length;
-    if (!(fabs(x) <= kFar * round)) return false; // nor NaN
+    if (!(fabs(x) <= kMostRounds * round)) return false; // nor NaN
     x -= round * whole_below(x / round);
     if (x > length) x = periodic ? 0 : round - x;
     x -= offset;

@@ -60,7 +60,7 @@ template <class T> struct WaterCheck {
     void hulls() {
         double numbers[kHullNumbers];
         const size_t all = s.hulls.numbers();
-        Hull h;
+        Hull h{};
         size_t plates = 0;
         check.numbers<double>(s.hulls.count * all, [&](double value, size_t at) {
             const size_t k = at % all;
