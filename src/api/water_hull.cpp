@@ -8,7 +8,7 @@ using namespace cd;
 namespace {
 
 constexpr size_t kPose = 7, kWays = 6;
-constexpr double kMostPose = 1e15, kMostForce = 1e30;
+constexpr double kMostPose = 1e15;
 
 cd_status is_hull(const char* function, const Water& w, size_t index) {
     return is_index(function, "index", index, w.hull_shape.count);
@@ -216,7 +216,7 @@ cd_status cd_water_set_hull_velocity(cd_water* water, size_t index, const double
 cd_status cd_water_set_hull_force(cd_water* water, size_t index, const double* force, size_t count) {
     CD_OPEN(water, w);
     CD_CHECK(is_hull(__func__, w, index));
-    CD_CHECK(is_vector(__func__, "force", force, count, kWays, kMostForce));
+    CD_CHECK(is_vector(__func__, "force", force, count, kWays, kMostHullForce));
     take(hull(w, index).force, force, kWays);
     return CD_OK;
 }
@@ -234,9 +234,9 @@ CD_HULL_NUMBERS(load, out_load, water)
 cd_status cd_water_set_hull_drag(cd_water* water, size_t index, double along, double across, double friction) {
     CD_OPEN(water, w);
     CD_CHECK(is_hull(__func__, w, index));
-    CD_CHECK(in_range(__func__, "along", along, 0, kMostForce));
-    CD_CHECK(in_range(__func__, "across", across, 0, kMostForce));
-    CD_CHECK(in_range(__func__, "friction", friction, 0, kMostForce));
+    CD_CHECK(in_range(__func__, "along", along, 0, kMostHullForce));
+    CD_CHECK(in_range(__func__, "across", across, 0, kMostHullForce));
+    CD_CHECK(in_range(__func__, "friction", friction, 0, kMostHullForce));
     Hull& h = hull(w, index);
     h.drag[0] = along + 0.0, h.drag[1] = across + 0.0, h.friction = friction + 0.0;
     return CD_OK;

@@ -27,7 +27,7 @@ constexpr size_t kSettleEvery = 16;
 
 // The same of a precision that is known when the program runs.
 struct StoredRange {
-    double least, to_overflow;
+    double least, to_overflow, epsilon; // epsilon: from 1 to the next number
 };
 
 // The lines of an object. force and target are null where there are none.
@@ -55,8 +55,8 @@ struct StateNumbers {
         stored([at, number](auto* numbers) { store(number, numbers[at]); });
     }
     StoredRange range() const {
-        return wide() ? StoredRange{Limits<double>::least, Limits<double>::to_overflow}
-                      : StoredRange{double(Limits<float>::least), Limits<float>::to_overflow};
+        return wide() ? StoredRange{Limits<double>::least, Limits<double>::to_overflow, 0x1p-52}
+                      : StoredRange{double(Limits<float>::least), Limits<float>::to_overflow, 0x1p-23};
     }
 
 private:

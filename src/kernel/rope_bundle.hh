@@ -384,8 +384,7 @@ template <int N> struct RopeBundle {
         const L yields = idle * select(s.compliance, one(), L{}), rigid = idle * opposite(s.compliance);
         s.tension = select(yields, (one() / s.compliance) * (stage.push ? over : positive(over)), s.tension);
         const V left = load(ropes.position, i), right = load(ropes.position, i + 1);
-        const double rounding = ropes.position.wide() ? 0x1p-52 : 0x1p-23;
-        const L rounded = rounding * (root(dot(left, left)) + root(dot(right, right)));
+        const L rounded = ropes.position.range().epsilon * (root(dot(left, left)) + root(dot(right, right)));
         apart = select(rigid, larger(apart, s.per_length * (over - rounded)), apart);
         for (L* a : {&s.taut, &s.transverse, &s.axial, &s.wished}) *a = select(idle, L{}, *a);
         s.wish = select(idle, nodes[i + 1].w - nodes[i].w, s.wish);

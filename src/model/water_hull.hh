@@ -22,6 +22,8 @@
 // lets the body lie deeper than its floor on the water (settle_hulls), which is what is drawn.
 #pragma once
 
+#include <initializer_list>
+
 #include "model/water_shares.hh"
 
 namespace cd {
@@ -43,6 +45,7 @@ struct Hull {
 };
 constexpr double kLeastHull = 1e-12, kMostHull = 1e15; // masses [kg]
 constexpr double kMostHullCells = 512;                 // how long and wide a hull may be
+constexpr double kMostHullForce = 1e30;                // and drag [N], [N m], [N s/m]
 constexpr size_t kHullNumbers = sizeof(Hull) / sizeof(double);
 
 inline size_t HullShape::numbers() const { return kHullNumbers + plates(); }
@@ -66,8 +69,11 @@ inline bool is_off(const Hull& h) { return h.mass == 0; }
 inline bool valid_hull(const Hull& h, const double* size, const size_t* cells) {
     const double most = kMostHullCells * cell_size(size, cells);
     const auto fits = [&](double length) { return length > 0 && length <= most; };
-    return h.mass >= kLeastHull && h.mass <= kMostHull && fits(h.length) && fits(h.width) && h.drag[0] >= 0 &&
-           h.drag[1] >= 0 && h.friction >= 0 && !(fabs(h.heading[0]) > 1.5) && !(fabs(h.heading[1]) > 1.5);
+    bool good = !(fabs(h.heading[0]) > 1.5) && !(fabs(h.heading[1]) > 1.5);
+    for (double force : h.force) good &= fabs(force) <= kMostHullForce;
+    for (double resists : {h.drag[0], h.drag[1], h.friction}) good &= resists >= 0 && resists <= kMostHullForce;
+    if (is_off(h)) return good && isfinite(h.length) && isfinite(h.width);
+    return good && h.mass >= kLeastHull && h.mass <= kMostHull && fits(h.length) && fits(h.width);
 }
 
 // ---- what is set and told (water_hull.cpp) -------------------------------------------------------------------------

@@ -27,10 +27,11 @@ struct Corner4 {
     }
 };
 
+constexpr double kMostRounds = 1e6;    // times round a scene, of no hull
+constexpr double kAlmostWhole = 1e-12; // of its length: a part of a plate may be longer than half a cell by so much
+
 // Of n places along an axis, at (k + offset) sizes; beyond the last ones, the last one alone. What reaches past a side
 // that is not periodic is mirrored there: a hull at a wall is borne by the water along it.
-constexpr double kMostRounds = 1e6; // times round a scene, of no hull
-
 inline bool between(double at, double size, double offset, size_t cells, size_t n, bool periodic, size_t (&k)[2],
                     double& part) {
     double x = at / size;
@@ -112,8 +113,11 @@ void each_plate(const Water& w, size_t index, const HullPose& pose, const T* dep
     const double* const floors = plate_heights(w, index);
     const double most = 0.5 * cell_size(w.size, w.cells);
     const double long_of = h.length / double(shape.along), wide = h.width / double(shape.across);
-    const double parts_long = ceil(long_of / most * (1 - 1e-12)), parts_wide = ceil(wide / most * (1 - 1e-12));
-    const size_t n = parts_long > 1 ? size_t(parts_long) : 1, m = parts_wide > 1 ? size_t(parts_wide) : 1;
+    const auto parts = [&](double length) { // none longer than half a cell
+        const double enough = -whole_below(length / most * (kAlmostWhole - 1));
+        return enough > 1 ? size_t(enough) : 1;
+    };
+    const size_t n = parts(long_of), m = parts(wide);
     const double step_long = long_of / double(n), step_wide = wide / double(m);
     const T* const bed = numbers<T>(w.bed);
     const Corner4 middle = cells_around(w, pose.x, pose.y);

@@ -141,6 +141,9 @@ void feel_water(const Water& w, HullWork& work, Axis a, double theta, double dt)
 
 namespace {
 
+constexpr int kMostNewton = 40, kMostHalvings = 10; // iterations, and halvings of one's way
+constexpr double kLeastGain = 0x1p-60;              // of an iteration, over the energies: less is rounding
+
 // Solves the symmetric system of three, whose diagonal is positive, for x.
 void solve(const double (&a)[6], const double (&b)[3], double (&x)[3]) {
     const double l10 = a[1] / a[0], l20 = a[2] / a[0], d1 = a[3] - l10 * a[1], e = a[4] - l10 * a[2], l21 = e / d1;
@@ -172,10 +175,9 @@ void heave(const Water& w, size_t index, HullPose& pose, double (&v)[3], double 
     };
     double moving = 0; // energy, to measure rounding by
     for (int k = 0; k < 3; ++k) moving += 0.5 * (mass[k] * (v0[k] * v0[k]));
-    constexpr double kRounding = 0x1p-60;
     HullContact contact(w, index, pose_at(v));
     double now = value(v, contact);
-    for (int iteration = 0; iteration < 40; ++iteration) {
+    for (int iteration = 0; iteration < kMostNewton; ++iteration) {
         double system[6], right[3], change[3], next[3];
         for (int k = 0; k < 6; ++k) system[k] = dt * dt * contact.slope[k];
         system[0] += mass[0], system[3] += mass[1], system[5] += mass[2];
@@ -183,9 +185,9 @@ void heave(const Water& w, size_t index, HullPose& pose, double (&v)[3], double 
         solve(system, right, change);
         double part = 1, gain = 0;
         for (int k = 0; k < 3; ++k) gain += 0.5 * (right[k] * change[k]);
-        if (!(gain > kRounding * (contact.energy + moving))) break;
+        if (!(gain > kLeastGain * (contact.energy + moving))) break;
         bool better = false;
-        for (int half = 0; half < 10 && !better; ++half, part /= 2) {
+        for (int half = 0; half < kMostHalvings && !better; ++half, part /= 2) {
             for (int k = 0; k < 3; ++k) next[k] = v[k] + part * change[k];
             const HullContact there(w, index, pose_at(next));
             const double then = value(next, there);

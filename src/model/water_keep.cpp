@@ -73,7 +73,7 @@ template <class T> struct WaterCheck {
             if (k + 1 < kHullNumbers) return true;
             memcpy(&h, numbers, sizeof h);
             plates = 0;
-            return is_off(h) || valid_hull(h, s.own.size, w.cells);
+            return valid_hull(h, s.own.size, w.cells);
         });
     }
     bool there(size_t i, size_t j) const { return !mask || mask[byte_place(w, i, j)] != 0; }

@@ -3,6 +3,7 @@
 
 #include "check.h"
 #include "heap.h"
+#include "nothing_near.h"
 #include "refusals.h"
 #include "scene.h"
 
@@ -227,12 +228,6 @@ static const char* const nullable[] = {
     "cd_chain_get_collider out_radius",  "cd_chain_get_collider out_friction",
 };
 
-static void tell_nothing(void* user, double time, size_t count, size_t components, const double* positions,
-                         double* distances, double* normals) {
-    (void)user, (void)time, (void)count, (void)components, (void)positions, (void)distances, (void)normals;
-}
-static const cd_distance far = {NULL, tell_nothing};
-
 static void what_may_be_null_is_taken_as_null(void** state) {
     (void)state;
     const double target[COMPONENTS] = {0};
@@ -251,8 +246,8 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     ok(cd_chain_get_collider(other, 0, NULL, NULL, NULL, NULL, COMPONENTS, NULL, NULL));
     ok(cd_chain_get_bed(other, 0, NULL, NULL, NULL, 0));
     ok(cd_chain_get_bed(other, 0, NULL, NULL, NULL, SIZE_MAX)); /* then height_count means nothing */
-    ok(cd_chain_set_callback(other, 0, &far, target, COMPONENTS, 0));
-    ok(cd_chain_set_callback(other, 0, &far, NULL, SIZE_MAX, -1)); /* then count and friction mean nothing */
+    ok(cd_chain_set_callback(other, 0, &nothing_near, target, COMPONENTS, 0));
+    ok(cd_chain_set_callback(other, 0, &nothing_near, NULL, SIZE_MAX, -1)); /* then count and friction mean nothing */
     cd_chain_destroy(other);
     cd_chain_destroy(NULL);
 }

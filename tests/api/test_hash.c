@@ -5,6 +5,7 @@
 
 #include "check.h"
 #include "jobs.h"
+#include "nothing_near.h"
 #include "scene.h"
 
 enum { STRANDS = 2, SPRINGS = 9, NODES = SPRINGS + 1, COMPONENTS = 2, ALL = STRANDS * NODES * COMPONENTS };
@@ -99,14 +100,9 @@ static void bed_shorter(cd_chain* c) { ok(cd_chain_set_bed(c, 2, low, COMPONENTS
 static void bed_wider(cd_chain* c) { ok(cd_chain_set_bed(c, 2, low, COMPONENTS, 3, 1, 0.75, 1, hills, 3, 0)); }
 static void bed_lower(cd_chain* c) { ok(cd_chain_set_bed(c, 2, lower, COMPONENTS, 3, 1, 0.5, 1, hills, 3, 0)); }
 static void bed_rough(cd_chain* c) { ok(cd_chain_set_bed(c, 2, low, COMPONENTS, 3, 1, 0.5, 1, hills, 3, 0.5)); }
-static void tell_nothing(void* user, double time, size_t count, size_t components, const double* positions,
-                         double* distances, double* normals) {
-    (void)user, (void)time, (void)count, (void)components, (void)positions, (void)distances, (void)normals;
-}
-static const cd_distance nothing = {NULL, tell_nothing};
-static void callback(cd_chain* c) { ok(cd_chain_set_callback(c, 2, &nothing, low, COMPONENTS, 0)); }
-static void callback_lower(cd_chain* c) { ok(cd_chain_set_callback(c, 2, &nothing, lower, COMPONENTS, 0)); }
-static void callback_rough(cd_chain* c) { ok(cd_chain_set_callback(c, 2, &nothing, low, COMPONENTS, 0.5)); }
+static void callback(cd_chain* c) { ok(cd_chain_set_callback(c, 2, &nothing_near, low, COMPONENTS, 0)); }
+static void callback_lower(cd_chain* c) { ok(cd_chain_set_callback(c, 2, &nothing_near, lower, COMPONENTS, 0)); }
+static void callback_rough(cd_chain* c) { ok(cd_chain_set_callback(c, 2, &nothing_near, low, COMPONENTS, 0.5)); }
 static void another_plane(cd_chain* c) { ok(cd_chain_set_plane(c, 3, low, gravity[1], COMPONENTS, 0)); }
 static void plane_moves(cd_chain* c) { ok(cd_chain_set_collider_velocity(c, 0, gravity[0], COMPONENTS)); }
 static void capsule_moves(cd_chain* c) { ok(cd_chain_set_collider_velocity(c, 1, gravity[0], COMPONENTS)); }

@@ -2,6 +2,7 @@
 #include "check.h"
 #include "cloth.h"
 #include "heap.h"
+#include "nothing_near.h"
 #include "refusals.h"
 #include "scene.h"
 
@@ -268,12 +269,6 @@ static const char* const nullable[] = {
     "cd_membrane_write_indices buffer",
 };
 
-static void tell_nothing(void* user, double time, size_t count, size_t components, const double* positions,
-                         double* distances, double* normals) {
-    (void)user, (void)time, (void)count, (void)components, (void)positions, (void)distances, (void)normals;
-}
-static const cd_distance far = {NULL, tell_nothing};
-
 static void what_may_be_null_is_taken_as_null(void** state) {
     (void)state;
     const double target[2] = {0};
@@ -293,8 +288,8 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     cloth_meet(sail);
     ok(cd_membrane_get_collider(sail, 0, NULL, NULL, NULL, NULL, COMPONENTS, NULL, NULL));
     ok(cd_membrane_get_bed(sail, 0, NULL, NULL, NULL, SIZE_MAX));
-    ok(cd_membrane_set_callback(sail, 0, &far, numbers, COMPONENTS, 0));
-    ok(cd_membrane_set_callback(sail, 0, &far, NULL, SIZE_MAX, -1)); /* then count and friction mean nothing */
+    ok(cd_membrane_set_callback(sail, 0, &nothing_near, numbers, COMPONENTS, 0));
+    ok(cd_membrane_set_callback(sail, 0, &nothing_near, NULL, SIZE_MAX, -1)); /* then count and friction mean nothing */
     cd_membrane_destroy(sail);
     cd_membrane_destroy(NULL);
 }

@@ -3,6 +3,7 @@
 
 #include "check.h"
 #include "heap.h"
+#include "nothing_near.h"
 #include "scene.h"
 
 enum { STRANDS = 2, SPRINGS = 9, COMPONENTS = 3 };
@@ -52,15 +53,6 @@ static cd_status one_collider(cd_chain* c) { return cd_chain_set_colliders(c, 1)
 static cd_status colliders(cd_chain* c) { return cd_chain_set_colliders(c, 6); }
 static cd_status no_colliders(cd_chain* c) { return cd_chain_set_colliders(c, 0); }
 static cd_status ball(cd_chain* c) { return cd_chain_set_capsule(c, 0, target, target, COMPONENTS, 0.5, 1); }
-static void tell_nothing(void* user, double time, size_t count, size_t components, const double* positions,
-                         double* distances, double* normals) {
-    (void)user, (void)time, (void)positions;
-    for (size_t i = 0; i < count; ++i) {
-        distances[i] = 1;
-        for (size_t k = 0; k < components; ++k) normals[i * components + k] = k == 0;
-    }
-}
-static const cd_distance distance = {NULL, tell_nothing};
 static const double hills[6] = {-9, -8, -9, -8, -9, -8};
 static cd_status bed(cd_chain* c) {
     return cd_chain_set_bed(c, 0, target, COMPONENTS, 3, 2, 1, 1, hills, 6, 0);
@@ -68,7 +60,7 @@ static cd_status bed(cd_chain* c) {
 static cd_status smaller_bed(cd_chain* c) {
     return cd_chain_set_bed(c, 0, target, COMPONENTS, 2, 2, 1, 1, hills, 4, 0);
 }
-static cd_status callback(cd_chain* c) { return cd_chain_set_callback(c, 0, &distance, target, COMPONENTS, 0); }
+static cd_status callback(cd_chain* c) { return cd_chain_set_callback(c, 0, &nothing_near, target, COMPONENTS, 0); }
 static cd_status no_ball(cd_chain* c) { return cd_chain_remove_collider(c, 0); }
 static cd_status thickness(cd_chain* c) { return cd_chain_set_thickness(c, 0.01); }
 static cd_status tolerance(cd_chain* c) { return cd_chain_set_tolerance(c, 1e-7, 50); }

@@ -4,6 +4,7 @@
 #include "check.h"
 #include "cloth.h"
 #include "heap.h"
+#include "nothing_near.h"
 
 enum { NU = 7, NV = 6, COMPONENTS = 3 };
 
@@ -51,15 +52,6 @@ static cd_status one_collider(cd_membrane* m) { return cd_membrane_set_colliders
 static cd_status colliders(cd_membrane* m) { return cd_membrane_set_colliders(m, 6); }
 static cd_status no_colliders(cd_membrane* m) { return cd_membrane_set_colliders(m, 0); }
 static cd_status ball(cd_membrane* m) { return cd_membrane_set_capsule(m, 0, target, target, COMPONENTS, 0.5, 1); }
-static void tell_nothing(void* user, double time, size_t count, size_t components, const double* positions,
-                         double* distances, double* normals) {
-    (void)user, (void)time, (void)positions;
-    for (size_t i = 0; i < count; ++i) {
-        distances[i] = 1;
-        for (size_t k = 0; k < components; ++k) normals[i * components + k] = k == 0;
-    }
-}
-static const cd_distance distance = {NULL, tell_nothing};
 static const double hills[6] = {-9, -8, -9, -8, -9, -8};
 static cd_status bed(cd_membrane* m) {
     return cd_membrane_set_bed(m, 0, target, COMPONENTS, 3, 2, 1, 1, hills, 6, 0);
@@ -67,7 +59,7 @@ static cd_status bed(cd_membrane* m) {
 static cd_status smaller_bed(cd_membrane* m) {
     return cd_membrane_set_bed(m, 0, target, COMPONENTS, 2, 2, 1, 1, hills, 4, 0);
 }
-static cd_status callback(cd_membrane* m) { return cd_membrane_set_callback(m, 0, &distance, target, COMPONENTS, 0); }
+static cd_status callback(cd_membrane* m) { return cd_membrane_set_callback(m, 0, &nothing_near, target, COMPONENTS, 0); }
 static cd_status no_ball(cd_membrane* m) { return cd_membrane_remove_collider(m, 0); }
 static cd_status shear(cd_membrane* m) { return cd_membrane_set_shear(m, 50); }
 static cd_status no_mass(cd_membrane* m) { return cd_membrane_disable_field(m, CD_MASS); }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Takes the rules of water's, the ropes' and cloth's steps out, one after the other, and shows which tests fail without.
+"""Takes the rules of the steps of water, hulls, ropes and cloth out, one after the other, and shows which tests fail without.
 
     take_out.py FOLDER [RULE...]     builds in FOLDER, some minutes a rule; without a rule's name all of them
 
@@ -17,6 +17,9 @@ KERNELS = "src/kernel/"
 CLOTH = "../model/membrane_cloth.cpp"
 CLOTH_STEP = "../model/membrane_cloth_step.cpp"
 CLOTH_ACT = "../model/membrane_cloth_act.cpp"
+HULL = "../model/water_hull.hh"
+HULL_PLATES = "../model/water_hull_plates.hh"
+HULL_STEP = "../model/water_hull_step.cpp"
 
 # Name: file, what is there, what takes its place, tests to run (the first one that fails ends a rule).
 RULES = {
@@ -198,6 +201,39 @@ RULES = {
         ["physics_cloth_contact", "stability_cloth"]),
     "and no faster than it would have": (
         CLOTH_ACT, "if (!(fabs(then - own) < fabs(now - own))) continue;", "", ["stability_cloth"]),
+    "a joint of a cut spring has no bend": (
+        "rope_rod.hh", "select(uncut(before) * uncut(link),", "select(one(),", ["physics_rope_bend"]),
+    "a rod of uneven links is at rest where it is straight": (
+        "rope_rod.hh", "    joint.ratio = link.length * before.per_length;\n", "", ["physics_rope_bend"]),
+    "a stiff joint is not what is left of a difference": (
+        "rope_rod.hh", "hung.c = mobility * (yielding + stiff * all);",
+        "hung.c = M::diagonal(mobility) - (mobility * mobility) * stiff;", ["physics_rope_bend", "stability_ropes"]),
+    "what joints make counts as energy made": (
+        "rope_step.cpp", "    if (is_rod()) look_at_joints(seen);\n", "", ["stability_ropes"]),
+    "slack springs have no tension after a step": (
+        "rope_step.cpp", "select(slack, L{}, s.tension)", "s.tension", ["stability_ropes"]),
+    "held nodes may be apart by what is rounded": (
+        "rope_bundle.hh", "(over - rounded)", "over", ["physics_rope_bend"]),
+    "creases of beds are round": (
+        "collider.hh", "kRoundCrease = 0.25;", "kRoundCrease = 1e-9;", ["physics_bed"]),
+    "a hollow is met at the plane that touches it": (
+        "rope_contact.hh", "if (to.is_convex()) return look_at_gap", "if (!to.callback) return look_at_gap",
+        ["physics_bed"]),
+    "a callback's normal has the length 1": (
+        "collider.cpp", "kNormalError = 1e-3;", "kNormalError = 1e9;", ["physics_callback"]),
+    "hulls press through a skin": (HULL, "kStiff = 3;", "kStiff = 300;", ["physics_water_hulls", "stability_water_hulls"]),
+    "that is stiffer than the water's surface": (
+        HULL, "kStiff = 3;", "kStiff = 0.3;", ["physics_water_hulls", "stability_water_hulls"]),
+    "lines that a hull presses dry are bound in their energy": (
+        "water/sweep.cpp", "        if (line.pressed() && sweep.implicit) kind.bind(squeezed(line));\n", "",
+        ["stability_water_hulls"]),
+    "what drifting makes is owed": (
+        HULL_STEP, "due = h.owed + made + (", "due = 0 * made + (", ["stability_water_hulls"]),
+    "a push that leads nowhere is not the water's": (
+        HULL_STEP, "if (taken > removable() + credit) taken = lose(due);", "if (taken > removable() + credit) taken = due;",
+        ["stability_water_hulls"]),
+    "a hull at a wall is borne by the water along it": (
+        HULL_PLATES, "round = periodic ? length : 2 * length;", "round = length;", ["physics_water_hulls"]),
     "cloth heeds several colliders": (
         "../model/membrane_cloth.hh", "kMostTouched = 3;", "kMostTouched = 1;", ["physics_cloth_contact"]),
     "contacts of cloth yield little": (

@@ -269,6 +269,54 @@ struct ClothCalls : MembraneCalls {
     }
 };
 
+// Hulls on water, of which one is none: what acts on them is finite, and what they are is in range.
+struct WaterCalls {
+    using Handle = cd_water;
+    static constexpr cd::Kind kind = {3, "", {}};
+    static constexpr auto save_size = cd_water_save_size;
+    static constexpr auto save = cd_water_save;
+    static constexpr auto load = cd_water_load;
+    static constexpr auto step = cd_water_step;
+    static constexpr auto destroy = cd_water_destroy;
+
+    static Handle* make() {
+        Handle* water = nullptr;
+        ok(cd_water_create(4, 3, 0.5, 0.25, CD_FLOAT32, nullptr, &water));
+        return water;
+    }
+    static void fill(Handle* water) {
+        const double depth[12] = {1, 1, 1, 1, 1, 2, 2, 1, 1, 1, 0, 0}, force[6] = {1, -2, 3, 4, -5, 6};
+        const double floor[4] = {0, 0.125, -1, 0.25};
+        ok(cd_water_write_f64(water, CD_DEPTH, 0, 0, 4, 3, depth, 12));
+        ok(cd_water_enable_field(water, CD_SOURCE));
+        ok(cd_water_set_hulls(water, 2, 2, 2));
+        ok(cd_water_set_hull(water, 1, 50, 0.75, 0.5, floor, 4));
+        ok(cd_water_launch_hull(water, 1, 1, 0.375, 1, 0.5));
+        ok(cd_water_set_hull_drag(water, 1, 2, 3, 0.5));
+        for (size_t i = 0; i < 2; ++i) ok(cd_water_set_hull_force(water, i, force, 6));
+        ok(cd_water_step(water, 0.0625, 3));
+    }
+    static bool is_possible(const Handle* water) {
+        double depth[12], force[6], drag[3], mass, length, width, time;
+        size_t count, along, across;
+        ok(cd_water_get_time(water, &time));
+        ok(cd_water_get_hulls(water, &count, &along, &across));
+        ok(cd_water_read_f64(water, CD_DEPTH, 0, 0, 4, 3, depth, 12));
+        bool good = std::isfinite(time) && count <= 4096;
+        for (double d : depth) good &= !(d < 0);
+        for (size_t i = 0; i < count && good; ++i) {
+            ok(cd_water_get_hull(water, i, &mass, &length, &width, nullptr, nullptr, 0));
+            ok(cd_water_get_hull_force(water, i, force, 6));
+            ok(cd_water_get_hull_drag(water, i, &drag[0], &drag[1], &drag[2]));
+            good &= mass == 0 || (mass >= 1e-12 && mass <= 1e15 && length > 0 && width > 0);
+            good &= std::isfinite(length) && std::isfinite(width);
+            for (double f : force) good &= std::fabs(f) <= 1e30;
+            for (double d : drag) good &= d >= 0 && d <= 1e30;
+        }
+        return good;
+    }
+};
+
 template <class C> std::vector<unsigned char> saved(const typename C::Handle* object) {
     size_t size = 0;
     ok(C::save_size(object, &size));
@@ -335,6 +383,7 @@ int main() {
         cmocka_unit_test(any_bytes_with_a_good_checksum_are_refused_or_of_use<RopeCalls>),
         cmocka_unit_test(any_bytes_with_a_good_checksum_are_refused_or_of_use<MembraneCalls>),
         cmocka_unit_test(any_bytes_with_a_good_checksum_are_refused_or_of_use<ClothCalls>),
+        cmocka_unit_test(any_bytes_with_a_good_checksum_are_refused_or_of_use<WaterCalls>),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
