@@ -236,12 +236,16 @@ static void hard_scenes_stay_bounded(void** state) {
     }
 }
 
+/* Stiff rods that pushed, or that pinned nodes hold bent, and made energy without a word where joints were not asked. */
+static const int stiff_rods[] = {6259, 16907, 25179};
+
 static void thousands_of_random_ropes_stay_bounded(void** state) {
     (void)state;
-    const int count = getenv("CD_LONG") ? 50000 : 5000;
+    const int random = getenv("CD_LONG") ? 50000 : 5000, count = random + (int)COUNT(stiff_rods);
     int missed = 0;
     double stretch = 0, gain = 0, drift = 0, slack = 0;
-    for (int number = 0; number < count; ++number) {
+    for (int k = 0; k < count; ++k) {
+        const int number = k < random ? k : stiff_rods[k - random];
         static struct scene s;
         uint64_t seed = 1000 + (uint64_t)number;
         const double lambda = number % 3 == 0 ? 1 : 0.75 + 0.25 * random_number(&seed);
@@ -263,7 +267,7 @@ static void thousands_of_random_ropes_stay_bounded(void** state) {
         if (number % 4 == 1) s.pin[0] = CD_NODE_FREE;
         const double tolerance = pow(10, number % 3 == 1 ? -2 : -6);
         s.push = number % 8 == 3 && number % 9 != 4;
-        if (number % 2) s.bend = pow(10, 5 * random_number(&seed));
+        if (number % 2) s.bend = pow(10, (k < random ? 5 : 6) * random_number(&seed));
         cd_chain* chain = make(&s, lambda, CD_FLOAT64);
         ok(cd_chain_set_tolerance(chain, tolerance, 200));
         double tension[MOST_NODES];

@@ -78,14 +78,15 @@ static double gained(cd_momentum momentum, double courant, uint64_t seed) {
 
 static void water_and_hulls_gain_no_energy(void** state) {
     (void)state;
+    static const uint64_t seeds[] = {1, 2, 3, 4, 35}; /* of 35 a hull presses its cells nearly dry */
     for (cd_momentum momentum = CD_MOMENTUM_LINEAR; momentum <= CD_MOMENTUM_ADVECTED; ++momentum)
         for (double courant = 0.1; courant < 60; courant *= 5)
-            for (uint64_t seed = 1; seed <= 4; ++seed) {
-                const double by = gained(momentum, courant, seed);
+            for (size_t k = 0; k < COUNT(seeds); ++k) {
+                const double by = gained(momentum, courant, seeds[k]);
                 /* linear water makes h_t u^2 / 2 of its own in short steps */
                 if (by > (momentum == CD_MOMENTUM_LINEAR && courant < 1 ? 0.7 : 0.01))
                     fail_msg("momentum %d, Courant number %g, seed %d: gains %g of what it loses", momentum, courant,
-                             (int)seed, by);
+                             (int)seeds[k], by);
             }
 }
 
