@@ -99,8 +99,8 @@ template <int N> void RopeBundle<N>::ask_all(bool at_start) {
 //
 // Pushes along n0 give energy where a node gets in front of n0's plane, as it would have to in a hollow whose surface
 // rises before it. So no node has to come further out than to that plane, and the next step takes it out of what it
-// went into. Behind it lies all that is convex: a callback's ball or box is met at its surface. Beds are met at the plane
-// alone: where their slope turns often, what keeps to both finds no end.
+// went into. Behind it lies all that is convex: a callback's ball or box is met at its surface. Beds are met at the
+// plane alone: where their slope turns often, what keeps to both finds no end.
 template <int N> void RopeBundle<N>::look_at_end(size_t k, size_t i, V before, V x, Contact& c) const {
     const Obstacle& to = stage.colliders[k];
     if (to.is_convex()) return look_at_gap(to, x, stage.time_after, c.normal, c.gap);

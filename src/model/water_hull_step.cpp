@@ -141,7 +141,7 @@ void feel_water(const Water& w, HullWork& work, Axis a, double theta, double dt)
 
 namespace {
 
-constexpr int kMostNewton = 40, kMostHalvings = 10; // iterations, and halvings of one's way
+constexpr int kMostHeaves = 40, kMostHalvings = 10; // iterations of heave, and halvings of the way of one
 constexpr double kLeastGain = 0x1p-60;              // of an iteration, over the energies: less is rounding
 
 // Solves the symmetric system of three, whose diagonal is positive, for x.
@@ -177,7 +177,7 @@ void heave(const Water& w, size_t index, HullPose& pose, double (&v)[3], double 
     for (int k = 0; k < 3; ++k) moving += 0.5 * (mass[k] * (v0[k] * v0[k]));
     HullContact contact(w, index, pose_at(v));
     double now = value(v, contact);
-    for (int iteration = 0; iteration < kMostNewton; ++iteration) {
+    for (int iteration = 0; iteration < kMostHeaves; ++iteration) {
         double system[6], right[3], change[3], next[3];
         for (int k = 0; k < 6; ++k) system[k] = dt * dt * contact.slope[k];
         system[0] += mass[0], system[3] += mass[1], system[5] += mass[2];

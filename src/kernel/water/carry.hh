@@ -95,12 +95,12 @@ template <int N> struct FaceCarriers {
     size_t first;
     bool any_bounded;
 
-    CarrierLanes<N> at(size_t k) const {
+    __attribute__((always_inline)) CarrierLanes<N> at(size_t k) const {
         const size_t i = first + k;
         const auto l = line.cell(line.left(i)), r = line.cell(i);
         const auto l_after = line.cell_after(line.left(i)), r_after = line.cell_after(i);
         const L v0 = mean_depth(l, r), v1 = mean_depth(l_after, r_after), base = line.speed[i];
-        const L late = line.push_of(i, kind) * line.rise_of(i, line.after);
+        const L late = line.push_of(i, kind) * line.rise_at(i, l_after, r_after);
         CarrierLanes<N> out{v0, v0 * base - v1 * late, line.velocity[i]};
         if (kind.any_long) { // all of the push comes before
             out.speed = select(kind.is_long, any_bounded ? line.bounded(i, base - late) : base - late, out.speed);

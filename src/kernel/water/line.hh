@@ -99,16 +99,14 @@ template <int N> struct WaterLine {
     Cell cell(size_t i) const { return {bed[i], depth[i]}; }
     Cell cell_after(size_t i) const { return {bed[i], after[i]}; }
     bool pressed() const { return CD_WITH_HULL && load; }
-    // How far the surface rises across a face, and the head that hulls press with, of depths in a panel.
-    L full_rise_of(size_t i, const Panel<N>& of) const {
-        const size_t l = left(i);
-        const L rise = full_rise(Cell{bed[l], of[l]}, Cell{bed[i], of[i]});
-        return pressed() ? rise + ((load[i] - load[l]) + (stiff[i] * of[i] - stiff[l] * of[l])) : rise;
+    // How far the surface rises across face i, and the head that hulls press with.
+    L full_rise_at(size_t i, Cell l, Cell r) const {
+        const L rise = full_rise(l, r);
+        if (!pressed()) return rise;
+        return rise + ((load[i] - load[left(i)]) + (stiff[i] * r.depth - stiff[left(i)] * l.depth));
     }
     // As far as it pushes water.
-    L rise_of(size_t i, const Panel<N>& of) const {
-        return rise_between(Cell{bed[left(i)], of[left(i)]}, Cell{bed[i], of[i]}, full_rise_of(i, of));
-    }
+    L rise_at(size_t i, Cell l, Cell r) const { return rise_between(l, r, full_rise_at(i, l, r)); }
     // > 0 where a hull presses so hard that it may press the cell dry.
     L squeezed_in(size_t i) const { return load[i] + (stiff[i] - L::splat(2)) * depth[i]; }
     // The depth in which waves run as fast as in a cell.

@@ -33,7 +33,7 @@ template <int N> __attribute__((always_inline)) inline FaceLanes<N> WaterLine<N>
 
     // 1. push
     const L force = acceleration ? kind.share * acceleration[i] : none;
-    L rise = gc * (deep ? full_rise_of(i, depth) : rise_of(i, depth)), kept = u + force,
+    L rise = gc * (deep ? full_rise_at(i, l, r) : rise_at(i, l, r)), kept = u + force,
       answer = theta * gc; // of a rise after the step
     if (sweep.rubs()) {
         L z = sweep.drag * (sweep.dt * kind.share);
@@ -49,12 +49,12 @@ template <int N> __attribute__((always_inline)) inline FaceLanes<N> WaterLine<N>
     // 2. depth
     const L run = theta * kind.courant, speed = theta * w + (1 - theta) * u;
     const L cells = smaller(larger(kind.courant * u, L::splat(-1)), L::splat(1)); // no more than a cell's change
-    L face_depth = mean, k = theta * cells, half = 0.5 * k, advected = theta * stream;
+    L depth = mean, k = theta * cells, half = 0.5 * k, advected = theta * stream;
     if (!deep) {
         const L along = select(size_of(speed), speed, w), head = (0.5 / (sweep.gravity + 0x1p-1000)) * (along * along);
         const FaceDepth<N> face(l, r, along, kind.any_long ? &kind.is_long : nullptr, run, run * gc, head);
         const L uneven = size_of(face.depth - mean);
-        face_depth = face.depth;
+        depth = face.depth;
         k = select(face.closed, none, k);
         half = select(uneven, none, 0.5 * k);
         advected = select(uneven, none, advected);
@@ -62,9 +62,9 @@ template <int N> __attribute__((always_inline)) inline FaceLanes<N> WaterLine<N>
     }
 
     // 3. what the flux answers to
-    const L s = sweep.implicit ? run * (answer * face_depth) : none;
+    const L s = sweep.implicit ? run * (answer * depth) : none;
     const L of_right = !sweep.implicit ? select(k, half, k - half) : select(k, smaller(half, s), k - larger(half, -s));
-    L through = face_depth * speed;
+    L through = depth * speed;
     if (sweep.advected) through = through + advected;
     const L of_left = k - of_right;
     L s_left = s, s_right = s;

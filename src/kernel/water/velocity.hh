@@ -20,7 +20,7 @@ constexpr double kRoughChange = 0.05;
 
 // What lifting water over a face takes before the step, per flux [m^2/s^2], but for what pushes it from outside.
 template <int N> Lanes<N> WaterLine<N>::lift(size_t i) const {
-    const L rise = sweep.gravity * full_rise_of(i, depth);
+    const L rise = sweep.gravity * full_rise_at(i, cell(left(i)), cell(i));
     return acceleration ? rise - acceleration[i] / L::splat(sweep.courant) : rise;
 }
 
@@ -114,7 +114,7 @@ template <int N> void WaterLine<N>::set_velocities(StepKind<N> kind) {
     for (size_t i = first_face(); i < n; ++i) {
         const Cell l = here.cell_after(here.left(i)), r = here.cell_after(i);
         const bool wet = all_positive(smaller(l.depth, r.depth));
-        const L rise = wet ? here.full_rise_of(i, here.after) : here.rise_of(i, here.after);
+        const L rise = wet ? here.full_rise_at(i, l, r) : here.rise_at(i, l, r);
         L w = here.speed[i] - here.push_of(i, kind) * rise;
         if (any_bounded) w = here.bounded(i, w);
         if (any_limited) w = select(limits, here.pull[i] * w, w);
