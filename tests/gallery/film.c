@@ -40,10 +40,22 @@ static void write_line(const film* of, FILE* out, size_t frame, size_t line) {
     }
 }
 
+static int is_still(const film* of, size_t line) {
+    const size_t numbers = 2 * of->points;
+    for (size_t frame = 1; frame <= of->frames; ++frame)
+        for (size_t i = 0; i < numbers; ++i)
+            if (lround(place(of, frame, line, 0)[i]) != lround(place(of, 0, line, 0)[i])) return 0;
+    return 1;
+}
+
 void film_write(const film* of, FILE* out, const char* kind) {
     for (size_t line = 0; line < of->lines; ++line) {
         fprintf(out, "<path class=\"%s\" d=\"", kind);
         write_line(of, out, 0, line);
+        if (is_still(of, line)) {
+            fputs("\"/>\n", out);
+            continue;
+        }
         fprintf(out, "\"><animate attributeName=\"d\" dur=\"%gs\" repeatCount=\"indefinite\" values=\"", of->seconds);
         for (size_t frame = 0; frame < of->frames; ++frame) write_line(of, out, frame, line), fputs(";", out);
         write_line(of, out, 0, line);
