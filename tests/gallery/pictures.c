@@ -1,4 +1,4 @@
-/* pictures FILE: draws a rope, hair, cloth, a drum and a pool as the moving picture that the README shows. Each is driven in
+/* pictures FILE: draws a rope, hair, cloth, a drum and a boat on a pool as the moving picture that the README shows. Each is driven in
  * turns of 4 s and drawn once it has come to repeat itself; how far it ends from where it began is printed. */
 #include <contdyn/contdyn.h>
 #include <math.h>
@@ -202,39 +202,68 @@ static void drum(FILE* out) {
     cd_membrane_destroy(membrane);
 }
 
-/* A pool of 3 m x 2 m, 0.3 m deep, into which something falls. */
+/* A pool of 3 m x 2 m, 0.3 m deep, and a boat of 0.7 m that is led round in it. */
 static void pool(FILE* out) {
-    enum { kX = 42, kY = 28, kRows = 14 };
-    double depth[kX * kY];
+    enum { kX = 42, kY = 28, kRows = 14, kOutline = 6 };
+    static const double kPool[2] = {3, 2}, kDepth = 0.3, kLength = 0.7, kWidth = 0.3, kMass = 6, kFreeboard = 0.08;
+    static const double kHull[kOutline][2] = {{-0.5, -0.4}, {-0.5, 0.4}, {0.2, 0.5}, {0.5, 0}, {0.2, -0.5}, {-0.5, -0.4}};
+    double depth[kX * kY], pose[7], velocity[6];
     cd_water* water;
-    film drawn;
+    film drawn, boat;
     start(&drawn, kRows, kX);
-    must(cd_water_create(kX, kY, 3.0 / kX, 2.0 / kY, CD_FLOAT64, NULL, &water));
-    must(cd_water_add_volume_rectangle(water, 0, 0, kX, kY, 6 * 0.3, NULL));
+    start(&boat, 2, kOutline);
+    must(cd_water_create(kX, kY, kPool[0] / kX, kPool[1] / kY, CD_FLOAT64, NULL, &water));
+    must(cd_water_add_volume_rectangle(water, 0, 0, kX, kY, kPool[0] * kPool[1] * kDepth, NULL));
     must(cd_water_set_drag(water, 0.6));
     must(cd_water_set_momentum(water, CD_MOMENTUM_ADVECTED));
-    for (int step = 0; step <= 3 * kPeriod; ++step) {
-        if (step % kPeriod == kSteps) must(cd_water_splash(water, 0.9, 1.2, 0.45, 0.12));
-        const int now = step - 2 * kPeriod;
+    must(cd_water_set_hulls(water, 1, 8, 4));
+    must(cd_water_set_hull(water, 0, kMass, kLength, kWidth, NULL, 0));
+    must(cd_water_set_hull_drag(water, 0, 3, 10, 0));
+    must(cd_water_launch_hull(water, 0, 2.3, 1, 0, 1));
+    for (int step = 0; step <= 6 * kPeriod; ++step) {
+        const double turn = kTurn * (step + 1) / kPeriod, lead[2] = {1.5 + 0.8 * cos(turn), 1 + 0.45 * sin(turn)};
+        const int now = step - 5 * kPeriod;
+        must(cd_water_get_hull_floor(water, 0, pose, 7));
+        must(cd_water_get_hull_velocity(water, 0, velocity, 6));
         if (now >= 0 && now % kSteps == 0) {
+            const size_t frame = (size_t)(now / kSteps);
             must(cd_water_read_f64(water, CD_DEPTH, 0, 0, kX, kY, depth, sizeof depth / sizeof *depth));
             for (size_t j = 0; j < kRows; ++j)
                 for (size_t i = 0; i < kX; ++i) {
                     const double slant = 300.0 * j / (kRows - 1);
-                    film_set(&drawn, (size_t)(now / kSteps), kRows - 1 - j, i, 200 + 1300.0 * i / (kX - 1) + slant,
-                             1150 - 600.0 * j / (kRows - 1) - 2000 * (depth[2 * j * kX + i] - 0.3));
+                    film_set(&drawn, frame, kRows - 1 - j, i, 200 + 1300.0 * i / (kX - 1) + slant,
+                             1150 - 600.0 * j / (kRows - 1) - 1200 * (depth[2 * j * kX + i] - kDepth));
                 }
+            for (size_t i = 0; i < 2 * kOutline; ++i) { /* at the water, and at the gunwale */
+                const double* const at = kHull[i % kOutline];
+                const double a = at[0] * kLength, b = at[1] * kWidth, tilt = pose[5] * a + pose[6] * b;
+                const double x = pose[0] + a * pose[3] - b * pose[4], y = pose[1] + a * pose[4] + b * pose[3];
+                const double up = i < kOutline ? 0 : kFreeboard;
+                film_set(&boat, frame, i / kOutline, i % kOutline, 200 + 1300 * x / kPool[0] + 300 * y / kPool[1],
+                         1150 - 600 * y / kPool[1] - 1200 * (pose[2] + tilt + kMass / (1000 * kLength * kWidth) - kDepth) -
+                             1300 / kPool[0] * up);
+            }
         }
+        /* Its middle is pulled to where it is led, and its bow turned the way that goes. */
+        const double rate = kTurn / kSeconds, way[2] = {-0.8 * rate * sin(turn), 0.45 * rate * cos(turn)};
+        const double pull[2] = {400 * (lead[0] - pose[0]) + 100 * (way[0] - velocity[0]),
+                                400 * (lead[1] - pose[1]) + 100 * (way[1] - velocity[1])};
+        const double force[6] = {pull[0] * pose[3] + pull[1] * pose[4], pull[1] * pose[3] - pull[0] * pose[4], 0,
+                                 40 * (way[1] * pose[3] - way[0] * pose[4]) - 8 * velocity[3], 0, 0};
+        must(cd_water_set_hull_force(water, 0, force, 6));
         must(cd_water_step(water, kDt, 1));
     }
-    end(&drawn, out, "pool", "water");
+    film_write(&drawn, out, "water");
+    printf("pool ends %.1f from where it began\n", film_jump(&drawn));
+    film_destroy(&drawn);
+    end(&boat, out, "boat", "boat");
     cd_water_destroy(water);
 }
 
 static const char* const kStyle =
     "path,circle{fill:none;stroke-linecap:round;stroke-linejoin:round}"
     ".rope{stroke:#c07830;stroke-width:24}.hair{stroke:#a0522d;stroke-width:12}.sheet{stroke:#c04848;stroke-width:10}.cloth{stroke:#7858a8;stroke-width:10}"
-    ".water{stroke:#2878c0;stroke-width:10}.body{fill:#c8c8c8}"
+    ".water{stroke:#2878c0;stroke-width:10}.body{fill:#c8c8c8}.boat{stroke:#804020;stroke-width:10;fill:#c08050;fill-opacity:.8}"
     "@media(prefers-color-scheme:dark){.water{stroke:#60a8e8}.body{fill:#585858}"
     ".hair{stroke:#d09060}.sheet{stroke:#e87878}.cloth{stroke:#b098e0}}";
 
