@@ -304,8 +304,8 @@ static const char* const kStyle =
     "path{fill:none;stroke-linecap:round;stroke-linejoin:round}"
     ".rope{stroke:#c07830;stroke-width:8}.hair{stroke:#a0522d;stroke-width:4}.sheet{stroke:#c04848;stroke-width:3}"
     ".cloth{stroke:#7858a8;stroke-width:3}.water{stroke:#2878c0;stroke-width:2;fill:#b8d8f0}"
-    ".ground{stroke:#907850;stroke-width:2;fill:#d8c8a8}.body,.hull{fill:#a0a0a0;fill-opacity:.8}"
-    ".hull{stroke:#404040;stroke-width:3}"
+    ".ground{stroke:#907850;stroke-width:2;fill:#d8c8a8}.body{fill:#a0a0a0;fill-opacity:.8}"
+    ".hull{stroke:#804020;stroke-width:3;fill:#c08050;fill-opacity:.8}"
     "@media(prefers-color-scheme:dark){.hair{stroke:#d09060}.sheet{stroke:#e87878}.cloth{stroke:#b098e0}"
     ".water{stroke:#60a8e8;fill:#204060}.ground{stroke:#a89068;fill:#484030}}";
 
