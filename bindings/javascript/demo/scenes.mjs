@@ -43,11 +43,12 @@ function disc(context, view, x, y, radius) {
 // ---- pool -----------------------------------------------------------------------------------------------------------
 
 const kCells = 256;
+const kBoat = { mass: 110, length: 1.2, width: 0.5, along: 12, across: 6, freeboard: 0.16 };
 
 class Pool {
   static title = "Pool";
-  static hint = "Drag through the water. A beach lies to the right. Then take forward Euler, and the pool blows up; "
-    + "symplectic Euler bears short steps only; the implicit step any.";
+  static hint = "Drag through the water, or pull the boat. A beach lies to the right. Then take forward Euler, and the "
+    + "pool blows up; symplectic Euler bears short steps only; the implicit step any.";
   static world = { left: 0, right: 8, bottom: 0, top: 6 };
   static controls = {
     dt: stepSize(),
@@ -75,7 +76,36 @@ class Pool {
     this.object.write("surface", 0);
     this.object.restartAccount();
     this.object.splash(2.2, 2.2, 0.6, 0.3);
+    this.#launch();
     this.image = null;
+  }
+
+  /** A flat boat whose bow narrows to a point. */
+  #launch() {
+    const { mass, length, width, along, across } = kBoat;
+    const heights = [];
+    for (let j = 0; j < across; ++j) {
+      for (let i = 0; i < along; ++i) {
+        const beside = Math.abs(2 * (j + 0.5) / across - 1);
+        heights.push(beside > (along - i - 0.5) / (0.35 * along) ? -1 : 0);
+      }
+    }
+    this.object.hulls = { count: 1, nAlong: along, nAcross: across };
+    this.object.setHull(0, mass, length, width, heights);
+    this.object.setHullDrag(0, 60, 600, 0.3);
+    this.object.launchHull(0, 3.9, 2.1, 1, 0.4);
+    this.pulled = null;
+  }
+
+  /** While the boat is held, a rope from the pointer to its middle pulls it and turns its bow there. */
+  before() {
+    if (!this.pulled) return;
+    const [x, y, , aheadX, aheadY] = this.object.getHullFloor(0, 7);
+    const [speedX, speedY, , yaw] = this.object.getHullVelocity(0, 6);
+    const [toX, toY] = [this.pulled[0] - x, this.pulled[1] - y];
+    const [pullX, pullY] = [400 * toX - 150 * speedX, 400 * toY - 150 * speedY];
+    const turn = 150 * (toY * aheadX - toX * aheadY) - 30 * yaw;
+    this.object.setHullForce(0, [pullX * aheadX + pullY * aheadY, pullY * aheadX - pullX * aheadY, 0, turn, 0, 0]);
   }
 
   #changed({ method, lambda, gravity, momentum }) {
@@ -87,14 +117,20 @@ class Pool {
   }
 
   press(x, y) {
-    this.object.splash(this.#x(x), this.#y(y), 0.35, 0.15);
+    const [boatX, boatY] = this.object.getHullFloor(0, 7);
+    if (Math.hypot(boatX - x, boatY - y) < kBoat.length / 2) this.pulled = [x, y];
+    else this.object.splash(this.#x(x), this.#y(y), 0.35, 0.15);
   }
 
   drag(x, y, dx, dy) {
-    this.object.impulse(this.#x(x), this.#y(y), 0.4, 900 * dx, 900 * dy);
+    if (this.pulled) this.pulled = [this.#x(x), this.#y(y)];
+    else this.object.impulse(this.#x(x), this.#y(y), 0.4, 900 * dx, 900 * dy);
   }
 
-  release() {}
+  release() {
+    if (this.pulled) this.object.setHullForce(0, [0, 0, 0, 0, 0, 0]);
+    this.pulled = null;
+  }
 
   #x(x) {
     return Math.min(Math.max(x, 0), 8);
@@ -118,7 +154,8 @@ class Pool {
 
   numbers() {
     const { initial, in: came, out: went, error } = this.object.account;
-    return { Volume: `${(initial + came - went + error).toFixed(4)} m³`,
+    const [x, y] = this.object.getHullFloor(0, 7);
+    return { Boat: `${x.toFixed(1)} m, ${y.toFixed(1)} m`, Volume: `${(initial + came - went + error).toFixed(4)} m³`,
       "Lost or gained": `${error.toExponential(1)} m³` };
   }
 
@@ -152,6 +189,25 @@ class Pool {
     const picture = this.canvas.getContext("2d");
     picture.putImageData(this.image, 0, 0);
     context.drawImage(this.canvas, view.x(0), view.y(6), 8 * view.scale, 6 * view.scale);
+    this.#drawBoat(context, view, dark);
+  }
+
+  /** Seen from above: its floor, and the gunwale, which leans as the boat pitches and rolls. */
+  #drawBoat(context, view, dark) {
+    const [x, y, , aheadX, aheadY, pitch, roll] = this.object.getHullFloor(0, 7);
+    const { length, width, freeboard } = kBoat;
+    const outline = [[-0.5, -0.5], [-0.5, 0.5], [0.15, 0.5], [0.5, 0.08], [0.5, -0.08], [0.15, -0.5]];
+    for (const [share, color] of [[1, dark ? "#6b4020" : "#7a4a24"], [0.82, dark ? "#a8784c" : "#c8935c"]]) {
+      context.beginPath();
+      for (const [along, port] of outline) {
+        const a = share * along * length - pitch * freeboard;
+        const p = share * port * width - roll * freeboard;
+        context.lineTo(view.x(x + a * aheadX - p * aheadY), view.y(y + a * aheadY + p * aheadX));
+      }
+      context.closePath();
+      context.fillStyle = color;
+      context.fill();
+    }
   }
 }
 

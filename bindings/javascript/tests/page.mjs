@@ -109,6 +109,14 @@ try {
   await pause(300);
   assert.equal((await seen()).sum, sum, "it moves while it is paused");
 
+  // the boat goes where it is pulled
+  await open("pool");
+  const pulled = await number("Boat");
+  await drag([3.9 / 8, 1 - 2.1 / 6, -0.2, 0]);
+  await pause(600);
+  const there = await number("Boat");
+  assert(there < pulled - 0.3, `the boat was at ${pulled} m and is at ${there} m`);
+
   // the rope falls apart where it is cut
   await open("rope");
   await set("lambda", 1);
