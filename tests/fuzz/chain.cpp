@@ -93,15 +93,20 @@ double Chain::energy() const {
 }
 
 double Chain::stiffest() const {
-    const double count = double(springs + 1);
-    double stretch = 0, bend = 0;
-    const Doubles stretches = all_of(CD_STIFFNESS), bends = all_of(CD_BEND);
+    double stretch = 0;
     cd_chain_get_stiffness(first(), &stretch);
+    stretch = isinf(stretch) ? 0 : stretch * double(springs + 1);
+    for (double k : all_of(CD_STIFFNESS)) stretch = isinf(k) ? stretch : fmax(stretch, k);
+    return stretch + stiffest_joint() + stiffest_tie();
+}
+
+double Chain::stiffest_joint() const {
+    const double count = double(springs + 1);
+    double bend = 0;
     cd_chain_get_bend(first(), &bend);
-    stretch = isinf(stretch) ? 0 : stretch * count, bend *= 16 * count * count * count;
-    for (double k : stretches) stretch = isinf(k) ? stretch : fmax(stretch, k);
-    for (double b : bends) bend = fmax(bend, 16 * b);
-    return stretch + bend + stiffest_tie();
+    bend *= count * count * count;
+    for (double b : all_of(CD_BEND)) bend = fmax(bend, b);
+    return 16 * bend; // which is what a zigzag of 1 pushes back by
 }
 
 double Chain::stiffest_tie() const {

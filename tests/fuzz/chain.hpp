@@ -53,6 +53,7 @@ private:
     void get_shape();
     void get_parameter();
     void set_stiffness();
+    double stiffest_joint() const;
     double stiffest_tie() const;
 
     // Of ropes: chain_rope.cpp.

@@ -116,7 +116,7 @@ void Chain::before_step(double dt) {
     }
 }
 
-// At least what would stop the nodes within the step, in any wind.
+// At least what would stop the nodes within the step, in any wind, and what bent joints push by.
 double Chain::force_on_nodes(double dt) const {
     const double x = fmax(largest_of({CD_POSITION}), position_before);
     const double v = fmax(largest_of({CD_VELOCITY}), velocity_before);
@@ -130,7 +130,7 @@ double Chain::force_on_nodes(double dt) const {
         rough += thing.friction;
     }
     return (1 + rough) * heaviest() * (v / dt + gravity() + push) +
-           stiffest_tie() * (x + largest_of({CD_TARGET})) + largest_of({CD_FORCE}) +
+           stiffest_joint() * x + stiffest_tie() * (x + largest_of({CD_TARGET})) + largest_of({CD_FORCE}) +
            2 * (along + across) * longest() * blows + 1e-30;
 }
 
