@@ -282,7 +282,7 @@ cd_status record_water_step(cd_water* water, double dt, size_t count) {
         if (cd_water_get_hull_floor(water, h, pose, 7)) exit(1);
         if (cd_water_get_hull(water, h, NULL, &length, &width, NULL, NULL, 0)) exit(1);
         to = draw_outline(to, pose, length, width, 0);
-        to = draw_outline(to, pose, length, width, 0.4 * width);
+        to = draw_outline(to, pose, length, width, 0.2 * width);
     }
     free(depth), free(bed);
     return status;
