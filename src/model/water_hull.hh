@@ -1,4 +1,4 @@
-// Hulls that float on a water.
+// Hulls that float on a water. (model.md, 51 to 56)
 //
 // A hull is a rectangle of small plates, each with its floor at a height above the keel; it moves as a rigid body, with
 // small slopes of pitch and roll. A plate of area a at (x, y) whose floor lies at z presses where it lies below the

@@ -1,4 +1,4 @@
-// Steps of hulls: see water_hull.hh.
+// Steps of hulls: see water_hull.hh. (model.md, 52 to 56)
 #include "base/sum.hh"
 #include "model/water_hull_plates.hh"
 

@@ -99,7 +99,7 @@ template <int N> struct WaterLine {
     Cell cell(size_t i) const { return {bed[i], depth[i]}; }
     Cell cell_after(size_t i) const { return {bed[i], after[i]}; }
     bool pressed() const { return CD_WITH_HULL && load; }
-    // How far the surface rises across face i, and the head that hulls press with.
+    // How far the surface rises across face i, and the head that hulls press with (model.md, 52).
     L full_rise_at(size_t i, Cell l, Cell r) const {
         const L rise = full_rise(l, r);
         if (!pressed()) return rise;
