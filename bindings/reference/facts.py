@@ -19,7 +19,8 @@ PREPOSITIONS = ("in", "out")  # parameters' names that sentences have without na
 
 def word(parameter):
     """Its name as comments have it."""
-    return parameter["name"].removeprefix("out_")
+    name = parameter["name"]
+    return name[4:] if name.startswith("out_") else name
 
 
 def of_named(name, names, doc):

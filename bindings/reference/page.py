@@ -41,7 +41,7 @@ def row(cells, anchor=None, tag="td"):
 def table(caption, head, rows):
     """Columns in which no row has anything are left out."""
     kept = [i for i in range(len(head)) if i == 0 or any(cells[i] for cells, _ in rows)]
-    yield f'<div class="wide" tabindex="0"><table><caption>{caption}</caption>'
+    yield f'<div class="wide"><table><caption>{caption}</caption>'
     yield "<thead>" + row([head[i] for i in kept], tag="th") + "</thead><tbody>"
     yield from (row([cells[i] for i in kept], anchor) for cells, anchor in rows)
     yield "</tbody></table></div>"
@@ -90,7 +90,7 @@ class Page:
                         f"<dt>{self.linked(name, header)}</dt><dd>{self.linked(' '.join(said.split()), header)}</dd>"
                         for name, said in zip(parts[::2], parts[1::2])) + "</dl>"
                 elif aligned:
-                    yield f'<pre tabindex="0">{self.linked(text, header)}</pre>'
+                    yield f'<pre>{self.linked(text, header)}</pre>'
                 else:
                     yield f"<p>{self.linked(text, header)}</p>"
 
@@ -114,7 +114,7 @@ class Page:
         for f in group:
             inner = ", ".join(map(self.declaration, f["parameters"])) or "void"
             yield f'<h4 id="{f["name"]}" data-item><a href="#{f["name"]}">{f["name"]}</a></h4>'
-            yield (f'<pre class="c" tabindex="0">{self.type_of(f["returns"])} <b>{f["name"]}</b>({inner});</pre>')
+            yield (f'<pre class="c">{self.type_of(f["returns"])} <b>{f["name"]}</b>({inner});</pre>')
         yield from self.prose(described, header)
         for f in group:
             yield from self.parameters(f)
