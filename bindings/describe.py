@@ -136,6 +136,7 @@ def split_parameters(text):
 class Description:
     def __init__(self):
         self.enums, self.objects, self.callbacks, self.functions, self.macros, self.sections = [], [], [], [], [], []
+        self.doc = ""
         self.used = set()  # entries of the tables above
 
     # -- types --
@@ -290,7 +291,9 @@ class Description:
             raise NotUnderstood(f"{header}: a directive: {re.search('^#.*', text, re.MULTILINE).group(0)}")
         head, text = re.match(r"(/\*(?:.|\n)*?\*/)\n*((?:.|\n)*)", text).groups()
         thing = re.search(r"^typedef struct (cd_[a-z]+) \1;$", text, re.MULTILINE)
-        if thing:
+        if not thing:
+            self.doc = text_of(head)
+        else:
             name = thing.group(1)[3:]
             self.objects.append({"name": name, "handle": thing.group(1), "header": header, "doc": text_of(head),
                                  "fields": []})
@@ -405,6 +408,7 @@ def describe(include):
         "library": "contdyn",
         "version": f"{version['MAJOR']}.{version['MINOR']}.{version['PATCH']}",
         "headers": HEADERS,
+        "doc": description.doc,
         "macros": description.macros,
         "enums": description.enums,
         "callbacks": description.callbacks,
