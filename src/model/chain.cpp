@@ -9,6 +9,7 @@ namespace cd {
 
 // ---- shape and parameters -------------------------------------------------------------------------------------------
 
+// Of (model.md, 1) as the lattice has them (model.md, 2 and 3).
 double uniform_mass(const Chain& c, size_t node) {
     if (c.mass_rule == CD_MASS_EQUAL || c.ring || c.springs == 0) return c.mass / double(c.nodes);
     const bool end = node == 0 || node + 1 == c.nodes;

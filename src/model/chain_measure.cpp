@@ -1,4 +1,4 @@
-// Energy and momentum of a chain.
+// Energy and momentum of a chain. (model.md, 2)
 #include <math.h>
 
 #include "base/sum.hh"

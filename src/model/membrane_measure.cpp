@@ -1,4 +1,4 @@
-// Energy, momentum and volume of a membrane.
+// Energy, momentum and volume of a membrane. (model.md, 28)
 #include "base/sum.hh"
 #include "model/membrane.hh"
 #include "model/vector.hh"

@@ -1,4 +1,5 @@
-// Steps of a membrane, one component after the other. Each stage (stages.hh) solves, for the change dw = w - v,
+// Steps of a membrane, one component after the other. Each stage (stages.hh) solves, for the change dw = w - v
+// (model.md, 29),
 //
 //      S dw = r,     S = M + h C + h^2 K,     r = h [f + M g - K (x + (h + damping) v)] - h (drag M + Z) v
 //

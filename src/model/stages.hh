@@ -1,9 +1,9 @@
 // The stages that a step of a chain or membrane consists of. Every implicit method is one or two stages of one form;
-// with h the stage's share of dt and C = drag M + Z + damping K (model.md, 8 and 9),
+// with h the stage's share of dt and C = drag M + Z + damping K (model.md, 4, 8 and 9),
 //
 //      (M + h C + h^2 K) w = M v + h [f + M g - K x],     v = w + overshoot (w - v_old),     x += move w
 //
-//   lambda   h = lambda dt: w = v + lambda dv, overshoot 1 / lambda - 1, move dt
+//   lambda   h = lambda dt: w = v + lambda dv, overshoot 1 / lambda - 1, move dt (model.md, 10 and 11)
 //   stiff    h = gamma dt, gamma = 1 - 1/sqrt(2): a backward Euler step of h carried on to 1 + sqrt(2) times its
 //            length, then another. SDIRK2 written so: with the state Y_1 after the first stage, the second starts from
 //            Y + (1 - gamma) / gamma (Y_1 - Y), and (1 - gamma) / gamma = 1 + sqrt(2).

@@ -1,5 +1,5 @@
-// Steps of a water: sources, then a sweep along each axis (kernel/water/line.hh tells the step of a line), and, of
-// advected momentum, what each sweep carries of the other axis' velocities.
+// Steps of a water (model.md, 32 and 33): sources, then a sweep along each axis (kernel/water/line.hh tells the step of
+// a line), and, of advected momentum, what each sweep carries of the other axis' velocities.
 #include "base/parallel.hh"
 #include "base/sum.hh"
 #include "model/water_hull.hh"

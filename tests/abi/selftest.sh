@@ -248,6 +248,10 @@ selftest_equations() {
     echo '// (model.md, 2 to 3)' >src/other.cpp
     refuses 'other.cpp:1' src
     rm src/other.cpp
+    echo '// a line (model.md, 1)' >src/line.hh
+    refuses 'nothing cites .2.' src
+    echo '// a line (model.md, 1 to 2)' >src/line.hh
+    accepts src
     printf '\n    e = f     (4)\n' >>src/model.md
     refuses 'in turn: 1 2 4' src
     sed -i '/(4)/d' src/model.md

@@ -74,7 +74,7 @@ static long double half_sine(const struct lattice_chain* l, size_t j) {
 
 /* Per spring k n, per node mass m / (n + 1) (half ends: m / n, and the half masses at the ends make the path's
  * Laplacian that of cosines between them), per bend term b n^3; in a ring of N nodes k N, m / N and b N^3. A bend
- * term is the square of the Laplacian: omega^2 = (4 s^2 k_i + 16 s^4 b_i) / m_i. */
+ * term is the square of the Laplacian: omega^2 = (4 s^2 k_i + 16 s^4 b_i) / m_i. (model.md, 5 and 6) */
 static long double omega_at(const struct lattice_chain* l, long double s) {
     const long double springs = (long double)(is_ring(l->ends) ? l->nodes : l->nodes - 1);
     const long double parts = l->ends == HALF_ENDS ? springs : (long double)l->nodes;

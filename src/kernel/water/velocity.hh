@@ -1,5 +1,5 @@
-// Steps 0 and 5: velocities of dry faces, those from the surface that there really is after the step, and, in long
-// steps, the energy that they may have.
+// Steps 0 and 5: velocities of dry faces, those from the surface that there really is after the step (model.md, 39),
+// and, in long steps, the energy that they may have.
 //
 // Water that a face moves by q loses the energy q fall, fall = -g [(1 - theta) rise before + theta rise after] and what
 // pushes it; the sum over the faces is what the potential energy loses, or, with theta > 1/2, less, and what is done to
