@@ -12,11 +12,6 @@
 //
 // What is left, with AVX-512 on a Zen 5: 11 cycles for 16 nodes of a sheet in the cache, and beyond it the memory: 1.0
 // to 1.2 times a copy of the state for chains, 1.1 to 1.9 times for sheets.
-//
-// Tried, and it did not pay: settling x too and probing it by its exponent (4 cycles of 10 in a loop by themselves);
-// memory asked for ahead along a chain (no difference), and for a sheet a row ahead in a burst (1.2 times slower than
-// 4 KB ahead, bundle by bundle), or 1, 2, 8 KB ahead (1.1 times); many lines node by node in strips of 256 (1.3 to 2
-// times slower than a bundle of them along its nodes).
 #pragma once
 
 #include <utility>

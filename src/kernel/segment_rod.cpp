@@ -1,6 +1,3 @@
-// What did not pay: a guess of 0 for all segments: a rod in free fall then bends by rounding, 1e-7 of its way in 6000
-// steps. Numbers put to 0 inside the loop over a tile's nodes: GCC 12 takes u and d apart into single numbers, half as
-// fast again. The starts of one line after the other, instead of side by side: up to 60 ns a line.
 #include "kernel/segment_rod.hh"
 
 #include "kernel/line_lanes.hh"

@@ -1,9 +1,3 @@
-// What did not pay: unrolling the eight nodes of a tile, so that they stay in registers: as fast, and the code twice as
-// long. A form of its own for 2 and 4 lines where more than springs and gravity acts: not for so much code.
-// Tiles turned in functions of their own where vectors are wide: a tenth slower, for the registers around the call.
-// At the segments' ends whole tiles over those before them, in place of single numbers: they wait for what was just
-// stored (7 to 16% slower from 72 to 136 nodes; with loops that know of it 5 to 12% at 1000).
-// States and tiles in a struct that the sweep of rods shares: a tenth slower with three lines, by GCC 12.
 #include "kernel/segment_sweep.hh"
 
 #include "kernel/line_lanes.hh"

@@ -10,14 +10,6 @@
 // whatever its size, half of that once a call, and of 10 x 10 nodes 220 ns more: rows are 16 nodes then and filters 16
 // rows, each of which waits for the one before it.
 //
-// Tried, and it did not pay, for sheets of 256 and 1024 nodes a side in float32: tiles made straight from the state,
-// without the rows that springs look at (three conversions a node more, and 64 streams at a time: 2.5 times slower at
-// 1024); blocks of 16 rows (3% slower); columns in strips on one thread too (1.4 times slower); strips of 64 columns
-// (1.1 times); asking for memory a row at a time (1.1 times slower at 1024 than bundle by bundle), two rows ahead (1.1
-// times), or of sheets of 256 too (3% slower); on two threads 24 rows of a strip ahead in place of 12 (no time). A
-// node's neighbours shuffled together from whole bundles, which wait less for what was just stored than loads across
-// two: 3% at 10 x 10, no time from 64 on.
-//
 // The same operations as gather, push_separable, pull_separable, filter_lines and move_nodes, and so the same bits.
 #include "kernel/packed.hh"
 #include "kernel/sheet_filters.hh"

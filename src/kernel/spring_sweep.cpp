@@ -1,4 +1,3 @@
-// What did not pay: scratch for short lines on the stack, which costs GCC its registers: half as fast.
 #include "kernel/spring_sweep.hh"
 
 #include "kernel/line_lanes.hh"
