@@ -2,6 +2,7 @@
 """A thousand runs over the processors: how hard do gusts pull at the mast that holds a cable?
 
     runs.py [RUNS [PROCESSES]]      1000 runs, as many processes as there are processors
+    runs.py RUNS ADDRESS            on a Dask cluster: the address of its scheduler, such as tcp://10.0.0.1:8786
 
 Each run has its own gusts, by its number, and gives the same on every machine and in any order. The cable hangs still
 once; objects pickle, and so every process gets it as it is then.
@@ -55,13 +56,24 @@ def run(seed):
     return pull(prepared, seed)
 
 
+def over_processes(cable, runs, processes):
+    with ProcessPoolExecutor(processes, initializer=start, initargs=(cable,)) as pool:
+        return list(pool.map(run, range(runs), chunksize=max(1, runs // (8 * processes))))
+
+
+def over_cluster(cable, runs, address):
+    from dask.distributed import Client
+
+    with Client(address) as client:
+        return client.gather(client.map(pull, [client.scatter(cable, broadcast=True)] * runs, range(runs)))
+
+
 def main():
     runs = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
-    processes = int(sys.argv[2]) if len(sys.argv) > 2 else os.cpu_count()
+    where = sys.argv[2] if len(sys.argv) > 2 else str(os.cpu_count())
     cable = hang()
     print(f"at rest    {hypot(*cable.get_reaction(0, 0)):5.0f} N")
-    with ProcessPoolExecutor(processes, initializer=start, initargs=(cable,)) as pool:
-        pulls = sorted(pool.map(run, range(runs), chunksize=max(1, runs // (8 * processes))))
+    pulls = sorted(over_processes(cable, runs, int(where)) if where.isdigit() else over_cluster(cable, runs, where))
     for name, share in (("median", 0.5), ("1 in 10", 0.9), ("1 in 100", 0.99), ("hardest", 1)):
         print(f"{name:10} {pulls[min(runs - 1, int(share * runs))]:5.0f} N")
 
