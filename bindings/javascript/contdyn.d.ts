@@ -330,8 +330,7 @@ export function buildInfo(): string;
  *  "bend"       (strand), node   N/m     >= 0; that of the two ends of an open chain is kept and not used
  *  "pin"        (strand), node   -       a Node
  *  "restLength" strand, spring  m       1e-60 to 1e60; of ropes only
- *  "tension"    strand, spring   N       finite; of ropes only: what the last step found and the next one starts from;
- *                                         0 or less written to a rope that only pulls is slack, and 0 is read of it
+ *  "tension"    strand, spring   N       finite; of ropes only: what the last step found and the next one starts from
  *  "wind"       strand, node     m/s     finite; of ropes only
  *  "strength"   strand, spring   N       1e-60 to 1e60, or Infinity; of ropes only: see strength
  *  "strain"     strand, spring   -       of ropes, to read only: length now over rest length, less 1; -1 and more

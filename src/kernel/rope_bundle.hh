@@ -167,8 +167,6 @@ template <int N> struct RopeBundle {
         for (int j = 0; j < N; ++j) lane[j] = ropes.tension[tension_place(i, j)];
         return L::load(lane);
     }
-    // Where iterations begin. Below 0 it is that of a slack spring.
-    L first_tension(size_t i) const { return stage.push ? load_tension(i) : size_of(load_tension(i)); }
     V gravity() const { return {L::splat(stage.gravity[0]), L::splat(stage.gravity[1]), L::splat(stage.gravity[2])}; }
 
     // ---- the air ----------------------------------------------------------------------------------------------------
@@ -345,7 +343,7 @@ template <int N> struct RopeBundle {
             springs[i].long_before = root(dot(springs[i].before, springs[i].before));
             springs[i].impulse = select(open, V{}, springs[i].impulse);
             springs[i].pushed = L{};
-            springs[i].tension = springs[i].moves * select(open, first_tension(i), springs[i].tension);
+            springs[i].tension = springs[i].moves * select(open, load_tension(i), springs[i].tension);
             left = right;
         }
         for (size_t i = 0; i < ropes.nodes && has_air(); ++i) in_air[i].way = way_at(i);

@@ -269,8 +269,8 @@ template <int N> RopeResult RopeBundle<N>::step() {
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
         const Spring& s = springs[i];
         const L slack = (1 - fmax(stage.tolerance, kLeastSlack)) * s.length - long_after(i);
-        double lane[N]; // what the interior point leaves to a slack spring is where the next step begins, and no pull
-        (stage.push ? s.tension : select(slack, L{} - s.tension, s.tension)).store(lane);
+        double lane[N]; // the interior point leaves a tension to what is slack
+        (stage.push ? s.tension : select(slack, L{}, s.tension)).store(lane);
         for (int j = 0; j < N && size_t(j) < count; ++j)
             ropes.tension[tension_place(i, j)] = isfinite(lane[j]) ? lane[j] : 0;
     }

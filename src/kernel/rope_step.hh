@@ -22,8 +22,7 @@
 namespace cd {
 
 // The state of all strands. The number of a node's component lies at node * pitch + strand * components + component, a
-// tension at spring * strands + strand: of springs that only pull below 0 where they are slack, of the size that the
-// next step begins with.
+// tension at spring * strands + strand.
 struct Ropes {
     size_t nodes, strands, components, pitch;
     StateNumbers position, velocity, force, target, wind;

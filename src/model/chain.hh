@@ -112,8 +112,6 @@ inline double length_of(const Chain& c, size_t at) { return c.spring_length ? c.
 inline double strength_of(const Chain& c, size_t at) {
     return c.spring_strength ? c.spring_strength[at] : c.rope.strength;
 }
-// A slack spring of a rope that only pulls has none: see kernel/rope_step.hh.
-inline double tension_of(const Chain& c, size_t at) { return c.rope.push || c.tension[at] > 0 ? c.tension[at] : 0; }
 inline bool can_break(const Chain& c) { return c.spring_strength || c.rope.breaks(); }
 double bend_of(const Chain& c, size_t node, size_t at); // 0 at the ends of an open chain
 inline double bend_of(const Chain& c, size_t node) { return bend_of(c, node, node); }

@@ -111,7 +111,7 @@ void reaction(const Chain& c, size_t strand, size_t node, double* out) {
     const auto pull = [&](size_t spring, double sign) {
         double vector[4];
         const double length = vector_of(c, strand, spring, vector);
-        const double tension = sign * tension_of(c, own_place(c, strand, spring));
+        const double tension = sign * c.tension[own_place(c, strand, spring)];
         for (size_t k = 0; k < c.components && length > 0; ++k) out[k] += tension * (vector[k] / length);
     };
     if (node > 0 || c.ring) pull(node > 0 ? node - 1 : c.springs, -1);

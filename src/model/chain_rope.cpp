@@ -49,7 +49,7 @@ size_t break_springs(Chain& c, size_t first, size_t strands) {
         double most = 1;
         for (size_t i = 0; i < c.springs; ++i) {
             const size_t at = own_place(c, s, i);
-            const double load = tension_of(c, at) / strength_of(c, at);
+            const double load = c.tension[at] / strength_of(c, at);
             if (load > most) most = load, worst = at;
         }
         if (worst == c.tension.count) continue;
