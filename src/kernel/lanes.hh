@@ -16,6 +16,13 @@
 #include <immintrin.h>
 #endif
 
+// Of functions that wait for registers when they are called. WebAssembly is to be small, and lets the compiler decide.
+#ifdef __wasm__
+#define CD_INLINED
+#else
+#define CD_INLINED __attribute__((always_inline))
+#endif
+
 #ifndef CD_ISA
 #define CD_ISA plain // of the code outside the kernels
 #endif

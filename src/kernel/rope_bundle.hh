@@ -200,8 +200,7 @@ template <int N> struct RopeBundle {
     // Takes from what hangs on a node what resists it, along the unit vector n as it moves and along `acting` as it
     // pushes back, by an impulse k (n . u - n . w), which is resisted.wished - resisted.by . phi.
     template <bool rod>
-    __attribute__((always_inline)) static void resist(L k, V n, V acting, V u, Hung& hung, Resisted& resisted,
-                                                      V* by_link) {
+    CD_INLINED static void resist(L k, V n, V acting, V u, Hung& hung, Resisted& resisted, V* by_link) {
         const V right = hung.c * acting, left = transposed_times(hung.c, n);
         const L share = k / (one() + k * dot(n, right)), wished = share * dot(n, u - hung.y);
         if constexpr (rod) {

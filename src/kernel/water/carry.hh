@@ -95,7 +95,7 @@ template <int N> struct FaceCarriers {
     size_t first;
     bool any_bounded;
 
-    __attribute__((always_inline)) CarrierLanes<N> at(size_t k) const {
+    CD_INLINED CarrierLanes<N> at(size_t k) const {
         const size_t i = first + k;
         const auto l = line.cell(line.left(i)), r = line.cell(i);
         const auto l_after = line.cell_after(line.left(i)), r_after = line.cell_after(i);
