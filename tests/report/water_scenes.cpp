@@ -116,8 +116,8 @@ std::string pool_picture(const Water& water, const std::string& title) {
 }
 
 void splash(Report& report) {
-    const std::size_t n = 60;
-    Water water(n, n, 0.2, 0.2, precisions().back());
+    const std::size_t n = 36;
+    Water water(n, n, 12.0 / double(n), 12.0 / double(n), precisions().back());
     water.set(method(Way::water_advected));
     water.write(CD_BED, std::vector<double>(n * n, -1.0));
     water.write(CD_SURFACE, std::vector<double>(n * n, 0.0));
@@ -129,6 +129,7 @@ void splash(Report& report) {
         time = moment;
         panels.push_back(pool_picture(water, si(moment, "s", 2) + " after a splash"));
     }
+    panels.back() = report.page.show(panels.back(), "Rings of a splash in a pool");
     report.outcome("water.scene.splash", hex(water.hash()));
     report.page.figure(panels, "",
                        "A splash in a pool: a hole 75 cm deep closes, and its rings run out and come back from the "
