@@ -62,16 +62,24 @@ std::string render(const FateMap& map) {
     std::string svg = open_svg(map.width, map.height, map.title);
     svg += text_at(2, 15, "title", "start", map.title) + text_at(2, 34, "axis", "start", map.y_label);
     const std::size_t columns = map.x.size();
-    Pen bands[kFates], crosses, limits;
+    Pen bands[kFates] = {Pen(0.5), Pen(0.5), Pen(0.5), Pen(0.5)}, crosses(0.5), limits;
+    const auto number_of = [&](int fate) { return std::count(map.fates.begin(), map.fates.end(), Fate(fate)); };
+    int usual = 0;  // what most cells are is drawn once, below the others
+    for (int fate = 1; fate < kFates; ++fate)
+        if (number_of(fate) > number_of(usual)) usual = fate;
+    Pen all;
+    all.move(left, (top + bottom) / 2), all.line(right, (top + bottom) / 2);
+    svg += band(Fate(usual), bottom - top, all);
     for (std::size_t j = 0; j < map.y.size(); ++j)
         for (std::size_t i = 0, end; i < columns; i = end) { // a stroke for a run of cells alike
             const Fate fate = map.fates[j * columns + i];
             for (end = i + 1; end < columns && map.fates[j * columns + end] == fate;) ++end;
+            if (int(fate) == usual) continue;
             const double from = x.at(map.x[i]) - x.cell() / 2;
             bands[int(fate)].move(from, y.at(map.y[j]));
-            bands[int(fate)].line(from + x.cell() * double(end - i) + 0.3, y.at(map.y[j]));
+            bands[int(fate)].line(from + x.cell() * double(end - i) + 0.6, y.at(map.y[j]));
         }
-    for (int fate = 0; fate < kFates; ++fate) svg += band(Fate(fate), y.cell() + 0.3, bands[fate]);
+    for (int fate = 0; fate < kFates; ++fate) svg += band(Fate(fate), y.cell() + 0.6, bands[fate]);
     for (std::size_t k = 0; k < map.differs.size(); ++k)
         if (map.differs[k])
             add_cross(crosses, x.at(map.x[k % columns]), y.at(map.y[k / columns]),
@@ -82,9 +90,11 @@ std::string render(const FateMap& map) {
         limits.polyline(points);
     }
     svg += path_of("odd", crosses) + path_of("limit", limits);
-    for (int e : x.ticks(7)) svg += text_at(x.at(std::pow(10, e)), bottom + 16, "tick", "middle", power_of_ten(e));
-    for (int e : y.ticks(7)) svg += text_at(left - 5, y.at(std::pow(10, e)) + 4, "tick", "end", power_of_ten(e));
-    return svg + text_at((left + right) / 2, map.height - 8, "axis", "middle", map.x_label) + "</svg>\n";
+    Labels below("tick", "middle"), beside("tick", "end");
+    for (int e : x.ticks(7)) below.add(x.at(std::pow(10, e)), bottom + 16, power_of_ten(e));
+    for (int e : y.ticks(7)) beside.add(left - 5, y.at(std::pow(10, e)) + 4, power_of_ten(e));
+    return svg + below.svg() + beside.svg() +
+           text_at((left + right) / 2, map.height - 8, "axis", "middle", map.x_label) + "</svg>\n";
 }
 
 std::string fate_legend() {

@@ -140,7 +140,7 @@ int main(int argc, char** argv) {
             "Run time of this report: " + report::number(report::now() - start, 2) + " s. Main figures: summary.txt; "
             "hashes of every final state, equal in every run: outcomes.csv."};
         const std::string html = report.page.html(
-            "contdyn " + std::string(cd_version_string()) + ": what it computes, how well, and how fast",
+            "contdyn " + std::string(cd_version_string()) + ": how exact, how stable, how fast",
             "contdyn simulates ropes, cloth, drums and shallow water; this page measures how large its errors are for "
             "the run time spent, which stiffness, masses and step lengths it withstands, and what a scene that does "
             "not use a feature need not pay for.", facts);

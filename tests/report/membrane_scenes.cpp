@@ -37,7 +37,7 @@ std::string drum_picture(const Sheet& sheet, const std::string& title, double he
 }
 
 void drums(Report& report) {
-    const std::size_t n = 28, nodes = (n + 1) * (n + 1);
+    const std::size_t n = 24, nodes = (n + 1) * (n + 1);
     Sheet mode(n, n, 1, precisions().front()), hit(n, n, 1, precisions().front());
     std::vector<double> shape(nodes);
     for (std::size_t v = 1; v < n; ++v)
@@ -56,7 +56,7 @@ void drums(Report& report) {
         time = moment;
         panels.push_back(drum_picture(hit, si(moment, "s", 2) + " after a hit", 0.14));
     }
-    panels.back() = report.page.show(panels.back(), "A drum after a hit");
+    panels.front() = report.page.show(panels.front(), "A mode of a drum");
     report.outcome("membrane.scene.drum", hex(hit.hash()));
     report.page.figure(
         panels, "",
@@ -113,7 +113,7 @@ void cloth(Report& report) {
     cd_membrane* membrane = cloth.sheet.get();
     std::vector<std::string> panels;
     std::size_t steps = 0;
-    for (std::size_t until : {0, 30, 60}) {
+    for (std::size_t until : {30, 60}) {
         check(cd_membrane_step(membrane, 1.0 / 120, until - steps));
         steps = until;
         panels.push_back(cloth.draw(si(double(steps) / 120, "s", 2)));

@@ -34,10 +34,10 @@ nav{position:sticky;top:0;max-height:100vh;overflow-y:auto;padding:24px 0}}
 @media (max-width:999px){nav{position:sticky;top:0;z-index:1;display:flex;gap:.9em;overflow-x:auto;white-space:nowrap;
 border-bottom:1px solid var(--grid);padding:.5em 0}nav ul,nav li{display:inline-flex;gap:.9em;margin:0}
 section{scroll-margin-top:3em}}
-.gallery{display:grid;grid-template-columns:repeat(auto-fill,minmax(150px,1fr));gap:10px 16px;margin:1.2em 0;padding:0;
+.gallery{display:grid;grid-template-columns:repeat(auto-fill,minmax(130px,1fr));gap:10px 16px;margin:1.2em 0;padding:0;--titles:hidden;
 list-style:none;font-size:.86rem}
 .gallery svg{width:100%;aspect-ratio:4/3;display:block}.gallery a{text-decoration:none}
-.heads{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,200px),1fr));gap:12px;
+.heads{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,165px),1fr));gap:12px;
 margin:1.4em 0;padding:0;list-style:none}
 .heads li{background:var(--card);border-radius:10px;padding:14px 16px}
 .heads b{display:block;font-size:1.55rem;line-height:1.25;font-weight:650}
@@ -64,34 +64,34 @@ tbody th{white-space:nowrap}
 .wordy td,.wordy tbody th{white-space:normal;min-width:7em}
 .wordy td.l:nth-child(n+3){min-width:15em}
 .files{font-size:.85rem;color:var(--muted)}
-svg text{font:12px system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif;fill:var(--fg)}
-svg .title{font-weight:600;font-size:13px}
-svg .axis{fill:var(--muted)}
-svg .tick{fill:var(--muted);font-size:11.5px}
-svg .note{fill:var(--muted);font-size:11px}
-svg .cell{font-size:11px}
-svg .hot{fill:var(--hot)}
-svg .grid{stroke:var(--grid);stroke-width:1}
-svg .minor{stroke:var(--minor);stroke-width:1}
-svg .frame{stroke:var(--muted);stroke-width:1}
-svg .limit{fill:none;stroke:var(--fg);stroke-width:1.6;stroke-linejoin:round}
-svg .odd{fill:none;stroke:var(--odd);stroke-width:1.6}
-svg .s0{stroke:var(--c0)}svg .p0{fill:var(--c0)}svg .s1{stroke:var(--c1)}svg .p1{fill:var(--c1)}
-svg .s2{stroke:var(--c2)}svg .p2{fill:var(--c2)}svg .s3{stroke:var(--c3)}svg .p3{fill:var(--c3)}
-svg .s4{stroke:var(--c4)}svg .p4{fill:var(--c4)}svg .s5{stroke:var(--c5)}svg .p5{fill:var(--c5)}
-svg .s6{stroke:var(--c6)}svg .p6{fill:var(--c6)}svg .s7{stroke:var(--c7)}svg .p7{fill:var(--c7)}
-svg .s8{stroke:var(--c8)}svg .p8{fill:var(--c8)}
-svg .f0{stroke:var(--f0)}svg .f1{stroke:var(--f1)}svg .f2{stroke:var(--f2)}svg .f3{stroke:var(--f3)}
-svg .f0,svg .f1,svg .f2,svg .f3{shape-rendering:crispEdges}
-svg .m{text-anchor:middle}svg .e{text-anchor:end}
-svg .line{fill:none;stroke-linejoin:round}svg .round{stroke-linecap:round}
-svg .dash{stroke-dasharray:6 4}svg .dots{stroke-dasharray:1.5 4}
-svg .mark{stroke-width:1.5}svg .none{fill:none}svg .hollow{fill:var(--bg)}svg .heat{fill:var(--heat)}
-svg .guide{stroke:var(--muted);stroke-width:1;stroke-dasharray:3 3}
+text{font:12px system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif;fill:var(--fg)}
+.title{font-weight:600;font-size:13px;visibility:var(--titles,visible)}
+.axis{fill:var(--muted)}
+.tick,.tick text{fill:var(--muted);font-size:11.5px}
+.note{fill:var(--muted);font-size:11px}
+.cell,.cell text{font-size:11px;pointer-events:none}
+.hot text{fill:var(--hot)}
+.grid{stroke:var(--grid);stroke-width:1}
+.minor{stroke:var(--minor);stroke-width:1}
+.frame{stroke:var(--muted);stroke-width:1}
+.limit{fill:none;stroke:var(--fg);stroke-width:1.6;stroke-linejoin:round}
+.odd{fill:none;stroke:var(--odd);stroke-width:1.6}
+.s0{stroke:var(--c0)}.p0{fill:var(--c0)}.s1{stroke:var(--c1)}.p1{fill:var(--c1)}
+.s2{stroke:var(--c2)}.p2{fill:var(--c2)}.s3{stroke:var(--c3)}.p3{fill:var(--c3)}
+.s4{stroke:var(--c4)}.p4{fill:var(--c4)}.s5{stroke:var(--c5)}.p5{fill:var(--c5)}
+.s6{stroke:var(--c6)}.p6{fill:var(--c6)}.s7{stroke:var(--c7)}.p7{fill:var(--c7)}
+.s8{stroke:var(--c8)}.p8{fill:var(--c8)}
+.f0{stroke:var(--f0)}.f1{stroke:var(--f1)}.f2{stroke:var(--f2)}.f3{stroke:var(--f3)}
+.f0,.f1,.f2,.f3{shape-rendering:crispEdges}
+.m{text-anchor:middle}.e{text-anchor:end}
+.line{fill:none;stroke-linejoin:round}.round{stroke-linecap:round}
+.dash{stroke-dasharray:6 4}.dots{stroke-dasharray:1.5 4}
+.mark{stroke-width:1.5}.none{fill:none}.hollow{fill:var(--bg)}.heat{fill:var(--heat)}
+.guide{stroke:var(--muted);stroke-width:1;stroke-dasharray:3 3}
 @media (max-width:520px){body{padding:14px 14px 40px}h1{font-size:1.6rem}.heads{gap:8px}.heads li{padding:10px 14px}
 th,td{padding-right:1em}td.l:nth-child(n+3){min-width:10.5em}
-svg .title{font-size:15px}svg .axis{font-size:14px}svg .tick{font-size:13px}
-svg .note{font-size:12px}svg .cell{font-size:12px}}
+.title{font-size:15px}.axis{font-size:14px}.tick,.tick text{font-size:13px}
+.note{font-size:12px}.cell,.cell text{font-size:12px}}
 @media print{body{max-width:none}h2{break-after:avoid}figure{break-inside:avoid}}
 )css";
 

@@ -193,17 +193,18 @@ std::string render(const Plot& plot) {
     std::string svg = open_svg(plot.width, plot.height, plot.title);
     svg += text_at(2, 15, "title", "start", plot.title) + text_at(2, 34, "axis", "start", plot.y.label);
     svg += text_at((x.from + x.to) / 2, plot.height - 8, "axis", "middle", plot.x.label);
+    Labels below("tick", "middle"), beside("tick", "end");
     Pen frame, grid, minor;
     for (const Ruler::Tick& t : x.ticks) {
         straight(t.label.empty() ? minor : grid, x.at(t.value), y.from, x.at(t.value), y.to);
-        if (!t.label.empty()) svg += text_at(x.at(t.value), y.from + 17, "tick", "middle", t.label);
+        below.add(x.at(t.value), y.from + 17, t.label);
     }
     for (const Ruler::Tick& t : y.ticks) {
         straight(t.label.empty() ? minor : grid, x.from, y.at(t.value), x.to, y.at(t.value));
-        if (!t.label.empty()) svg += text_at(x.from - 6, y.at(t.value) + 4, "tick", "end", t.label);
+        beside.add(x.from - 6, y.at(t.value) + 4, t.label);
     }
     straight(frame, x.from, y.from, x.to, y.from);
-    svg += path_at("minor", minor) + path_at("grid", grid) + path_at("frame", frame);
+    svg += path_at("minor", minor) + path_at("grid", grid) + path_at("frame", frame) + below.svg() + beside.svg();
     for (const Guide& guide : plot.guides) svg += draw_guide(guide, x, y);
     std::string clip = "clip" + std::to_string(++clip_number);
     svg += "<clipPath" + attribute("id", clip) + "><rect" + attribute("x", px(x.from - 5)) +
@@ -232,20 +233,24 @@ std::string render(const HeatMap& map) {
     double height = top + map.cell_height * double(map.rows.size()) + (map.x_label.empty() ? 42 : 56);
     std::string svg = open_svg(width, height, map.title);
     svg += text_at(2, 15, "title", "start", map.title) + text_at(2, 34, "axis", "start", map.y_label);
+    Labels rows("tick", "end"), cold("cell", "middle"), hot("cell hot", "middle");
+    svg += "<g class=\"heat\">";
     for (std::size_t r = 0; r < map.rows.size(); ++r) {
         double y = top + map.cell_height * double(r), middle = y + map.cell_height / 2 + 4;
-        svg += text_at(left - 8, middle, "tick", "end", map.rows[r]);
+        rows.add(left - 8, middle, map.rows[r]);
         for (std::size_t c = 0; c < map.columns.size(); ++c) {
             std::size_t k = r * map.columns.size() + c;
             double x = left + map.cell_width * double(c), shade = std::min(1.0, std::max(0.0, map.shade[k]));
-            svg += "<g>" + (k < map.tips.size() ? "<title>" + escape(map.tips[k]) + "</title>" : std::string());
-            svg += "<rect" + attribute("x", px(x + 1)) + attribute("y", px(y + 1)) +
-                   attribute("width", px(map.cell_width - 2)) + attribute("height", px(map.cell_height - 2)) +
-                   attribute("class", "heat") + attribute("fill-opacity", decimal(0.06 + 0.94 * shade, 2)) + "/>";
-            svg += text_at(x + map.cell_width / 2, middle, shade > 0.55 ? "cell hot" : "cell", "middle", map.cells[k]) +
-                   "</g>\n";
+            Pen box;
+            box.move(x + 1, y + 1), box.line(x + map.cell_width - 1, y + 1);
+            box.line(x + map.cell_width - 1, y + map.cell_height - 1), box.line(x + 1, y + map.cell_height - 1);
+            box.close();
+            svg += "<path" + attribute("d", box.text()) + attribute("fill-opacity", decimal(0.06 + 0.94 * shade, 2)) +
+                   (k < map.tips.size() ? "><title>" + escape(map.tips[k]) + "</title></path>\n" : "/>\n");
+            (shade > 0.55 ? hot : cold).add(x + map.cell_width / 2, middle, map.cells[k]);
         }
     }
+    svg += "</g>\n" + rows.svg() + cold.svg() + hot.svg();
     for (std::size_t c = 0; c < map.columns.size(); ++c) {
         double x = left + map.cell_width * (double(c) + 0.5);
         std::size_t cut = std::min(map.columns[c].find('\n'), map.columns[c].size());

@@ -37,10 +37,10 @@ struct Eye {
     }
 };
 
-// Rounded to 6 levels in 256, so that neighbours share a path.
+// Rounded to multiples of 8, so that neighbours share a path.
 std::string hex_colour(const Vector& rgb) {
     int level[3];
-    for (int i = 0; i < 3; ++i) level[i] = std::min(255, std::max(0, int(std::lround(rgb[i] / 6) * 6)));
+    for (int i = 0; i < 3; ++i) level[i] = std::min(255, std::max(0, int(std::lround(rgb[i] / 8) * 8)));
     char text[16];
     std::snprintf(text, sizeof text, "#%02x%02x%02x", level[0], level[1], level[2]);
     return text;

@@ -7,6 +7,8 @@
 
 namespace report {
 
+static const double kStraight = 0.2;
+
 std::string decimal(double value, int digits) {
     char buffer[64];
     std::snprintf(buffer, sizeof buffer, "%.*f", digits, value);
@@ -30,10 +32,22 @@ std::string attribute(const char* name, const std::string& value) {
 std::string stroke_class(int colour) { return "s" + std::to_string(colour); }
 std::string fill_class(int colour) { return "p" + std::to_string(colour); }
 
+static std::string look(const char* kind, const std::string& anchor) {
+    return attribute("class", kind + std::string(anchor == "middle" ? " m" : anchor == "end" ? " e" : ""));
+}
+
+static std::string place(double x, double y, const std::string& text) {
+    return attribute("x", decimal(x, 0)) + attribute("y", decimal(y, 0)) + ">" + escape(text) + "</text>\n";
+}
+
 std::string text_at(double x, double y, const char* kind, const std::string& anchor, const std::string& text) {
-    if (text.empty()) return "";
-    return "<text" + attribute("class", kind + std::string(anchor == "middle" ? " m" : anchor == "end" ? " e" : "")) +
-           attribute("x", px(x)) + attribute("y", px(y)) + ">" + escape(text) + "</text>\n";
+    return text.empty() ? "" : "<text" + look(kind, anchor) + place(x, y, text);
+}
+
+Labels::Labels(const char* kind, const std::string& anchor) : open_("<g" + look(kind, anchor) + ">") {}
+
+void Labels::add(double x, double y, const std::string& text) {
+    if (!text.empty()) texts_ += "<text" + place(x, y, text);
 }
 
 std::string open_svg(double width, double height, const std::string& title) {
@@ -88,7 +102,7 @@ void Pen::polyline(const std::vector<std::pair<double, double>>& points) {
         open.pop_back();
         const auto [x0, y0] = points[from];
         const double dx = points[to].first - x0, dy = points[to].second - y0, length = std::hypot(dx, dy);
-        double farthest = 0.1;
+        double farthest = kStraight;
         std::size_t at = from;
         for (std::size_t i = from + 1; i < to; ++i) {
             const double x = points[i].first - x0, y = points[i].second - y0;

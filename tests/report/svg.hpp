@@ -18,6 +18,18 @@ std::string fill_class(int colour);
 
 // `kind` is a class of the page, `anchor` is start, middle or end.
 std::string text_at(double x, double y, const char* kind, const std::string& anchor, const std::string& text);
+
+// Ticks' labels, which share what they look like.
+class Labels {
+public:
+    Labels(const char* kind, const std::string& anchor);
+    void add(double x, double y, const std::string& text);
+    std::string svg() const { return texts_.empty() ? "" : open_ + texts_ + "</g>\n"; }
+
+private:
+    std::string open_, texts_;
+};
+
 std::string open_svg(double width, double height, const std::string& title);
 
 // The `d` of a path: each point is told by how far it is from the one before, and roundings do not add up.
@@ -29,7 +41,7 @@ public:
     void line(double x, double y);
     void close();
 
-    // A move and lines; points within a tenth of the straight line between their neighbours are left out.
+    // A move and lines; points within two tenths of the straight line between those that stay are left out.
     void polyline(const std::vector<std::pair<double, double>>& points);
 
     const std::string& text() const { return text_; }

@@ -129,9 +129,8 @@ std::string draw(const Study& study, const std::string& time_label, std::vector<
             if (!(point.error <= 1.5)) continue;
             series.x.push_back(point.error);
             series.y.push_back(point.least_seconds);
-            series.tips.push_back(count(double(point.steps)) + " steps of " +
-                                  si(study.time / double(point.steps), "s") + ": error " + number(point.error, 2) +
-                                  ", " + si(point.least_seconds, "s") + spread_words(point.spread));
+            series.tips.push_back(count(double(point.steps)) + " steps: error " + number(point.error, 2) + ", " +
+                                  si(point.least_seconds, "s") + spread_words(point.spread));
         }
         if (!series.x.empty()) plot.series.push_back(series);
     }
