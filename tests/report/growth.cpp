@@ -95,10 +95,11 @@ GrowthView view(Report& report, const std::vector<Growth>& growths, const Growth
                          cost.timed_steps, cost.seconds, cost.error, cost.per_node_step() * 1e9);
             seconds.x.push_back(size), seconds.y.push_back(cost.seconds);
             each.x.push_back(size), each.y.push_back(cost.per_node_step());
-            seconds.tips.push_back("n = " + count(size) + ": " + si(cost.seconds, "s") + spread_words(cost.spread) + ", " +
+            const std::string spread = spread_words(cost.spread);
+            seconds.tips.push_back("n = " + count(size) + ": " + si(cost.seconds, "s") + spread + ", " +
                                    count(double(cost.steps)) + " steps" +
                                    (cost.whole() ? "" : " (timed over " + count(double(cost.timed_steps)) + ")"));
-            each.tips.push_back("n = " + count(size) + ": " + si(cost.per_node_step(), "s") + spread_words(cost.spread));
+            each.tips.push_back("n = " + count(size) + ": " + si(cost.per_node_step(), "s") + spread);
             view.scaled = view.scaled || !cost.whole();
         }
         total.series.push_back(seconds);

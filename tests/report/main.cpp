@@ -95,8 +95,8 @@ std::string spread_fact() {
     if (all.empty()) return "Times are the least of several rounds; here each had too few to tell how they spread.";
     std::sort(all.begin(), all.end());
     auto at = [&](double share) { return report::percent(all[std::size_t(share * double(all.size() - 1))]); };
-    return "Times are the least of several rounds in which all candidates take turns. A quarter of a timing's rounds took "
-           "longer than that by " + at(0.5) + " and more (the middle one of " + report::count(double(all.size())) +
+    return "Times are the least of several rounds in which all candidates take turns. A quarter of a timing's rounds "
+           "took longer than that by " + at(0.5) + " and more (the middle one of " + report::count(double(all.size())) +
            " timings; by " + at(0.9) + " in the worst tenth). \"(+3%)\" behind a time tells it of that one.";
 }
 
@@ -133,8 +133,8 @@ int main(int argc, char** argv) {
         std::vector<std::string> facts = {
             "Processor: " + report::processor() + ", one core used. Date: " + today() + ".",
             spread_fact(),
-            "The textbook on this page: Michael Kass, An Introduction to Continuum Dynamics for Computer Graphics (1997), "
-            "written as plain loops with the elimination of Numerical Recipes.",
+            "The textbook on this page: Michael Kass, An Introduction to Continuum Dynamics for Computer Graphics "
+            "(1997), written as plain loops with the elimination of Numerical Recipes.",
             std::string("Library: ") + cd_build_info() + ".",
             std::string("This program and the textbook in it: ") + report::kCompiler + ", " + REPORT_FLAGS + ".",
             "Run time of this report: " + report::number(report::now() - start, 2) + " s. Main figures: summary.txt; "

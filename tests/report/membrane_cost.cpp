@@ -140,7 +140,8 @@ void report_membrane_cost(Report& report) {
             if (rows[i].empty())
                 rows[i] = {kind.name(), std::to_string(kind.components), name_of(kind.precision)};
             rows[i].insert(rows[i].end(),
-                           {number(it.nanoseconds, 3) + spread_words(jobs[i].spread()), it.iterations ? std::to_string(it.iterations) : "",
+                           {number(it.nanoseconds, 3) + spread_words(jobs[i].spread()),
+                            it.iterations ? std::to_string(it.iterations) : "",
                             it.bytes ? number(bytes, 3) : ""});
             csv.row(n, how.key, kind.components, name_of(kind.precision), kind.stiffness, it.nanoseconds, it.iterations,
                     bytes);

@@ -34,8 +34,8 @@ nav{position:sticky;top:0;max-height:100vh;overflow-y:auto;padding:24px 0}}
 @media (max-width:999px){nav{position:sticky;top:0;z-index:1;display:flex;gap:.9em;overflow-x:auto;white-space:nowrap;
 border-bottom:1px solid var(--grid);padding:.5em 0}nav ul,nav li{display:inline-flex;gap:.9em;margin:0}
 section{scroll-margin-top:3em}}
-.gallery{display:grid;grid-template-columns:repeat(auto-fill,minmax(130px,1fr));gap:10px 16px;margin:1.2em 0;padding:0;--titles:hidden;
-list-style:none;font-size:.86rem}
+.gallery{display:grid;grid-template-columns:repeat(auto-fill,minmax(130px,1fr));gap:10px 16px;margin:1.2em 0;padding:0;
+--titles:hidden;list-style:none;font-size:.86rem}
 .gallery svg{width:100%;aspect-ratio:4/3;display:block}.gallery a{text-decoration:none}
 .heads{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,165px),1fr));gap:12px;
 margin:1.4em 0;padding:0;list-style:none}
@@ -55,7 +55,8 @@ details{margin:1.6em 0}summary{cursor:pointer}summary i{white-space:nowrap}
 .legend li{display:flex;align-items:center;gap:.45em}
 .legend svg{width:34px;height:14px;flex:none}
 .scroll{overflow-x:auto}
-table{border-collapse:collapse;min-width:min(100%,34rem);font-size:.9rem;font-variant-numeric:tabular-nums;margin:.8em 0 0}
+table{border-collapse:collapse;min-width:min(100%,34rem);
+font-size:.9rem;font-variant-numeric:tabular-nums;margin:.8em 0 0}
 th,td{padding:.32em .9em .32em 0;text-align:right;vertical-align:top;border-bottom:1px solid var(--grid)}
 thead th{font-weight:600;color:var(--muted);vertical-align:bottom}
 tbody th{font-weight:400}
@@ -134,8 +135,8 @@ void Page::table(const Table& table, const std::string& caption) {
     const std::string words = caption_html("Table " + std::to_string(++tables_) + ".", caption);
     const bool folded = table.rows.size() > kLongTable;
     std::string& body = parts_.back().body;
-    body += folded ? "<details>\n<summary>" + words + " <i>" + std::to_string(table.rows.size()) + " rows</i></summary>\n"
-                   : "<figure>\n";
+    const std::string rows = std::to_string(table.rows.size()) + " rows";
+    body += folded ? "<details>\n<summary>" + words + " <i>" + rows + "</i></summary>\n" : "<figure>\n";
     body += std::string("<div class=\"scroll\" tabindex=\"0\"><table") + (table.wordy ? " class=\"wordy\"" : "") +
             ">\n<caption><span>" + (folded ? "Table " + std::to_string(tables_) : words) +
             "</span></caption>\n<thead><tr>";
@@ -163,7 +164,8 @@ std::string Page::contents() const {
     for (const Part& part : parts_) {
         const std::size_t colon = part.title.find(": ");
         const std::string its = colon == std::string::npos ? "" : part.title.substr(0, colon);
-        if (list.empty() || its != group) list += (list.empty() ? "" : "</ul>\n") + ("<b>" + escape(its) + "</b><ul>\n");
+        if (list.empty() || its != group)
+            list += (list.empty() ? "" : "</ul>\n") + ("<b>" + escape(its) + "</b><ul>\n");
         group = its;
         list += "<li><a href=\"#" + part.id + "\">" +
                 escape(colon == std::string::npos ? part.title : part.title.substr(colon + 2)) + "</a></li>\n";

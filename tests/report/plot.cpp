@@ -302,7 +302,8 @@ std::string legend(const std::vector<Series>& series) {
         html += "<li><svg viewBox=\"0 0 34 14\" aria-hidden=\"true\">";
         if (s.style.line)
             html += "<path d=\"M1 7h32\"" + attribute("class", line_class(s.style)) + " stroke-width=\"2\"/>";
-        if (s.style.marker != Marker::none) html += open_markers(s.style) + marker_at(s.style.marker, 17, 7, "") + "</g>";
+        if (s.style.marker != Marker::none)
+            html += open_markers(s.style) + marker_at(s.style.marker, 17, 7, "") + "</g>";
         html += "</svg>" + escape(s.name) + "</li>\n";
     }
     return html + "</ul>\n";

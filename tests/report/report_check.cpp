@@ -107,7 +107,7 @@ void tables_have_captions_and_scopes() {
         expect(number_of("<caption>") == 1, "a table without caption");
         expect(number_of("<th ") == number_of("<th scope=\"col\"") + rows && rows == number_of("<th scope=\"row\"") &&
                    number_of("<th>") == 0, "a head without scope");
-        expect(is_folded == (rows > report::kLongTable), "a table of " + std::to_string(rows) + " rows is folded or not");
+        expect(is_folded == (rows > report::kLongTable), "a table of " + std::to_string(rows) + " rows, folded or not");
         folded += is_folded;
     }
     expect(tables >= 15 && folded > 3 && folded < tables, "tables are missing");

@@ -131,7 +131,9 @@ void draw_island(Report& report) {
     report.summary("water.island.account_error", relative);
     report.outcome("water.scene.island", hex(water.hash()));
     report.page.figure(
-        {map_of(at_low, "low water", {}), report.page.show(map_of(water, "high water", low_depth), "The tide around an island")}, swatches(),
+        {map_of(at_low, "low water", {}),
+         report.page.show(map_of(water, "high water", low_depth), "The tide around an island")},
+        swatches(),
         "The tide bares " + number((high - low) * 1e-4, 3) +
             " ha of banks around an island and fills its lagoon again. 3.3 km × 2.2 km in cells of 25 m, "
             "tides of 1.6 m at the open sides left and right, later on the right; one tide is " +

@@ -132,7 +132,8 @@ void splash(Report& report) {
     panels[0] = report.page.show(panels[0], "Rings of a splash in a pool");
     report.outcome("water.scene.splash", hex(water.hash()));
     report.page.figure(panels, "",
-                       "A splash in a pool: the rings of a hole 75 cm deep run out and come back from the walls. 12 m × 12 m, 1 m deep, " +
+                       "A splash in a pool: the rings of a hole 75 cm deep run out and come back from the walls. "
+                       "12 m × 12 m, 1 m deep, " +
                            std::to_string(n) + " × " + std::to_string(n) +
                            " cells, advected, 100 steps a second; heights are drawn three times as high, orange above "
                            "the level at rest, blue below. Triangles and normals are the library's own.",

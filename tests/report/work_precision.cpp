@@ -75,7 +75,8 @@ double Best::seconds() const { return point ? point->least_seconds : NAN; }
 
 std::string Best::text() const {
     if (!point) return "not reached";
-    return si(point->least_seconds, "s") + spread_words(point->spread) + ": " + curve->name() + ", " + count(double(point->steps)) + " steps";
+    return si(point->least_seconds, "s") + spread_words(point->spread) + ": " + curve->name() + ", " +
+           count(double(point->steps)) + " steps";
 }
 
 // By luck a coarse run may come near the exact answer: all finer ones must be about as good.
@@ -144,7 +145,8 @@ void WorkTables::add(Report& report, const Study& study, const std::string& case
     for (const Curve& curve : study.curves)
         for (const Point& p : curve.points)
             points.row(study.key, curve.how->key, name_of(curve.precision), int(curve.how->textbook), p.steps,
-                       study.time / double(p.steps), p.error, p.least_seconds, p.median_seconds, p.quartile_seconds, hex(p.hash));
+                       study.time / double(p.steps), p.error, p.least_seconds, p.median_seconds,
+                       p.quartile_seconds, hex(p.hash));
     auto name = [](const Best& b) { return b ? b.curve->how->key + " " + name_of(b.curve->precision) : "none"; };
     auto steps = [](const Best& b) { return b ? b.point->steps : std::size_t(0); };
     for (double tolerance : study.tolerances) {

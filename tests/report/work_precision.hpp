@@ -79,7 +79,8 @@ std::string draw(const Study& study, const std::string& time_label, std::vector<
 
 // Collects the rows of several studies, for the page and for the CSV files.
 struct WorkTables {
-    Csv points{"case,method,precision,textbook,steps,dt_s,error,seconds_min,seconds_median,seconds_upper_quartile,hash"};
+    Csv points{"case,method,precision,textbook,steps,dt_s,error,seconds_min,seconds_median,seconds_upper_quartile,"
+               "hash"};
     Csv cheapest{"case,tolerance,implicit,implicit_steps,implicit_seconds,explicit,explicit_steps,explicit_seconds,"
                  "textbook,textbook_steps,textbook_seconds"};
     Table table{
