@@ -78,7 +78,7 @@ Method quarter() {
 } // namespace
 
 void report_chain_atlas(Report& report) {
-    report.page.section("chain-atlas", "Chain: the stability atlas");
+    report.page.section("chain-atlas", "Chains: which steps are stable");
     report.page.paragraph(
         "A chain of 16 springs with both ends held, from random positions and velocities, 200 steps: what becomes of "
         "its energy, for every stiffness and every step. Growing: it is 1000 times that of the start at any of " +

@@ -98,7 +98,7 @@ void report_chain_extremes(Report& report) {
     std::vector<double> springs = {1e-12, 1e-6, 1, 1e4, 1e6, 1e8, 1e10, 1e12, 1e16, 1e20, 1e30, INFINITY};
     if (report.extent == Extent::brief) springs = {1e-12, 1, 1e4, 1e8, 1e12, 1e30, INFINITY};
     const Way ways[] = {Way::half, Way::backward, Way::stiff_second, Way::textbook_half, Way::textbook_backward};
-    report.page.section("chain-extremes", "Chain: stiff beyond reason");
+    report.page.section("chain-extremes", "Chains: errors at any stiffness");
     report.page.paragraph(
         "A free chain of 1000 springs at its rest length, with random masses and random velocities about a common "
         "drift, 60 steps a second, in " + std::string(name_of(precision)) + ", against the same method in extended "

@@ -108,7 +108,7 @@ void report_crossing(Report& report) {
 }  // namespace
 
 void report_chain_figure2(Report& report) {
-    report.page.section("chain-figure2", "Chain: the notes' figure 2");
+    report.page.section("chain-figure2", "Chains: what one implicit step does to an impulse");
     report.page.paragraph(
         "An implicit step is a low-pass filter run along the chain and back. One backward Euler step from an impulse, "
         "with dt² k/m = 25 between neighbours: the forward pass spreads it one way, the backward pass makes it "

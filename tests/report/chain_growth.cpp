@@ -31,7 +31,7 @@ Sized smooth_wave(const Report& report, std::size_t springs) {
 }  // namespace
 
 void report_chain_growth(Report& report) {
-    report.page.section("chain-growth", "Chain: growth of run time with n");
+    report.page.section("chain-growth", "Chains: run time as nodes become more");
     report.page.paragraph(
         "The same smooth wave on finer and finer chains, 1 s simulated. Explicit steps are the longest stable ones, "
         "and shorten as 1/n; implicit steps are the longest that keep the error within 1%, and hardly depend on n. "

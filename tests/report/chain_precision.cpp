@@ -115,7 +115,7 @@ void headline(Report& report, const Study& study) {
 }  // namespace
 
 void report_chain_precision(Report& report) {
-    report.page.section("chain-precision", "Chain: error against run time");
+    report.page.section("chain-precision", "Chains: error against run time");
     report.page.paragraph(
         "A smooth wave: a Gaussian bump of standard deviation 1/20, let go from rest on a chain with both ends held, "
         "mass and stiffness 1, simulated for 1 s in which it splits, turns round at both ends and meets again upside "

@@ -59,7 +59,8 @@ void swinging_rope(Report& report) {
     picture.dots.push_back({0, 0, 4, 0});
     report.outcome("chain.scene.rope", hex(chain.hash()));
     report.summary("chain.scene.rope.energy_drift", drift / kGravity, "of m g L");
-    report.page.figure({render(picture)}, "",
+    const std::string rope = report.page.show(render(picture), "A rope that was let go from the horizontal");
+    report.page.figure({rope}, "",
                        "A rope held at one end swings down from the horizontal and keeps its energy to " +
                        number(drift / kGravity, 2) + " of m g L. One stroke every " +
                        si(double(steps_between) * dt, "s", 2) + ", the older the fainter; " + std::to_string(springs) +
@@ -113,7 +114,7 @@ struct Tuft {
         const std::vector<double> xy = chain.read(CD_POSITION);
         for (std::size_t s = 0; s < kStrands; ++s) {
             Polyline line = strand_line(xy, (s * 61) % kStrands, kSprings + 1);
-            line.colour = s % 4 == 0 ? 2 : s % 4 == 1 ? 0 : 5;
+            line.colour = s / 5 % 4 == 0 ? 2 : s / 5 % 4 == 1 ? 0 : 5;
             line.opacity = 0.8;
             line.width = 1.1;
             picture.lines.push_back(line);
@@ -137,7 +138,7 @@ void hair_in_a_gust(Report& report) {
     }
     report.outcome("chain.scene.hair", hex(tuft.chain.hash()));
     report.page.figure(
-        {rest, tuft.draw("half a second into a gust from the left")}, "",
+        {rest, report.page.show(tuft.draw("half a second into a gust from the left"), "Hair in a gust")}, "",
         std::to_string(Tuft::kStrands) + " strands with bend hang together in one handle and share one factorization. "
         "Each is rooted in position and direction. A single backward Euler step of 10 000 s finds how they hang "
         "(greatest speed left: " + number(fastest, 1) + " m/s); the gust is a force on every node, written anew each "
@@ -147,7 +148,7 @@ void hair_in_a_gust(Report& report) {
 }  // namespace
 
 void report_chain_scenes(Report& report) {
-    report.page.section("chain-scenes", "Chain: pictures");
+    report.page.section("chain-scenes", "Chains: pictures");
     swinging_rope(report);
     hair_in_a_gust(report);
 }

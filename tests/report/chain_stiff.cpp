@@ -80,7 +80,7 @@ void report_chain_stiff(Report& report) {
                                                                    with_limit ? limit : most, expected)});
         }
 
-    report.page.section("chain-stiff", "Chain: stiff, with a slow motion of interest");
+    report.page.section("chain-stiff", "Chains: stiff springs and a slow motion");
     report.page.paragraph(
         "A cord of 100 springs, stiffness over mass 10⁸ as a whole, is free at one end and hangs at the other on a "
         "soft spring, and swings in its slowest mode with a period of " + si(2 * M_PI / mode.omega, "s") +

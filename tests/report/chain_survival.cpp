@@ -183,7 +183,7 @@ Trial many(std::size_t steps, bool decays, cd_precision precision) {
 } // namespace
 
 void report_chain_survival(Report& report) {
-    report.page.section("chain-survival", "Chain: extremes");
+    report.page.section("chain-survival", "Chains: extreme masses, stiffness and steps");
     report.page.paragraph(
         "A chain of 63 springs with both ends held, stiffness over mass of a node 10⁴, 1000 steps at 60 a second from "
         "random positions and velocities, and then everything that can be unreasonable about it, one at a time.");

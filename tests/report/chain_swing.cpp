@@ -215,7 +215,7 @@ double missed(const Outcome& outcome, const Outcome& exact) {
 } // namespace
 
 void report_chain_swing(Report& report) {
-    report.page.section("chain-swing", "Chain: a rope that keeps its length");
+    report.page.section("chain-swing", "Chains: a rope that keeps its length");
     report.page.paragraph(
         "A rope of 10 m, level, held at one end, is let go and swings for 2 s at 60 frames a second, in three "
         "dimensions, one strand and eight at once. It should not stretch at all. Position-based dynamics is written "

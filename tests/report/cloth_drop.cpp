@@ -262,7 +262,7 @@ std::vector<Series> measure(Report& report, std::size_t side, Results& results) 
 } // namespace
 
 void report_cloth_drop(Report& report) {
-    report.page.section("membrane-cloth", "Membrane: a cloth that keeps its size");
+    report.page.section("membrane-cloth", "Membranes and cloth: a cloth that keeps its size");
     report.page.paragraph(
         "A sheet of 1 m and 0.2 kg with springs of 3000 N/m and shear of 100 N/m lies level, is held by two corners "
         "and let go, 60 frames a second. It should hardly stretch, and fall as it would if each step found its answer: "

@@ -15,19 +15,22 @@ const char* name_of(Fate fate) {
 
 namespace {
 
-std::string fill_of(Fate fate) { return "fill:var(--f" + std::to_string(int(fate)) + ")"; }
+const int kFates = 4;
 
-std::string box(double x, double y, double width, double height, const std::string& style) {
-    return "<rect" + attribute("x", px(x)) + attribute("y", px(y)) + attribute("width", px(width)) +
-           attribute("height", px(height)) + attribute("shape-rendering", "crispEdges") + attribute("style", style) +
-           "/>\n";
+// A stroke as wide as the row of cells that it runs along.
+std::string band(Fate fate, double width, const Pen& pen) {
+    if (pen.text().empty()) return "";
+    return "<path" + attribute("class", "f" + std::to_string(int(fate))) + attribute("stroke-width", px(width)) +
+           attribute("d", pen.text()) + "/>\n";
 }
 
-std::string cross_at(double x, double y, double r) {
-    return "<path" + attribute("class", "odd") +
-           attribute("d", "M" + px(x - r) + " " + px(y - r) + "L" + px(x + r) + " " + px(y + r) + "M" + px(x - r) +
-                              " " + px(y + r) + "L" + px(x + r) + " " + px(y - r)) +
-           "/>\n";
+void add_cross(Pen& pen, double x, double y, double r) {
+    pen.move(x - r, y - r), pen.line(x + r, y + r);
+    pen.move(x - r, y + r), pen.line(x + r, y - r);
+}
+
+std::string path_of(const char* kind, const Pen& pen) {
+    return pen.text().empty() ? "" : "<path" + attribute("class", kind) + attribute("d", pen.text()) + "/>\n";
 }
 
 // One logarithmic axis between two pixels, cells centred on its values.
@@ -59,25 +62,39 @@ std::string render(const FateMap& map) {
     std::string svg = open_svg(map.width, map.height, map.title);
     svg += text_at(2, 15, "title", "start", map.title) + text_at(2, 34, "axis", "start", map.y_label);
     const std::size_t columns = map.x.size();
+    Pen bands[kFates] = {Pen(0.5), Pen(0.5), Pen(0.5), Pen(0.5)}, crosses(0.5), limits;
+    const auto number_of = [&](int fate) { return std::count(map.fates.begin(), map.fates.end(), Fate(fate)); };
+    int usual = 0;  // what most cells are is drawn once, below the others
+    for (int fate = 1; fate < kFates; ++fate)
+        if (number_of(fate) > number_of(usual)) usual = fate;
+    Pen all;
+    all.move(left, (top + bottom) / 2), all.line(right, (top + bottom) / 2);
+    svg += band(Fate(usual), bottom - top, all);
     for (std::size_t j = 0; j < map.y.size(); ++j)
-        for (std::size_t i = 0, end; i < columns; i = end) { // a box for a run of cells alike
+        for (std::size_t i = 0, end; i < columns; i = end) { // a stroke for a run of cells alike
             const Fate fate = map.fates[j * columns + i];
             for (end = i + 1; end < columns && map.fates[j * columns + end] == fate;) ++end;
-            svg += box(x.at(map.x[i]) - x.cell() / 2, y.at(map.y[j]) - y.cell() / 2, x.cell() * double(end - i) + 0.3,
-                       y.cell() + 0.3, fill_of(fate));
+            if (int(fate) == usual) continue;
+            const double from = x.at(map.x[i]) - x.cell() / 2;
+            bands[int(fate)].move(from, y.at(map.y[j]));
+            bands[int(fate)].line(from + x.cell() * double(end - i) + 0.6, y.at(map.y[j]));
         }
+    for (int fate = 0; fate < kFates; ++fate) svg += band(Fate(fate), y.cell() + 0.6, bands[fate]);
     for (std::size_t k = 0; k < map.differs.size(); ++k)
         if (map.differs[k])
-            svg += cross_at(x.at(map.x[k % columns]), y.at(map.y[k / columns]), std::min(x.cell(), y.cell()) * 0.35);
+            add_cross(crosses, x.at(map.x[k % columns]), y.at(map.y[k / columns]),
+                      std::min(x.cell(), y.cell()) * 0.35);
     for (const std::vector<FateMap::Point>& limit : map.limits) {
-        std::string d;
-        for (std::size_t i = 0; i < limit.size(); ++i)
-            d += (i ? "L" : "M") + px(x.at(limit[i].x)) + " " + px(y.at(limit[i].y));
-        svg += "<path" + attribute("class", "limit") + attribute("d", d) + "/>\n";
+        std::vector<std::pair<double, double>> points;
+        for (const FateMap::Point& point : limit) points.push_back({x.at(point.x), y.at(point.y)});
+        limits.polyline(points);
     }
-    for (int e : x.ticks(7)) svg += text_at(x.at(std::pow(10, e)), bottom + 16, "tick", "middle", power_of_ten(e));
-    for (int e : y.ticks(7)) svg += text_at(left - 5, y.at(std::pow(10, e)) + 4, "tick", "end", power_of_ten(e));
-    return svg + text_at((left + right) / 2, map.height - 8, "axis", "middle", map.x_label) + "</svg>\n";
+    svg += path_of("odd", crosses) + path_of("limit", limits);
+    Labels below("tick", "middle"), beside("tick", "end");
+    for (int e : x.ticks(7)) below.add(x.at(std::pow(10, e)), bottom + 16, power_of_ten(e));
+    for (int e : y.ticks(7)) beside.add(left - 5, y.at(std::pow(10, e)) + 4, power_of_ten(e));
+    return svg + below.svg() + beside.svg() +
+           text_at((left + right) / 2, map.height - 8, "axis", "middle", map.x_label) + "</svg>\n";
 }
 
 std::string fate_legend() {
@@ -85,10 +102,12 @@ std::string fate_legend() {
     auto item = [&](const std::string& drawing, const std::string& name) {
         html += "<li><svg viewBox=\"0 0 34 14\" aria-hidden=\"true\">" + drawing + "</svg>" + name + "</li>\n";
     };
-    for (Fate fate : {Fate::bounded, Fate::damped, Fate::growing, Fate::not_finite})
-        item(box(4, 1, 26, 12, fill_of(fate)), name_of(fate));
-    item("<path class=\"limit\" d=\"M1 7L33 7\"/>", "theory's limit");
-    item(box(4, 1, 26, 12, fill_of(Fate::bounded)) + cross_at(17, 7, 4), "differs from theory");
+    Pen swatch, cross;
+    swatch.move(4, 7), swatch.line(30, 7);
+    add_cross(cross, 17, 7, 4);
+    for (int fate = 0; fate < kFates; ++fate) item(band(Fate(fate), 12, swatch), name_of(Fate(fate)));
+    item("<path class=\"limit\" d=\"M1 7h32\"/>", "theory's limit");
+    item(band(Fate::bounded, 12, swatch) + path_of("odd", cross), "differs from theory");
     return html + "</ul>\n";
 }
 

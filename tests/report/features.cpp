@@ -18,7 +18,8 @@ void report_features(Report& report, const std::string& object, const std::vecto
     for (std::size_t i = 0; i < features.size(); ++i) {
         const FeatureCost& feature = features[i];
         const double more = feature.bytes - features[0].bytes;
-        table.rows.push_back({feature.name, number(nanoseconds(i), 3), number(nanoseconds(i) / nanoseconds(0), 2) + "×",
+        table.rows.push_back({feature.name, number(nanoseconds(i), 3) + spread_words(jobs[i].spread()),
+                              number(nanoseconds(i) / nanoseconds(0), 2) + "×",
                               number(feature.bytes, 3),
                               i == 0 ? "" : (more < 0 ? "−" : "+") + number(std::fabs(more), 3)});
         csv.row(feature.key, nanoseconds(i), nanoseconds(i) / nanoseconds(0), feature.bytes);

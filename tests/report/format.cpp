@@ -81,6 +81,10 @@ std::string si(double value, const std::string& unit, int significant) {
 
 std::string percent(double fraction, int significant) { return number(fraction * 100, significant) + "%"; }
 
+std::string spread_words(double spread) {
+    return std::isnan(spread) ? "" : " (+" + percent(spread, spread < 0.095 ? 1 : 2) + ")";
+}
+
 std::string plain(double value) {
     char text[64];
     for (int digits = 6; digits <= 17; ++digits) {

@@ -22,6 +22,9 @@ std::string si(double value, const std::string& unit, int significant = 3);
 // 0.013 -> 1.3%.
 std::string percent(double fraction, int significant = 2);
 
+// " (+1.3%)", which stands behind a time; nothing of NaN.
+std::string spread_words(double spread);
+
 // 10 with a superscript exponent; 1 and 10 are written out.
 std::string power_of_ten(int exponent);
 std::string nearest_power_of_ten(double value);

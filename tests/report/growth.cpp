@@ -39,7 +39,7 @@ void measure_size(Report& report, const Sized& sized, std::vector<Growth>& growt
         std::size_t steps =
             how.is_explicit() ? sized.limit : fewest_steps(expected, 0.999 * kGrowthTolerance, 1u << 22);
         std::size_t timed = std::min(steps, sized.affordable(how));
-        growth.costs.push_back({sized.size, sized.nodes, steps, timed, 0, 0, NAN});
+        growth.costs.push_back({sized.size, sized.nodes, steps, timed, 0, 0, NAN, NAN});
         runners.push_back(sized.make(how, growth.precision));
         Runner* runner = runners.back().get();
         const double dt = sized.time / double(steps);
@@ -50,6 +50,7 @@ void measure_size(Report& report, const Sized& sized, std::vector<Growth>& growt
     for (std::size_t i = 0; i < growths.size(); ++i) {
         Cost& cost = growths[i].costs.back();
         cost.seconds = jobs[i].least() * double(cost.steps) / double(cost.timed_steps);
+        cost.spread = jobs[i].spread();
         cost.iterations = runners[i]->iterations();
         if (cost.whole()) cost.error = relative_error(runners[i]->positions(), sized.exact);
     }
@@ -94,10 +95,11 @@ GrowthView view(Report& report, const std::vector<Growth>& growths, const Growth
                          cost.timed_steps, cost.seconds, cost.error, cost.per_node_step() * 1e9);
             seconds.x.push_back(size), seconds.y.push_back(cost.seconds);
             each.x.push_back(size), each.y.push_back(cost.per_node_step());
-            seconds.tips.push_back(growth.name() + ", n = " + count(size) + ": " + si(cost.seconds, "s") + ", " +
+            const std::string spread = spread_words(cost.spread);
+            seconds.tips.push_back("n = " + count(size) + ": " + si(cost.seconds, "s") + spread + ", " +
                                    count(double(cost.steps)) + " steps" +
                                    (cost.whole() ? "" : " (timed over " + count(double(cost.timed_steps)) + ")"));
-            each.tips.push_back(growth.name() + ", n = " + count(size) + ": " + si(cost.per_node_step(), "s"));
+            each.tips.push_back("n = " + count(size) + ": " + si(cost.per_node_step(), "s") + spread);
             view.scaled = view.scaled || !cost.whole();
         }
         total.series.push_back(seconds);

@@ -26,7 +26,7 @@ struct Sized {
 
 struct Cost {
     std::size_t size, nodes, steps, timed_steps, iterations;
-    double seconds, error;  // error NaN where only a part of the second was run
+    double seconds, error, spread;  // error NaN where only a part of the second was run
     bool whole() const { return timed_steps == steps; }
     double per_node_step() const { return seconds / double(steps) / double(nodes); }
 };

@@ -8,7 +8,7 @@
 namespace report {
 
 void report_library(Report& report) {
-    report.page.section("library-size", "Library: what is left out is not in the file");
+    report.page.section("library-size", "Library: the size of its file without each part");
     std::ifstream file(report.sizes);
     std::string line;
     Table table{{"libcontdyn.so, stripped", "bytes", "of everything"}, {}, {}};

@@ -131,7 +131,7 @@ AtlasCase chart(const std::string& sweep, const Method& how, cd_precision precis
 } // namespace
 
 void report_membrane_atlas(Report& report) {
-    report.page.section("membrane-atlas", "Membrane: the stability atlas");
+    report.page.section("membrane-atlas", "Membranes and cloth: which steps are stable");
     report.page.paragraph(
         "The same for a sheet of 8 × 8 springs with all edges held, let go from rest in random positions. Theory knows "
         "alternating steps of a uniform sheet mode by mode too; with an odd mass, rows and columns no longer commute, "

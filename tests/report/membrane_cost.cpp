@@ -87,7 +87,7 @@ std::vector<Kind> kinds() {
 }  // namespace
 
 void report_membrane_cost(Report& report) {
-    report.page.section("membrane-cost", "Membrane: what a node and step costs");
+    report.page.section("membrane-cost", "Membranes and cloth: what a node and step costs");
     report.page.paragraph(
         "A square sheet with all edges held, mass and stiffness 1 if nothing else is said, from random velocities, 60 "
         "steps a second (explicit methods: nine tenths of their limit), on one core. Of a sheet with 3 components a "
@@ -140,7 +140,8 @@ void report_membrane_cost(Report& report) {
             if (rows[i].empty())
                 rows[i] = {kind.name(), std::to_string(kind.components), name_of(kind.precision)};
             rows[i].insert(rows[i].end(),
-                           {number(it.nanoseconds, 3), it.iterations ? std::to_string(it.iterations) : "",
+                           {number(it.nanoseconds, 3) + spread_words(jobs[i].spread()),
+                            it.iterations ? std::to_string(it.iterations) : "",
                             it.bytes ? number(bytes, 3) : ""});
             csv.row(n, how.key, kind.components, name_of(kind.precision), kind.stiffness, it.nanoseconds, it.iterations,
                     bytes);

@@ -61,7 +61,7 @@ std::vector<Feature> features(std::size_t n) {
 
 void report_membrane_features(Report& report) {
     const std::size_t n = report.by_extent<std::size_t>(32, 128, 128), nodes = (n + 1) * (n + 1);
-    report.page.section("membrane-features", "Membrane: what a feature costs");
+    report.page.section("membrane-features", "Membranes and cloth: what each feature costs");
     report.page.paragraph("A square sheet of " + std::to_string(n) + " × " + std::to_string(n) + " springs in " +
                           name_of(precisions().back()) +
                           ", one component, 60 steps a second, if nothing else is said; "

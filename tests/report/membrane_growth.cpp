@@ -34,7 +34,7 @@ Sized drum_of_side(const Report& report, std::size_t n) {
 }  // namespace
 
 void report_membrane_growth(Report& report) {
-    report.page.section("membrane-growth", "Membrane: growth of run time with n");
+    report.page.section("membrane-growth", "Membranes and cloth: run time as nodes become more");
     report.page.paragraph(
         "The same drum on finer and finer lattices of n × n springs, 1 s simulated. Explicit steps are the longest "
         "stable ones, and shorten as 1/n; implicit steps are the longest that keep the error within 1%, and hardly "

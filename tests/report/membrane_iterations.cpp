@@ -87,7 +87,7 @@ Convergence convergence(const SheetKind& kind, std::size_t n, double stiffness) 
 }  // namespace
 
 void report_membrane_iterations(Report& report) {
-    report.page.section("membrane-iterations", "Membrane: iterations of the coupled solver");
+    report.page.section("membrane-iterations", "Membranes and cloth: iterations of the coupled solver");
     report.page.paragraph(
         "One step of λ = 1/2 at 60 a second from random velocities, to a residual of 10⁻⁶, in " +
         std::string(name_of(precisions().front())) +

@@ -89,7 +89,7 @@ void headline(Report& report, const Study& study) {
 }  // namespace
 
 void report_membrane_precision(Report& report) {
-    report.page.section("membrane-precision", "Membrane: error against run time");
+    report.page.section("membrane-precision", "Membranes and cloth: error against run time");
     report.page.paragraph(
         "A drum: a square sheet with all edges held, mass and stiffness 1, let go from rest as a bump of standard "
         "deviation 1/12 off its middle and simulated for 1 s, in which a wave crosses it once. The error is the "

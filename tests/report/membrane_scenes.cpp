@@ -37,7 +37,7 @@ std::string drum_picture(const Sheet& sheet, const std::string& title, double he
 }
 
 void drums(Report& report) {
-    const std::size_t n = 40, nodes = (n + 1) * (n + 1);
+    const std::size_t n = 24, nodes = (n + 1) * (n + 1);
     Sheet mode(n, n, 1, precisions().front()), hit(n, n, 1, precisions().front());
     std::vector<double> shape(nodes);
     for (std::size_t v = 1; v < n; ++v)
@@ -56,6 +56,7 @@ void drums(Report& report) {
         time = moment;
         panels.push_back(drum_picture(hit, si(moment, "s", 2) + " after a hit", 0.14));
     }
+    panels.front() = report.page.show(panels.front(), "A mode of a drum");
     report.outcome("membrane.scene.drum", hex(hit.hash()));
     report.page.figure(
         panels, "",
@@ -68,7 +69,7 @@ void drums(Report& report) {
 
 // A cloth of 3 components, in the plane z = 0 at first, held at the corners of its edge y = 0.
 struct Cloth {
-    static constexpr std::size_t kSide = 36, kPeg = 3;
+    static constexpr std::size_t kSide = 24, kPeg = 2;
     static constexpr double kStiffness = 14;
     Sheet sheet{kSide, kSide, 3, precisions().back()};
 
@@ -112,11 +113,12 @@ void cloth(Report& report) {
     cd_membrane* membrane = cloth.sheet.get();
     std::vector<std::string> panels;
     std::size_t steps = 0;
-    for (std::size_t until : {0, 30, 60}) {
+    for (std::size_t until : {30, 60}) {
         check(cd_membrane_step(membrane, 1.0 / 120, until - steps));
         steps = until;
         panels.push_back(cloth.draw(si(double(steps) / 120, "s", 2)));
     }
+    panels.back() = report.page.show(panels.back(), "A cloth that falls, held by two corners");
     const std::size_t iterations = cloth.sheet.iterations();
     report.outcome("membrane.scene.cloth", hex(cloth.sheet.hash()));
     cloth.sheet.set(method(Way::coupled_backward));
@@ -140,7 +142,7 @@ void cloth(Report& report) {
 }  // namespace
 
 void report_membrane_scenes(Report& report) {
-    report.page.section("membrane-scenes", "Membrane: pictures");
+    report.page.section("membrane-scenes", "Membranes and cloth: pictures");
     drums(report);
     cloth(report);
 }

@@ -299,7 +299,7 @@ void report_blow_ups(Report& report) {
 }  // namespace
 
 void report_membrane_sluggish(Report& report) {
-    report.page.section("membrane-sluggish", "Membrane: which solver?");
+    report.page.section("membrane-sluggish", "Membranes and cloth: which solver to choose");
     std::vector<Series> frequencies, loads;
     std::string finding;
     const std::string first = report_frequencies(report, frequencies), second = report_loads(report, loads, finding);

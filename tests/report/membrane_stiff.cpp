@@ -135,7 +135,7 @@ void report_membrane_stiff(Report& report) {
                    {Way::symplectic_euler, Way::alternating_half, Way::alternating_stiff, Way::coupled_half,
                     Way::textbook_symplectic, Way::textbook_half});
     const std::string side = std::to_string(n) + " × " + std::to_string(n);
-    report.page.section("membrane-stiff", "Membrane: stiff, with a slow motion of interest");
+    report.page.section("membrane-stiff", "Membranes and cloth: stiff springs and a slow motion");
     report.page.paragraph(
         "Stiffness over mass 10⁸, as of cloth or tin that must not stretch; its own waves cross it in " +
         si(1 / std::sqrt(kStiffness), "s") + ", nobody wants to see them, yet an explicit step must be shorter than " +

@@ -201,7 +201,7 @@ Trial many(std::size_t steps, bool decays, Way way, cd_precision precision) {
 } // namespace
 
 void report_membrane_survival(Report& report) {
-    report.page.section("membrane-survival", "Membrane: extremes");
+    report.page.section("membrane-survival", "Membranes and cloth: extreme masses, stiffness and steps");
     report.page.paragraph(
         "A sheet of 12 × 12 springs with all edges held, stiffness over mass of a node 10⁴, 200 steps of λ = 1/2 at 60 "
         "a second from random positions and velocities, and then everything that can be unreasonable about it, one at "

@@ -167,7 +167,7 @@ private:
 } // namespace
 
 void report_notes(Report& report) {
-    report.page.section("notes", "The notes' claims, checked");
+    report.page.section("notes", "Theory: the claims of Kass's notes, checked");
     report.page.paragraph(
         "Michael Kass, An Introduction to Continuum Dynamics for Computer Graphics (1997). What the notes say of their "
         "methods, and what this report measured of it. Figures of other parts of this page are taken from there.");

@@ -7,6 +7,9 @@
 
 namespace report {
 
+const std::size_t kPageBudget = 1000000;  // bytes
+const std::size_t kLongTable = 12;        // rows; more are folded
+
 struct Table {
     std::vector<std::string> head;
     std::vector<std::vector<std::string>> rows;  // plain text; the first column is set left, the others right
@@ -16,7 +19,8 @@ struct Table {
 
 class Page {
 public:
-    // A part of the page, with an entry in its contents. Everything added later belongs to it.
+    // A part of the page, with an entry in its contents. Everything added later belongs to it. Parts one after the
+    // other whose titles begin alike, up to a colon, stand together there.
     void section(const std::string& id, const std::string& title);
 
     // Plain text; one paragraph.
@@ -27,6 +31,10 @@ public:
     void figure(const std::vector<std::string>& panels, const std::string& legend_html, const std::string& caption,
                 int panel_width = 400);
 
+    // Shows a picture (SVG) of the present part at the head of the page, too. Returns what goes into its figure.
+    std::string show(const std::string& picture, const std::string& words);
+
+    // Long ones are folded.
     void table(const Table& table, const std::string& caption);
 
     // One of the few figures at the head of the page.
@@ -42,9 +50,11 @@ private:
         std::string id, title, body;
         std::vector<std::string> files;
     };
+    std::string contents() const;
+
     std::vector<Part> parts_;
-    std::string headlines_;
-    int figures_ = 0, tables_ = 0;
+    std::string headlines_, gallery_;
+    int figures_ = 0, tables_ = 0, shown_ = 0;
 };
 
 }  // namespace report

@@ -9,43 +9,50 @@
 namespace report {
 namespace {
 
-std::string line_at(const char* kind, double x0, double y0, double x1, double y1) {
-    return "<line" + attribute("class", kind) + attribute("x1", px(x0)) + attribute("y1", px(y0)) +
-           attribute("x2", px(x1)) + attribute("y2", px(y1)) + "/>\n";
+void straight(Pen& pen, double x0, double y0, double x1, double y1) { pen.move(x0, y0), pen.line(x1, y1); }
+
+std::string path_at(const std::string& kind, const Pen& pen) {
+    return pen.text().empty() ? "" : "<path" + attribute("class", kind) + attribute("d", pen.text()) + "/>\n";
 }
 
-std::string dash_of(Dash dash) {
-    return dash == Dash::dashed ? ";stroke-dasharray:6 4" : dash == Dash::dotted ? ";stroke-dasharray:1.5 4" : "";
+std::string line_class(const Style& style) {
+    const char* dash = style.dash == Dash::dashed ? " dash" : style.dash == Dash::dotted ? " dots" : "";
+    return "line " + stroke_class(style.colour) + dash;
 }
 
-std::string marker_at(const Style& style, double x, double y, const std::string& tip) {
+// What all markers of a style share; they stand between this and "</g>".
+std::string open_markers(const Style& style) {
+    const bool strokes = style.marker == Marker::cross || style.marker == Marker::plus;
+    const std::string fill = strokes ? "none" : style.hollow ? "hollow" : fill_class(style.colour);
+    return "<g" + attribute("class", "mark " + fill + " " + stroke_class(style.colour)) + ">";
+}
+
+std::string marker_at(Marker marker, double x, double y, const std::string& tip) {
     const double r = 3.6;
-    std::string points;
-    auto corner = [&](double dx, double dy) { points += px(x + dx * r) + "," + px(y + dy * r) + " "; };
-    bool strokes = style.marker == Marker::cross || style.marker == Marker::plus;
-    std::string fill = strokes ? "none" : style.hollow ? "var(--bg)" : colour(style.colour);
-    std::string look = attribute("style", "fill:" + fill + ";stroke:" + colour(style.colour) + ";stroke-width:1.5");
-    std::string inner = tip.empty() ? "" : "<title>" + escape(tip) + "</title>";
-    auto closed = [&](const char* element, const std::string& geometry) {
-        return std::string("<") + element + look + geometry + ">" + inner + "</" + element + ">\n";
+    auto element = [&](const std::string& name, const std::string& geometry) {
+        if (tip.empty()) return "<" + name + geometry + "/>";
+        return "<" + name + geometry + "><title>" + escape(tip) + "</title></" + name + ">\n";
     };
-    switch (style.marker) {
+    Pen pen;
+    auto outline = [&](const std::vector<std::pair<double, double>>& corners) {
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const double at_x = x + corners[i].first * r, at_y = y + corners[i].second * r;
+            i ? pen.line(at_x, at_y) : pen.move(at_x, at_y);
+        }
+        pen.close();
+    };
+    switch (marker) {
     case Marker::none: return "";
     case Marker::circle:
-        return closed("circle", attribute("cx", px(x)) + attribute("cy", px(y)) + attribute("r", px(r)));
-    case Marker::square: corner(-.9, -.9), corner(.9, -.9), corner(.9, .9), corner(-.9, .9); break;
-    case Marker::diamond: corner(0, -1.3), corner(1.3, 0), corner(0, 1.3), corner(-1.3, 0); break;
-    case Marker::triangle: corner(0, -1.2), corner(1.15, .85), corner(-1.15, .85); break;
-    case Marker::wedge: corner(0, 1.2), corner(1.15, -.85), corner(-1.15, -.85); break;
-    case Marker::cross:
-        return closed("path",
-                      attribute("d", "M" + px(x - r) + " " + px(y - r) + "L" + px(x + r) + " " + px(y + r) + "M" +
-                                         px(x - r) + " " + px(y + r) + "L" + px(x + r) + " " + px(y - r)));
-    case Marker::plus:
-        return closed("path", attribute("d", "M" + px(x - r) + " " + px(y) + "L" + px(x + r) + " " + px(y) + "M" +
-                                                 px(x) + " " + px(y - r) + "L" + px(x) + " " + px(y + r)));
+        return element("circle", attribute("cx", px(x)) + attribute("cy", px(y)) + attribute("r", px(r)));
+    case Marker::square: outline({{-.9, -.9}, {.9, -.9}, {.9, .9}, {-.9, .9}}); break;
+    case Marker::diamond: outline({{0, -1.3}, {1.3, 0}, {0, 1.3}, {-1.3, 0}}); break;
+    case Marker::triangle: outline({{0, -1.2}, {1.15, .85}, {-1.15, .85}}); break;
+    case Marker::wedge: outline({{0, 1.2}, {1.15, -.85}, {-1.15, -.85}}); break;
+    case Marker::cross: straight(pen, x - r, y - r, x + r, y + r), straight(pen, x - r, y + r, x + r, y - r); break;
+    case Marker::plus: straight(pen, x - r, y, x + r, y), straight(pen, x, y - r, x, y + r); break;
     }
-    return closed("polygon", attribute("points", points));
+    return element("path", attribute("d", pen.text()));
 }
 
 // One axis laid out between two pixels: range, ticks, labels.
@@ -113,7 +120,8 @@ struct Ruler {
         int every = std::max(1, int(std::ceil(inside / double(wanted + 2))));
         for (int e = first; e <= last; ++e) {
             bool labelled = ((e % every) + every) % every == 0;
-            for (int d = 1; d <= (every == 1 && inside < 8 ? 9 : 1); ++d) {
+            for (int d : {1, 2, 5}) {
+                if (d > 1 && (every > 1 || inside >= 8)) break;
                 double v = d * std::pow(10.0, e);
                 if (v < lo * (1 - 1e-9) || v > hi * (1 + 1e-9)) continue;
                 bool named = d == 1 ? labelled : inside < 2 && (d == 2 || d == 5);
@@ -131,15 +139,19 @@ void widen(double& lo, double& hi, const Ruler& ruler, double v) {
 
 int clip_number = 0;
 
-std::string path_of(const Series& series, const Ruler& x, const Ruler& y) {
-    std::string d;
-    bool pen_down = false;
+Pen line_of(const Series& series, const Ruler& x, const Ruler& y) {
+    Pen pen;
+    std::vector<std::pair<double, double>> points;
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-        bool here = x.holds(series.x[i]) && y.holds(series.y[i]);
-        if (here) d += (pen_down ? "L" : "M") + px(x.at(series.x[i])) + " " + px(y.at(series.y[i]));
-        pen_down = here;
+        if (x.holds(series.x[i]) && y.holds(series.y[i])) {
+            points.push_back({x.at(series.x[i]), y.at(series.y[i])});
+        } else {
+            pen.polyline(points);
+            points.clear();
+        }
     }
-    return d;
+    pen.polyline(points);
+    return pen;
 }
 
 // An upright guide is named above the frame, where no curve runs.
@@ -148,7 +160,9 @@ bool is_upright(const Guide& guide) { return guide.x0 == guide.x1; }
 std::string draw_guide(const Guide& guide, const Ruler& x, const Ruler& y) {
     double x0 = std::isnan(guide.x0) ? x.from : x.at(guide.x0), x1 = std::isnan(guide.x1) ? x.to : x.at(guide.x1);
     double y0 = std::isnan(guide.y0) ? y.from : y.at(guide.y0), y1 = std::isnan(guide.y1) ? y.to : y.at(guide.y1);
-    std::string svg = line_at("guide", x0, y0, x1, y1);
+    Pen pen;
+    straight(pen, x0, y0, x1, y1);
+    std::string svg = path_at("guide", pen);
     if (guide.label.empty()) return svg;
     return svg + (is_upright(guide) ? text_at(x1, y.to - 6, "note", "middle", guide.label)
                                     : text_at(x1 - 4, y1 - 5, "note", "end", guide.label));
@@ -179,15 +193,18 @@ std::string render(const Plot& plot) {
     std::string svg = open_svg(plot.width, plot.height, plot.title);
     svg += text_at(2, 15, "title", "start", plot.title) + text_at(2, 34, "axis", "start", plot.y.label);
     svg += text_at((x.from + x.to) / 2, plot.height - 8, "axis", "middle", plot.x.label);
+    Labels below("tick", "middle"), beside("tick", "end");
+    Pen frame, grid, minor;
     for (const Ruler::Tick& t : x.ticks) {
-        svg += line_at(t.label.empty() ? "minor" : "grid", x.at(t.value), y.from, x.at(t.value), y.to);
-        if (!t.label.empty()) svg += text_at(x.at(t.value), y.from + 17, "tick", "middle", t.label);
+        straight(t.label.empty() ? minor : grid, x.at(t.value), y.from, x.at(t.value), y.to);
+        below.add(x.at(t.value), y.from + 17, t.label);
     }
     for (const Ruler::Tick& t : y.ticks) {
-        svg += line_at(t.label.empty() ? "minor" : "grid", x.from, y.at(t.value), x.to, y.at(t.value));
-        if (!t.label.empty()) svg += text_at(x.from - 6, y.at(t.value) + 4, "tick", "end", t.label);
+        straight(t.label.empty() ? minor : grid, x.from, y.at(t.value), x.to, y.at(t.value));
+        beside.add(x.from - 6, y.at(t.value) + 4, t.label);
     }
-    svg += line_at("frame", x.from, y.from, x.to, y.from);
+    straight(frame, x.from, y.from, x.to, y.from);
+    svg += path_at("minor", minor) + path_at("grid", grid) + path_at("frame", frame) + below.svg() + beside.svg();
     for (const Guide& guide : plot.guides) svg += draw_guide(guide, x, y);
     std::string clip = "clip" + std::to_string(++clip_number);
     svg += "<clipPath" + attribute("id", clip) + "><rect" + attribute("x", px(x.from - 5)) +
@@ -196,14 +213,17 @@ std::string render(const Plot& plot) {
            attribute("clip-path", "url(#" + clip + ")") + ">\n";
     for (const Series& s : plot.series)
         if (s.style.line)
-            svg += "<path" + attribute("d", path_of(s, x, y)) +
-                   attribute("style", "fill:none;stroke:" + colour(s.style.colour) + ";stroke-width:" +
-                                          px(s.style.width) + ";stroke-linejoin:round" + dash_of(s.style.dash)) +
-                   "/>\n";
-    for (const Series& s : plot.series)
+            svg += "<path" + attribute("class", line_class(s.style)) + attribute("stroke-width", px(s.style.width)) +
+                   attribute("d", line_of(s, x, y).text()) +
+                   (s.name.empty() ? "/>\n" : "><title>" + escape(s.name) + "</title></path>\n");
+    for (const Series& s : plot.series) {
+        if (s.style.marker == Marker::none) continue;
+        svg += open_markers(s.style);
         for (std::size_t i = 0; i < s.x.size(); ++i)
             if (x.holds(s.x[i]) && y.holds(s.y[i]))
-                svg += marker_at(s.style, x.at(s.x[i]), y.at(s.y[i]), i < s.tips.size() ? s.tips[i] : "");
+                svg += marker_at(s.style.marker, x.at(s.x[i]), y.at(s.y[i]), i < s.tips.size() ? s.tips[i] : "");
+        svg += "</g>\n";
+    }
     return svg + "</g>\n</svg>\n";
 }
 
@@ -213,21 +233,24 @@ std::string render(const HeatMap& map) {
     double height = top + map.cell_height * double(map.rows.size()) + (map.x_label.empty() ? 42 : 56);
     std::string svg = open_svg(width, height, map.title);
     svg += text_at(2, 15, "title", "start", map.title) + text_at(2, 34, "axis", "start", map.y_label);
+    Labels rows("tick", "end"), cold("cell", "middle"), hot("cell hot", "middle");
+    svg += "<g class=\"heat\">";
     for (std::size_t r = 0; r < map.rows.size(); ++r) {
         double y = top + map.cell_height * double(r), middle = y + map.cell_height / 2 + 4;
-        svg += text_at(left - 8, middle, "tick", "end", map.rows[r]);
+        rows.add(left - 8, middle, map.rows[r]);
         for (std::size_t c = 0; c < map.columns.size(); ++c) {
             std::size_t k = r * map.columns.size() + c;
             double x = left + map.cell_width * double(c), shade = std::min(1.0, std::max(0.0, map.shade[k]));
-            svg += "<g>" + (k < map.tips.size() ? "<title>" + escape(map.tips[k]) + "</title>" : std::string());
-            svg += "<rect" + attribute("x", px(x + 1)) + attribute("y", px(y + 1)) +
-                   attribute("width", px(map.cell_width - 2)) + attribute("height", px(map.cell_height - 2)) +
-                   attribute("rx", "2") +
-                   attribute("style", "fill:var(--heat);fill-opacity:" + px(0.06 + 0.94 * shade)) + "/>\n";
-            svg += text_at(x + map.cell_width / 2, middle, shade > 0.55 ? "cell hot" : "cell", "middle", map.cells[k]) +
-                   "</g>\n";
+            Pen box;
+            box.move(x + 1, y + 1), box.line(x + map.cell_width - 1, y + 1);
+            box.line(x + map.cell_width - 1, y + map.cell_height - 1), box.line(x + 1, y + map.cell_height - 1);
+            box.close();
+            svg += "<path" + attribute("d", box.text()) + attribute("fill-opacity", decimal(0.06 + 0.94 * shade, 2)) +
+                   (k < map.tips.size() ? "><title>" + escape(map.tips[k]) + "</title></path>\n" : "/>\n");
+            (shade > 0.55 ? hot : cold).add(x + map.cell_width / 2, middle, map.cells[k]);
         }
     }
+    svg += "</g>\n" + rows.svg() + cold.svg() + hot.svg();
     for (std::size_t c = 0; c < map.columns.size(); ++c) {
         double x = left + map.cell_width * (double(c) + 0.5);
         std::size_t cut = std::min(map.columns[c].find('\n'), map.columns[c].size());
@@ -247,19 +270,25 @@ std::string render(const Picture& picture) {
     auto x_of = [&](double x) { return (x - picture.x0) * scale; };
     auto y_of = [&](double y) { return top + (picture.y1 - y) * scale; };
     std::string svg = open_svg(picture.width, height, picture.title) + text_at(2, 15, "title", "start", picture.title);
-    for (const Polyline& line : picture.lines) {
-        std::string d;
-        for (std::size_t i = 0; i < line.x.size(); ++i)
-            d += (i ? "L" : "M") + px(x_of(line.x[i])) + " " + px(y_of(line.y[i]));
-        svg +=
-            "<path" + attribute("d", d) +
-            attribute("style", "fill:none;stroke:" + colour(line.colour) + ";stroke-opacity:" + px(line.opacity) +
-                                   ";stroke-width:" + px(line.width) + ";stroke-linejoin:round;stroke-linecap:round") +
-            "/>\n";
+    auto alike = [](const Polyline& a, const Polyline& b) {
+        return a.colour == b.colour && a.opacity == b.opacity && a.width == b.width;
+    };
+    for (std::size_t l = 0; l < picture.lines.size();) {  // lines alike, one after the other, are one path
+        const Polyline& line = picture.lines[l];
+        Pen pen;
+        for (; l < picture.lines.size() && alike(picture.lines[l], line); ++l) {
+            std::vector<std::pair<double, double>> points;
+            for (std::size_t i = 0; i < picture.lines[l].x.size(); ++i)
+                points.push_back({x_of(picture.lines[l].x[i]), y_of(picture.lines[l].y[i])});
+            pen.polyline(points);
+        }
+        svg += "<path" + attribute("class", "line round " + stroke_class(line.colour)) +
+               attribute("stroke-opacity", decimal(line.opacity, 2)) + attribute("stroke-width", px(line.width)) +
+               attribute("d", pen.text()) + "/>\n";
     }
     for (const Dot& dot : picture.dots)
         svg += "<circle" + attribute("cx", px(x_of(dot.x))) + attribute("cy", px(y_of(dot.y))) +
-               attribute("r", px(dot.radius)) + attribute("style", "fill:" + colour(dot.colour)) + "/>\n";
+               attribute("r", px(dot.radius)) + attribute("class", fill_class(dot.colour)) + "/>\n";
     for (const Label& label : picture.labels)
         svg += text_at(x_of(label.x), y_of(label.y), "note", label.anchor, label.text);
     return svg + "</svg>\n";
@@ -272,10 +301,10 @@ std::string legend(const std::vector<Series>& series) {
         if (s.name.empty() || !seen.insert(s.name).second) continue;
         html += "<li><svg viewBox=\"0 0 34 14\" aria-hidden=\"true\">";
         if (s.style.line)
-            html += "<path d=\"M1 7L33 7\"" +
-                    attribute("style", "fill:none;stroke:" + colour(s.style.colour) + ";stroke-width:2" +
-                                           dash_of(s.style.dash)) + "/>";
-        html += marker_at(s.style, 17, 7, "") + "</svg>" + escape(s.name) + "</li>\n";
+            html += "<path d=\"M1 7h32\"" + attribute("class", line_class(s.style)) + " stroke-width=\"2\"/>";
+        if (s.style.marker != Marker::none)
+            html += open_markers(s.style) + marker_at(s.style.marker, 17, 7, "") + "</g>";
+        html += "</svg>" + escape(s.name) + "</li>\n";
     }
     return html + "</ul>\n";
 }

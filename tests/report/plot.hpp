@@ -37,7 +37,7 @@ struct Series {
     std::string name;
     Style style;
     std::vector<double> x, y;       // a NaN breaks the line
-    std::vector<std::string> tips;  // shown when the pointer rests on a marker; may be empty
+    std::vector<std::string> tips;  // shown when the pointer rests on a marker; the name, when on the line
 };
 
 // A reference line from (x0, y0) to (x1, y1); NaN stands for the plot's edge on that side.

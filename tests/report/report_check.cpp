@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "check.hpp"
+#include "page.hpp"
 
 std::string first, second;
 int failures = 0;
@@ -85,6 +86,48 @@ void outcomes_repeat() {
     expect(rows_of("outcomes.csv").size() > 900, "fewer than 900 outcomes are hashed");
 }
 
+void the_page_is_small() {
+    const std::size_t bytes = read(first + "/index.html").size();
+    expect(bytes <= report::kPageBudget, "the page takes " + std::to_string(bytes) + " bytes");
+}
+
+void tables_have_captions_and_scopes() {
+    const std::string page = read(first + "/index.html");
+    std::size_t tables = 0, folded = 0;
+    for (std::size_t at = page.find("<table"); at != std::string::npos; at = page.find("<table", at + 1), ++tables) {
+        const std::string table = page.substr(at, page.find("</table>", at) - at);
+        auto number_of = [&](const std::string& tag) {
+            std::size_t found = 0;
+            for (std::size_t i = table.find(tag); i != std::string::npos; i = table.find(tag, i + 1)) ++found;
+            return found;
+        };
+        const std::size_t rows = number_of("<tr>") - number_of("<thead>");
+        const std::size_t opened = page.rfind("<details>", at), closed = page.rfind("</details>", at);
+        const bool is_folded = opened != std::string::npos && (closed == std::string::npos || closed < opened);
+        expect(number_of("<caption>") == 1, "a table without caption");
+        expect(number_of("<th ") == number_of("<th scope=\"col\"") + rows && rows == number_of("<th scope=\"row\"") &&
+                   number_of("<th>") == 0, "a head without scope");
+        expect(is_folded == (rows > report::kLongTable), "a table of " + std::to_string(rows) + " rows, folded or not");
+        folded += is_folded;
+    }
+    expect(tables >= 15 && folded > 3 && folded < tables, "tables are missing");
+}
+
+void pictures_and_contents_come_first() {
+    const std::string page = read(first + "/index.html");
+    const std::string head = page.substr(0, page.find("<main>")), rest = page.substr(head.size());
+    auto number_of = [](const std::string& text, const std::string& what) {
+        std::size_t found = 0;
+        for (std::size_t i = text.find(what); i != std::string::npos; i = text.find(what, i + 1)) ++found;
+        return found;
+    };
+    const std::size_t shown = number_of(head, "<use href=\"#shown");
+    expect(shown == 6 && number_of(rest, "<g id=\"shown") == shown, "pictures are missing at the head");
+    const std::string contents = head.substr(0, head.find("</nav>"));
+    expect(number_of(contents, "<a href=\"#") == number_of(rest, "<section id=\""), "the contents lack a section");
+    expect(contents.find("<h1>") == std::string::npos, "the contents are not first");
+}
+
 // Every tag closed in order, every number in the drawings finite, nothing fetched from elsewhere.
 void the_page_is_well_formed() {
     const std::string page = read(first + "/index.html");
@@ -155,6 +198,9 @@ void the_summary_has_stable_keys() {
 int main(int argc, char** argv) {
     Checks checks = {{"outcomes_repeat", outcomes_repeat},
                      {"the_page_is_well_formed", the_page_is_well_formed},
+                     {"the_page_is_small", the_page_is_small},
+                     {"tables_have_captions_and_scopes", tables_have_captions_and_scopes},
+                     {"pictures_and_contents_come_first", pictures_and_contents_come_first},
                      {"the_summary_has_stable_keys", the_summary_has_stable_keys}};
     for (const Checks& more : {chain_checks(), membrane_checks(), water_checks(), atlas_checks(), readme_checks()})
         checks.insert(more.begin(), more.end());

@@ -1,8 +1,9 @@
-// Surfaces as SVG: triangles from the farthest to the nearest, each in one colour, neighbours of a colour in one path.
+// Surfaces as SVG: patches of two triangles from the farthest to the nearest, each in one colour. Patches about as far
+// are drawn by their colours, those of a colour in one path.
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <numeric>
+#include <tuple>
 
 #include "plot.hpp"
 #include "svg.hpp"
@@ -36,19 +37,42 @@ struct Eye {
     }
 };
 
-// Rounded to 4 levels in 256, so that neighbours share a path.
+// Rounded to multiples of 8, so that neighbours share a path.
 std::string hex_colour(const Vector& rgb) {
     int level[3];
-    for (int i = 0; i < 3; ++i) level[i] = std::min(255, std::max(0, int(std::lround(rgb[i] / 4) * 4)));
+    for (int i = 0; i < 3; ++i) level[i] = std::min(255, std::max(0, int(std::lround(rgb[i] / 8) * 8)));
     char text[16];
     std::snprintf(text, sizeof text, "#%02x%02x%02x", level[0], level[1], level[2]);
     return text;
 }
 
-std::string tenths(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", value);
-    return text;
+struct Patch {
+    std::vector<std::uint32_t> corners;
+    long layer = 0;  // by distance, the farthest first
+    std::string colour;
+};
+
+// A triangle and the next one of the list are one patch if they share an edge, as the two of a lattice's cell do.
+std::vector<Patch> patches_of(const std::vector<std::uint32_t>& triangles) {
+    std::vector<Patch> patches;
+    for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
+        const std::uint32_t* a = triangles.data() + t;
+        Patch patch;
+        patch.corners.assign(a, a + 3);
+        const std::uint32_t *b = a + 3, *end = t + 5 < triangles.size() ? b + 3 : b;
+        auto is_shared = [&](std::uint32_t corner) { return std::find(b, end, corner) != end; };
+        for (int apart = 0; apart < 3; ++apart) {
+            const std::uint32_t next = a[(apart + 1) % 3], last = a[(apart + 2) % 3];
+            if (is_shared(a[apart]) || !is_shared(next) || !is_shared(last)) continue;
+            const std::uint32_t other =
+                *std::find_if(b, end, [&](std::uint32_t corner) { return corner != next && corner != last; });
+            patch.corners = {a[apart], next, other, last};
+            t += 3;
+            break;
+        }
+        patches.push_back(patch);
+    }
+    return patches;
 }
 
 }  // namespace
@@ -64,29 +88,20 @@ std::string render(const Surface& surface) {
     auto x_of = [&](const Vector& p) { return (dot(p, eye.right) - surface.x0) * scale; };
     auto y_of = [&](const Vector& p) { return top + (surface.y1 - dot(p, eye.up)) * scale; };
 
-    std::vector<double> nearness(surface.triangles.size() / 3);
-    for (std::size_t t = 0; t < nearness.size(); ++t)
-        for (std::size_t c = 0; c < 3; ++c) nearness[t] += dot(vector(surface.triangles[3 * t + c], 0), eye.towards);
-    std::vector<std::size_t> order(nearness.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return nearness[a] < nearness[b]; });
-
     std::string svg = open_svg(surface.width, height, surface.title) + text_at(2, 15, "title", "start", surface.title);
     svg += "<g style=\"fill:currentColor;stroke:currentColor;stroke-width:.7;stroke-linejoin:round\">\n";
-    std::string last, path;
-    auto flush = [&] {
-        if (!path.empty()) svg += "<path" + attribute("color", last) + attribute("d", path) + "/>\n";
-        path.clear();
-    };
-    for (std::size_t t : order) {
-        const std::uint32_t* corner = surface.triangles.data() + 3 * t;
+    // Layers about as thick as a patch is wide.
+    const double layer = (surface.x1 - surface.x0) / std::sqrt(double(surface.triangles.size()) / 6);
+    std::vector<Patch> patches = patches_of(surface.triangles);
+    for (Patch& patch : patches) {
         Vector normal = {0, 0, 0};
-        double tint = 0;
-        for (int c = 0; c < 3; ++c) {
-            const Vector n = vector(corner[c], 3);
+        double tint = 0, near = 0;
+        const double share = 1 / double(patch.corners.size());
+        for (std::uint32_t corner : patch.corners) {
+            const Vector n = vector(corner, 3);
             for (int i = 0; i < 3; ++i) normal[i] += n[i];
-            if (!surface.tint.empty()) tint += surface.tint[corner[c]] / 3;
+            near += share * dot(vector(corner, 0), eye.towards);
+            if (!surface.tint.empty()) tint += share * surface.tint[corner];
         }
         const double size = std::sqrt(dot(normal, normal));
         const bool behind = dot(normal, eye.towards) < 0;
@@ -95,16 +110,25 @@ std::string render(const Surface& surface) {
                                 ? (behind ? kBack : kFront)
                                 : mixed(kMiddle, tint < 0 ? kLow : kHigh, std::fmin(1, std::fabs(tint)));
         const Vector shaded = scaled(base, 0.5 + 0.62 * bright);
-        const std::string colour = hex_colour(mixed(shaded, {255, 255, 255}, 0.22 * std::pow(bright, 24)));
-        if (colour != last) flush();
-        last = colour;
-        for (int c = 0; c < 3; ++c) {
-            const Vector p = vector(corner[c], 0);
-            path += (c ? "L" : "M") + tenths(x_of(p)) + " " + tenths(y_of(p));
-        }
-        path += "z";
+        patch.colour = hex_colour(mixed(shaded, {255, 255, 255}, 0.22 * std::pow(bright, 24)));
+        patch.layer = std::lround(near / layer);
     }
-    flush();
+    std::stable_sort(patches.begin(), patches.end(), [](const Patch& a, const Patch& b) {
+        return std::tie(a.layer, a.colour) < std::tie(b.layer, b.colour);
+    });
+    for (std::size_t p = 0; p < patches.size();) {
+        const std::string& colour = patches[p].colour;
+        Pen pen(0.5);
+        for (; p < patches.size() && patches[p].colour == colour; ++p) {
+            const std::vector<std::uint32_t>& corners = patches[p].corners;
+            for (std::size_t c = 0; c < corners.size(); ++c) {
+                const Vector at = vector(corners[c], 0);
+                c ? pen.line(x_of(at), y_of(at)) : pen.move(x_of(at), y_of(at));
+            }
+            pen.close();
+        }
+        svg += "<path" + attribute("color", colour) + attribute("d", pen.text()) + "/>\n";
+    }
     svg += "</g>\n";
     for (std::uint32_t pin : surface.pins) {
         const Vector p = vector(pin, 0);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -22,7 +23,17 @@ struct Job {
 
     double least() const { return seconds.front(); }
     double median() const { return seconds[seconds.size() / 2]; }
+    double upper_quartile() const { return seconds[seconds.size() * 3 / 4]; }
+
+    // A quarter of the runs took so much longer than the least, as a share of it; NaN of fewer than four.
+    double spread() const { return seconds.size() < 4 ? NAN : upper_quartile() / least() - 1; }
 };
+
+// The spread of every job that was timed at least four times.
+inline std::vector<double>& spreads() {
+    static std::vector<double> all;
+    return all;
+}
 
 // Runs every job once untimed, unless that has been done, then in turns: as many rounds as fit `budget` seconds a job,
 // at least `least` and at most `most`; of a run so long that it averages by itself, one.
@@ -42,7 +53,10 @@ inline void time_in_turns(std::vector<Job>& jobs, double budget, std::size_t lea
     for (std::size_t round = 0; round < most; ++round)
         for (std::size_t i = 0; i < jobs.size(); ++i)
             if (round < rounds[i]) jobs[i].seconds.push_back(timed(jobs[i]));
-    for (Job& job : jobs) std::sort(job.seconds.begin(), job.seconds.end());
+    for (Job& job : jobs) {
+        std::sort(job.seconds.begin(), job.seconds.end());
+        if (!std::isnan(job.spread())) spreads().push_back(job.spread());
+    }
 }
 
 }  // namespace report

@@ -126,7 +126,7 @@ AtlasCase chart(const std::string& sweep, const Method& how, cd_precision precis
 } // namespace
 
 void report_water_atlas(Report& report) {
-    report.page.section("water-atlas", "Water: the stability atlas");
+    report.page.section("water-atlas", "Water: which steps are stable");
     report.page.paragraph(
         "The same for a slice of 16 cells of 1 m, walled in, whose water is level and moves slowly at random. Depth "
         "is water's stiffness: waves run at √(g d).");

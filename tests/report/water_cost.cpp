@@ -116,7 +116,8 @@ void cost_of_features(Report& report) {
         std::size_t bytes = 0;
         check(cd_water_get_memory(waters[i]->get(), &bytes));
         const double each = double(bytes) / cells, ns = nanoseconds(i);
-        table.rows.push_back({all[i].name, number(ns, 3), number(ns / nanoseconds(0), 2) + "×", number(each, 3)});
+        table.rows.push_back({all[i].name, number(ns, 3) + spread_words(jobs[i].spread()),
+                              number(ns / nanoseconds(0), 2) + "×", number(each, 3)});
         csv.row(all[i].key, ns, ns / nanoseconds(0), each);
         report.summary("water.cost.ns_per_cell_step." + all[i].key, ns, "ns");
         report.summary("water.cost.bytes_per_cell." + all[i].key, each, "bytes");
@@ -178,7 +179,7 @@ void cost_beside_the_textbook(Report& report) {
                                     : i == all.size() ? "textbook.float64"
                                                       : "textbook.float32";
             ns.push_back(jobs[i].least() / double(steps) / cells * 1e9);
-            table.rows[i].push_back(number(ns.back(), 3));
+            table.rows[i].push_back(number(ns.back(), 3) + spread_words(jobs[i].spread()));
             csv.row(n, key, ns.back());
             report.summary("water.beside.ns_per_cell_step.n" + std::to_string(n) + "." + key, ns.back(), "ns");
         }

@@ -45,7 +45,7 @@ std::string capitalized(std::string text) {
 } // namespace
 
 void report_water_growth(Report& report) {
-    report.page.section("water-growth", "Water: growth of run time with the cells");
+    report.page.section("water-growth", "Water: run time as cells become more");
     report.page.paragraph(
         "One pool, 20 m × 20 m and 1 m deep, in finer and finer cells, n × n of them; its three slowest seiches swing "
         "for a minute, and must be right to 1% at its end. Explicit steps are the longest that are stable and reach "

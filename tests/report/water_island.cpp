@@ -28,23 +28,24 @@ std::vector<double> island() {
 }
 
 // The line on which numbers at cell centres are `level`, as one path of short straight pieces.
-std::string contour(const std::vector<double>& values, double level, double scale, double top) {
-    std::string d;
+Pen contour(const std::vector<double>& values, double level, double scale, double top) {
+    Pen line;
     for (std::size_t j = 0; j + 1 < kY; ++j)
         for (std::size_t i = 0; i + 1 < kX; ++i) {
             const std::size_t corner[] = {j * kX + i, j * kX + i + 1, (j + 1) * kX + i + 1, (j + 1) * kX + i};
             const double at_x[] = {0, 1, 1, 0}, at_y[] = {0, 0, 1, 1};
-            bool pen = false;
+            bool down = false;
             for (int c = 0; c < 4; ++c) {
                 const double a = values[corner[c]] - level, b = values[corner[(c + 1) % 4]] - level;
                 if ((a > 0) == (b > 0)) continue;
                 const double t = a / (a - b), x = double(i) + 0.5 + at_x[c] + t * (at_x[(c + 1) % 4] - at_x[c]),
                              y = double(j) + 0.5 + at_y[c] + t * (at_y[(c + 1) % 4] - at_y[c]);
-                d += (pen ? "L" : "M") + px(x * scale) + " " + px(top + (double(kY) - y) * scale);
-                pen = !pen;
+                const double to_x = x * scale, to_y = top + (double(kY) - y) * scale;
+                down ? line.line(to_x, to_y) : line.move(to_x, to_y);
+                down = !down;
             }
         }
-    return d;
+    return line;
 }
 
 std::string map_of(const Water& water, const std::string& title, const std::vector<double>& other_shore) {
@@ -56,26 +57,22 @@ std::string map_of(const Water& water, const std::string& title, const std::vect
         if (depth[k] < kShore) return std::clamp(int(std::floor((bed[k] + 1.6) / 1.4)), 0, 4);
         return 5 + std::clamp(int(std::floor(depth[k])), 0, 6);
     };
-    std::vector<std::string> paths(12);
+    Pen bands[12];  // strokes as wide as a row of cells
     for (std::size_t j = 0; j < kY; ++j)
         for (std::size_t i = 0, end; i < kX; i = end) {
             const int kind = class_of(j * kX + i);
             for (end = i + 1; end < kX && class_of(j * kX + end) == kind;) ++end;
-            paths[std::size_t(kind)] += "M" + px(double(i) * scale) + " " + px(top + double(kY - 1 - j) * scale) + "h" +
-                                        px(double(end - i) * scale) + "v" + px(scale + 0.3) + "h-" +
-                                        px(double(end - i) * scale) + "z";
+            const double y = top + (double(kY - j) - 0.5) * scale;
+            bands[kind].move(double(i) * scale, y), bands[kind].line(double(end) * scale + 0.3, y);
         }
-    for (std::size_t kind = 0; kind < paths.size(); ++kind)
-        if (!paths[kind].empty())
-            svg += "<path" + attribute("d", paths[kind]) +
-                   attribute("style", std::string("fill:") + (kind < 5 ? kLand[kind] : kWater[kind - 5])) + "/>\n";
-    auto line = [&](const std::vector<double>& depths, const char* look) {
-        const std::string d = contour(depths, kShore, scale, top);
-        if (!d.empty())
-            svg += "<path" + attribute("d", d) + attribute("style", std::string("fill:none;") + look) + "/>\n";
+    auto draw = [&](const Pen& pen, const char* colour, double width) {
+        if (!pen.text().empty())
+            svg += "<path" + attribute("class", "line") + attribute("stroke", colour) +
+                   attribute("stroke-width", px(width)) + attribute("d", pen.text()) + "/>\n";
     };
-    if (!other_shore.empty()) line(other_shore, "stroke:#5b3a1c;stroke-width:1");
-    line(depth, "stroke:#22303a;stroke-width:1.4");
+    for (int kind = 0; kind < 12; ++kind) draw(bands[kind], kind < 5 ? kLand[kind] : kWater[kind - 5], scale + 0.3);
+    if (!other_shore.empty()) draw(contour(other_shore, kShore, scale, top), "#5b3a1c", 1);
+    draw(contour(depth, kShore, scale, top), "#22303a", 1.4);
     return svg + "</svg>\n";
 }
 
@@ -134,7 +131,9 @@ void draw_island(Report& report) {
     report.summary("water.island.account_error", relative);
     report.outcome("water.scene.island", hex(water.hash()));
     report.page.figure(
-        {map_of(at_low, "low water", {}), map_of(water, "high water", low_depth)}, swatches(),
+        {map_of(at_low, "low water", {}),
+         report.page.show(map_of(water, "high water", low_depth), "The tide around an island")},
+        swatches(),
         "The tide bares " + number((high - low) * 1e-4, 3) +
             " ha of banks around an island and fills its lagoon again. 3.3 km × 2.2 km in cells of 25 m, "
             "tides of 1.6 m at the open sides left and right, later on the right; one tide is " +

@@ -128,7 +128,7 @@ std::vector<Scene> scenes(const Report& report) {
 } // namespace
 
 void report_water_survival(Report& report) {
-    report.page.section("water-survival", "Water: extremes");
+    report.page.section("water-survival", "Water: extreme depths, streams and steps");
     report.page.paragraph(
         "A pool of 24 × 24 cells of 1 m with waves a twentieth of its depth, 1000 steps at 60 a second, and then "
         "everything that can be unreasonable about it, one at a time. To survive, no number may leave the finite range "

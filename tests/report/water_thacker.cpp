@@ -8,7 +8,7 @@
 namespace report {
 
 void report_water_thacker(Report& report) {
-    report.page.section("water-thacker", "Water: moving shores");
+    report.page.section("water-thacker", "Water: a shore that moves");
     report.page.paragraph(
         "Thacker's planar oscillation over the bed 0.25 x² on [−3, 3], three periods, in steps in which a wave crosses "
         "half a cell, 2 cells and 8 where the water is 1 m deep. Errors are those of the depth in L1, relative to the "

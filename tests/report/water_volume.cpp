@@ -268,7 +268,7 @@ void steps_of_any_length(Report& report) {
 } // namespace
 
 void report_water_volume(Report& report) {
-    report.page.section("water-volume", "Water: the notes' claims: volume, and steps of any length");
+    report.page.section("water-volume", "Water: kept volume, and steps of any length");
     report.page.paragraph(
         "The notes claim that their water keeps its volume, that it is stable at large steps, and that a step's cost "
         "is "

@@ -59,6 +59,8 @@ void measure(Report& report, Study& study) {
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         targets[i]->least_seconds = jobs[i].least();
         targets[i]->median_seconds = jobs[i].median();
+        targets[i]->quartile_seconds = jobs[i].upper_quartile();
+        targets[i]->spread = jobs[i].spread();
     }
 }
 
@@ -73,7 +75,8 @@ double Best::seconds() const { return point ? point->least_seconds : NAN; }
 
 std::string Best::text() const {
     if (!point) return "not reached";
-    return si(point->least_seconds, "s") + ": " + curve->name() + ", " + count(double(point->steps)) + " steps";
+    return si(point->least_seconds, "s") + spread_words(point->spread) + ": " + curve->name() + ", " +
+           count(double(point->steps)) + " steps";
 }
 
 // By luck a coarse run may come near the exact answer: all finer ones must be about as good.
@@ -127,9 +130,8 @@ std::string draw(const Study& study, const std::string& time_label, std::vector<
             if (!(point.error <= 1.5)) continue;
             series.x.push_back(point.error);
             series.y.push_back(point.least_seconds);
-            series.tips.push_back(series.name + ", " + count(double(point.steps)) + " steps of " +
-                                  si(study.time / double(point.steps), "s") + ": error " + number(point.error, 2) +
-                                  ", " + si(point.least_seconds, "s"));
+            series.tips.push_back(count(double(point.steps)) + " steps: error " + number(point.error, 2) + ", " +
+                                  si(point.least_seconds, "s") + spread_words(point.spread));
         }
         if (!series.x.empty()) plot.series.push_back(series);
     }
@@ -143,7 +145,8 @@ void WorkTables::add(Report& report, const Study& study, const std::string& case
     for (const Curve& curve : study.curves)
         for (const Point& p : curve.points)
             points.row(study.key, curve.how->key, name_of(curve.precision), int(curve.how->textbook), p.steps,
-                       study.time / double(p.steps), p.error, p.least_seconds, p.median_seconds, hex(p.hash));
+                       study.time / double(p.steps), p.error, p.least_seconds, p.median_seconds,
+                       p.quartile_seconds, hex(p.hash));
     auto name = [](const Best& b) { return b ? b.curve->how->key + " " + name_of(b.curve->precision) : "none"; };
     auto steps = [](const Best& b) { return b ? b.point->steps : std::size_t(0); };
     for (double tolerance : study.tolerances) {

@@ -16,7 +16,7 @@ namespace report {
 
 struct Point {
     std::size_t steps;
-    double error = 0, least_seconds = 0, median_seconds = 0;
+    double error = 0, least_seconds = 0, median_seconds = 0, quartile_seconds = 0, spread = 0;
     std::uint64_t hash = 0;
 };
 
@@ -60,7 +60,7 @@ struct Best {
     const Point* point = nullptr;
     explicit operator bool() const { return point != nullptr; }
     double seconds() const;       // NaN if there is none
-    std::string text() const;     // "12 µs: λ = 1/2, float32, 60 steps" or "not reached"
+    std::string text() const;     // "12 µs (+2%): λ = 1/2, float32, 60 steps" or "not reached"
 };
 
 enum class Kind { explicit_steps, implicit_steps, textbook };
@@ -79,7 +79,8 @@ std::string draw(const Study& study, const std::string& time_label, std::vector<
 
 // Collects the rows of several studies, for the page and for the CSV files.
 struct WorkTables {
-    Csv points{"case,method,precision,textbook,steps,dt_s,error,seconds_min,seconds_median,hash"};
+    Csv points{"case,method,precision,textbook,steps,dt_s,error,seconds_min,seconds_median,seconds_upper_quartile,"
+               "hash"};
     Csv cheapest{"case,tolerance,implicit,implicit_steps,implicit_seconds,explicit,explicit_steps,explicit_seconds,"
                  "textbook,textbook_steps,textbook_seconds"};
     Table table{
