@@ -1,5 +1,5 @@
-/* pictures FILE: draws a rope, hair, cloth, a drum and a boat on a pool as the moving picture that the README shows. Each is driven in
- * turns of 4 s and drawn once it has come to repeat itself; how far it ends from where it began is printed. */
+/* pictures FILE: draws a rope, hair, cloth, a drum and a boat on a pool as the moving picture that the README shows. Each
+ * is driven in turns of 4 s and drawn once it has come to repeat itself; how far it ends from where it began is printed. */
 #include <contdyn/contdyn.h>
 #include <math.h>
 #include <stdio.h>
@@ -253,9 +253,7 @@ static void pool(FILE* out) {
         must(cd_water_set_hull_force(water, 0, force, 6));
         must(cd_water_step(water, kDt, 1));
     }
-    film_write(&drawn, out, "water");
-    printf("pool ends %.1f from where it began\n", film_jump(&drawn));
-    film_destroy(&drawn);
+    end(&drawn, out, "pool", "water");
     end(&boat, out, "boat", "boat");
     cd_water_destroy(water);
 }
