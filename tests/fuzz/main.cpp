@@ -31,7 +31,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <sys/time.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -41,17 +40,6 @@
 #include "sequence.hpp"
 
 namespace fuzz {
-
-// A sequence takes some milliseconds, under sanitizers some tenths of a second; the longest known one, of ropes that never
-// come to within their tolerance, 86 s.
-constexpr int kMostProcessorSeconds = 300, kMostSeconds = 900;
-
-static void limit_time() {
-    itimerval limit = {};
-    limit.it_value.tv_sec = kMostProcessorSeconds;
-    setitimer(ITIMER_PROF, &limit, nullptr);
-    alarm(kMostSeconds); // one that waits for ever takes no processor's time
-}
 
 // ---- many sequences ------------------------------------------------------------------------------------------------
 
@@ -72,7 +60,6 @@ static bool is_reached(const Goal& goal) {
 
 [[noreturn]] static void run_some(const Goal& goal) {
     for (int k = 0; k < 400 && !is_reached(goal); ++k) {
-        limit_time();
         run_sequence(totals->next_sequence++, {});
     }
     exit(0);
@@ -122,7 +109,6 @@ static int outcome(uint64_t sequence, const std::vector<bool>& left_out) {
     const pid_t child = fork();
     if (child == 0) {
         if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr)) _exit(3);
-        limit_time();
         run_sequence(sequence, left_out);
         _exit(totals->problems ? run.first_kind : 0);
     }

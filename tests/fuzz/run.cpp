@@ -2,6 +2,8 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <sys/time.h>
+#include <unistd.h>
 
 namespace fuzz {
 
@@ -27,7 +29,19 @@ void trace_detail(const std::string& detail) {
     if (run.tracing) printf("%s\n", detail.c_str()), fflush(stdout);
 }
 
+// Of a call and what is checked after it, which take milliseconds, and tenths of a second under sanitizers: what ends is
+// over long before, also where ropes come to no answer.
+constexpr int kMostProcessorSeconds = 60, kMostSeconds = 900;
+
+static void limit_time() {
+    itimerval limit = {};
+    limit.it_value.tv_sec = kMostProcessorSeconds;
+    setitimer(ITIMER_PROF, &limit, nullptr);
+    alarm(kMostSeconds); // what waits for ever takes no processor's time
+}
+
 void trace(const std::string& call) {
+    if (!run.tracing) limit_time();
     trace_detail(call);
     traced += call + "; ";
     if (traced.size() > 3000) traced.erase(0, traced.size() - 1500);

@@ -30,7 +30,7 @@ extern Run run;
 // The text that printf would print.
 std::string text(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
-// Remembers a call, for the report of a problem; prints it when tracing.
+// Remembers a call, for the report of a problem; prints it when tracing, and else sees to it that it ends some time.
 void trace(const std::string& call);
 void trace_detail(const std::string& detail); // what a call did; is only printed
 void forget_trace();

@@ -63,7 +63,7 @@ template <class T> struct Across {
         put<N>(p, n, across.velocity, [&](size_t i) {
             const L passes = size_of(faces.flux[i]) + size_of(faces.flux[i + 1]); // 0: what is there stays, to the bit
             const L u = select(passes, faces.results[i], faces.velocity[i]);
-            return select(water[i], settled(storable<T>(u, probe), kRest<T>), L{});
+            return settled(storable<T>(select(water[i], u, L{}), probe), kRest<T>);
         });
         return !probe.any_nan();
     }
