@@ -55,7 +55,7 @@ cd_status is_size(const char* function, const Water& w, const char* name, double
 
 void set_body(Hull& h, double mass, double length, double width) {
     if (is_off(h)) h.heading[0] = h.heading[0] == 0 && h.heading[1] == 0 ? 1 : h.heading[0];
-    h.mass = mass, h.length = length, h.width = width;
+    h.mass = mass, h.length = length, h.width = width, h.owed = 0;
 }
 
 } // namespace
@@ -210,6 +210,7 @@ cd_status cd_water_set_hull_velocity(cd_water* water, size_t index, const double
     CD_CHECK(is_hull(__func__, w, index));
     CD_CHECK(is_vector(__func__, "velocity", velocity, count, kWays, kMostPose));
     take(hull(w, index).velocity, velocity, kWays);
+    hull(w, index).owed = 0;
     return CD_OK;
 }
 

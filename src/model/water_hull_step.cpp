@@ -292,11 +292,12 @@ struct Mover {
         h.velocity[0] += x / mass[0], h.velocity[1] += y / mass[1], h.velocity[3] += round / mass[3];
     }
 
-    // Friction on the bed, as far as the bed bears the hull: Coulomb's.
-    void rub(double borne) {
+    // Friction on the bed, as far as the bed bears the hull: Coulomb's. Tells what energy it took.
+    double rub(double borne) {
+        const double before = moving_energy();
         const double speed = sqrt(h.velocity[0] * h.velocity[0] + h.velocity[1] * h.velocity[1]);
         const double reach = (h.length + h.width) / 6, most = h.friction * borne * dt;
-        if (!(most > 0)) return;
+        if (!(most > 0)) return 0;
         const double slower = speed * h.mass > most ? most / (speed * h.mass) : 1;
         h.water[0] -= slower * h.velocity[0] * h.mass / dt, h.water[1] -= slower * h.velocity[1] * h.mass / dt;
         h.velocity[0] -= slower * h.velocity[0], h.velocity[1] -= slower * h.velocity[1];
@@ -304,39 +305,79 @@ struct Mover {
         const double less = turning > most * reach ? most * reach / turning : 1;
         h.water[3] -= less * h.velocity[3] * mass[3] / dt;
         h.velocity[3] -= less * h.velocity[3];
+        return before - moving_energy();
     }
 
-    // Drag against the water, along the hull and across it, implicit.
-    void drag() {
+    // Drag against the water, along the hull and across it, implicit; by the part of the hull that the water bears.
+    void drag(double part) {
         const double rel[2] = {h.velocity[0] - water[kX].speed, h.velocity[1] - water[kY].speed};
         const double c = h.heading[0], s = h.heading[1], own[2] = {rel[0] * c + rel[1] * s, rel[1] * c - rel[0] * s};
         double taken[2];
-        for (int k = 0; k < 2; ++k) taken[k] = h.drag[k] * dt * own[k] / (1 + h.drag[k] * dt * inverse());
+        const double by[2] = {part * h.drag[0] * dt, part * h.drag[1] * dt};
+        for (int k = 0; k < 2; ++k) taken[k] = by[k] * own[k] / (1 + by[k] * inverse());
         exchange(taken[0] * c - taken[1] * s, taken[0] * s + taken[1] * c);
-        const double turning = (h.drag[1] * (h.length * h.length) + h.drag[0] * (h.width * h.width)) / 12 * dt;
+        const double turning = (by[1] * (h.length * h.length) + by[0] * (h.width * h.width)) / 12;
         const double slower = turning / (mass[3] + turning) * h.velocity[3];
         h.velocity[3] -= slower;
         h.water[3] -= slower * mass[3] / dt;
     }
 
-    // Where a part of a step leads; stops: along which axes a side, or cells that are not there, are in the way.
+    // How far plates reach along an axis from the hull's middle, backward and forward.
+    void extent(const HullPose& pose, Axis a, double (&out)[2]) const {
+        const HullShape& shape = w.hull_shape;
+        const double ahead = a == kX ? pose.heading[0] : pose.heading[1];
+        const double port = a == kX ? -pose.heading[1] : pose.heading[0];
+        const double long_of = h.length / double(shape.along), wide = h.width / double(shape.across);
+        const double half = 0.5 * (fabs(ahead) * long_of + fabs(port) * wide);
+        out[0] = out[1] = 0;
+        for (size_t j = 0; j < shape.across; ++j)
+            for (size_t i = 0; i < shape.along; ++i) {
+                if (plate_heights(w, index)[j * shape.along + i] < 0) continue;
+                const double middle = ahead * ((double(i) + 0.5) * long_of - 0.5 * h.length) +
+                                      port * ((double(j) + 0.5) * wide - 0.5 * h.width);
+                if (half - middle > out[0]) out[0] = half - middle;
+                if (half + middle > out[1]) out[1] = half + middle;
+            }
+    }
+
+    // Where a part of a step leads; stops: along which axes a side, or cells that are not there, are in the way. Plates
+    // come no nearer to a side than its gap, or than they were, unless the hull is as long as the scene; the middle does
+    // not leave the scene.
     HullPose after(const HullPose& pose, double time, bool (&stops)[2]) const {
         HullPose out = pose;
+        turn(out, time);
         double* const at[2] = {&out.x, &out.y};
         for (Axis a : {kX, kY}) {
-            const double length = double(w.cells[a]) * w.size[a], to = *at[a] + time * h.velocity[a];
-            stops[a] = !periodic(w, a) && !(to >= 0 && to <= length);
-            const double was = *at[a];
-            *at[a] = periodic(w, a) ? to - length * whole_below(to / length) : to > 0 ? (to < length ? to : length) : 0;
+            const double length = double(w.cells[a]) * w.size[a], was = *at[a], to = was + time * h.velocity[a];
+            double stop = to;
+            if (periodic(w, a)) {
+                *at[a] = to - length * whole_below(to / length);
+            } else {
+                double before[2], now[2];
+                extent(pose, a, before), extent(out, a, now);
+                if (const double room = 0.5 * (length - (now[0] + now[1])); room > 0) {
+                    const double gap = kHullGap * w.size[a] < room ? kHullGap * w.size[a] : room;
+                    const double low = now[0] + gap - positive(before[0] + gap - was);
+                    const double high = length - (now[1] + gap) + positive(before[1] + gap - (length - was));
+                    stop = to > low ? (to < high ? to : high) : low;
+                }
+                *at[a] = stop = stop > 0 ? (stop < length ? stop : length) : 0;
+            }
+            stops[a] = stop != to;
             if (cells_around(w, out.x, out.y).any) continue;
             stops[a] = true, *at[a] = was;
         }
+        return out;
+    }
+
+    static constexpr double kHullGap = 1; // cells of water between a hull and a side: with none nothing presses it away
+    static double positive(double x) { return x > 0 ? x : 0; }
+    void turn(HullPose& pose, double time) const {
         const double t = 0.5 * (time * h.velocity[3]), down = 1 / (1 + t * t); // a turn by 2 atan t
         const double turn_c = (1 - t * t) * down, turn_s = 2 * (t * down), c = pose.heading[0], s = pose.heading[1];
         const double new_c = c * turn_c - s * turn_s, new_s = s * turn_c + c * turn_s;
         const double size = sqrt(new_c * new_c + new_s * new_s);
-        out.heading[0] = new_c / size, out.heading[1] = new_s / size;
-        return out;
+        pose.heading[0] = new_c / size, pose.heading[1] = new_s / size;
     }
 
     // What drag can take at most between the hull and the water under it.
@@ -363,7 +404,8 @@ struct Mover {
         return lost;
     }
 
-    void drift(HullPose& pose, double made, double energy) {
+    // made: energy, by the water's push; rubbed: taken by friction.
+    void drift(HullPose& pose, double made, double rubbed, double energy) {
         const double credit = kCredit * (moving_energy() + energy);
         double time = dt, due = 0;
         bool stops[2];
@@ -371,7 +413,10 @@ struct Mover {
         for (int half = 0; half <= kHalvings; ++half, time /= 2) {
             if (half == kHalvings) time = 0;
             to = after(pose, time, stops);
-            due = h.owed + made + (time > 0 ? HullContact(w, index, to).energy - energy : 0);
+            double more = made + (time > 0 ? HullContact(w, index, to).energy - energy : 0), paid = rubbed;
+            for (int a : {0, 1}) paid += stops[a] ? 0.5 * (mass[a] * (h.velocity[a] * h.velocity[a])) : 0;
+            if (more > 0) more = positive(more - paid); // friction and sides keep nothing for later
+            due = h.owed + more;
             if (due <= removable() + credit) break;
         }
         pose = to;
@@ -403,26 +448,28 @@ struct Mover {
         h.water[0] = impulse[0] / dt, h.water[1] = impulse[1] / dt, h.water[3] = impulse[2] / dt;
         h.water[2] = contact.push[0], h.water[4] = contact.push[1], h.water[5] = contact.push[2];
 
-        const double before = moving_energy();
-        push(impulse[0], impulse[1], impulse[2]);
-        const double made = moving_energy() - before;
         find_water(pose);
-        drift(pose, made, contact.energy);
-        h.x = pose.x, h.y = pose.y, h.heading[0] = pose.heading[0], h.heading[1] = pose.heading[1];
-        h.z = pose.z, h.pitch = pose.pitch, h.roll = pose.roll;
         const double c = h.heading[0], s = h.heading[1];
         push(dt * (h.force[0] * c - h.force[1] * s), dt * (h.force[0] * s + h.force[1] * c), dt * h.force[3]);
-        rub(contact.by_bed);
-        if (contact.push[0] > 0) drag();
+        if (contact.push[0] > 0) drag(1 - contact.by_bed / contact.push[0]);
+        const double before = moving_energy();
+        push(impulse[0], impulse[1], impulse[2]);
+        const double made = moving_energy() - before, rubbed = rub(contact.by_bed);
+        drift(pose, made, rubbed, contact.energy);
+        h.x = pose.x, h.y = pose.y, h.heading[0] = pose.heading[0], h.heading[1] = pose.heading[1];
+        h.z = pose.z, h.pitch = pose.pitch, h.roll = pose.roll;
         give_water();
     }
 };
+
+constexpr double kLeastSpread = 1e-9; // of plates along and across, of what their sums are, to have a slope
 
 template <class T> void lie(Water& w, size_t index, const T* depth, const double* heads) {
     Hull& h = hull(w, index);
     const HullPose pose(h);
     h.lies[0] = h.z, h.lies[1] = h.pitch, h.lies[2] = h.roll;
-    double sum[3] = {}, squares[2] = {}, products[2] = {}, area = 0; // of height, ahead, port
+    // The plane of least squares: sums over the plates, by area, of the unit, ahead and port times each other.
+    double area = 0, height_sum = 0, first[2] = {}, second[3] = {}, products[2] = {};
     each_plate(w, index, pose, depth, [&](const Plate& p) {
         if (!(p.sunk() > 0)) return;
         double height = (p.surface - p.height) - pose.z; // above the body's keel, so that the sums do not cancel
@@ -430,21 +477,21 @@ template <class T> void lie(Water& w, size_t index, const T* depth, const double
             height -= p.head();
             p.cells.each([&](size_t i, size_t j, double weight) { height += weight * heads[place(w, i, j)]; });
         }
-        const double by[2] = {p.ahead, p.port};
-        area += p.area, sum[0] += p.area * height;
-        for (int k = 0; k < 2; ++k) {
-            sum[1 + k] += p.area * by[k];
-            squares[k] += p.area * (by[k] * by[k]), products[k] += p.area * (by[k] * height);
-        }
+        area += p.area, height_sum += p.area * height;
+        first[0] += p.area * p.ahead, first[1] += p.area * p.port;
+        second[0] += p.area * (p.ahead * p.ahead), second[1] += p.area * (p.ahead * p.port);
+        second[2] += p.area * (p.port * p.port);
+        products[0] += p.area * (p.ahead * height), products[1] += p.area * (p.port * height);
     });
     if (!(area > 0)) return;
-    h.lies[0] = pose.z + sum[0] / area;
-    for (int k = 0; k < 2; ++k) {
-        const double middle = sum[1 + k] / area, spread = squares[k] - sum[1 + k] * middle;
-        const double slope = spread > 1e-9 * squares[k] ? (products[k] - middle * sum[0]) / spread : 0;
-        h.lies[1 + k] = slope;
-        h.lies[0] -= slope * middle;
-    }
+    // Along a line of plates the slope across it is anything: the least.
+    const double least = kLeastSpread * (second[0] + second[2]), mean[2] = {first[0] / area, first[1] / area};
+    const double xx = second[0] - mean[0] * first[0] + least, xy = second[1] - mean[0] * first[1];
+    const double yy = second[2] - mean[1] * first[1] + least, whole = xx * yy - xy * xy;
+    const double x = products[0] - mean[0] * height_sum, y = products[1] - mean[1] * height_sum;
+    h.lies[1] = whole > 0 ? (x * yy - y * xy) / whole : 0;
+    h.lies[2] = whole > 0 ? (y * xx - x * xy) / whole : 0;
+    h.lies[0] = pose.z + (height_sum / area - (h.lies[1] * mean[0] + h.lies[2] * mean[1]));
 }
 
 } // namespace

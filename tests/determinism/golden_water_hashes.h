@@ -64,13 +64,13 @@
 {12, 17, 1, {0xd972a3fe216a4de6, 0x98d9b174d0106581}}, /* everything, long steps */
 {12, 16, 7, {0xc626e1949ce767e7, 0xea33ad104585e052}}, /* everything, long steps */
 {12, 2, 16, {0xabb0ab4281074977, 0xfa9f8907a8278d83}}, /* everything, long steps */
-{13, 13, 9, {0xb935abd7caf9742d, 0xb817aae5af7e200a}}, /* hulls */
-{13, 1, 17, {0xe36ffacbc92bacf9, 0x521d744a66e742d9}}, /* hulls */
-{13, 17, 1, {0xeea1b2f220d520c8, 0x8373c421dd73ae3a}}, /* hulls */
-{13, 16, 7, {0xbd8848615e801477, 0xe1d449cc0a34eb9e}}, /* hulls */
-{13, 2, 16, {0xa0e8aa1a0d3cad81, 0xdbeeb450cb0910b2}}, /* hulls */
-{14, 13, 9, {0x0c1d229bb5966e5a, 0x60c0e78b528802de}}, /* hulls, long steps */
-{14, 1, 17, {0xd1d4d9ef7cb460f6, 0x8e2038560f7dbaca}}, /* hulls, long steps */
-{14, 17, 1, {0x424afc26ca842200, 0x1ff694ad10146b8f}}, /* hulls, long steps */
-{14, 16, 7, {0xd4466cfd34ae6e2b, 0xf4b6a586c911fe61}}, /* hulls, long steps */
-{14, 2, 16, {0x6c8e5d2dedf6e3ca, 0xc2f10950d8f9408c}}, /* hulls, long steps */
+{13, 13, 9, {0xe397669344723d31, 0x85395a9619a23a47}}, /* hulls */
+{13, 1, 17, {0x13f3693de6b6872c, 0xe0c8c905c7860735}}, /* hulls */
+{13, 17, 1, {0xddd462da0c8c61fd, 0x8be1f3b295ae538c}}, /* hulls */
+{13, 16, 7, {0x1b918672ae90f2bc, 0x2db8b0ea8e3fecdc}}, /* hulls */
+{13, 2, 16, {0x74da51cd3e582bab, 0xf0726cbb5b918e9b}}, /* hulls */
+{14, 13, 9, {0x39fea64b5f0ef099, 0xad3278a61a6c8b04}}, /* hulls, long steps */
+{14, 1, 17, {0xdb56481b3ced2ec3, 0x0019ddb9a3a7f6f3}}, /* hulls, long steps */
+{14, 17, 1, {0x8c594a8651c9fa6c, 0x8a2de01205f4b0cc}}, /* hulls, long steps */
+{14, 16, 7, {0xdffbcfb5b0a871f6, 0x3c9bd8d12014e0d5}}, /* hulls, long steps */
+{14, 2, 16, {0xe816d068918c2d5c, 0xfcd3b175a9c8ed76}}, /* hulls, long steps */

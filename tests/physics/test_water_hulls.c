@@ -217,6 +217,89 @@ static void two_hulls_stay_each_others_image(void** state) {
     cd_water_destroy(w);
 }
 
+/* A boat of 3 m that runs as told for 4 s, with both ends in the pool; then how far a push of 300 N brings it in 8 s. */
+static double pushed(const double* start, const double* velocity, double push_x, double push_y) {
+    cd_water* w = lake(NX, NY, 1);
+    double pose[7];
+    ok(cd_water_set_drag(w, 0.2));
+    ok(cd_water_set_hulls(w, 1, 6, 3));
+    ok(cd_water_set_hull(w, 0, 1200, 3, 1.2, NULL, 0));
+    ok(cd_water_launch_hull(w, 0, start[0], start[1], start[2], start[3]));
+    ok(cd_water_set_hull_velocity(w, 0, velocity, 6));
+    for (int step = 0; step < 240; ++step) {
+        pool_step(w, 1 / 60.0, 1);
+        ok(cd_water_get_hull_pose(w, 0, pose, 7));
+        for (int a = 0; a < 2; ++a) {
+            const double half = 1.5 * fabs(pose[3 + a]) + 0.6 * fabs(pose[4 - a]) - 1e-9;
+            assert_true(pose[a] >= half && pose[a] <= (a ? WIDTH : LENGTH) - half);
+        }
+    }
+    const double x = pose[0], y = pose[1], c = pose[3], s = pose[4];
+    ok(cd_water_set_hull_velocity(w, 0, (const double[6]){0}, 6));
+    ok(cd_water_set_hull_force(w, 0, (const double[]){300 * (push_x * c + push_y * s), 300 * (push_y * c - push_x * s), 0,
+                                                      0, 0, 0}, 6));
+    pool_step(w, 1 / 60.0, 480);
+    ok(cd_water_get_hull_pose(w, 0, pose, 7));
+    cd_water_destroy(w);
+    return hypot(pose[0] - x, pose[1] - y);
+}
+
+static void a_hull_stops_with_its_end_at_a_wall_and_leaves_it(void** state) {
+    (void)state;
+    const double still[6] = {0}, on[6] = {-1}, up[6] = {0, 1}, slanting[6] = {-1, 0.3}, turning[6] = {-0.3, 0, 0, 1};
+    const double free = pushed((const double[]){4, 4, 1, 0}, still, 1, 0);
+    assert_true(free > 3);
+    assert_near(pushed((const double[]){3, 4, 1, 0}, on, 1, 0), free, 0.15, 0);
+    assert_near(pushed((const double[]){3, 4, -1, 0}, slanting, 1, 0), free, 0.15, 0);
+    assert_near(pushed((const double[]){LENGTH / 2, WIDTH - 2, 0, 1}, up, 0, -1), free, 0.15, 0);
+    pushed((const double[]){2, 4, 0, 1}, turning, 1, 0);
+}
+
+/* On land: friction holds a hull on a slope, and a drag of water does nothing. */
+static void a_hull_on_dry_land_feels_the_bed_alone(void** state) {
+    (void)state;
+    for (int slope = 0; slope < 2; ++slope) {
+        cd_water* w = lake(NX, NY, 0);
+        double pose[7], velocity[6];
+        for (size_t j = 0; j < NY; ++j)
+            for (size_t i = 0; i < NX; ++i) pool_set(w, CD_BED, i, j, 0.2 * slope * DX * (double)i);
+        ok(cd_water_set_hulls(w, 1, 4, 2));
+        ok(cd_water_set_hull(w, 0, 500, 2, 1, NULL, 0));
+        ok(cd_water_set_hull_drag(w, 0, 800, 800, slope ? 0.4 : 0));
+        ok(cd_water_launch_hull(w, 0, 8, 4, 1, 0.3));
+        ok(cd_water_set_hull_velocity(w, 0, (const double[]){slope ? 0 : 0.5, 0, 0, slope ? 0 : 0.1, 0, 0}, 6));
+        pool_step(w, 0.05, 200);
+        ok(cd_water_get_hull_pose(w, 0, pose, 7));
+        ok(cd_water_get_hull_velocity(w, 0, velocity, 6));
+        assert_near(pose[0], slope ? 8 : 13, slope ? 1e-3 : 1e-9, 0);
+        assert_near(velocity[0], slope ? 0 : 0.5, 1e-9, 1);
+        assert_near(velocity[3], slope ? 0 : 0.1, 1e-9, 1);
+        cd_water_destroy(w);
+    }
+}
+
+/* What moved before does not hold back a hull whose velocity is set: as if its pose had been set as well. */
+static void a_velocity_that_is_set_begins_anew(void** state) {
+    (void)state;
+    double pose[2][7];
+    for (int posed = 0; posed < 2; ++posed) {
+        cd_water* w = lake(NX, NY, 1);
+        const double velocity[6] = {-1, 0.5, 0, 0.2, 0, 0};
+        ok(cd_water_set_hulls(w, 1, 6, 3));
+        ok(cd_water_set_hull(w, 0, 1200, 3, 1.2, NULL, 0));
+        ok(cd_water_launch_hull(w, 0, 6, 4, 1, 0));
+        ok(cd_water_set_hull_velocity(w, 0, (const double[]){3, 0, 0, 1, 0, 0}, 6));
+        pool_step(w, 0.2, 4);
+        ok(cd_water_get_hull_pose(w, 0, pose[posed], 7));
+        if (posed) ok(cd_water_set_hull_pose(w, 0, pose[posed], 7));
+        ok(cd_water_set_hull_velocity(w, 0, velocity, 6));
+        pool_step(w, 0.2, 4);
+        ok(cd_water_get_hull_pose(w, 0, pose[posed], 7));
+        cd_water_destroy(w);
+    }
+    for (int k = 0; k < 7; ++k) assert_near(pose[0][k], pose[1][k], 1e-9, 1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_hull_that_lies_still_displaces_its_mass),
@@ -225,6 +308,9 @@ int main(void) {
         cmocka_unit_test(what_a_hull_loses_the_water_gets),
         cmocka_unit_test(a_hull_over_a_high_bed_lies_on_it),
         cmocka_unit_test(two_hulls_stay_each_others_image),
+        cmocka_unit_test(a_hull_stops_with_its_end_at_a_wall_and_leaves_it),
+        cmocka_unit_test(a_hull_on_dry_land_feels_the_bed_alone),
+        cmocka_unit_test(a_velocity_that_is_set_begins_anew),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -228,10 +228,19 @@ RULES = {
         "water/sweep.cpp", "        if (line.pressed() && sweep.implicit) kind.bind(squeezed(line));\n", "",
         ["stability_water_hulls"]),
     "what drifting makes is owed": (
-        HULL_STEP, "due = h.owed + made + (", "due = 0 * made + (", ["stability_water_hulls"]),
+        HULL_STEP, "due = h.owed + more;", "due = 0 * more;", ["stability_water_hulls"]),
     "a push that leads nowhere is not the water's": (
         HULL_STEP, "if (taken > removable() + credit) taken = lose(due);", "if (taken > removable() + credit) taken = due;",
         ["stability_water_hulls"]),
+    "hulls stop before sides, and leave them": (
+        HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
+    "friction holds a hull before it moves": (
+        HULL_STEP, ", rubbed = rub(contact.by_bed);\n        drift(pose, made, rubbed, contact.energy);\n",
+        ";\n        drift(pose, made, 0, contact.energy);\n        rub(contact.by_bed);\n", ["physics_water_hulls"]),
+    "what a side takes pays for what drove a hull": (
+        HULL_STEP, "paid += stops[a] ? 0.5", "paid += stops[a] ? 0", ["physics_water_hulls"]),
+    "drag is the water's part": (
+        HULL_STEP, "drag(1 - contact.by_bed / contact.push[0]);", "drag(1);", ["physics_water_hulls"]),
     "a hull at a wall is borne by the water along it": (
         HULL_PLATES, "round = periodic ? length : 2 * length;", "round = length;", ["physics_water_hulls"]),
     "cloth heeds several colliders": (
