@@ -11,6 +11,23 @@ double hull_area(const Water& w, size_t index) {
     return h.length * h.width * (double(there) / double(w.hull_shape.plates()));
 }
 
+void hull_extent(const Water& w, size_t index, const double (&heading)[2], Axis a, double (&out)[2]) {
+    const Hull& h = hull(w, index);
+    const HullShape& shape = w.hull_shape;
+    const double ahead = a == kX ? heading[0] : heading[1], port = a == kX ? -heading[1] : heading[0];
+    const double long_of = h.length / double(shape.along), wide = h.width / double(shape.across);
+    const double half = 0.5 * (fabs(ahead) * long_of + fabs(port) * wide);
+    out[0] = out[1] = 0;
+    for (size_t j = 0; j < shape.across; ++j)
+        for (size_t i = 0; i < shape.along; ++i) {
+            if (plate_heights(w, index)[j * shape.along + i] < 0) continue;
+            const double middle = ahead * ((double(i) + 0.5) * long_of - 0.5 * h.length) +
+                                  port * ((double(j) + 0.5) * wide - 0.5 * h.width);
+            if (half - middle > out[0]) out[0] = half - middle;
+            if (half + middle > out[1]) out[1] = half + middle;
+        }
+}
+
 bool lay_on_water(Water& w, size_t index) {
     Hull& h = hull(w, index);
     h.pitch = h.roll = 0;

@@ -79,6 +79,8 @@ inline bool valid_hull(const Hull& h, const double* size, const size_t* cells) {
 // ---- what is set and told (water_hull.cpp) -------------------------------------------------------------------------
 
 double hull_area(const Water& w, size_t index);
+// How far its plates reach along an axis from its middle, backward and forward.
+void hull_extent(const Water& w, size_t index, const double (&heading)[2], Axis a, double (&out)[2]);
 // Sets height, pitch and roll at which the water as it lies carries a hull's weight; false where nothing can.
 bool lay_on_water(Water& w, size_t index);
 // The energy of the hulls' motion, of their height, and of what they press.

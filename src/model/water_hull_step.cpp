@@ -322,27 +322,9 @@ struct Mover {
         h.water[3] -= slower * mass[3] / dt;
     }
 
-    // How far plates reach along an axis from the hull's middle, backward and forward.
-    void extent(const HullPose& pose, Axis a, double (&out)[2]) const {
-        const HullShape& shape = w.hull_shape;
-        const double ahead = a == kX ? pose.heading[0] : pose.heading[1];
-        const double port = a == kX ? -pose.heading[1] : pose.heading[0];
-        const double long_of = h.length / double(shape.along), wide = h.width / double(shape.across);
-        const double half = 0.5 * (fabs(ahead) * long_of + fabs(port) * wide);
-        out[0] = out[1] = 0;
-        for (size_t j = 0; j < shape.across; ++j)
-            for (size_t i = 0; i < shape.along; ++i) {
-                if (plate_heights(w, index)[j * shape.along + i] < 0) continue;
-                const double middle = ahead * ((double(i) + 0.5) * long_of - 0.5 * h.length) +
-                                      port * ((double(j) + 0.5) * wide - 0.5 * h.width);
-                if (half - middle > out[0]) out[0] = half - middle;
-                if (half + middle > out[1]) out[1] = half + middle;
-            }
-    }
-
     // Where a part of a step leads; stops: along which axes a side, or cells that are not there, are in the way. Plates
-    // come no nearer to a side than its gap, or than they were, unless the hull is as long as the scene; the middle does
-    // not leave the scene.
+    // come no nearer to a side than its gap, or than they were, unless the hull is as long as the scene. The middle
+    // does not leave the scene.
     HullPose after(const HullPose& pose, double time, bool (&stops)[2]) const {
         HullPose out = pose;
         turn(out, time);
@@ -354,7 +336,7 @@ struct Mover {
                 *at[a] = to - length * whole_below(to / length);
             } else {
                 double before[2], now[2];
-                extent(pose, a, before), extent(out, a, now);
+                hull_extent(w, index, pose.heading, a, before), hull_extent(w, index, out.heading, a, now);
                 if (const double room = 0.5 * (length - (now[0] + now[1])); room > 0) {
                     const double gap = kHullGap * w.size[a] < room ? kHullGap * w.size[a] : room;
                     const double low = now[0] + gap - positive(before[0] + gap - was);
