@@ -266,8 +266,32 @@ static void no_depth_of_a_water_that_diverged_is_negative(void** state) {
     assert_true(diverged > 0);
 }
 
+/* A pool with a source that drains over a low side in explicit steps far beyond their limit. What moves between cells
+ * that have run dry is no number, but nobody keeps it. */
+static void what_is_finite_has_not_diverged(void** state) {
+    (void)state;
+    static const cd_field fields[] = {CD_DEPTH, CD_VELOCITY_X, CD_VELOCITY_Y};
+    const double size = 0.11015746357647377;
+    cd_water* w;
+    ok(cd_water_create(13, 4, size, size, CD_FLOAT32, NULL, &w));
+    ok(cd_water_add_source(w, 0.0056891855085406595, 0.35018310648554291, 1.2714334485576539, 0.042990143301699223));
+    ok(cd_water_step(w, 7.4405605914747683, 2));
+    ok(cd_water_set_momentum(w, CD_MOMENTUM_ADVECTED));
+    ok(cd_water_set_method(w, CD_METHOD_SYMPLECTIC_EULER));
+    ok(cd_water_step(w, 0.00012178729921880059, 1));
+    ok(cd_water_set_side(w, CD_SIDE_Y_LAST, CD_BORDER_OPEN, -0.75230832132907843, 0));
+    ok(cd_water_step(w, 11062.09931374951, 1));
+    for (size_t f = 0; f < COUNT(fields); ++f) {
+        double values[14 * 5];
+        pool_read(w, fields[f], values);
+        for (size_t k = 0; k < pool_extent(w, fields[f]).count; ++k) assert_true(isfinite(values[k]));
+    }
+    cd_water_destroy(w);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_finite_has_not_diverged),
         cmocka_unit_test(no_depth_of_a_water_that_diverged_is_negative),
         cmocka_unit_test(divergence_is_reported_with_the_first_bad_step),
         cmocka_unit_test(a_diverged_water_makes_no_step_and_changes_nothing),
