@@ -161,8 +161,9 @@ template <class Api> void Body<Api>::set_bed() {
     const Place origin = pick_place(decades(-2, 1));
     const double spacing[2] = {pick_number(-2, 1), pick_number(-2, 1)}, high = pick_number(-2, 0);
     const double friction = chance(0.3) ? 0 : pick_number(-2, 1);
-    double heights[49];
-    for (double& h : heights) h = high * uniform(-1, 1);
+    constexpr size_t kMostHeights = 49;
+    double heights[kMostHeights + 1] = {}; // also one that no bed has
+    for (size_t k = 0; k < kMostHeights; ++k) heights[k] = high * uniform(-1, 1);
     if (chance(run.bad * 0.5)) heights[below(columns * rows + 1)] = wild_number();
     const size_t count = pick_count(columns * rows);
     const bool null[2] = {pick_null(), pick_null()};
@@ -177,7 +178,7 @@ template <class Api> void Body<Api>::set_bed() {
     if (status != CD_OK || run.broken) return;
     for (double number : {spacing[0], spacing[1], high, friction}) this->past.moderate &= number < 1e3;
     this->past.moderate &= origin.moderate && spacing[0] > 1e-3 && spacing[1] > 1e-3;
-    double told[49];
+    double told[kMostHeights];
     size_t extent[2] = {};
     if (things()[index].shape != CD_SHAPE_BED) return problem("set_bed: collider %zu is none", index);
     if (Colliders<Api>::get_bed(this->first(), index, &extent[0], &extent[1], told, count) != CD_OK ||
