@@ -33,17 +33,19 @@ static double level_at(const cd_water* w, double x, double y) {
 /* Draft = mass / (density area), wherever it lies and however it is turned; and the water would be level without it. */
 static void a_hull_that_lies_still_displaces_its_mass(void** state) {
     (void)state;
-    double bow[64];
+    double bow[64]; /* without one of its corners, so that how it lies along and across depend on each other */
     for (int j = 0; j < 8; ++j)
-        for (int i = 0; i < 8; ++i) bow[8 * j + i] = i == 7 && (j == 0 || j == 7) ? -1 : 0.05 * fabs(j - 3.5) + 0.02 * i;
-    for (int shape = 0; shape < 3; ++shape)
+        for (int i = 0; i < 8; ++i) bow[8 * j + i] = i > 4 && j > 4 ? -1 : 0.05 * fabs(j - 3.5) + 0.02 * i;
+    for (int shape = 0; shape < 4; ++shape)
         for (int turn = 0; turn < 2; ++turn) {
             cd_water* w = lake(NX, NY, 1);
             double floor[7], load[6], area, head;
-            ok(cd_water_set_hulls(w, 1, 8, 8));
+            const int across = shape == 3 ? 1 : 8; /* 3: so narrow that it is a line */
+            const double width = shape == 3 ? 0.1 : 1.6, mass = shape == 3 ? 100 : 1200;
+            ok(cd_water_set_hulls(w, 1, 8, (size_t)across));
             if (shape == 0) ok(cd_water_set_hull(w, 0, 1200, 3, 1.6, NULL, 0));
             if (shape == 1) ok(cd_water_set_disc(w, 0, 1200, 1.2));
-            if (shape == 2) ok(cd_water_set_hull(w, 0, 1200, 3, 1.6, bow, 64));
+            if (shape >= 2) ok(cd_water_set_hull(w, 0, mass, 3, width, bow, 8 * (size_t)across));
             ok(cd_water_get_hull(w, 0, NULL, NULL, NULL, &area, NULL, 0));
             if (shape == 1) assert_near(area, 1.44 * PI, 1e-12, 0);
             ok(cd_water_launch_hull(w, 0, 8.1 + 0.03 * turn, 4.07, cos(turn), sin(turn)));
@@ -51,17 +53,20 @@ static void a_hull_that_lies_still_displaces_its_mass(void** state) {
             ok(cd_water_get_hull_floor(w, 0, floor, 7));
             ok(cd_water_get_hull_load(w, 0, load, 6));
             const double level = level_at(w, 0.5, 0.5);
-            double displaced = area * (level - floor[2]);
-            if (shape == 2) {
+            double displaced = area * (level - floor[2]), moments[2] = {0, 0};
+            if (shape >= 2) {
                 displaced = 0;
-                for (int k = 0; k < 64; ++k) {
-                    const double ahead = 3 * ((k % 8 + 0.5) / 8 - 0.5), port = 1.6 * ((k / 8 + 0.5) / 8 - 0.5);
+                for (int k = 0; k < 8 * across; ++k) {
+                    const double ahead = 3 * ((k % 8 + 0.5) / 8 - 0.5), port = width * ((k / 8 + 0.5) / across - 0.5);
                     const double below = level - (floor[2] + floor[5] * ahead + floor[6] * port + bow[k]);
-                    if (bow[k] >= 0 && below > 0) displaced += below * 3 * 1.6 / 64;
+                    const double volume = bow[k] >= 0 && below > 0 ? below * 3 * width / (8 * across) : 0;
+                    displaced += volume, moments[0] += volume * ahead, moments[1] += volume * port;
                 }
+                /* what it displaces lies under its middle */
+                for (int k = 0; k < 2; ++k) assert_near(moments[k] / displaced, 0, 0.01, 1);
             }
-            assert_near(1000 * displaced, 1200, shape == 2 ? 1e-4 : 1e-6, 0); /* plates are tilted a little */
-            assert_near(load[2], 1200 * G, 1e-6, 0);
+            assert_near(1000 * displaced, mass, shape >= 2 ? 1e-4 : 1e-6, 0); /* plates are tilted a little */
+            assert_near(load[2], mass * G, 1e-6, 0);
             ok(cd_water_sample_heads(w, (const double[]){8.1, 4.07}, 1, &head));
             assert_near(head, level, 1e-5, 0);
             cd_water_destroy(w);
@@ -274,6 +279,14 @@ static void a_hull_on_dry_land_feels_the_bed_alone(void** state) {
         assert_near(pose[0], slope ? 8 : 13, slope ? 1e-3 : 1e-9, 0);
         assert_near(velocity[0], slope ? 0 : 0.5, 1e-9, 1);
         assert_near(velocity[3], slope ? 0 : 0.1, 1e-9, 1);
+        if (slope) { /* what has held it does not hold back a push, down the slope against friction */
+            const double push = 3000, rate = push / 500 + 0.2 * G - 0.4 * G;
+            const double force[6] = {-push * pose[3], push * pose[4], 0, 0, 0, 0}, from = pose[0];
+            ok(cd_water_set_hull_force(w, 0, force, 6));
+            pool_step(w, 0.05, 20);
+            ok(cd_water_get_hull_pose(w, 0, pose, 7));
+            assert_near(from - pose[0], rate / 2, 0.1, 0);
+        }
         cd_water_destroy(w);
     }
 }
