@@ -222,7 +222,7 @@ static void two_hulls_stay_each_others_image(void** state) {
     cd_water_destroy(w);
 }
 
-/* A boat of 3 m that runs as told for 4 s, with both ends in the pool; then how far a push of 300 N brings it in 8 s. */
+/* A boat of 3 m that runs as told for 4 s, its ends in the pool; then how far a push of 300 N brings it in 8 s. */
 static double pushed(const double* start, const double* velocity, double push_x, double push_y) {
     cd_water* w = lake(NX, NY, 1);
     double pose[7];
@@ -241,8 +241,8 @@ static double pushed(const double* start, const double* velocity, double push_x,
     }
     const double x = pose[0], y = pose[1], c = pose[3], s = pose[4];
     ok(cd_water_set_hull_velocity(w, 0, (const double[6]){0}, 6));
-    ok(cd_water_set_hull_force(w, 0, (const double[]){300 * (push_x * c + push_y * s), 300 * (push_y * c - push_x * s), 0,
-                                                      0, 0, 0}, 6));
+    const double force[6] = {300 * (push_x * c + push_y * s), 300 * (push_y * c - push_x * s), 0, 0, 0, 0};
+    ok(cd_water_set_hull_force(w, 0, force, 6));
     pool_step(w, 1 / 60.0, 480);
     ok(cd_water_get_hull_pose(w, 0, pose, 7));
     cd_water_destroy(w);
