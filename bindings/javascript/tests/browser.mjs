@@ -24,6 +24,15 @@ export async function serve(folder) {
   return { port: server.address().port, close: () => server.close() };
 }
 
+/** Waits until something is true: a machine that does much else is slow, and no less right. */
+export async function until(holds, what, seconds = 60) {
+  const end = Date.now() + 1000 * seconds;
+  while (!(await holds())) {
+    if (Date.now() > end) throw new Error(`not within ${seconds} s: ${what}`);
+    await new Promise((done) => setTimeout(done, 50));
+  }
+}
+
 export class Browser {
   #process;
   #profile = mkdtempSync(join(tmpdir(), "contdyn-browser-"));
@@ -36,7 +45,7 @@ export class Browser {
   constructor(program) {
     this.#process = spawn(program, ["--headless", "--no-sandbox", "--remote-debugging-pipe", "--hide-scrollbars",
       "--disable-gpu", "--disable-dev-shm-usage", `--user-data-dir=${this.#profile}`, "about:blank"],
-    { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+    { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"], detached: true });
     let text = "";
     this.#process.stdio[4].on("data", (data) => {
       text += data;
@@ -89,13 +98,11 @@ export class Browser {
     return result.value;
   }
 
-  /** Waits until an expression is true. */
-  async until(expression, what, seconds = 20) {
-    const end = Date.now() + 1000 * seconds;
-    while (!(await this.run(expression).catch(() => false))) {
-      if (Date.now() > end) throw new Error(`not within ${seconds} s: ${what}; errors: ${this.errors.join("; ")}`);
-      await new Promise((done) => setTimeout(done, 50));
-    }
+  /** Waits until an expression is true; until then it may throw. */
+  until(expression, what) {
+    return until(() => this.run(expression).catch(() => false), what).catch((error) => {
+      throw new Error(`${error.message}; errors: ${this.errors.join("; ")}`);
+    });
   }
 
   mouse(type, x, y) {
@@ -119,8 +126,16 @@ export class Browser {
 
   async close() {
     const ended = new Promise((done) => this.#process.on("exit", done));
-    this.#process.kill();
+    process.kill(-this.#process.pid, "SIGKILL"); // the group: what the browser has started would go on writing
     await ended;
-    rmSync(this.#profile, { recursive: true, force: true, maxRetries: 5, retryDelay: 100 });
+    // what is still at its end may hold files yet
+    await until(() => {
+      try {
+        rmSync(this.#profile, { recursive: true, force: true });
+        return true;
+      } catch {
+        return false;
+      }
+    }, "the browser's folder is removed");
   }
 }
