@@ -365,6 +365,7 @@ template <int N> struct RopeBundle {
         L pushed{};           // the sum of the pushes of springs that only pull, times lengths
         L gained{}, worth{};  // the energy that springs give from nothing, and the sum of tensions times lengths
         L slack{}, lengths{}; // the most of a tension times how much its spring is too short for it; sum of lengths
+        L rounding{};         // what the energy gained may be by rounding in the joints, over the tolerance
 
         void add(const Seen& o) {
             error = larger(error, o.error), slack = larger(slack, o.slack);
@@ -374,7 +375,7 @@ template <int N> struct RopeBundle {
         Seen in(L strands) const {
             const auto there = [&](L a) { return select(strands, a, L{}); };
             return {there(error), there(probe), there(pushed), there(gained),
-                    there(worth), there(slack), there(lengths)};
+                    there(worth), there(slack), there(lengths), rounding};
         }
     };
 

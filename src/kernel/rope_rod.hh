@@ -43,7 +43,7 @@ template <int N> void RopeBundle<N>::look_at_joints(Seen& seen) const {
         const V change = L::splat(stage.dt) * r, after = before + change;
         const L stiffness = 0.5 * (per_h * per_h * joint.stiffness); // half of it
         seen.gained = seen.gained + stiffness * dot(change, before + after) + per_lambda * dot(joint.impulse, r);
-        seen.worth = seen.worth + rounding * stiffness * (dot(before, before) + dot(after, after));
+        seen.rounding = seen.rounding + rounding * stiffness * (dot(before, before) + dot(after, after));
     }
 }
 

@@ -30,8 +30,10 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
     }
     for (size_t i = 0; i < ropes.nodes && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, iteration));
     const L worth = larger(seen.worth, larger(weight, least_worth));
-    const L wrong = larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths);
-    const L error = select(worth, larger(seen.error, wrong / worth), seen.error) + seen.probe;
+    const auto share = [](L wrong, L of) { return select(of, wrong / of, L{}); };
+    const L forces = share(larger(seen.pushed, seen.slack * seen.lengths), worth);
+    const L energy = share(seen.gained, worth + seen.rounding);
+    const L error = larger(seen.error, larger(energy, forces)) + seen.probe;
     reached = select(open, error, reached);
     if (has_contacts() && stage.lambda < 1) { // what touches takes lambda = 1
         const L touched = open * select(one() - lambda, touches(), L{});
