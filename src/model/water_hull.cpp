@@ -69,7 +69,7 @@ void hull_energy(const Water& w, double& kinetic, double& potential) {
 
 double head_at(const Water& w, double x, double y) {
     // The plates' loads lie in cells, as steps hand them on.
-    const Corner4 around = cells_around(w, x, y);
+    const Around<2> around = cells_between(w, x, y);
     double sum = sample(w, x, y).surface;
     if (!around.any) return sum;
     for (size_t k = 0; k < w.hull_shape.count; ++k) {

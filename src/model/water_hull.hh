@@ -6,8 +6,9 @@
 //
 //      p = kStiff (h(x, y) - z)+ [m],      energy density gravity a p^2 / (2 kStiff),
 //
-// h bilinear between the cells' centres, and the same weights hand the plate's load on to the cells, so that force and
-// load are derivatives of one energy. What lies on the bed, where h is the bed, is carried by it by the same law.
+// h a quadratic B-spline of the cells' surfaces, and the same weights hand the plate's load on to the cells, so that
+// force and load are derivatives of one energy. What lies on the bed, where h is the bed, is carried by it by the same
+// law.
 //
 // A step is a series of steps of which each takes energy from the whole, or leaves it:
 //
@@ -15,8 +16,8 @@
 //            sum of its plates' shares, kStiff a / cell, which is at least as stiff as the plates are together: the
 //            line's fluxes are solved for with that at once.
 //   heave    with the water held: height, pitch and roll by backward Euler, to the minimum of a convex function.
-//   drift    along x and y and round: what the sweeps' loads did to the water comes back as an impulse; the energy by
-//            which it and the way across the surface differ is taken as drag (Hull::owed).
+//   drift    along x and y and round, by the slope of the energy in the sweeps; the energy by which that and the way
+//            across the surface differ is taken as drag (Hull::owed).
 //
 // Each holds at any dt and any ratio of masses, and so does all of it. A skin that gives way
 // lets the body lie deeper than its floor on the water (settle_hulls), which is what is drawn.

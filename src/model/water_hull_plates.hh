@@ -14,40 +14,43 @@ struct HullPose {
         : x(h.x), y(h.y), heading{h.heading[0], h.heading[1]}, z(h.z), pitch(h.pitch), roll(h.roll) {}
 };
 
-// Four places of the lattice around a point, and their weights, which sum to 1, or are 0 all: nothing is there.
-struct Corner4 {
-    size_t i[2], j[2];
-    double weight[4]; // low and high i at low j, then at high j
+// Places of the lattice around a point, n along each axis, and their weights, which sum to 1, or are 0 all: nothing is
+// there.
+template <int n> struct Around {
+    size_t i[n], j[n];
+    double weight[n * n]; // along x, row by row
     bool any;
 
     // f(i, j, weight)
     template <class F> void each(F f) const {
-        for (int c = 0; c < 4; ++c)
-            if (weight[c] > 0) f(i[c & 1], j[c >> 1], weight[c]);
+        for (int c = 0; c < n * n; ++c)
+            if (weight[c] > 0) f(i[c % n], j[c / n], weight[c]);
     }
 };
 
 constexpr double kMostRounds = 1e6;    // times round a scene, of no hull
 constexpr double kAlmostWhole = 1e-12; // of its length: a part of a plate may be longer than half a cell by so much
 
-// Of n places along an axis, at (k + offset) sizes; beyond the last ones, the last one alone. What reaches past a side
-// that is not periodic is mirrored there: a hull at a wall is borne by the water along it.
-inline bool between(double at, double size, double offset, size_t cells, size_t n, bool periodic, size_t (&k)[2],
-                    double& part) {
-    double x = at / size;
-    const double inside = x - offset, last = double((periodic ? cells : n) - 1);
-    if (inside >= 0 && inside < last) { // most
-        k[0] = size_t(inside), k[1] = k[0] + 1;
-        part = inside - double(k[0]);
-        return true;
-    }
+// Brings a number of cells along an axis into the scene's [0, cells]. What reaches past a side that is not periodic is
+// mirrored there: a hull at a wall is borne by the water along it. False of what is far away, and of NaN.
+inline bool bring_in(double& x, size_t cells, bool periodic) {
     const double length = double(cells), round = periodic ? length : 2 * length;
-    if (!(fabs(x) <= kMostRounds * round)) return false; // nor NaN
+    if (x >= 0 && x <= length) return true; // most
+    if (!(fabs(x) <= kMostRounds * round)) return false;
     x -= round * whole_below(x / round);
     if (x > length) x = periodic ? 0 : round - x;
+    return true;
+}
+
+// The two of n places along an axis, at (k + offset) sizes, that a point lies between; beyond the last ones, the last one
+// alone.
+inline bool between(double at, double size, double offset, size_t cells, size_t n, bool periodic, size_t (&k)[2],
+                    double (&weight)[2]) {
+    double x = at / size;
+    if (!bring_in(x, cells, periodic)) return false;
     x -= offset;
     const double low = whole_below(x);
-    part = x - low;
+    weight[1] = x - low, weight[0] = 1 - weight[1];
     if (periodic) {
         k[0] = low < 0 ? cells - 1 : low < double(cells) ? size_t(low) : cells - 1;
         k[1] = k[0] + 1 < cells ? k[0] + 1 : 0;
@@ -59,42 +62,81 @@ inline bool between(double at, double size, double offset, size_t cells, size_t 
     return true;
 }
 
-// Around a point among the cells' centres that are there.
-inline Corner4 cells_around(const Water& w, double x, double y) {
-    Corner4 out{};
-    double part[2];
-    if (!between(x, w.size[kX], 0.5, w.cells[kX], w.cells[kX], periodic(w, kX), out.i, part[0]) ||
-        !between(y, w.size[kY], 0.5, w.cells[kY], w.cells[kY], periodic(w, kY), out.j, part[1]))
-        return out;
+// The cell along an axis that a point lies in, and those beside it, by the quadratic B-spline. Weights with a corner,
+// those of `between`, would hold a hull fast where its ends lie between cells in one way and not in another.
+inline bool spline_around(double at, double size, size_t cells, bool periodic, size_t (&k)[3], double (&weight)[3]) {
+    double x = at / size;
+    if (!bring_in(x, cells, periodic)) return false;
+    const size_t in = x < double(cells) ? size_t(x) : cells - 1;
+    const double off = x - (double(in) + 0.5);
+    k[0] = in > 0 ? in - 1 : periodic ? cells - 1 : 0;
+    k[1] = in;
+    k[2] = in + 1 < cells ? in + 1 : periodic ? 0 : cells - 1;
+    weight[0] = 0.5 * ((0.5 - off) * (0.5 - off)), weight[1] = 0.75 - off * off;
+    weight[2] = 0.5 * ((0.5 + off) * (0.5 + off));
+    return true;
+}
+
+// Of weights along both axes those of the places that are there.
+template <int n, class There>
+void weigh(Around<n>& out, const double (&along)[n], const double (&across)[n], bool all, There there) {
     double sum = 0;
-    for (int c = 0; c < 4; ++c) {
-        const double of = (c & 1 ? part[0] : 1 - part[0]) * (c & 2 ? part[1] : 1 - part[1]);
-        out.weight[c] = !w.mask || present(w, out.i[c & 1], out.j[c >> 1]) ? of : 0;
+    for (int c = 0; c < n * n; ++c) {
+        out.weight[c] = all || there(out.i[c % n], out.j[c / n]) ? along[c % n] * across[c / n] : 0;
         sum += out.weight[c];
     }
     out.any = sum > 0;
-    if (w.mask && out.any && sum < 1)
+    if (!all && out.any)
         for (double& weight : out.weight) weight /= sum;
+}
+
+// The cells that bear what presses at a point, as far as they are there.
+inline Around<3> cells_around(const Water& w, double x, double y) {
+    Around<3> out{};
+    double along[3], across[3];
+    if (spline_around(x, w.size[kX], w.cells[kX], periodic(w, kX), out.i, along) &&
+        spline_around(y, w.size[kY], w.cells[kY], periodic(w, kY), out.j, across))
+        weigh(out, along, across, !w.mask, [&](size_t i, size_t j) { return present(w, i, j); });
+    return out;
+}
+
+// The cells whose middles a point lies between, as far as they are there.
+inline Around<2> cells_between(const Water& w, double x, double y) {
+    Around<2> out{};
+    double along[2], across[2];
+    if (between(x, w.size[kX], 0.5, w.cells[kX], w.cells[kX], periodic(w, kX), out.i, along) &&
+        between(y, w.size[kY], 0.5, w.cells[kY], w.cells[kY], periodic(w, kY), out.j, across))
+        weigh(out, along, across, !w.mask, [&](size_t i, size_t j) { return present(w, i, j); });
     return out;
 }
 
 // Among the faces of an axis.
-inline Corner4 faces_around(const Water& w, Axis a, double x, double y) {
-    Corner4 out{};
-    double part[2];
-    if (!between(x, w.size[kX], a == kX ? 0 : 0.5, w.cells[kX], faces_along(w, a, kX), periodic(w, kX), out.i,
-                 part[0]) ||
-        !between(y, w.size[kY], a == kY ? 0 : 0.5, w.cells[kY], faces_along(w, a, kY), periodic(w, kY), out.j,
-                 part[1]))
-        return out;
-    for (int c = 0; c < 4; ++c)
-        out.weight[c] = (c & 1 ? part[0] : 1 - part[0]) * (c & 2 ? part[1] : 1 - part[1]);
-    out.any = true;
+inline Around<2> faces_around(const Water& w, Axis a, double x, double y) {
+    Around<2> out{};
+    double along[2], across[2];
+    if (between(x, w.size[kX], a == kX ? 0 : 0.5, w.cells[kX], faces_along(w, a, kX), periodic(w, kX), out.i, along) &&
+        between(y, w.size[kY], a == kY ? 0 : 0.5, w.cells[kY], faces_along(w, a, kY), periodic(w, kY), out.j, across))
+        weigh(out, along, across, true, [](size_t, size_t) { return true; });
     return out;
 }
 
+// f(i, j, weight) of the faces of an axis whose differences, over a cell's size, are the slope of what cells_around tells
+// of a surface.
+template <class F> void each_difference(const Water& w, Axis a, double x, double y, F f) {
+    const Axis b = other(a);
+    const double at[2] = {x, y};
+    size_t faces[2], cells[3];
+    double along[2], across[3];
+    if (!between(at[a], w.size[a], 0, w.cells[a], faces_along(w, a, a), periodic(w, a), faces, along) ||
+        !spline_around(at[b], w.size[b], w.cells[b], periodic(w, b), cells, across))
+        return;
+    for (int k = 0; k < 2; ++k)
+        for (int c = 0; c < 3; ++c)
+            f(a == kX ? faces[k] : cells[c], a == kX ? cells[c] : faces[k], along[k] * across[c]);
+}
+
 struct Plate {
-    Corner4 cells;
+    Around<3> cells;
     double x, y, area;
     double ahead, port;     // from the hull's middle [m]
     double height;          // above the keel
@@ -120,7 +162,7 @@ void each_plate(const Water& w, size_t index, const HullPose& pose, const T* dep
     const size_t n = parts(long_of), m = parts(wide);
     const double step_long = long_of / double(n), step_wide = wide / double(m);
     const T* const bed = numbers<T>(w.bed);
-    const Corner4 middle = cells_around(w, pose.x, pose.y);
+    const Around<3> middle = cells_around(w, pose.x, pose.y);
     if (!middle.any) return;
     Plate p;
     p.area = step_long * step_wide;

@@ -59,32 +59,19 @@ struct CellBox {
     }
 };
 
-// How far a number is from the middle, the short way round a periodic direction.
-double away(const Water& w, Axis a, double from_middle) {
-    if (!periodic(w, a)) return from_middle;
-    const double length = double(w.cells[a]) * w.size[a];
-    return from_middle - length * whole_below(from_middle / length + 0.5);
-}
-
-// The slope of the water's surface in a cell, in the mean of before and after a sweep. Closed faces stand as high as
-// the cell.
-template <class T> double slope_in(const Water& w, const T* before, Axis a, size_t i, size_t j) {
+// By how much the water's surface rises across a face, in the mean of before and after a sweep. Closed ones, and the
+// scene's sides, have the same surface on both sides.
+template <class T> double rise_across(const Water& w, const T* before, Axis a, size_t i, size_t j) {
+    const size_t k = a == kX ? i : j, n = w.cells[a];
+    if (!periodic(w, a) && (k == 0 || k == n)) return 0;
+    if (!crossable(w, a, i, j)) return 0;
+    const size_t behind = k > 0 ? k - 1 : n - 1, ahead = k < n ? k : 0;
     const T *const after = numbers<T>(w.depth), *const bed = numbers<T>(w.bed);
-    const auto surface = [&](size_t x, size_t y) {
-        const size_t at = place(w, x, y);
+    const auto surface = [&](size_t cell) {
+        const size_t at = a == kX ? place(w, cell, j) : place(w, i, cell);
         return double(bed[at]) + 0.5 * (double(before[at]) + double(after[at]));
     };
-    const size_t k = a == kX ? i : j, n = w.cells[a];
-    const double here = surface(i, j);
-    double rise = 0;
-    for (size_t behind : {size_t(0), size_t(1)}) {
-        if (!periodic(w, a) && (behind ? k + 1 == n : k == 0)) continue;
-        if (!crossable(w, a, a == kX ? i + behind : i, a == kY ? j + behind : j)) continue;
-        const size_t next = behind ? (k + 1 < n ? k + 1 : 0) : (k > 0 ? k - 1 : n - 1);
-        const double there = a == kX ? surface(next, j) : surface(i, next);
-        rise += 0.5 * (behind ? there - here : here - there);
-    }
-    return rise / w.size[a];
+    return surface(ahead) - surface(behind);
 }
 
 } // namespace
@@ -113,25 +100,26 @@ void load_hulls(const Water& w, HullWork& work, bool first) {
 }
 
 void feel_water(const Water& w, HullWork& work, Axis a, double theta, double dt) {
-    const double weight = w.density * w.gravity * cell_area(w) * dt;
     by_precision(w, [&](auto zero) {
         using T = decltype(zero);
-        const T* const before = reinterpret_cast<const T*>(work.before);
+        const T *const before = reinterpret_cast<const T*>(work.before), *const after = numbers<T>(w.depth);
         each_hull(w, [&](size_t k) {
-            CellBox box;
-            press(w, k, before, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
+            const HullPose pose(hull(w, k));
+            const double draft = draft_of(w, k);
             double* const impulse = work.impulse + 3 * k;
-            const Hull& h = hull(w, k);
-            box.each([&](size_t i, size_t j) {
-                const size_t at = place(w, i, j);
-                if (!(work.own[1][at] > 0)) return;
-                const double rise = double(numbers<T>(w.depth)[at]) - double(before[at]);
-                const double head = work.own[0][at] + theta * (work.own[1][at] * rise);
-                const double push = -(weight * head) * slope_in(w, before, a, i, j);
+            each_plate(w, k, pose, before, [&](const Plate& p) {
+                if (!near_water(p, draft)) return;
+                double rise = 0, slope = 0;
+                p.cells.each([&](size_t i, size_t j, double weight) {
+                    rise += weight * (double(after[place(w, i, j)]) - double(before[place(w, i, j)]));
+                });
+                each_difference(w, a, p.x, p.y, [&](size_t i, size_t j, double weight) {
+                    slope += weight * rise_across(w, before, a, i, j) / w.size[a];
+                });
+                const double head = p.head() + theta * (kStiff * rise);
+                const double push = -(w.density * w.gravity * dt) * (p.area * head * slope);
                 impulse[a] += push;
-                if (a == kX) impulse[2] -= away(w, kY, centre(w, kY, j) - h.y) * push;
-                else impulse[2] += away(w, kX, centre(w, kX, i) - h.x) * push;
-                work.own[0][at] = work.own[1][at] = 0;
+                impulse[2] += (a == kX ? pose.y - p.y : p.x - pose.x) * push;
             });
         });
     });
@@ -346,7 +334,7 @@ struct Mover {
                 *at[a] = stop = stop > 0 ? (stop < length ? stop : length) : 0;
             }
             stops[a] = stop != to;
-            if (cells_around(w, out.x, out.y).any) continue;
+            if (cells_between(w, out.x, out.y).any) continue;
             stops[a] = true, *at[a] = was;
         }
         return out;
@@ -421,7 +409,7 @@ struct Mover {
     void move() {
         inertia(h, mass);
         HullPose pose(h);
-        if (!cells_around(w, h.x, h.y).any) return stand_still();
+        if (!cells_between(w, h.x, h.y).any) return stand_still();
         double v[3] = {h.velocity[2], h.velocity[4], h.velocity[5]};
         heave(w, index, pose, v, dt);
         h.velocity[2] = v[0], h.velocity[4] = v[1], h.velocity[5] = v[2];

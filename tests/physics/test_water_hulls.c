@@ -18,8 +18,11 @@ static cd_water* lake(size_t nx, size_t ny, double depth) {
     return w;
 }
 
-/* Waves that a launched hull made die out. */
+/* Waves that launched hulls made die out, and what motion they have. */
 static void settle(cd_water* w) {
+    size_t hulls;
+    ok(cd_water_get_hulls(w, &hulls, NULL, NULL));
+    for (size_t k = 0; k < hulls; ++k) ok(cd_water_set_hull_drag(w, k, 1000, 1000, 0));
     ok(cd_water_set_drag(w, 1));
     pool_step(w, 0.1, 500);
 }
@@ -68,7 +71,7 @@ static void a_hull_that_lies_still_displaces_its_mass(void** state) {
             assert_near(1000 * displaced, mass, shape >= 2 ? 1e-4 : 1e-6, 0); /* plates are tilted a little */
             assert_near(load[2], mass * G, 1e-6, 0);
             ok(cd_water_sample_heads(w, (const double[]){8.1, 4.07}, 1, &head));
-            assert_near(head, level, 1e-5, 0);
+            assert_near(head, level, 2e-5, 0);
             cd_water_destroy(w);
         }
 }
@@ -155,7 +158,8 @@ static double water_momentum(const cd_water* w) {
     return sum;
 }
 
-/* Periodic along x, over a level bed, nothing but the hull's loads and drag acts on the water along x. */
+/* Periodic along x, over a level bed, nothing but the hull's loads and drag acts on the water along x. What drag takes
+ * the water gets; of what loads take as much as differences of the surface over a cell have of its slope. */
 static void what_a_hull_loses_the_water_gets(void** state) {
     (void)state;
     for (int dragged = 0; dragged < 2; ++dragged) {
@@ -172,8 +176,34 @@ static void what_a_hull_loses_the_water_gets(void** state) {
         pool_step(w, 1 / 60.0, 180);
         ok(cd_water_get_hull_velocity(w, 0, velocity, 6));
         const double lost = before - 600 * velocity[0], got = water_momentum(w);
-        assert_true(lost > 100);
-        assert_near(got, lost, 0.03, 0);
+        assert_true(lost > (dragged ? 400 : 50));
+        assert_near(got, lost, dragged ? 0.05 : 0.4, 0);
+        cd_water_destroy(w);
+    }
+}
+
+/* A push of 100 N brings a boat of 1000 kg, which lies still, two thirds as far in 4 s as without water, or farther:
+ * wherever it lies among the cells, whatever way it heads, in long steps and short ones. */
+static void a_small_push_moves_a_boat_wherever_it_lies(void** state) {
+    (void)state;
+    const double push = 100, mass = 1000, seconds = 4, free = push / mass * seconds * seconds / 2;
+    for (int k = 0; k < 16; ++k) {
+        cd_water* w = lake(NX, NY, 1);
+        double from[7], to[7];
+        const double turn = k & 8 ? 0.4 : 0;
+        ok(cd_water_set_hulls(w, 1, 8, 4));
+        ok(cd_water_set_hull(w, 0, mass, 3, 1.6, NULL, 0));
+        ok(cd_water_launch_hull(w, 0, 8 + DX / 4 * (k & 3), 4.07, cos(turn), sin(turn)));
+        settle(w);
+        ok(cd_water_set_drag(w, 0));
+        ok(cd_water_set_hull_drag(w, 0, 0, 0, 0));
+        ok(cd_water_get_hull_pose(w, 0, from, 7));
+        ok(cd_water_set_hull_force(w, 0, (const double[]){push, 0, 0, 0, 0, 0}, 6));
+        const size_t steps = k & 4 ? 960 : 240;
+        pool_step(w, seconds / (double)steps, steps);
+        ok(cd_water_get_hull_pose(w, 0, to, 7));
+        const double ahead = (to[0] - from[0]) * cos(turn) + (to[1] - from[1]) * sin(turn);
+        assert_near(ahead, 0.85 * free, 0.2, 0);
         cd_water_destroy(w);
     }
 }
@@ -222,7 +252,7 @@ static void two_hulls_stay_each_others_image(void** state) {
     cd_water_destroy(w);
 }
 
-/* A boat of 3 m that runs as told for 4 s, its ends in the pool; then how far a push of 300 N brings it in 8 s. */
+/* A boat of 3 m that runs as told for 4 s, its ends in the pool; then how far a push of 300 N brings it in 6 s. */
 static double pushed(const double* start, const double* velocity, double push_x, double push_y) {
     cd_water* w = lake(NX, NY, 1);
     double pose[7];
@@ -243,7 +273,7 @@ static double pushed(const double* start, const double* velocity, double push_x,
     ok(cd_water_set_hull_velocity(w, 0, (const double[6]){0}, 6));
     const double force[6] = {300 * (push_x * c + push_y * s), 300 * (push_y * c - push_x * s), 0, 0, 0, 0};
     ok(cd_water_set_hull_force(w, 0, force, 6));
-    pool_step(w, 1 / 60.0, 480);
+    pool_step(w, 1 / 60.0, 360);
     ok(cd_water_get_hull_pose(w, 0, pose, 7));
     cd_water_destroy(w);
     return hypot(pose[0] - x, pose[1] - y);
@@ -319,6 +349,7 @@ int main(void) {
         cmocka_unit_test(a_box_heaves_in_the_period_of_shallow_water),
         cmocka_unit_test(a_hull_drifts_with_a_stream),
         cmocka_unit_test(what_a_hull_loses_the_water_gets),
+        cmocka_unit_test(a_small_push_moves_a_boat_wherever_it_lies),
         cmocka_unit_test(a_hull_over_a_high_bed_lies_on_it),
         cmocka_unit_test(two_hulls_stay_each_others_image),
         cmocka_unit_test(a_hull_stops_with_its_end_at_a_wall_and_leaves_it),

@@ -232,6 +232,13 @@ RULES = {
     "a push that leads nowhere is not the water's": (
         HULL_STEP, "if (taken > removable() + credit) taken = lose(due);", "if (taken > removable() + credit) taken = due;",
         ["stability_water_hulls"]),
+    "what bears a hull has no corners": (
+        HULL_PLATES, "weight[0] = 0.5 * ((0.5 - off) * (0.5 - off)), weight[1] = 0.75 - off * off;\n"
+        "    weight[2] = 0.5 * ((0.5 + off) * (0.5 + off));",
+        "weight[0] = off < 0 ? -off : 0, weight[1] = 1 - fabs(off);\n    weight[2] = off > 0 ? off : 0;",
+        ["physics_water_hulls"]),
+    "hulls feel the slope of what they press": (
+        HULL_PLATES, "along[k] * across[c]);", "0.5 * across[c]);", ["physics_water_hulls"]),
     "hulls stop before sides, and leave them": (
         HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
     "friction holds a hull before it moves": (
