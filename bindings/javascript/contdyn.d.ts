@@ -2040,9 +2040,12 @@ export class Water extends Handle {
   removeHull(index: number): void;
 
   /**
-   * Lays a hull on the water at (x, y) in the scene, its bow towards (aheadX, aheadY) of any length but 0, at rest, so
-   * deep that the water as it lies, or the bed, carries it. Errors: "errorValue"; "errorDisabled" if it has no mass,
-   * or no cell is under it, or gravity is 0; "errorDiverged" of a water that did.
+   * Launches a hull at (x, y) in the scene, its bow towards (aheadX, aheadY) of any length but 0, at rest. It lies as
+   * it
+   * would in time: what it displaces goes, evenly, to all cells whose surface is within its draft of that under it, or
+   * where the bed bears it nothing does. Water that it lay on before is not given back: to move a hull set its pose.
+   * Errors: "errorValue"; "errorDisabled" if it has no mass, or no cell is under it, or gravity is 0;
+   * "errorDiverged" of a water that did.
    */
   launchHull(index: number, x: number, y: number, aheadX: number, aheadY: number): void;
 

@@ -315,9 +315,11 @@ CD_API cd_status cd_water_get_hull(const cd_water* water, size_t index, double* 
                                    double* out_width, double* out_area, double* out_heights, size_t count);
 CD_API cd_status cd_water_remove_hull(cd_water* water, size_t index);
 
-/* Lays a hull on the water at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at rest, so
- * deep that the water as it lies, or the bed, carries it. Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass,
- * or no cell is under it, or gravity is 0; CD_ERROR_DIVERGED of a water that did. */
+/* Launches a hull at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at rest. It lies as it
+ * would in time: what it displaces goes, evenly, to all cells whose surface is within its draft of that under it, or
+ * where the bed bears it nothing does. Water that it lay on before is not given back: to move a hull set its pose.
+ * Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass, or no cell is under it, or gravity is 0;
+ * CD_ERROR_DIVERGED of a water that did. */
 CD_API cd_status cd_water_launch_hull(cd_water* water, size_t index, double x, double y, double ahead_x,
                                       double ahead_y);
 

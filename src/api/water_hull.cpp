@@ -166,7 +166,7 @@ cd_status cd_water_launch_hull(cd_water* water, size_t index, double x, double y
     h.x = x + 0.0, h.y = y + 0.0, h.owed = 0;
     for (size_t k = 0; k < kWays; ++k) h.velocity[k] = h.water[k] = 0;
     bool lies = false;
-    if constexpr (CD_WITH_HULL) lies = lay_on_water(w, index);
+    if constexpr (CD_WITH_HULL) lies = launch(w, index, hull_work(w));
     if (lies) return CD_OK;
     h = before;
     return fail(CD_ERROR_DISABLED, __func__, w.gravity > 0 ? "no cell is under hull %zu" : "gravity is 0", index);

@@ -53,6 +53,88 @@ bool lay_on_water(Water& w, size_t index) {
     return true;
 }
 
+namespace {
+
+constexpr int kLaunchings = 32; // of which each leaves at most kStiff / (1 + kStiff) of what is not in balance
+
+// Lets a hull press the water down as it does in time, from `before`. Planes of the state: work.before has the depths
+// as they were, work.load by how much less there is, work.stiff how the hull presses.
+template <class T> void sink(Water& w, size_t index, const HullWork& work) {
+    T* const depth = numbers<T>(w.depth);
+    const T* const before = reinterpret_cast<const T*>(work.before);
+    CellBox box;
+    each_plate(w, index, HullPose(hull(w, index)), [&](const Plate& p) {
+        p.cells.each([&](size_t i, size_t j, double) { box.see(i, j); });
+    });
+    const auto at_each = [&](auto f) { box.each([&](size_t i, size_t j) { f(place(w, i, j)); }); };
+    at_each([&](size_t at) { work.load[at] = 0; });
+    for (int k = 0; k < kLaunchings; ++k) {
+        at_each([&](size_t at) { work.stiff[at] = 0; });
+        each_plate(w, index, HullPose(hull(w, index)), [&](const Plate& p) {
+            const double head = p.head() * (p.area / cell_area(w));
+            p.cells.each([&](size_t i, size_t j, double weight) { work.stiff[place(w, i, j)] += weight * head; });
+        });
+        at_each([&](size_t at) {
+            const double all = double(before[at]), more = (work.stiff[at] - work.load[at]) / (1 + kStiff);
+            work.load[at] = work.load[at] + more < all ? work.load[at] + more : all;
+            depth[at] = T(all - work.load[at]);
+        });
+        lay_on_water(w, index);
+    }
+}
+
+// Hands what the water has lost since `before` to all that stood within a height of a level. False where that leaves
+// the range of depths.
+template <class T> bool hand_on(Water& w, double level, double height, const HullWork& work) {
+    T* const depth = numbers<T>(w.depth);
+    const T *const before = reinterpret_cast<const T*>(work.before), *const bed = numbers<T>(w.bed);
+    const auto each_that_takes = [&](auto f) {
+        each_cell(w, [&](size_t i, size_t j) {
+            const size_t at = place(w, i, j);
+            if (before[at] > 0 && fabs(double(bed[at]) + double(before[at]) - level) <= height) f(at);
+        });
+    };
+    Sum lost;
+    double count = 0;
+    each_cell(w, [&](size_t i, size_t j) { lost.add(double(before[place(w, i, j)]) - double(depth[place(w, i, j)])); });
+    each_that_takes([&](size_t) { count += 1; });
+    if (!(lost.value() > 0)) return true;
+    const double more = lost.value() / count;
+    bool good = count > 0;
+    each_that_takes([&](size_t at) { good &= double(depth[at]) + more <= most_of(w); });
+    if (!good) return false;
+    double left = 0; // of what goes to one cell rounding leaves to the next
+    each_that_takes([&](size_t at) {
+        const double had = double(depth[at]);
+        depth[at] = T(had + (more + left));
+        left -= double(depth[at]) - (had + more);
+    });
+    w.account.add(-left * cell_area(w));
+    return true;
+}
+
+} // namespace
+
+bool launch(Water& w, size_t index, const HullWork& work) {
+    Hull& h = hull(w, index);
+    if (!lay_on_water(w, index)) return false;
+    memcpy(work.before, w.depth.data, w.depth.bytes());
+    double level = 0;
+    each_plate(w, index, HullPose(h), [&](const Plate& p) { level += p.area * p.surface; });
+    level /= hull_area(w, index);
+    const double draft = h.mass / (w.density * hull_area(w, index));
+    by_precision(w, [&](auto zero) {
+        using T = decltype(zero);
+        sink<T>(w, index, work);
+        if (!hand_on<T>(w, level, draft, work)) memcpy(w.depth.data, work.before, w.depth.bytes());
+    });
+    lay_on_water(w, index);
+    memset(work.own[0], 0, w.plane * sizeof(double));
+    memset(work.own[1], 0, w.plane * sizeof(double));
+    settle_hulls(w, work);
+    return true;
+}
+
 void hull_energy(const Water& w, double& kinetic, double& potential) {
     Sum moving, lying;
     for (size_t k = 0; k < w.hull_shape.count; ++k) {

@@ -77,6 +77,16 @@ inline bool valid_hull(const Hull& h, const double* size, const size_t* cells) {
     return good && h.mass >= kLeastHull && h.mass <= kMostHull && fits(h.length) && fits(h.width);
 }
 
+// Scratch of steps with hulls, and of a launch.
+struct HullWork {
+    double *load, *stiff; // planes: see kernel/water/sweep.hh
+    double* own[2];       // planes of one hull, 0 between uses
+    double* before;       // depths before the sweep, a plane of the state's numbers
+    double* impulse;      // three numbers a hull: along x, y, round z
+};
+
+HullWork hull_work(const Water& w);
+
 // ---- what is set and told (water_hull.cpp) -------------------------------------------------------------------------
 
 double hull_area(const Water& w, size_t index);
@@ -84,6 +94,9 @@ double hull_area(const Water& w, size_t index);
 void hull_extent(const Water& w, size_t index, const double (&heading)[2], Axis a, double (&out)[2]);
 // Sets height, pitch and roll at which the water as it lies carries a hull's weight; false where nothing can.
 bool lay_on_water(Water& w, size_t index);
+// Likewise, with the water giving way to it: what it displaces goes to all that stands about as high as the water under
+// it. False where nothing can carry it, and nothing has changed.
+bool launch(Water& w, size_t index, const HullWork& work);
 // The energy of the hulls' motion, of their height, and of what they press.
 void hull_energy(const Water& w, double& kinetic, double& potential);
 // The water's surface at a place, had no hull pressed it down.
@@ -94,14 +107,6 @@ void reset_hulls(Water& w); // back to where new ones lie, at rest
 
 // ---- steps (water_hull_step.cpp) -----------------------------------------------------------------------------------
 
-// Scratch of steps with hulls.
-struct HullWork {
-    double *load, *stiff; // planes: see kernel/water/sweep.hh
-    double* own[2];       // planes of one hull, 0 between uses
-    double* before;       // depths before the sweep, a plane of the state's numbers
-    double* impulse;      // three numbers a hull: along x, y, round z
-};
-
 // Before a sweep: what hulls press. After it: what that did to them.
 void load_hulls(const Water& w, HullWork& work, bool first);
 void feel_water(const Water& w, HullWork& work, Axis a, double theta, double dt);
@@ -110,6 +115,6 @@ void move_hulls(Water& w, HullWork& work, double dt);
 // How their floors lie on the water: where the head of a level lake, surface and load, is as far above them as they
 // press, in the mean of the plates that touch the water and in their slopes. So a hull that lies still displaces its
 // own mass, however its edges lie over the cells.
-void settle_hulls(Water& w, HullWork& work);
+void settle_hulls(Water& w, const HullWork& work);
 
 } // namespace cd

@@ -135,6 +135,22 @@ template <class F> void each_difference(const Water& w, Axis a, double x, double
             f(a == kX ? faces[k] : cells[c], a == kX ? cells[c] : faces[k], along[k] * across[c]);
 }
 
+// The cells that were seen.
+struct CellBox {
+    size_t low[2] = {SIZE_MAX, SIZE_MAX}, end[2] = {0, 0};
+
+    void see(size_t i, size_t j) {
+        if (i < low[kX]) low[kX] = i;
+        if (j < low[kY]) low[kY] = j;
+        if (i >= end[kX]) end[kX] = i + 1;
+        if (j >= end[kY]) end[kY] = j + 1;
+    }
+    template <class F> void each(F f) const {
+        for (size_t j = low[kY]; j < end[kY]; ++j)
+            for (size_t i = low[kX]; i < end[kX]; ++i) f(i, j);
+    }
+};
+
 struct Plate {
     Around<3> cells;
     double x, y, area;

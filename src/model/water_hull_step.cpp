@@ -43,22 +43,6 @@ template <class F> void each_hull(const Water& w, F f) {
         if (hull(w, k).mass > 0) f(k);
 }
 
-// The cells that were seen.
-struct CellBox {
-    size_t low[2] = {SIZE_MAX, SIZE_MAX}, end[2] = {0, 0};
-
-    void see(size_t i, size_t j) {
-        if (i < low[kX]) low[kX] = i;
-        if (j < low[kY]) low[kY] = j;
-        if (i >= end[kX]) end[kX] = i + 1;
-        if (j >= end[kY]) end[kY] = j + 1;
-    }
-    template <class F> void each(F f) const {
-        for (size_t j = low[kY]; j < end[kY]; ++j)
-            for (size_t i = low[kX]; i < end[kX]; ++i) f(i, j);
-    }
-};
-
 // By how much the water's surface rises across a face, in the mean of before and after a sweep. Closed ones, and the
 // scene's sides, have the same surface on both sides.
 template <class T> double rise_across(const Water& w, const T* before, Axis a, size_t i, size_t j) {
@@ -470,7 +454,7 @@ void move_hulls(Water& w, HullWork& work, double dt) {
     each_hull(w, [&](size_t k) { Mover{w, work, dt, k}.move(); });
 }
 
-void settle_hulls(Water& w, HullWork& work) {
+void settle_hulls(Water& w, const HullWork& work) {
     by_precision(w, [&](auto zero) {
         using T = decltype(zero);
         const T* const depth = numbers<T>(w.depth);

@@ -58,6 +58,11 @@ bool needs_of(const Water& w, const WaterFeatures& f, size_t& scratch) {
     return carver.fits;
 }
 
+HullWork hull_work(const Water& w) {
+    Carver scratch{w.scratch.data};
+    return WaterWork(w, features(w), scratch).hulls;
+}
+
 // ---- steps ----------------------------------------------------------------------------------------------------------
 
 namespace {

@@ -232,6 +232,8 @@ RULES = {
     "a push that leads nowhere is not the water's": (
         HULL_STEP, "if (taken > removable() + credit) taken = lose(due);", "if (taken > removable() + credit) taken = due;",
         ["stability_water_hulls"]),
+    "a launched hull has displaced its water": (
+        "../model/water_hull.cpp", "        sink<T>(w, index, work);\n", "", ["physics_water_hulls"]),
     "what bears a hull has no corners": (
         HULL_PLATES, "weight[0] = 0.5 * ((0.5 - off) * (0.5 - off)), weight[1] = 0.75 - off * off;\n"
         "    weight[2] = 0.5 * ((0.5 + off) * (0.5 + off));",

@@ -4622,10 +4622,11 @@ namespace Contdyn
             Check(Native.cd_water_remove_hull(Handle, Native.Size(index, "cd_water_remove_hull", "index")));
         }
 
-        /// <summary>Lays a hull on the water at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length
-        /// but 0, at rest, so deep that the water as it lies, or the bed, carries it. Errors: CD_ERROR_VALUE;
-        /// CD_ERROR_DISABLED if it has no mass, or no cell is under it, or gravity is 0; CD_ERROR_DIVERGED of a water
-        /// that did.</summary>
+        /// <summary>Launches a hull at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at
+        /// rest. It lies as it would in time: what it displaces goes, evenly, to all cells whose surface is within its
+        /// draft of that under it, or where the bed bears it nothing does. Water that it lay on before is not given
+        /// back: to move a hull set its pose. Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass, or no cell
+        /// is under it, or gravity is 0; CD_ERROR_DIVERGED of a water that did.</summary>
         public void LaunchHull(long index, double x, double y, double aheadX, double aheadY)
         {
             Changed();

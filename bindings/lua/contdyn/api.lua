@@ -3359,9 +3359,11 @@ function Water:remove_hull(index)
   check(lib.cd_water_remove_hull(handle_of(self), index))
 end
 
--- Lays a hull on the water at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at rest, so
--- deep that the water as it lies, or the bed, carries it. Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass,
--- or no cell is under it, or gravity is 0; CD_ERROR_DIVERGED of a water that did.
+-- Launches a hull at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at rest. It lies as
+-- it would in time: what it displaces goes, evenly, to all cells whose surface is within its draft of that under it, or
+-- where the bed bears it nothing does. Water that it lay on before is not given back: to move a hull set its pose.
+-- Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass, or no cell is under it, or gravity is 0;
+-- CD_ERROR_DIVERGED of a water that did.
 function Water:launch_hull(index, x, y, ahead_x, ahead_y)
   local where = "cd_water_launch_hull"
   index = integer_in(index, where, "index")
