@@ -23,7 +23,7 @@ template <int n> struct Around {
 
     // f(i, j, weight)
     template <class F> void each(F f) const {
-        for (int c = 0; c < n * n; ++c)
+        for (int c = 0, end = any ? n * n : 0; c < end; ++c) // not a constant, for which compilers write it n n times
             if (weight[c] > 0) f(i[c % n], j[c / n], weight[c]);
     }
 };
@@ -162,6 +162,27 @@ struct Plate {
     double head() const { return kStiff * sunk(); }
 };
 
+// The water over the cells that bear a plate. depth: a plane of the state's numbers.
+template <class T> void look_at_water(const Water& w, const T* depth, Plate& p) {
+    const T* const bed = numbers<T>(w.bed);
+    p.surface = p.bed = 0;
+    p.cells.each([&](size_t x, size_t y, double weight) {
+        const double b = double(bed[place(w, x, y)]);
+        p.bed += weight * b;
+        p.surface += weight * (b + double(depth[place(w, x, y)]));
+    });
+}
+
+// Where a plate lies, ahead and to port of the hull's middle, and what is there.
+template <class T>
+__attribute__((noinline)) void look_at_plate(const Water& w, const HullPose& pose, const T* depth, Plate& p) {
+    p.x = pose.x + (p.ahead * pose.heading[0] - p.port * pose.heading[1]);
+    p.y = pose.y + (p.ahead * pose.heading[1] + p.port * pose.heading[0]);
+    p.z = pose.z + ((pose.pitch * p.ahead + pose.roll * p.port) + p.height * (1 + 1 / kStiff));
+    p.cells = cells_around(w, p.x, p.y);
+    look_at_water(w, depth, p);
+}
+
 // f(plate) for each part; those over cells that are not there are borne by those under the hull's middle. None where
 // the middle has none. depth: a plane of the state's numbers.
 template <class T, class F>
@@ -177,7 +198,6 @@ void each_plate(const Water& w, size_t index, const HullPose& pose, const T* dep
     };
     const size_t n = parts(long_of), m = parts(wide);
     const double step_long = long_of / double(n), step_wide = wide / double(m);
-    const T* const bed = numbers<T>(w.bed);
     const Around<3> middle = cells_around(w, pose.x, pose.y);
     if (!middle.any) return;
     Plate p;
@@ -191,17 +211,8 @@ void each_plate(const Water& w, size_t index, const HullPose& pose, const T* dep
                     p.height = height;
                     p.ahead = (double(i * n + k) + 0.5) * step_long - 0.5 * h.length;
                     p.port = (double(j * m + l) + 0.5) * step_wide - 0.5 * h.width;
-                    p.x = pose.x + (p.ahead * pose.heading[0] - p.port * pose.heading[1]);
-                    p.y = pose.y + (p.ahead * pose.heading[1] + p.port * pose.heading[0]);
-                    p.cells = cells_around(w, p.x, p.y);
-                    if (!p.cells.any) p.cells = middle;
-                    p.z = pose.z + ((pose.pitch * p.ahead + pose.roll * p.port) + height * (1 + 1 / kStiff));
-                    p.surface = p.bed = 0;
-                    p.cells.each([&](size_t x, size_t y, double weight) {
-                        const double b = double(bed[place(w, x, y)]);
-                        p.bed += weight * b;
-                        p.surface += weight * (b + double(depth[place(w, x, y)]));
-                    });
+                    look_at_plate(w, pose, depth, p);
+                    if (!p.cells.any) p.cells = middle, look_at_water(w, depth, p);
                     f(p);
                 }
         }

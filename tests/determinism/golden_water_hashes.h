@@ -64,13 +64,13 @@
 {12, 17, 1, {0xd972a3fe216a4de6, 0x98d9b174d0106581}}, /* everything, long steps */
 {12, 16, 7, {0xc626e1949ce767e7, 0xea33ad104585e052}}, /* everything, long steps */
 {12, 2, 16, {0xabb0ab4281074977, 0xfa9f8907a8278d83}}, /* everything, long steps */
-{13, 13, 9, {0xe397669344723d31, 0x85395a9619a23a47}}, /* hulls */
-{13, 1, 17, {0x13f3693de6b6872c, 0xe0c8c905c7860735}}, /* hulls */
-{13, 17, 1, {0xddd462da0c8c61fd, 0x8be1f3b295ae538c}}, /* hulls */
-{13, 16, 7, {0x1b918672ae90f2bc, 0x2db8b0ea8e3fecdc}}, /* hulls */
-{13, 2, 16, {0x74da51cd3e582bab, 0xf0726cbb5b918e9b}}, /* hulls */
-{14, 13, 9, {0x39fea64b5f0ef099, 0xad3278a61a6c8b04}}, /* hulls, long steps */
-{14, 1, 17, {0xdb56481b3ced2ec3, 0x0019ddb9a3a7f6f3}}, /* hulls, long steps */
-{14, 17, 1, {0x8c594a8651c9fa6c, 0x8a2de01205f4b0cc}}, /* hulls, long steps */
-{14, 16, 7, {0xdffbcfb5b0a871f6, 0x3c9bd8d12014e0d5}}, /* hulls, long steps */
-{14, 2, 16, {0xe816d068918c2d5c, 0xfcd3b175a9c8ed76}}, /* hulls, long steps */
+{13, 13, 9, {0x55b0f261f55aa9e6, 0xfef3ca2c7d5215a4}}, /* hulls */
+{13, 1, 17, {0x807bcd98340c7f81, 0x8cf494f8308b4bf5}}, /* hulls */
+{13, 17, 1, {0x1f71dfc89158b1af, 0xa8288658a4df7344}}, /* hulls */
+{13, 16, 7, {0x0ec072eb01553367, 0x2367a487b47f630d}}, /* hulls */
+{13, 2, 16, {0x53284ad8fef8daba, 0xd78ddedcb0da4dba}}, /* hulls */
+{14, 13, 9, {0xb7d740bb53e4099c, 0x4df647ebec28e2e4}}, /* hulls, long steps */
+{14, 1, 17, {0x54ed7f63be0b3489, 0x4ca13fc9a131c2f8}}, /* hulls, long steps */
+{14, 17, 1, {0x03f85eca7197fecb, 0xd351663b21e26bb5}}, /* hulls, long steps */
+{14, 16, 7, {0x5410a964dd52a124, 0xf7998c43299f70fa}}, /* hulls, long steps */
+{14, 2, 16, {0x5274fd2b8831d2a2, 0x0d4aee0ab76c96a5}}, /* hulls, long steps */

@@ -87,7 +87,7 @@ static void a_launched_hull_lies_still(void** state) {
         const double turn = k & 1 ? 0.4 : 0;
         ok(cd_water_create(NX, NY, DX, DX, k & 2 ? CD_FLOAT32 : CD_FLOAT64, NULL, &w));
         pool_fill(w, CD_DEPTH, 1);
-        for (int i = 0; i < 32; ++i) bow[i] = k & 4 ? 0.1 * fabs(i % 8 - 3.5) : 0;
+        for (int i = 0; i < 32; ++i) bow[i] = k & 4 ? 0.03 * fabs(i % 8 - 3.5) : 0;
         ok(cd_water_set_hulls(w, 1, 8, 4));
         ok(cd_water_set_hull(w, 0, mass, 4, 1.6, bow, 32));
         ok(cd_water_get_volume(w, &before));
@@ -102,8 +102,8 @@ static void a_launched_hull_lies_still(void** state) {
             assert_near(low, 1 + mass / 1000 / (LENGTH * WIDTH), 1e-5, 0);
             assert_near(high, low, 2e-5, 0);
             ok(cd_water_get_hull_floor(w, 0, floor, 7));
-            for (int i = 0; i < 32; ++i) displaced += (high - floor[2] - bow[i]) * 4 * 1.6 / 32;
-            assert_near(1000 * displaced, mass, 3e-4, 0);
+            for (int i = 0; i < 32; ++i) displaced += fmax(0, high - floor[2] - bow[i]) * 4 * 1.6 / 32;
+            assert_near(1000 * displaced, mass, k & 4 ? 0.01 : 3e-4, 0);
             assert_near(floor[0], 8.1, 2e-3, 0);
             pool_step(w, 1 / 60.0, 1);
             ok(cd_water_get_hull_load(w, 0, load, 6));
