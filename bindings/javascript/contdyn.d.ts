@@ -169,7 +169,7 @@ export const Node: {
   readonly matched: 3;
   /**
    * infinite mass; each call of step moves it to where "target" is, evenly, and there it stays until "target" is
-   * written again. Without that field as "driven"
+   * written again. Without that field as "driven": it stands still where no velocity has been written
    */
   readonly posed: 4;
 };
@@ -330,7 +330,8 @@ export function buildInfo(): string;
  *  "bend"       (strand), node   N/m     >= 0; that of the two ends of an open chain is kept and not used
  *  "pin"        (strand), node   -       a Node
  *  "restLength" strand, spring  m       1e-60 to 1e60; of ropes only
- *  "tension"    strand, spring   N       finite; of ropes only: what the last step found and the next one starts from
+ *  "tension"    strand, spring   N       finite; of ropes only: what the last step found and the next one starts from;
+ *                                         how right it is, see getReaction
  *  "wind"       strand, node     m/s     finite; of ropes only
  *  "strength"   strand, spring   N       1e-60 to 1e60, or Infinity; of ropes only: see strength
  *  "strain"     strand, spring   -       of ropes, to read only: length now over rest length, less 1; -1 and more
@@ -386,8 +387,8 @@ export interface ChainOptions {
  *
  * A chain has `springs` springs and nodes = springs + 1 nodes; spring i joins node i to node i + 1. A ring has one
  * spring more, number `springs`, from the last node to the first. A node has 1 to 4 components that never mix. One
- * handle holds one or many strands: they share mass, stiffness, pins and attachments, and so one factorization;
- * position, velocity, force and target are each strand's own. Strands of ropes share the totals only.
+ * handle holds one or many strands, each with its own positions, velocities, forces and targets. Masses, stiffnesses,
+ * pins and attachments, and so one factorization, they share; strands of ropes have their own of these too.
  *
  * Energy    E = 1/2 sum k_i |x_{i+1} - x_i|^2 + 1/2 sum b_i |x_{i+1} - 2 x_i + x_{i-1}|^2      (Kass 1997, eq. 2 and 5)
  * Motion    M x'' + C x' + K x = M g + f,  K = the Hessian of E,  C = drag M + stiffness_damping K
@@ -520,13 +521,17 @@ export class Chain extends Handle {
   // anything up to Infinity, which keeps its length. A step solves this nonlinear
   // system to the tolerance by Newton's method, each iteration in time proportional to the nodes: 1 to 3 of them as a
   // rule. lambda = 1/2 is second order and keeps the energy of a swing, but for the jerk when slack ends; lambda = 1
-  // damps most; along a spring that yields, the motion is damped as by lambda = 1. What can't be solved with lambda < 1
-  // is solved with 1. At any dt, stiffness and masses a step that reaches its tolerance keeps momentum to rounding and
-  // adds no energy but what such errors of length stand for: at most the sum, over springs, before and after it, of
-  // 2 T e + k e^2, where e = tolerance * length, k e^2 counts for springs that yield, and T is the tension or, where
-  // the
-  // interior point was needed, the mean force on the nodes if that is larger. A spring that is longer than its tension
-  // makes it, because positions were written so, comes back within the step at any speed.
+  // damps most. What lengthens and shortens springs of finite stiffness is damped at every lambda, with 1/2 about half
+  // as
+  // much as with 1. What can't be solved with lambda < 1 is solved with 1.
+  // At any dt, stiffness and masses a step that reaches its tolerance keeps momentum to rounding. Energy it can add
+  // only
+  // as much as errors of length within the tolerance are worth. For each spring, before the step and again after it,
+  // that
+  // is at most 2 T e + k e^2: e is tolerance * length; T is the spring's tension, or the mean force on the nodes where
+  // that is larger and the interior point was needed; k e^2 is left out where the stiffness is infinite. A spring that
+  // is
+  // longer than its tension makes it, because positions were written so, comes back within the step at any speed.
   // Ropes need "implicit" with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
   // step says "errorUnsupported".
   //
@@ -577,6 +582,11 @@ export class Chain extends Handle {
    * The force [N], one number per component, with which the springs of a rope pull at a node, and its bend: of a held
    * node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have
    * now, 0 of a spring without length, and of what the bend there and at the nodes beside it does.
+   * Where tensions are read, or a strength is set, take lambda = 1: with 1/2 < lambda < 1 they miss part of the pull of
+   * springs that hardly yield, up to a third where nodes swing; with 1/2 they can be twice the mean just after a jolt.
+   * With lambda < 1 and infinite stiffness a load m that is reeled in makes them uncertain by a few times m * tolerance
+   * *
+   * length / dt^2, of 10 kg on 4 m of rope 0.5 N at dt = 1/60 s and 130 N at 1/960 s: a smaller tolerance mends that.
    * Errors: "errorRange"; "errorUnsupported" of a chain that is no rope.
    */
   getReaction(strand: number, node: number): Float64Array;
@@ -778,60 +788,66 @@ export class Chain extends Handle {
 
   /**
    * Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
-   * every velocity rotation * v; tensions stay. rotation: components rows of as many numbers, orthogonal to 1e-6; null:
-   * none. offset [m]: one number per component, which count counts.
+   * every velocity rotation * v; tensions stay, and colliders stay where they are. rotation: components rows of as many
+   * numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count counts.
    * Errors: "errorRange", "errorValue": nothing has moved; "errorDiverged" for a state that is not finite.
    */
   teleport(strand: number, rotation: Numbers | null, offset: Numbers): void;
 
   /**
-   * Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a
-   * spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. target, one number per
-   * component,
-   * is given to every strand that is tied; null: each node's present position, and count means nothing.
-   * Move it afterwards by writing "target". Attaching again changes the numbers. Switches "target" on.
+   * Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
+   * In
+   * a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node of every strand
+   * is
+   * tied. target, one number per component, is given to every strand that is tied; null: the present position, and
+   * count
+   * means nothing. Move it afterwards by writing "target". Attaching again changes the numbers. Switches "target" on.
    * Errors: "errorRange", "errorValue", "errorMemory".
    */
   attach(strand: number, node: number, stiffness: number, damping: number, target?: Numbers | null): void;
 
   /**
-   * Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a
-   * spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. target, one number per
-   * component,
-   * is given to every strand that is tied; null: each node's present position, and count means nothing.
-   * Move it afterwards by writing "target". Attaching again changes the numbers. Switches "target" on.
+   * Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
+   * In
+   * a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node of every strand
+   * is
+   * tied. target, one number per component, is given to every strand that is tied; null: the present position, and
+   * count
+   * means nothing. Move it afterwards by writing "target". Attaching again changes the numbers. Switches "target" on.
    * Errors: "errorRange", "errorValue", "errorMemory".
    */
   detach(strand: number, node: number): void;
 
   /**
-   * Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a
-   * spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. target, one number per
-   * component,
-   * is given to every strand that is tied; null: each node's present position, and count means nothing.
-   * Move it afterwards by writing "target". Attaching again changes the numbers. Switches "target" on.
+   * Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
+   * In
+   * a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node of every strand
+   * is
+   * tied. target, one number per component, is given to every strand that is tied; null: the present position, and
+   * count
+   * means nothing. Move it afterwards by writing "target". Attaching again changes the numbers. Switches "target" on.
    * Errors: "errorRange", "errorValue", "errorMemory".
    */
   getAttachment(strand: number, node: number): { stiffness: number; damping: number };
 
   /**
-   * Cuts a spring (stiffness 0) of a rope's strand, or with strand 0 of every strand of another chain; or welds it
-   * (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that momentum
-   * is
-   * kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or welded
-   * spring gets a stiffness again by writing "stiffness". Both switch "stiffness" on. Bend is not cut with the spring:
-   * write "bend". In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length only.
+   * Cuts a spring (stiffness 0) or welds it (infinite stiffness), in a rope of this strand; in a chain that is no rope
+   * `strand` must be 0, and it is done in every strand. From a weld on the two nodes share one velocity, the mean of
+   * theirs by mass, so that momentum is kept, and their offset stays as it is. Welding to a held node gives that node's
+   * velocity. A cut or welded spring gets a stiffness again by writing "stiffness". Both switch "stiffness" on. Bend is
+   * not cut with the spring: write "bend". In a rope it is, as long as the stiffness is 0, and welding fixes the
+   * spring's length only.
    * Errors: "errorRange", "errorMemory"; weld: "errorUnsupported" if it would join two held nodes.
    */
   cut(strand: number, spring: number): void;
 
   /**
-   * Cuts a spring (stiffness 0) of a rope's strand, or with strand 0 of every strand of another chain; or welds it
-   * (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that momentum
-   * is
-   * kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or welded
-   * spring gets a stiffness again by writing "stiffness". Both switch "stiffness" on. Bend is not cut with the spring:
-   * write "bend". In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length only.
+   * Cuts a spring (stiffness 0) or welds it (infinite stiffness), in a rope of this strand; in a chain that is no rope
+   * `strand` must be 0, and it is done in every strand. From a weld on the two nodes share one velocity, the mean of
+   * theirs by mass, so that momentum is kept, and their offset stays as it is. Welding to a held node gives that node's
+   * velocity. A cut or welded spring gets a stiffness again by writing "stiffness". Both switch "stiffness" on. Bend is
+   * not cut with the spring: write "bend". In a rope it is, as long as the stiffness is 0, and welding fixes the
+   * spring's length only.
    * Errors: "errorRange", "errorMemory"; weld: "errorUnsupported" if it would join two held nodes.
    */
   weld(strand: number, spring: number): void;
@@ -1040,10 +1056,11 @@ export interface MembraneOptions {
  *      alike can be combined to. It is a little slower, and not quite linear: sums of scenes move as sums only about.
  *   "coupled"      the system itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On
  *      uniform sheets without bend and rings, held by whole rows and columns, it takes one or two iterations of some
- *      ten alternating solves each, elsewhere multigrid: tens of times the cost. Take it for stiff sheets that hang,
- *      bear loads, are driven or thrown, and for stiff parts that move against each other, of which alternating finds
- *      the common motion only. It needs many iterations where springs or masses vary at random by decades, and where a
- *      plate with free edges has much more bend than stretch.
+ *      ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet comes to rest at the same
+ *      place with either; take this one where stiff sheets have to move in time, as they swing, bear loads, are driven
+ *      or thrown, and for stiff parts that move against each other, of which alternating finds the common motion only.
+ *      It needs many iterations where springs or masses vary at random by decades, and where a plate with free edges
+ *      has much more bend than stretch.
  * Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance;
  * the momentum of a free sheet is kept too, of one torn into parts that of each part. On uniform sheets, alternating,
  * the energy so kept counts the extra mass in what moves; in "float32" each rounding of a velocity is then a kick of
@@ -1139,7 +1156,9 @@ export class Membrane extends Handle {
    * Stretch stiffness along u and along v [N/m], >= 0: a sheet stretched evenly along u by the length d holds the
    * energy
    * k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the edges; along v
-   * likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds.
+   * likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. A sheet of 1 component has no size of its
+   * own: one with the sides L_u and L_v under the tension S [N/m] has k_u = S L_v / L_u and k_v = S L_u / L_v, a square
+   * one S.
    */
   get stiffness(): { alongU: number; alongV: number };
   set stiffness(value: { alongU?: number; alongV?: number });
@@ -1149,8 +1168,11 @@ export class Membrane extends Handle {
    * square
    * of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of it along
    * the
-   * edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. The plate is not cut
-   * with a spring: take nodes out by "mask". Errors: "errorMemory" when bend is switched on.
+   * edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. A square plate of the
+   * side L with b = D / L^2 has the flexural rigidity D [N m]; one with the sides L_u and L_v has b L_u^3 / L_v along
+   * u,
+   * b L_v^3 / L_u along v and b L_u L_v in twist. The plate is not cut with a spring: take nodes out by "mask". Errors:
+   * "errorMemory" when bend is switched on.
    */
   get bend(): number;
   set bend(value: number);
@@ -1296,8 +1318,9 @@ export class Membrane extends Handle {
    * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
    * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
    * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
-   * of it.
+   * begins to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
+   * what
+   * it bears by 1e-3 m/s. What lies inside when a step begins comes out of it.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1318,8 +1341,9 @@ export class Membrane extends Handle {
    * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
    * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
    * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
-   * of it.
+   * begins to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
+   * what
+   * it bears by 1e-3 m/s. What lies inside when a step begins comes out of it.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1339,8 +1363,9 @@ export class Membrane extends Handle {
    * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
    * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
    * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
-   * of it.
+   * begins to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
+   * what
+   * it bears by 1e-3 m/s. What lies inside when a step begins comes out of it.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1360,8 +1385,9 @@ export class Membrane extends Handle {
    * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
    * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
    * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
-   * of it.
+   * begins to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
+   * what
+   * it bears by 1e-3 m/s. What lies inside when a step begins comes out of it.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1467,8 +1493,9 @@ export class Membrane extends Handle {
   /**
    * Moves the sheet as a whole, as if it had always been there: every position and target becomes rotation * x +
    * offset,
-   * every velocity rotation * v. rotation: components rows of as many numbers, orthogonal to 1e-6; null: none.
-   * offset [m]: one number per component, which count counts.
+   * every velocity rotation * v; colliders stay where they are. rotation: components rows of as many numbers,
+   * orthogonal
+   * to 1e-6; null: none. offset [m]: one number per component, which count counts.
    * Errors: "errorRange", "errorValue": nothing has moved; "errorDiverged" for a state that is not finite.
    */
   teleport(rotation: Numbers | null, offset: Numbers): void;

@@ -107,7 +107,8 @@ enum {
     CD_NODE_DRIVEN = 2, /* infinite mass, moves with the velocity written to it */
     CD_NODE_MATCHED = 3, /* border nodes only: free, with the impedance sqrt(stiffness mass) that sends no echo back */
     CD_NODE_POSED = 4    /* infinite mass; each call of cd_*_step moves it to where CD_TARGET is, evenly, and there it
-                            stays until CD_TARGET is written again. Without that field as CD_NODE_DRIVEN */
+                            stays until CD_TARGET is written again. Without that field as CD_NODE_DRIVEN: it stands
+                            still where no velocity has been written */
 };
 
 /* What a collider of ropes and cloth is. */

@@ -27,10 +27,11 @@
  *      alike can be combined to. It is a little slower, and not quite linear: sums of scenes move as sums only about.
  *   CD_SOLVER_COUPLED      the system itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On
  *      uniform sheets without bend and rings, held by whole rows and columns, it takes one or two iterations of some
- *      ten alternating solves each, elsewhere multigrid: tens of times the cost. Take it for stiff sheets that hang,
- *      bear loads, are driven or thrown, and for stiff parts that move against each other, of which alternating finds
- *      the common motion only. It needs many iterations where springs or masses vary at random by decades, and where a
- *      plate with free edges has much more bend than stretch.
+ *      ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet comes to rest at the same
+ *      place with either; take this one where stiff sheets have to move in time, as they swing, bear loads, are driven
+ *      or thrown, and for stiff parts that move against each other, of which alternating finds the common motion only.
+ *      It needs many iterations where springs or masses vary at random by decades, and where a plate with free edges
+ *      has much more bend than stretch.
  * Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance;
  * the momentum of a free sheet is kept too, of one torn into parts that of each part. On uniform sheets, alternating,
  * the energy so kept counts the extra mass in what moves; in CD_FLOAT32 each rounding of a velocity is then a kick of
@@ -133,14 +134,18 @@ CD_API cd_status cd_membrane_get_mass_rule(const cd_membrane* membrane, cd_mass_
 
 /* Stretch stiffness along u and along v [N/m], >= 0: a sheet stretched evenly along u by the length d holds the energy
  * k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the edges; along v
- * likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. */
+ * likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. A sheet of 1 component has no size of its
+ * own: one with the sides L_u and L_v under the tension S [N/m] has k_u = S L_v / L_u and k_v = S L_u / L_v, a square
+ * one S. */
 CD_API cd_status cd_membrane_set_stiffness(cd_membrane* membrane, double along_u, double along_v);
 CD_API cd_status cd_membrane_get_stiffness(const cd_membrane* membrane, double* out_along_u, double* out_along_v);
 
 /* Bend stiffness b [N/m], >= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2 over the unit square
  * of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of it along the
- * edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. The plate is not cut
- * with a spring: take nodes out by CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on. */
+ * edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. A square plate of the
+ * side L with b = D / L^2 has the flexural rigidity D [N m]; one with the sides L_u and L_v has b L_u^3 / L_v along u,
+ * b L_v^3 / L_u along v and b L_u L_v in twist. The plate is not cut with a spring: take nodes out by CD_MASK. Errors:
+ * CD_ERROR_MEMORY when bend is switched on. */
 CD_API cd_status cd_membrane_set_bend(cd_membrane* membrane, double bend);
 CD_API cd_status cd_membrane_get_bend(const cd_membrane* membrane, double* out_bend);
 
@@ -246,8 +251,8 @@ CD_API cd_status cd_membrane_get_wind(const cd_membrane* membrane, double* out_v
  * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
  * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
  * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
- * begins to slide is up to a quarter too slow in its first half second. What lies inside when a step begins comes out
- * of it.
+ * begins to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of what
+ * it bears by 1e-3 m/s. What lies inside when a step begins comes out of it.
  * Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow
  * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
  * all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a
@@ -345,8 +350,8 @@ CD_API cd_status cd_membrane_impulse(cd_membrane* membrane, double u, double v, 
                                      size_t count);
 
 /* Moves the sheet as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
- * every velocity rotation * v. rotation: components rows of as many numbers, orthogonal to 1e-6; null: none.
- * offset [m]: one number per component, which count counts.
+ * every velocity rotation * v; colliders stay where they are. rotation: components rows of as many numbers, orthogonal
+ * to 1e-6; null: none. offset [m]: one number per component, which count counts.
  * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite. */
 CD_API cd_status cd_membrane_teleport(cd_membrane* membrane, const double* rotation, const double* offset,
                                       size_t count);

@@ -39,6 +39,8 @@ cd_status cd_chain_set_stiffness(cd_chain* chain, double stiffness) {
     CD_OPEN(chain, c);
     const bool rigid = has_lengths(c) && isinf(stiffness) && stiffness > 0;
     if (rigid) c.stiffness = stiffness, c.prepared_dt = 0;
+    else if (isinf(stiffness) && stiffness > 0)
+        return fail(CD_ERROR_VALUE, __func__, "stiffness is inf, but there is no rest length: set one first");
     else CD_CHECK(shared::set_parameter(__func__, c, "stiffness", stiffness, c.stiffness));
     fill_uniform(c, CD_STIFFNESS);
     return CD_OK;
@@ -118,7 +120,9 @@ cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
     if (length > 0 && !CD_WITH_ROPE)
         return fail(CD_ERROR_UNSUPPORTED, __func__, "length is %g, but ropes are left out of this build", length);
     if (length > 0 && !can_have_lengths(c))
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "length is %g, but the chain has %zu springs and %zu components",
+        return fail(CD_ERROR_UNSUPPORTED, __func__,
+                    "length is %g, but the chain has %zu springs and %zu components: a rope needs a spring and 1 to 3 "
+                    "components",
                     length, c.springs, c.components);
     if (length == 0 && has_lengths(c)) CD_CHECK(can_lose_lengths(__func__, c));
     Features wanted = features(c);
@@ -174,6 +178,7 @@ cd_status cd_chain_step(cd_chain* chain, double dt, size_t count) {
     if (bad) return shared::diverged_at(__func__, bad);
     CD_CHECK(shared::was_told_distances(__func__, c));
     if (c.residual <= c.rope.tolerance) return CD_OK;
-    return fail(CD_ERROR_TOLERANCE, __func__, "springs are wrong by %g of their length after %zu iterations",
-                c.residual, c.iterations);
+    return fail(CD_ERROR_TOLERANCE, __func__,
+                "the error is %g times a spring's rest length after %zu iterations, more than the tolerance of %g",
+                c.residual, c.iterations, c.rope.tolerance);
 }

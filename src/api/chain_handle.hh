@@ -36,6 +36,9 @@ inline cd_status feels_air(const char* function, const Chain& c) { return is_rop
 inline cd_status touches(const char* function, const Chain& c) {
     return is_rope(function, c, "only ropes touch things");
 }
+inline cd_status has_collider(const char* function, const Chain& c, size_t index) {
+    return is_index(function, index, collider_count(c), "colliders", "cd_chain_set_colliders");
+}
 inline AirSettings& air_of(Chain& c) { return c.air; }
 inline const AirSettings& air_of(const Chain& c) { return c.air; }
 // How many strands have one of their own.

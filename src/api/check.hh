@@ -40,6 +40,12 @@ inline cd_status is_index(const char* function, const char* name, size_t value, 
     return fail(CD_ERROR_RANGE, function, "%s is %zu, must be less than %zu", name, value, count);
 }
 
+// Of things that there are none of before a call of set.
+inline cd_status is_index(const char* function, size_t value, size_t count, const char* things, const char* set) {
+    if (count > 0) return is_index(function, "index", value, count);
+    return fail(CD_ERROR_RANGE, function, "index is %zu, but there are no %s yet: call %s first", value, things, set);
+}
+
 // [first, first + n) inside [0, count)
 inline cd_status is_part(const char* function, const char* name, size_t first, size_t n, size_t count) {
     if (first <= count && n <= count - first) return CD_OK;

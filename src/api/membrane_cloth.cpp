@@ -18,8 +18,9 @@ cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, dou
         return fail(CD_ERROR_UNSUPPORTED, __func__, "along_u is %g, but cloth is left out of this build", along_u);
     if (cloth && !can_have_lengths(m))
         return fail(CD_ERROR_UNSUPPORTED, __func__,
-                    "along_u is %g, but the membrane has %zu and %zu springs and %zu components", along_u,
-                    m.springs[kU], m.springs[kV], m.components);
+                    "along_u is %g, but the membrane has %zu and %zu springs and %zu components: cloth needs springs "
+                    "both ways and 3 components",
+                    along_u, m.springs[kU], m.springs[kV], m.components);
     MembraneFeatures wanted = features(m);
     wanted.cloth = cloth;
     if (!cloth) wanted.spring_length[kU] = wanted.spring_length[kV] = wanted.air = wanted.wind = false;

@@ -53,6 +53,9 @@ inline cd_status feels_air(const char* function, const Membrane& m) {
 inline cd_status touches(const char* function, const Membrane& m) {
     return is_cloth(function, m, "only cloth touches things");
 }
+inline cd_status has_collider(const char* function, const Membrane& m, size_t index) {
+    return is_index(function, index, collider_count(m), "colliders", "cd_membrane_set_colliders");
+}
 inline AirSettings& air_of(Membrane& m) { return m.cloth; }
 inline const AirSettings& air_of(const Membrane& m) { return m.cloth; }
 

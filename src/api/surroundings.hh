@@ -1,6 +1,6 @@
 // What surrounds ropes and cloth: air, and colliders. Each function is written once, as those of shared.hh are;
 // CD_SURROUNDINGS_FUNCTIONS at the end makes an object's public functions of them. An object says by feels_air and
-// touches whether it has any, and by air_of where its settings of the air are.
+// touches whether it has any, by has_collider whether that one, and by air_of where its settings of the air are.
 #pragma once
 
 #include "api/shared.hh"
@@ -50,7 +50,7 @@ template <class X> cd_status get_wind(const char* function, const X& x, double* 
 
 template <class X> cd_status is_collider(const char* function, const X& x, size_t index, size_t count) {
     CD_CHECK(touches(function, x));
-    CD_CHECK(is_index(function, "index", index, collider_count(x)));
+    CD_CHECK(has_collider(function, x, index));
     return is_count(function, "count", count, x.components);
 }
 inline cd_status is_vector(const char* function, const char* name, const double* vector, size_t count) {
@@ -175,10 +175,10 @@ cd_status set_bed(const char* function, X& x, size_t index, const double* origin
     return CD_OK;
 }
 
-inline cd_status get_bed(const char* function, const Body& b, size_t index, size_t* out_columns, size_t* out_rows,
-                         double* out_heights, size_t height_count) {
-    CD_CHECK(is_index(function, "index", index, collider_count(b)));
-    const Bed bed = bed_of(b, index);
+template <class X> cd_status get_bed(const char* function, const X& x, size_t index, size_t* out_columns,
+                                     size_t* out_rows, double* out_heights, size_t height_count) {
+    CD_CHECK(has_collider(function, x, index));
+    const Bed bed = bed_of(x, index);
     const size_t columns = bed ? bed.columns() : 0, rows = bed ? bed.rows() : 0;
     if (out_heights) CD_CHECK(is_count(function, "height_count", height_count, columns * rows));
     for (size_t i = 0; out_heights && i < height_count; ++i) out_heights[i] = bed.heights()[i];
@@ -222,14 +222,14 @@ cd_status set_collider_velocity(const char* function, X& x, size_t index, const 
     return CD_OK;
 }
 
-inline cd_status get_collider(const char* function, const Body& b, size_t index, cd_shape* out_shape, double* out_first,
-                              double* out_second, double* out_velocity, size_t count, double* out_radius,
-                              double* out_friction) {
-    CD_CHECK(is_index(function, "index", index, collider_count(b)));
-    CD_CHECK(is_count(function, "count", count, b.components));
-    const Collider& of = collider(b, index);
+template <class X> cd_status get_collider(const char* function, const X& x, size_t index, cd_shape* out_shape,
+                                          double* out_first, double* out_second, double* out_velocity, size_t count,
+                                          double* out_radius, double* out_friction) {
+    CD_CHECK(has_collider(function, x, index));
+    CD_CHECK(is_count(function, "count", count, x.components));
+    const Collider& of = collider(x, index);
     for (size_t k = 0; k < count; ++k) {
-        const double place = of.shape == CD_SHAPE_NONE ? 0 : of.place(int(k), b.clock.time());
+        const double place = of.shape == CD_SHAPE_NONE ? 0 : of.place(int(k), x.clock.time());
         if (out_first) out_first[k] = place;
         if (out_second) out_second[k] = of.way[k] + (of.shape == CD_SHAPE_CAPSULE ? place : 0);
         if (out_velocity) out_velocity[k] = of.velocity[k];

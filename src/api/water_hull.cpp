@@ -11,7 +11,7 @@ constexpr size_t kPose = 7, kWays = 6;
 constexpr double kMostPose = 1e15;
 
 cd_status is_hull(const char* function, const Water& w, size_t index) {
-    return is_index(function, "index", index, w.hull_shape.count);
+    return is_index(function, index, w.hull_shape.count, "hulls", "cd_water_set_hulls");
 }
 
 cd_status is_vector(const char* function, const char* name, const double* values, size_t count, size_t wanted,
@@ -95,7 +95,9 @@ cd_status cd_water_set_hull(cd_water* water, size_t index, double mass, double l
         CD_CHECK(is_count(__func__, "count", count, plates));
         bool any = false;
         for (size_t k = 0; k < count; ++k) {
-            if (heights[k] != -1) CD_CHECK(in_range(__func__, "heights", heights[k], 0, kMost));
+            if (heights[k] != -1 && !(heights[k] >= 0 && heights[k] <= kMost))
+                return fail(CD_ERROR_VALUE, __func__, "heights[%zu] is %g, must be in [0, %g], or -1 for no plate", k,
+                            heights[k], kMost);
             any |= heights[k] >= 0;
         }
         if (!any) return fail(CD_ERROR_VALUE, __func__, "heights has no plate");

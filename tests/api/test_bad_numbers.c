@@ -112,7 +112,7 @@ static void a_rope_takes_no_other_stiffness_outside_the_range(void** state) {
     (void)state;
     static const struct bad_number no_number[] = {{NAN, "nan"}, {-INFINITY, "-inf"}};
     cd_chain* c = scene_chain(2, 5, 3, CD_FLOAT64);
-    refuses(c, cd_chain_set_stiffness(c, INFINITY), CD_ERROR_VALUE, "stiffness|inf");
+    refuses(c, cd_chain_set_stiffness(c, INFINITY), CD_ERROR_VALUE, "stiffness|inf|no rest length: set one first");
     ok(cd_chain_set_rest_length(c, 1));
     ok(cd_chain_set_stiffness(c, INFINITY));
     refuses_each(c, cd_chain_set_stiffness(c, bad), "stiffness", no_number);

@@ -297,7 +297,12 @@ static void no_hull_is_made_of_what_is_no_number(void** state) {
     refuses_each(w, cd_water_set_hull(w, 0, 1, 1, bad, NULL, 0), "width", not_positive);
     refuses_each(w, cd_water_set_hull(w, 0, 1, 1, bad, NULL, 0), "width", no_length);
     refuses_each(w, cd_water_set_hull(w, 0, 1, 1, 1, (const double[]){0, bad}, 2), "heights", not_finite);
-    refuses_each(w, cd_water_set_hull(w, 0, 1, 1, 1, (const double[]){bad, 0}, 2), "heights", no_height);
+    for (size_t i = 0; i < COUNT(no_height); ++i)
+        for (size_t k = 0; k < 2; ++k) {
+            const double heights[2] = {k == 0 ? no_height[i].value : 0, k == 1 ? no_height[i].value : 0};
+            refuses(w, cd_water_set_hull(w, 0, 1, 1, 1, heights, 2), CD_ERROR_VALUE,
+                    text_of("heights|[%zu]|%s|or -1 for no plate", k, no_height[i].shown));
+        }
     refuses(w, cd_water_set_hull(w, 0, 1, 1, 1, (const double[]){-1, -1}, 2), CD_ERROR_VALUE, "heights");
     refuses_counts(cd_water_set_hull, 1, 1, 1, good);
     refuses_counts(cd_water_get_hull, n, n + 1, n + 2, n + 3, n + 4);
@@ -346,6 +351,10 @@ static void no_hull_is_found_beyond_the_last(void** state) {
     (void)state;
     double* const n = out.number;
     static const double good[8] = {1, 1, 0.5, 1, 0, 0.1, 0};
+    cd_water* none = NULL;
+    ok(cd_water_create(2, 2, 1, 1, CD_FLOAT32, NULL, &none));
+    refuses(none, cd_water_set_disc(none, 0, 1, 1), CD_ERROR_RANGE, "index|0|no hulls yet|cd_water_set_hulls first");
+    cd_water_destroy(none);
     refuses_index(cd_water_set_hull(w, 2, 1, 1, 1, NULL, 0));
     refuses_index(cd_water_set_disc(w, 2, 1, 1));
     refuses_index(cd_water_get_hull(w, 2, n, n, n, n, n, 2));

@@ -16,6 +16,8 @@
 #define CALL_OF(body, name) cd_##body##_##name
 #define CALL_OF_(body, name) CALL_OF(body, name)
 #define CALL(name) CALL_OF_(BODY, name)
+#define TEXT_OF(words) #words
+#define TEXT(words) TEXT_OF(words)
 /* They name the function, not CALL. */
 #define is_refused(call, status, text) refuses(b, call, status, text)
 #define is_refused_by(body, call, status, text) refuses(body, call, status, text)
@@ -76,7 +78,10 @@ static void only_springs_that_have_a_length_touch_things_of_numbers_in_the_range
     is_refused(CALL(set_collider_velocity)(b, 0, place, 3), CD_ERROR_UNSUPPORTED, "things|rest length");
     is_refused(CALL(remove_collider)(b, 0), CD_ERROR_UNSUPPORTED, "things|rest length");
     set_lengths(b, 1);
-    is_refused(CALL(set_plane)(b, 0, place, place, 3, 0), CD_ERROR_RANGE, name_and_size("index", 0));
+    const char* none_yet = text_of("index|0|no colliders yet|%s first", TEXT(CALL(set_colliders)));
+    is_refused(CALL(set_plane)(b, 0, place, place, 3, 0), CD_ERROR_RANGE, none_yet);
+    is_refused(CALL(get_bed)(b, 0, &count, &count, NULL, 0), CD_ERROR_RANGE, none_yet);
+    is_refused(CALL(get_collider)(b, 0, &out.i32, NULL, NULL, NULL, 3, &radius, &radius), CD_ERROR_RANGE, none_yet);
     is_refused(CALL(set_colliders)(b, 4097), CD_ERROR_VALUE, name_and_size("count", 4097));
     is_refused(CALL(set_colliders)(b, SIZE_MAX), CD_ERROR_VALUE, name_and_size("count", SIZE_MAX));
     ok(CALL(set_colliders)(b, 2));

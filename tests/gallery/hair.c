@@ -31,6 +31,9 @@ int main(void) {
     must(cd_chain_set_rest_length(hair, length));
     must(cd_chain_set_stiffness(hair, INFINITY));
     must(cd_chain_set_bend(hair, 1e-3)); /* bends under its weight, and keeps some of its shape */
+    must(cd_chain_enable_field(hair, CD_BEND));
+    const double clamp = 2 * 1e-3 * kSprings * kSprings * kSprings; /* twice the bend of the others at node 1 */
+    for (int s = 0; s < kStrands; ++s) must(cd_chain_write_f64(hair, CD_BEND, (size_t)s, 1, 1, 1, &clamp, 1));
     must(cd_chain_set_gravity(hair, gravity, 3));
     must(cd_chain_set_air(hair, 1e-4, 1e-3)); /* along it and across */
     must(cd_chain_enable_field(hair, CD_TARGET));

@@ -473,7 +473,7 @@ api["node"] = support.enumeration("cd_node", {
   -- border nodes only: free, with the impedance sqrt(stiffness mass) that sends no echo back
   ["matched"] = 3,
   -- infinite mass; each call of cd_*_step moves it to where CD_TARGET is, evenly, and there it stays until CD_TARGET is
-  -- written again. Without that field as CD_NODE_DRIVEN
+  -- written again. Without that field as CD_NODE_DRIVEN: it stands still where no velocity has been written
   ["posed"] = 4,
 })
 
@@ -665,8 +665,8 @@ end
 -- contdyn: a chain of nodes joined by springs: massive spring, rope, hair, spline.
 -- A chain has `springs` springs and nodes = springs + 1 nodes; spring i joins node i to node i + 1. A ring has one
 -- spring more, number `springs`, from the last node to the first. A node has 1 to 4 components that never mix. One
--- handle holds one or many strands: they share mass, stiffness, pins and attachments, and so one factorization;
--- position, velocity, force and target are each strand's own. Strands of ropes share the totals only.
+-- handle holds one or many strands, each with its own positions, velocities, forces and targets. Masses, stiffnesses,
+-- pins and attachments, and so one factorization, they share; strands of ropes have their own of these too.
 -- Energy E = 1/2 sum k_i |x_{i+1} - x_i|^2 + 1/2 sum b_i |x_{i+1} - 2 x_i + x_{i-1}|^2 (Kass 1997, eq. 2 and 5) Motion
 -- M x'' + C x' + K x = M g + f, K = the Hessian of E, C = drag M + stiffness_damping K
 -- Rest length is zero, unless cd_chain_set_rest_length makes the chain a rope: a free chain draws together, and one
@@ -1042,7 +1042,11 @@ end
 
 -- The force [N], one number per component, with which the springs of a rope pull at a node, and its bend: of a held
 -- node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have
--- now, 0 of a spring without length, and of what the bend there and at the nodes beside it does. Errors:
+-- now, 0 of a spring without length, and of what the bend there and at the nodes beside it does. Where tensions are
+-- read, or a strength is set, take lambda = 1: with 1/2 < lambda < 1 they miss part of the pull of springs that hardly
+-- yield, up to a third where nodes swing; with 1/2 they can be twice the mean just after a jolt. With lambda < 1 and
+-- infinite stiffness a load m that is reeled in makes them uncertain by a few times m * tolerance * length / dt^2, of
+-- 10 kg on 4 m of rope 0.5 N at dt = 1/60 s and 130 N at 1/960 s: a smaller tolerance mends that. Errors:
 -- CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
 function Chain:get_reaction(strand, node, out_force)
   local where = "cd_chain_get_reaction"
@@ -1428,9 +1432,9 @@ function Chain:impulse(strand, node, impulse)
 end
 
 -- Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
--- every velocity rotation * v; tensions stay. rotation: components rows of as many numbers, orthogonal to 1e-6; null:
--- none. offset [m]: one number per component, which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has
--- moved; CD_ERROR_DIVERGED for a state that is not finite.
+-- every velocity rotation * v; tensions stay, and colliders stay where they are. rotation: components rows of as many
+-- numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count counts. Errors:
+-- CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite.
 function Chain:teleport(strand, rotation, offset)
   local where = "cd_chain_teleport"
   strand = integer_in(strand, where, "strand")
@@ -1442,11 +1446,11 @@ function Chain:teleport(strand, rotation, offset)
   check(lib.cd_chain_teleport(handle_of(self), strand, p_rotation, p_offset, count))
 end
 
--- Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a spring
--- of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. target, one number per component, is
--- given to every strand that is tied; null: each node's present position, and count means nothing. Move it afterwards
--- by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE,
--- CD_ERROR_VALUE, CD_ERROR_MEMORY.
+-- Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. In
+-- a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node of every strand is
+-- tied. target, one number per component, is given to every strand that is tied; null: the present position, and count
+-- means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
+-- Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
 function Chain:attach(strand, node, stiffness, damping, target)
   local where = "cd_chain_attach"
   strand = integer_in(strand, where, "strand")
@@ -1459,11 +1463,11 @@ function Chain:attach(strand, node, stiffness, damping, target)
   check(lib.cd_chain_attach(handle_of(self), strand, node, stiffness, damping, p_target, count))
 end
 
--- Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a spring
--- of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. target, one number per component, is
--- given to every strand that is tied; null: each node's present position, and count means nothing. Move it afterwards
--- by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE,
--- CD_ERROR_VALUE, CD_ERROR_MEMORY.
+-- Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. In
+-- a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node of every strand is
+-- tied. target, one number per component, is given to every strand that is tied; null: the present position, and count
+-- means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
+-- Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
 function Chain:detach(strand, node)
   local where = "cd_chain_detach"
   strand = integer_in(strand, where, "strand")
@@ -1472,11 +1476,11 @@ function Chain:detach(strand, node)
   check(lib.cd_chain_detach(handle_of(self), strand, node))
 end
 
--- Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a spring
--- of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. target, one number per component, is
--- given to every strand that is tied; null: each node's present position, and count means nothing. Move it afterwards
--- by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE,
--- CD_ERROR_VALUE, CD_ERROR_MEMORY.
+-- Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does. In
+-- a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node of every strand is
+-- tied. target, one number per component, is given to every strand that is tied; null: the present position, and count
+-- means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
+-- Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
 function Chain:get_attachment(strand, node)
   local where = "cd_chain_get_attachment"
   strand = integer_in(strand, where, "strand")
@@ -1487,12 +1491,13 @@ function Chain:get_attachment(strand, node)
   return tonumber(out_stiffness[0]), tonumber(out_damping[0])
 end
 
--- Cuts a spring (stiffness 0) of a rope's strand, or with strand 0 of every strand of another chain; or welds it
--- (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that momentum is
--- kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or welded spring gets
--- a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is not cut with the spring: write
--- CD_BEND. In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length only. Errors:
--- CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held nodes.
+-- Cuts a spring (stiffness 0) or welds it (infinite stiffness), in a rope of this strand; in a chain that is no rope
+-- `strand` must be 0, and it is done in every strand. From a weld on the two nodes share one velocity, the mean of
+-- theirs by mass, so that momentum is kept, and their offset stays as it is. Welding to a held node gives that node's
+-- velocity. A cut or welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is
+-- not cut with the spring: write CD_BEND. In a rope it is, as long as the stiffness is 0, and welding fixes the
+-- spring's length only. Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held
+-- nodes.
 function Chain:cut(strand, spring)
   local where = "cd_chain_cut"
   strand = integer_in(strand, where, "strand")
@@ -1501,12 +1506,13 @@ function Chain:cut(strand, spring)
   check(lib.cd_chain_cut(handle_of(self), strand, spring))
 end
 
--- Cuts a spring (stiffness 0) of a rope's strand, or with strand 0 of every strand of another chain; or welds it
--- (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that momentum is
--- kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or welded spring gets
--- a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is not cut with the spring: write
--- CD_BEND. In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length only. Errors:
--- CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held nodes.
+-- Cuts a spring (stiffness 0) or welds it (infinite stiffness), in a rope of this strand; in a chain that is no rope
+-- `strand` must be 0, and it is done in every strand. From a weld on the two nodes share one velocity, the mean of
+-- theirs by mass, so that momentum is kept, and their offset stays as it is. Welding to a held node gives that node's
+-- velocity. A cut or welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is
+-- not cut with the spring: write CD_BEND. In a rope it is, as long as the stiffness is 0, and welding fixes the
+-- spring's length only. Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held
+-- nodes.
 function Chain:weld(strand, spring)
   local where = "cd_chain_weld"
   strand = integer_in(strand, where, "strand")
@@ -1696,15 +1702,16 @@ end
 -- present velocity and a motion of all nodes alike can be combined to. It is a little slower, and not quite linear:
 -- sums of scenes move as sums only about. CD_SOLVER_COUPLED the system itself, to a tolerance, by conjugate gradients,
 -- and as stiff as it should be. On uniform sheets without bend and rings, held by whole rows and columns, it takes one
--- or two iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. Take it for stiff
--- sheets that hang, bear loads, are driven or thrown, and for stiff parts that move against each other, of which
--- alternating finds the common motion only. It needs many iterations where springs or masses vary at random by decades,
--- and where a plate with free edges has much more bend than stretch. Without rest lengths lambda = 1/2 keeps the energy
--- and lambda > 1/2 never adds any, coupled whatever its tolerance; the momentum of a free sheet is kept too, of one
--- torn into parts that of each part. On uniform sheets, alternating, the energy so kept counts the extra mass in what
--- moves; in CD_FLOAT32 each rounding of a velocity is then a kick of so many times its energy: take CD_FLOAT64 or the
--- coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with stiffness damping are first order in time under the
--- alternating solver, all else is second.
+-- or two iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet comes to
+-- rest at the same place with either; take this one where stiff sheets have to move in time, as they swing, bear loads,
+-- are driven or thrown, and for stiff parts that move against each other, of which alternating finds the common motion
+-- only. It needs many iterations where springs or masses vary at random by decades, and where a plate with free edges
+-- has much more bend than stretch. Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2 never adds any,
+-- coupled whatever its tolerance; the momentum of a free sheet is kept too, of one torn into parts that of each part.
+-- On uniform sheets, alternating, the energy so kept counts the extra mass in what moves; in CD_FLOAT32 each rounding
+-- of a velocity is then a kick of so many times its energy: take CD_FLOAT64 or the coupled solver where (w_u h) (w_v h)
+-- is beyond 1e4. Plates with stiffness damping are first order in time under the alternating solver, all else is
+-- second.
 -- All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are stored
 -- in. (Steps of symplectic Euler on uniform sheets without damping and forces compute in float32 and are as exact.)
 -- Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are taken for 0 where a step
@@ -1915,7 +1922,9 @@ end
 
 -- Stretch stiffness along u and along v [N/m], >= 0: a sheet stretched evenly along u by the length d holds the energy
 -- k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the edges; along v
--- likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds.
+-- likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. A sheet of 1 component has no size of its
+-- own: one with the sides L_u and L_v under the tension S [N/m] has k_u = S L_v / L_u and k_v = S L_u / L_v, a square
+-- one S.
 function Membrane:set_stiffness(along_u, along_v)
   local where = "cd_membrane_set_stiffness"
   along_u = number_in(along_u, where, "along_u")
@@ -1926,7 +1935,9 @@ end
 
 -- Stretch stiffness along u and along v [N/m], >= 0: a sheet stretched evenly along u by the length d holds the energy
 -- k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the edges; along v
--- likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds.
+-- likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. A sheet of 1 component has no size of its
+-- own: one with the sides L_u and L_v under the tension S [N/m] has k_u = S L_v / L_u and k_v = S L_u / L_v, a square
+-- one S.
 function Membrane:get_stiffness()
   local where = "cd_membrane_get_stiffness"
   local out_along_u = double_1()
@@ -1937,8 +1948,10 @@ end
 
 -- Bend stiffness b [N/m], >= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2 over the unit square
 -- of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of it along the
--- edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. The plate is not cut
--- with a spring: take nodes out by CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on.
+-- edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. A square plate of the
+-- side L with b = D / L^2 has the flexural rigidity D [N m]; one with the sides L_u and L_v has b L_u^3 / L_v along u,
+-- b L_v^3 / L_u along v and b L_u L_v in twist. The plate is not cut with a spring: take nodes out by CD_MASK. Errors:
+-- CD_ERROR_MEMORY when bend is switched on.
 function Membrane:set_bend(bend)
   local where = "cd_membrane_set_bend"
   bend = number_in(bend, where, "bend")
@@ -1948,8 +1961,10 @@ end
 
 -- Bend stiffness b [N/m], >= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2 over the unit square
 -- of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of it along the
--- edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. The plate is not cut
--- with a spring: take nodes out by CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on.
+-- edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. A square plate of the
+-- side L with b = D / L^2 has the flexural rigidity D [N m]; one with the sides L_u and L_v has b L_u^3 / L_v along u,
+-- b L_v^3 / L_u along v and b L_u L_v in twist. The plate is not cut with a spring: take nodes out by CD_MASK. Errors:
+-- CD_ERROR_MEMORY when bend is switched on.
 function Membrane:get_bend()
   local where = "cd_membrane_get_bend"
   local out_bend = double_1()
@@ -2223,12 +2238,12 @@ end
 -- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
 -- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
 -- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
--- default effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a
--- step begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
--- step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
--- callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
--- CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
--- functions of cd_chain.
+-- default effort what begins to slide is up to a quarter too slow in its first half second. So what friction holds
+-- creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks
+-- are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
+-- plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all nodes;
+-- answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load
+-- CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
 function Membrane:set_colliders(count)
   local where = "cd_membrane_set_colliders"
   count = integer_in(count, where, "count")
@@ -2242,12 +2257,12 @@ end
 -- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
 -- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
 -- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
--- default effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a
--- step begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
--- step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
--- callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
--- CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
--- functions of cd_chain.
+-- default effort what begins to slide is up to a quarter too slow in its first half second. So what friction holds
+-- creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks
+-- are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
+-- plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all nodes;
+-- answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load
+-- CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
 function Membrane:get_colliders()
   local where = "cd_membrane_get_colliders"
   local out_count = size_t_1()
@@ -2261,12 +2276,12 @@ end
 -- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
 -- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
 -- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
--- default effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a
--- step begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
--- step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
--- callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
--- CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
--- functions of cd_chain.
+-- default effort what begins to slide is up to a quarter too slow in its first half second. So what friction holds
+-- creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks
+-- are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
+-- plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all nodes;
+-- answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load
+-- CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
 function Membrane:set_plane(index, point, normal, friction)
   local where = "cd_membrane_set_plane"
   index = integer_in(index, where, "index")
@@ -2285,12 +2300,12 @@ end
 -- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
 -- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
 -- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
--- default effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a
--- step begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
--- step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
--- callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
--- CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
--- functions of cd_chain.
+-- default effort what begins to slide is up to a quarter too slow in its first half second. So what friction holds
+-- creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks
+-- are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
+-- plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all nodes;
+-- answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load
+-- CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
 function Membrane:set_capsule(index, first, last, radius, friction)
   local where = "cd_membrane_set_capsule"
   index = integer_in(index, where, "index")
@@ -2310,12 +2325,12 @@ end
 -- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
 -- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
 -- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
--- default effort what begins to slide is up to a quarter too slow in its first half second. What lies inside when a
--- step begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
--- step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
--- callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
--- CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
--- functions of cd_chain.
+-- default effort what begins to slide is up to a quarter too slow in its first half second. So what friction holds
+-- creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks
+-- are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
+-- plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all nodes;
+-- answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load
+-- CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
 function Membrane:set_bed(index, origin, columns, rows, column_spacing, row_spacing, heights, friction)
   local where = "cd_membrane_set_bed"
   index = integer_in(index, where, "index")
@@ -2539,9 +2554,9 @@ function Membrane:impulse(u, v, radius, impulse)
 end
 
 -- Moves the sheet as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
--- every velocity rotation * v. rotation: components rows of as many numbers, orthogonal to 1e-6; null: none. offset
--- [m]: one number per component, which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved;
--- CD_ERROR_DIVERGED for a state that is not finite.
+-- every velocity rotation * v; colliders stay where they are. rotation: components rows of as many numbers, orthogonal
+-- to 1e-6; null: none. offset [m]: one number per component, which count counts. Errors: CD_ERROR_RANGE,
+-- CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite.
 function Membrane:teleport(rotation, offset)
   local where = "cd_membrane_teleport"
   local p_rotation, n_rotation = array_in("double", rotation, where, "rotation", true)

@@ -109,7 +109,7 @@ class Node(IntEnum):
     #: border nodes only: free, with the impedance sqrt(stiffness mass) that sends no echo back
     MATCHED = 3
     #: infinite mass; each call of step moves it to where Field.TARGET is, evenly, and there it stays until Field.TARGET
-    #: is written again. Without that field as Node.DRIVEN
+    #: is written again. Without that field as Node.DRIVEN: it stands still where no velocity has been written
     POSED = 4
 
 

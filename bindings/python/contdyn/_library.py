@@ -99,6 +99,7 @@ class Function:
         self.raw: Callable[..., int] = getattr(library, name)
         parameters = _parameters(name)
         self.count = len(parameters)
+        self.names = [name for name, _ in parameters[1:]]
         self.integers = [(k, kind) for k, (_, kind) in enumerate(parameters) if kind in MOST]
         self.results: List[Any] = [TYPES[kind]._type_ for _, kind in parameters if kind.endswith("*")]
 

@@ -46,7 +46,15 @@ class SettingOfSeveral(Reading[T]):
     """A parameter of several numbers, told as a named tuple; assigned any sequence of them."""
 
     def __set__(self, an_object: "Object", value: Iterable[float]) -> None:
-        an_object._call("set_" + self.name, *value)
+        function = "set_" + self.name
+        try:
+            values = tuple(value)
+        except TypeError:
+            values = ()
+        names = getattr(an_object._c, function).names
+        if len(values) != len(names):
+            raise TypeError(f"{self.name} takes {len(names)} values, ({', '.join(names)}), not {value!r}")
+        an_object._call(function, *values)
 
 
 class ReadingPerComponent(Reading[Tuple[float, ...]]):

@@ -26,11 +26,12 @@ class ChainShape(NamedTuple):
 
 
 class Chain(Body, kind="chain"):
-    """`strands` strands of `springs` springs and springs + 1 nodes, which share masses, pins and the like.
+    """`strands` strands of `springs` springs and springs + 1 nodes. Strands share masses, stiffnesses, bends, pins and
+    attachments; those of ropes have their own.
 
     Arrays of positions, velocities, forces and targets have the shape (strands, nodes, components); those of masses,
-    bends and pins (nodes,); of stiffnesses (springs,), in a ring one more. Strands of ropes share none: masses, bends
-    and pins are (strands, nodes); stiffnesses, rest lengths, tensions, strengths and strains (strands, springs).
+    bends and pins (nodes,); of stiffnesses (springs,), in a ring one more. In ropes masses, bends and pins are
+    (strands, nodes); stiffnesses, rest lengths, tensions, strengths and strains (strands, springs).
 
     Rest length is zero, unless rest_length makes the chain a rope: a free chain draws together, and one stretched
     evenly is held by its ends. A new chain lies with every node at the origin, at rest and free, mass 1, stiffness 1,
@@ -154,18 +155,18 @@ class Chain(Body, kind="chain"):
 
     def teleport(self, strand: int, rotation: Optional[Values], offset: Values) -> None:
         """Moves a strand as a whole, as if it had always been there: every position and target x becomes
-        rotation x + offset, every velocity v becomes rotation v; tensions stay.
+        rotation x + offset, every velocity v becomes rotation v; tensions stay, and colliders where they are.
 
         rotation: shape (components, components), orthogonal to 1e-6; None: none. offset [m]: one number per component.
         """
         self._teleport((strand,), rotation, offset)
 
-    # strand: one of a rope; 0 stands for all strands of another chain, which share such things.
+    # strand: one of a rope; in a chain that is no rope 0, for all strands, which share such things.
 
     def attach(self, strand: int, node: int, stiffness: float, damping: float,
                target: Optional[Values] = None) -> None:
-        """Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by
-        a spring of `stiffness` [N/m] and `damping` [N s/m], both >= 0.
+        """Ties a node to its target by a spring of `stiffness` [N/m] and `damping` [N s/m], both >= 0: in a rope the
+        node of this strand; in a chain that is no rope `strand` must be 0, and the node of every strand is tied.
 
         target [m]: one number per component, given to every strand that is tied; None: each node's present position.
         Move it afterwards by writing Field.TARGET, which this switches on.

@@ -169,7 +169,7 @@ class Membrane(Body, Sheet, kind="membrane"):
 
     def teleport(self, rotation: Optional[Values], offset: Values) -> None:
         """Moves the sheet as a whole, as if it had always been there: every position and target x becomes
-        rotation x + offset, every velocity v becomes rotation v.
+        rotation x + offset, every velocity v becomes rotation v; colliders stay where they are.
 
         rotation: shape (components, components), orthogonal to 1e-6; None: none. offset [m]: one number per component.
         """

@@ -5,7 +5,7 @@ import re
 import unittest
 
 import contdyn
-from contdyn import Chain, Edge, End, Field, Membrane, Method, Node, Precision
+from contdyn import Chain, Edge, End, Field, Membrane, Method, Node, Precision, Water
 
 from support import Heap, api, lengthen, make, moving
 
@@ -396,6 +396,18 @@ class Errors(unittest.TestCase):
                     lambda: setattr(contdyn.Membrane(2, 2, 1), "stiffness", (1, 2, 3))):
             with self.assertRaises(TypeError):
                 use()
+
+    def test_settings_of_several_values_name_them(self):
+        for made, name, value, names in ((Membrane(2, 2, 3), "stiffness", 5, "2 values, (along_u, along_v)"),
+                                         (Membrane(2, 2, 3), "rest_length", 1, "2 values, (along_u, along_v)"),
+                                         (Membrane(2, 2, 3), "ring", None, "2 values, (along_u, along_v)"),
+                                         (moving(Chain), "air", (1, 2, 3), "2 values, (along, across)"),
+                                         (Water(2, 2, 1, 1), "hulls", 2, "3 values, (count, n_along, n_across)")):
+            before = made.hash()
+            with self.subTest(name), self.assertRaises(TypeError) as caught:
+                setattr(made, name, value)
+            self.assertEqual(str(caught.exception), f"{name} takes {names}, not {value!r}")
+            self.assertEqual(made.hash(), before)
 
 
 if __name__ == "__main__":

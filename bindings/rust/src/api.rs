@@ -207,7 +207,8 @@ pub enum Node {
     /// border nodes only: free, with the impedance sqrt(stiffness mass) that sends no echo back
     Matched = 3,
     /// infinite mass; each call of cd_\*_step moves it to where CD_TARGET is, evenly, and there it stays until
-    /// CD_TARGET is written again. Without that field as CD_NODE_DRIVEN
+    /// CD_TARGET is written again. Without that field as CD_NODE_DRIVEN: it stands still where no velocity has been
+    /// written
     Posed = 4,
 }
 
@@ -593,8 +594,9 @@ pub struct ChainEnergy {
 /// contdyn: a chain of nodes joined by springs: massive spring, rope, hair, spline.
 /// A chain has `springs` springs and nodes = springs + 1 nodes; spring i joins node i to node i + 1. A ring has one
 /// spring more, number `springs`, from the last node to the first. A node has 1 to 4 components that never mix. One
-/// handle holds one or many strands: they share mass, stiffness, pins and attachments, and so one factorization;
-/// position, velocity, force and target are each strand's own. Strands of ropes share the totals only.
+/// handle holds one or many strands, each with its own positions, velocities, forces and targets. Masses,
+/// stiffnesses, pins and attachments, and so one factorization, they share; strands of ropes have their own of
+/// these too.
 /// Energy E = 1/2 sum k_i |x_{i+1} - x_i|^2 + 1/2 sum b_i |x_{i+1} - 2 x_i + x_{i-1}|^2 (Kass 1997, eq. 2 and 5)
 /// Motion M x'' + C x' + K x = M g + f, K = the Hessian of E, C = drag M + stiffness_damping K
 /// Rest length is zero, unless cd_chain_set_rest_length makes the chain a rope: a free chain draws together, and
@@ -1006,8 +1008,12 @@ impl Chain {
 
     /// The force \[N\], one number per component, with which the springs of a rope pull at a node, and its bend: of a
     /// held node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that
-    /// they have now, 0 of a spring without length, and of what the bend there and at the nodes beside it does. Errors:
-    /// CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
+    /// they have now, 0 of a spring without length, and of what the bend there and at the nodes beside it does. Where
+    /// tensions are read, or a strength is set, take lambda = 1: with 1/2 \< lambda \< 1 they miss part of the pull of
+    /// springs that hardly yield, up to a third where nodes swing; with 1/2 they can be twice the mean just after a
+    /// jolt. With lambda \< 1 and infinite stiffness a load m that is reeled in makes them uncertain by a few times m
+    /// \* tolerance \* length / dt^2, of 10 kg on 4 m of rope 0.5 N at dt = 1/60 s and 130 N at 1/960 s: a smaller
+    /// tolerance mends that. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
     pub fn get_reaction(&self, strand: usize, node: usize, out_force: &mut [f64]) -> Result<()> {
         let count = count_of(out_force.len(), 1, "cd_chain_get_reaction", "out_force")?;
         check(unsafe { sys::cd_chain_get_reaction(self.as_ptr(), strand, node, out_force.as_mut_ptr(), count) })
@@ -1317,9 +1323,10 @@ impl Chain {
     }
 
     /// Moves a strand as a whole, as if it had always been there: every position and target becomes rotation \* x +
-    /// offset, every velocity rotation \* v; tensions stay. rotation: components rows of as many numbers, orthogonal to
-    /// 1e-6; null: none. offset \[m\]: one number per component, which count counts. Errors: CD_ERROR_RANGE,
-    /// CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite.
+    /// offset, every velocity rotation \* v; tensions stay, and colliders stay where they are. rotation: components
+    /// rows of as many numbers, orthogonal to 1e-6; null: none. offset \[m\]: one number per component, which count
+    /// counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not
+    /// finite.
     pub fn teleport(&mut self, strand: usize, rotation: Option<&[f64]>, offset: &[f64]) -> Result<()> {
         let count = count_of(offset.len(), 1, "cd_chain_teleport", "offset")?;
         same(rotation.map(<[_]>::len), count.checked_mul(count), "cd_chain_teleport", "rotation")?;
@@ -1327,11 +1334,11 @@ impl Chain {
             offset.as_ptr(), count) })
     }
 
-    /// Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a
-    /// spring of `stiffness` \[N/m\] \>= 0 and `damping` \[N s/m\] \>= 0, as a mouse drag does. target, one number per
-    /// component, is given to every strand that is tied; null: each node's present position, and count means nothing.
-    /// Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors:
-    /// CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
+    /// Ties a node to its target by a spring of `stiffness` \[N/m\] \>= 0 and `damping` \[N s/m\] \>= 0, as a mouse
+    /// drag does. In a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node
+    /// of every strand is tied. target, one number per component, is given to every strand that is tied; null: the
+    /// present position, and count means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the
+    /// numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
     pub fn attach(&mut self, strand: usize, node: usize, stiffness: f64, damping: f64,
         target: Option<&[f64]>) -> Result<()> {
         let count = target.map(<[_]>::len);
@@ -1340,20 +1347,20 @@ impl Chain {
             target.map_or(std::ptr::null(), <[_]>::as_ptr), count) })
     }
 
-    /// Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a
-    /// spring of `stiffness` \[N/m\] \>= 0 and `damping` \[N s/m\] \>= 0, as a mouse drag does. target, one number per
-    /// component, is given to every strand that is tied; null: each node's present position, and count means nothing.
-    /// Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors:
-    /// CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
+    /// Ties a node to its target by a spring of `stiffness` \[N/m\] \>= 0 and `damping` \[N s/m\] \>= 0, as a mouse
+    /// drag does. In a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node
+    /// of every strand is tied. target, one number per component, is given to every strand that is tied; null: the
+    /// present position, and count means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the
+    /// numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
     pub fn detach(&mut self, strand: usize, node: usize) -> Result<()> {
         check(unsafe { sys::cd_chain_detach(self.as_ptr(), strand, node) })
     }
 
-    /// Ties a node of a rope's strand, or with strand 0 the node of every strand of another chain, to its target by a
-    /// spring of `stiffness` \[N/m\] \>= 0 and `damping` \[N s/m\] \>= 0, as a mouse drag does. target, one number per
-    /// component, is given to every strand that is tied; null: each node's present position, and count means nothing.
-    /// Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors:
-    /// CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
+    /// Ties a node to its target by a spring of `stiffness` \[N/m\] \>= 0 and `damping` \[N s/m\] \>= 0, as a mouse
+    /// drag does. In a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node
+    /// of every strand is tied. target, one number per component, is given to every strand that is tied; null: the
+    /// present position, and count means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the
+    /// numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
     pub fn get_attachment(&self, strand: usize, node: usize) -> Result<ChainAttachment> {
         let mut out_stiffness = 0.0;
         let mut out_damping = 0.0;
@@ -1365,22 +1372,24 @@ impl Chain {
         })
     }
 
-    /// Cuts a spring (stiffness 0) of a rope's strand, or with strand 0 of every strand of another chain; or welds it
-    /// (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that
-    /// momentum is kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or
-    /// welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is not cut with
-    /// the spring: write CD_BEND. In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length
-    /// only. Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held nodes.
+    /// Cuts a spring (stiffness 0) or welds it (infinite stiffness), in a rope of this strand; in a chain that is no
+    /// rope `strand` must be 0, and it is done in every strand. From a weld on the two nodes share one velocity, the
+    /// mean of theirs by mass, so that momentum is kept, and their offset stays as it is. Welding to a held node gives
+    /// that node's velocity. A cut or welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch
+    /// CD_STIFFNESS on. Bend is not cut with the spring: write CD_BEND. In a rope it is, as long as the stiffness is 0,
+    /// and welding fixes the spring's length only. Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED
+    /// if it would join two held nodes.
     pub fn cut(&mut self, strand: usize, spring: usize) -> Result<()> {
         check(unsafe { sys::cd_chain_cut(self.as_ptr(), strand, spring) })
     }
 
-    /// Cuts a spring (stiffness 0) of a rope's strand, or with strand 0 of every strand of another chain; or welds it
-    /// (infinite stiffness): from then on its two nodes share one velocity, the mean of theirs by mass, so that
-    /// momentum is kept, and their offset stays as it is. Welding to a held node gives that node's velocity. A cut or
-    /// welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch CD_STIFFNESS on. Bend is not cut with
-    /// the spring: write CD_BEND. In a rope it is, as long as the stiffness is 0, and welding fixes the spring's length
-    /// only. Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED if it would join two held nodes.
+    /// Cuts a spring (stiffness 0) or welds it (infinite stiffness), in a rope of this strand; in a chain that is no
+    /// rope `strand` must be 0, and it is done in every strand. From a weld on the two nodes share one velocity, the
+    /// mean of theirs by mass, so that momentum is kept, and their offset stays as it is. Welding to a held node gives
+    /// that node's velocity. A cut or welded spring gets a stiffness again by writing CD_STIFFNESS. Both switch
+    /// CD_STIFFNESS on. Bend is not cut with the spring: write CD_BEND. In a rope it is, as long as the stiffness is 0,
+    /// and welding fixes the spring's length only. Errors: CD_ERROR_RANGE, CD_ERROR_MEMORY; weld: CD_ERROR_UNSUPPORTED
+    /// if it would join two held nodes.
     pub fn weld(&mut self, strand: usize, spring: usize) -> Result<()> {
         check(unsafe { sys::cd_chain_weld(self.as_ptr(), strand, spring) })
     }
@@ -1640,15 +1649,16 @@ pub struct MembraneEnergy {
 /// a little slower, and not quite linear: sums of scenes move as sums only about. CD_SOLVER_COUPLED the system
 /// itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On uniform sheets without bend and
 /// rings, held by whole rows and columns, it takes one or two iterations of some ten alternating solves each,
-/// elsewhere multigrid: tens of times the cost. Take it for stiff sheets that hang, bear loads, are driven or
-/// thrown, and for stiff parts that move against each other, of which alternating finds the common motion only. It
-/// needs many iterations where springs or masses vary at random by decades, and where a plate with free edges has
-/// much more bend than stretch. Without rest lengths lambda = 1/2 keeps the energy and lambda \> 1/2 never adds
-/// any, coupled whatever its tolerance; the momentum of a free sheet is kept too, of one torn into parts that of
-/// each part. On uniform sheets, alternating, the energy so kept counts the extra mass in what moves; in CD_FLOAT32
-/// each rounding of a velocity is then a kick of so many times its energy: take CD_FLOAT64 or the coupled solver
-/// where (w_u h) (w_v h) is beyond 1e4. Plates with stiffness damping are first order in time under the alternating
-/// solver, all else is second.
+/// elsewhere multigrid: tens of times the cost. A sheet comes to rest at the same place with either; take this one
+/// where stiff sheets have to move in time, as they swing, bear loads, are driven or thrown, and for stiff parts
+/// that move against each other, of which alternating finds the common motion only. It needs many iterations where
+/// springs or masses vary at random by decades, and where a plate with free edges has much more bend than stretch.
+/// Without rest lengths lambda = 1/2 keeps the energy and lambda \> 1/2 never adds any, coupled whatever its
+/// tolerance; the momentum of a free sheet is kept too, of one torn into parts that of each part. On uniform
+/// sheets, alternating, the energy so kept counts the extra mass in what moves; in CD_FLOAT32 each rounding of a
+/// velocity is then a kick of so many times its energy: take CD_FLOAT64 or the coupled solver where (w_u h) (w_v h)
+/// is beyond 1e4. Plates with stiffness damping are first order in time under the alternating solver, all else is
+/// second.
 /// All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are
 /// stored in. (Steps of symplectic Euler on uniform sheets without damping and forces compute in float32 and are as
 /// exact.) Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are taken for 0
@@ -1944,14 +1954,18 @@ impl Membrane {
 
     /// Stretch stiffness along u and along v \[N/m\], \>= 0: a sheet stretched evenly along u by the length d holds the
     /// energy k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the
-    /// edges; along v likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds.
+    /// edges; along v likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. A sheet of 1 component
+    /// has no size of its own: one with the sides L_u and L_v under the tension S \[N/m\] has k_u = S L_v / L_u and k_v
+    /// = S L_u / L_v, a square one S.
     pub fn set_stiffness(&mut self, along_u: f64, along_v: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_stiffness(self.as_ptr(), along_u, along_v) })
     }
 
     /// Stretch stiffness along u and along v \[N/m\], \>= 0: a sheet stretched evenly along u by the length d holds the
     /// energy k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the
-    /// edges; along v likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds.
+    /// edges; along v likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. A sheet of 1 component
+    /// has no size of its own: one with the sides L_u and L_v under the tension S \[N/m\] has k_u = S L_v / L_u and k_v
+    /// = S L_u / L_v, a square one S.
     pub fn get_stiffness(&self) -> Result<MembraneStiffness> {
         let mut out_along_u = 0.0;
         let mut out_along_v = 0.0;
@@ -1964,16 +1978,20 @@ impl Membrane {
 
     /// Bend stiffness b \[N/m\], \>= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2 over the unit
     /// square of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of
-    /// it along the edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. The
-    /// plate is not cut with a spring: take nodes out by CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on.
+    /// it along the edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. A
+    /// square plate of the side L with b = D / L^2 has the flexural rigidity D \[N m\]; one with the sides L_u and L_v
+    /// has b L_u^3 / L_v along u, b L_v^3 / L_u along v and b L_u L_v in twist. The plate is not cut with a spring:
+    /// take nodes out by CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on.
     pub fn set_bend(&mut self, bend: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_bend(self.as_ptr(), bend) })
     }
 
     /// Bend stiffness b \[N/m\], \>= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2 over the unit
     /// square of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of
-    /// it along the edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. The
-    /// plate is not cut with a spring: take nodes out by CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on.
+    /// it along the edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. A
+    /// square plate of the side L with b = D / L^2 has the flexural rigidity D \[N m\]; one with the sides L_u and L_v
+    /// has b L_u^3 / L_v along u, b L_v^3 / L_u along v and b L_u L_v in twist. The plate is not cut with a spring:
+    /// take nodes out by CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on.
     pub fn get_bend(&self) -> Result<f64> {
         let mut out_bend = 0.0;
         check(unsafe { sys::cd_membrane_get_bend(self.as_ptr(), &mut out_bend) })?;
@@ -2203,11 +2221,12 @@ impl Membrane {
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
-    /// half second. What lies inside when a step begins comes out of it. Beds and callbacks are those of cd_chain, met
-    /// at the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
-    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
-    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
-    /// Errors and ranges are those of the functions of cd_chain.
+    /// half second. So what friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step
+    /// begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
+    /// step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it
+    /// out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+    /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
+    /// functions of cd_chain.
     pub fn set_colliders(&mut self, count: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_colliders(self.as_ptr(), count) })
     }
@@ -2219,11 +2238,12 @@ impl Membrane {
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
-    /// half second. What lies inside when a step begins comes out of it. Beds and callbacks are those of cd_chain, met
-    /// at the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
-    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
-    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
-    /// Errors and ranges are those of the functions of cd_chain.
+    /// half second. So what friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step
+    /// begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
+    /// step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it
+    /// out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+    /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
+    /// functions of cd_chain.
     pub fn get_colliders(&self) -> Result<usize> {
         let mut out_count = 0;
         check(unsafe { sys::cd_membrane_get_colliders(self.as_ptr(), &mut out_count) })?;
@@ -2237,11 +2257,12 @@ impl Membrane {
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
-    /// half second. What lies inside when a step begins comes out of it. Beds and callbacks are those of cd_chain, met
-    /// at the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
-    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
-    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
-    /// Errors and ranges are those of the functions of cd_chain.
+    /// half second. So what friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step
+    /// begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
+    /// step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it
+    /// out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+    /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
+    /// functions of cd_chain.
     pub fn set_plane(&mut self, index: usize, point: &[f64], normal: &[f64], friction: f64) -> Result<()> {
         let count = count_of(point.len(), 1, "cd_membrane_set_plane", "point")?;
         same(Some(normal.len()), count.checked_mul(1), "cd_membrane_set_plane", "normal")?;
@@ -2256,11 +2277,12 @@ impl Membrane {
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
-    /// half second. What lies inside when a step begins comes out of it. Beds and callbacks are those of cd_chain, met
-    /// at the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
-    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
-    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
-    /// Errors and ranges are those of the functions of cd_chain.
+    /// half second. So what friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step
+    /// begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
+    /// step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it
+    /// out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+    /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
+    /// functions of cd_chain.
     pub fn set_capsule(&mut self, index: usize, first: &[f64], last: &[f64], radius: f64, friction: f64) -> Result<()> {
         let count = count_of(first.len(), 1, "cd_membrane_set_capsule", "first")?;
         same(Some(last.len()), count.checked_mul(1), "cd_membrane_set_capsule", "last")?;
@@ -2275,11 +2297,12 @@ impl Membrane {
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
-    /// half second. What lies inside when a step begins comes out of it. Beds and callbacks are those of cd_chain, met
-    /// at the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
-    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
-    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
-    /// Errors and ranges are those of the functions of cd_chain.
+    /// half second. So what friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step
+    /// begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
+    /// step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it
+    /// out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+    /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
+    /// functions of cd_chain.
     pub fn set_bed(&mut self, index: usize, origin: &[f64], columns: usize, rows: usize, column_spacing: f64,
         row_spacing: f64, heights: &[f64], friction: f64) -> Result<()> {
         let count = count_of(origin.len(), 1, "cd_membrane_set_bed", "origin")?;
@@ -2452,9 +2475,9 @@ impl Membrane {
     }
 
     /// Moves the sheet as a whole, as if it had always been there: every position and target becomes rotation \* x +
-    /// offset, every velocity rotation \* v. rotation: components rows of as many numbers, orthogonal to 1e-6; null:
-    /// none. offset \[m\]: one number per component, which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE:
-    /// nothing has moved; CD_ERROR_DIVERGED for a state that is not finite.
+    /// offset, every velocity rotation \* v; colliders stay where they are. rotation: components rows of as many
+    /// numbers, orthogonal to 1e-6; null: none. offset \[m\]: one number per component, which count counts. Errors:
+    /// CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite.
     pub fn teleport(&mut self, rotation: Option<&[f64]>, offset: &[f64]) -> Result<()> {
         let count = count_of(offset.len(), 1, "cd_membrane_teleport", "offset")?;
         same(rotation.map(<[_]>::len), count.checked_mul(count), "cd_membrane_teleport", "rotation")?;

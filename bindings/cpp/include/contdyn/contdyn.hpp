@@ -717,7 +717,7 @@ public:
                     offset.size());
     }
 
-    // Here and below the strand of a rope, or 0 for all strands of another chain, which share such things.
+    // Here and below the strand of a rope; in a chain that is no rope 0, for all strands, which share such things.
     // Ties a node to its target[component], or to where it is, by a spring [N/m] with damping [N s/m].
     outcome<> attach(std::size_t strand, std::size_t node, double stiffness, double damping,
                      span<const double> target = {}) {
