@@ -2079,32 +2079,40 @@ export class Water extends Handle {
   /**
    * The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
    * 1e15
-   * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
-   * "errorValue".
+   * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An obstacle
+   * that moves through the water, as heavy as the water in its place or heavier, has both set before each step; with
+   * its
+   * keel a third of the water's depth below the bed it presses all water away. Errors: "errorValue".
    */
   setHullPose(index: number, pose: Numbers): void;
 
   /**
    * The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
    * 1e15
-   * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
-   * "errorValue".
+   * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An obstacle
+   * that moves through the water, as heavy as the water in its place or heavier, has both set before each step; with
+   * its
+   * keel a third of the water's depth below the bed it presses all water away. Errors: "errorValue".
    */
   getHullPose(index: number, count: number): Float64Array;
 
   /**
    * The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
    * 1e15
-   * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
-   * "errorValue".
+   * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An obstacle
+   * that moves through the water, as heavy as the water in its place or heavier, has both set before each step; with
+   * its
+   * keel a third of the water's depth below the bed it presses all water away. Errors: "errorValue".
    */
   setHullVelocity(index: number, velocity: Numbers): void;
 
   /**
    * The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
    * 1e15
-   * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
-   * "errorValue".
+   * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An obstacle
+   * that moves through the water, as heavy as the water in its place or heavier, has both set before each step; with
+   * its
+   * keel a third of the water's depth below the bed it presses all water away. Errors: "errorValue".
    */
   getHullVelocity(index: number, count: number): Float64Array;
 

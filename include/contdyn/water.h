@@ -324,8 +324,9 @@ CD_API cd_status cd_water_launch_hull(cd_water* water, size_t index, double x, d
                                       double ahead_y);
 
 /* The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most 1e15
- * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
- * CD_ERROR_VALUE. */
+ * in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An obstacle
+ * that moves through the water, as heavy as the water in its place or heavier, has both set before each step; with its
+ * keel a third of the water's depth below the bed it presses all water away. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_water_set_hull_pose(cd_water* water, size_t index, const double* pose, size_t count);
 CD_API cd_status cd_water_get_hull_pose(const cd_water* water, size_t index, double* out_pose, size_t count);
 CD_API cd_status cd_water_set_hull_velocity(cd_water* water, size_t index, const double* velocity, size_t count);

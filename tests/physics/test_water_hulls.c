@@ -340,6 +340,32 @@ static void a_hull_stops_with_its_end_at_a_wall_and_leaves_it(void** state) {
     pushed((const double[]){2, 4, 0, 1}, turning, 1, 0);
 }
 
+/* A post of 1 m that is moved through a lake: the water gives way to it, before it it rises, and none is lost. */
+static void a_post_that_is_moved_presses_the_water_away(void** state) {
+    (void)state;
+    const double masses[] = {1000, 1e9}, depth = 1, speed = 0.5;
+    for (size_t k = 0; k < COUNT(masses); ++k) {
+        cd_water* w = lake(NX, NY, depth);
+        double pose[7] = {4, WIDTH / 2, -depth / 3, 1, 0, 0, 0}, before, after, inside;
+        const double velocity[6] = {speed, 0, 0, 0, 0, 0};
+        ok(cd_water_set_hulls(w, 1, 1, 1));
+        ok(cd_water_set_hull(w, 0, masses[k], 1, 1, NULL, 0));
+        ok(cd_water_get_volume(w, &before));
+        for (int step = 0; step < 480; ++step) {
+            ok(cd_water_set_hull_pose(w, 0, pose, 7));
+            ok(cd_water_set_hull_velocity(w, 0, velocity, 6));
+            pool_step(w, 1 / 60.0, 1);
+            ok(cd_water_sample(w, pose, 1, NULL, &inside, NULL, NULL));
+            if (step > 60) assert_true(inside < 0.02 * depth);
+            if (step == 120) assert_true(level_at(w, pose[0] + 1, pose[1]) > level_at(w, pose[0] - 1, pose[1]) + 0.01);
+            pose[0] += speed / 60;
+        }
+        ok(cd_water_get_volume(w, &after));
+        assert_near(after, before, 1e-12, 0);
+        cd_water_destroy(w);
+    }
+}
+
 /* On land: friction holds a hull on a slope, and a drag of water does nothing. */
 static void a_hull_on_dry_land_feels_the_bed_alone(void** state) {
     (void)state;
@@ -404,6 +430,7 @@ int main(void) {
         cmocka_unit_test(a_hull_over_a_high_bed_lies_on_it),
         cmocka_unit_test(two_hulls_stay_each_others_image),
         cmocka_unit_test(a_hull_stops_with_its_end_at_a_wall_and_leaves_it),
+        cmocka_unit_test(a_post_that_is_moved_presses_the_water_away),
         cmocka_unit_test(a_hull_on_dry_land_feels_the_bed_alone),
         cmocka_unit_test(a_velocity_that_is_set_begins_anew),
     };

@@ -4657,7 +4657,9 @@ namespace Contdyn
 
         /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
         /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
-        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        /// 0, heading along x. An obstacle that moves through the water, as heavy as the water in its place or heavier,
+        /// has both set before each step; with its keel a third of the water's depth below the bed it presses all water
+        /// away. Errors: CD_ERROR_VALUE.</summary>
         public void SetHullPose(long index, params double[] pose)
         {
             fixed (double* posePointer = pose)
@@ -4667,7 +4669,9 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
         /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
-        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        /// 0, heading along x. An obstacle that moves through the water, as heavy as the water in its place or heavier,
+        /// has both set before each step; with its keel a third of the water's depth below the bed it presses all water
+        /// away. Errors: CD_ERROR_VALUE.</summary>
         public void SetHullPose(long index, ReadOnlySpan<double> pose)
         {
             fixed (double* posePointer = &MemoryMarshal.GetReference(pose))
@@ -4685,7 +4689,9 @@ namespace Contdyn
 
         /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
         /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
-        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        /// 0, heading along x. An obstacle that moves through the water, as heavy as the water in its place or heavier,
+        /// has both set before each step; with its keel a third of the water's depth below the bed it presses all water
+        /// away. Errors: CD_ERROR_VALUE.</summary>
         public void GetHullPose(long index, double[] outPose)
         {
             fixed (double* outPosePointer = outPose)
@@ -4695,7 +4701,9 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
         /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
-        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        /// 0, heading along x. An obstacle that moves through the water, as heavy as the water in its place or heavier,
+        /// has both set before each step; with its keel a third of the water's depth below the bed it presses all water
+        /// away. Errors: CD_ERROR_VALUE.</summary>
         public void GetHullPose(long index, Span<double> outPose)
         {
             fixed (double* outPosePointer = &MemoryMarshal.GetReference(outPose))
@@ -4712,7 +4720,9 @@ namespace Contdyn
 
         /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
         /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
-        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        /// 0, heading along x. An obstacle that moves through the water, as heavy as the water in its place or heavier,
+        /// has both set before each step; with its keel a third of the water's depth below the bed it presses all water
+        /// away. Errors: CD_ERROR_VALUE.</summary>
         public void SetHullVelocity(long index, params double[] velocity)
         {
             fixed (double* velocityPointer = velocity)
@@ -4722,7 +4732,9 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
         /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
-        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        /// 0, heading along x. An obstacle that moves through the water, as heavy as the water in its place or heavier,
+        /// has both set before each step; with its keel a third of the water's depth below the bed it presses all water
+        /// away. Errors: CD_ERROR_VALUE.</summary>
         public void SetHullVelocity(long index, ReadOnlySpan<double> velocity)
         {
             fixed (double* velocityPointer = &MemoryMarshal.GetReference(velocity))
@@ -4740,7 +4752,9 @@ namespace Contdyn
 
         /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
         /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
-        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        /// 0, heading along x. An obstacle that moves through the water, as heavy as the water in its place or heavier,
+        /// has both set before each step; with its keel a third of the water's depth below the bed it presses all water
+        /// away. Errors: CD_ERROR_VALUE.</summary>
         public void GetHullVelocity(long index, double[] outVelocity)
         {
             fixed (double* outVelocityPointer = outVelocity)
@@ -4750,7 +4764,9 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all
         /// others are at most 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at
-        /// 0, heading along x. Errors: CD_ERROR_VALUE.</summary>
+        /// 0, heading along x. An obstacle that moves through the water, as heavy as the water in its place or heavier,
+        /// has both set before each step; with its keel a third of the water's depth below the bed it presses all water
+        /// away. Errors: CD_ERROR_VALUE.</summary>
         public void GetHullVelocity(long index, Span<double> outVelocity)
         {
             fixed (double* outVelocityPointer = &MemoryMarshal.GetReference(outVelocity))

@@ -3391,8 +3391,9 @@ function Water:launch_hull(index, x, y, ahead_x, ahead_y)
 end
 
 -- The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most 1e15
--- in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
--- CD_ERROR_VALUE.
+-- in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An obstacle
+-- that moves through the water, as heavy as the water in its place or heavier, has both set before each step; with its
+-- keel a third of the water's depth below the bed it presses all water away. Errors: CD_ERROR_VALUE.
 function Water:set_hull_pose(index, pose)
   local where = "cd_water_set_hull_pose"
   index = integer_in(index, where, "index")
@@ -3403,8 +3404,9 @@ function Water:set_hull_pose(index, pose)
 end
 
 -- The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most 1e15
--- in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
--- CD_ERROR_VALUE.
+-- in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An obstacle
+-- that moves through the water, as heavy as the water in its place or heavier, has both set before each step; with its
+-- keel a third of the water's depth below the bed it presses all water away. Errors: CD_ERROR_VALUE.
 function Water:get_hull_pose(index, out_pose)
   local where = "cd_water_get_hull_pose"
   index = integer_in(index, where, "index")
@@ -3415,8 +3417,9 @@ function Water:get_hull_pose(index, out_pose)
 end
 
 -- The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most 1e15
--- in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
--- CD_ERROR_VALUE.
+-- in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An obstacle
+-- that moves through the water, as heavy as the water in its place or heavier, has both set before each step; with its
+-- keel a third of the water's depth below the bed it presses all water away. Errors: CD_ERROR_VALUE.
 function Water:set_hull_velocity(index, velocity)
   local where = "cd_water_set_hull_velocity"
   index = integer_in(index, where, "index")
@@ -3427,8 +3430,9 @@ function Water:set_hull_velocity(index, velocity)
 end
 
 -- The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most 1e15
--- in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. Errors:
--- CD_ERROR_VALUE.
+-- in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An obstacle
+-- that moves through the water, as heavy as the water in its place or heavier, has both set before each step; with its
+-- keel a third of the water's depth below the bed it presses all water away. Errors: CD_ERROR_VALUE.
 function Water:get_hull_velocity(index, out_velocity)
   local where = "cd_water_get_hull_velocity"
   index = integer_in(index, where, "index")

@@ -3330,32 +3330,40 @@ impl Water {
     }
 
     /// The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
-    /// 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x.
-    /// Errors: CD_ERROR_VALUE.
+    /// 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An
+    /// obstacle that moves through the water, as heavy as the water in its place or heavier, has both set before each
+    /// step; with its keel a third of the water's depth below the bed it presses all water away. Errors:
+    /// CD_ERROR_VALUE.
     pub fn set_hull_pose(&mut self, index: usize, pose: &[f64]) -> Result<()> {
         let count = count_of(pose.len(), 1, "cd_water_set_hull_pose", "pose")?;
         check(unsafe { sys::cd_water_set_hull_pose(self.as_ptr(), index, pose.as_ptr(), count) })
     }
 
     /// The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
-    /// 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x.
-    /// Errors: CD_ERROR_VALUE.
+    /// 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An
+    /// obstacle that moves through the water, as heavy as the water in its place or heavier, has both set before each
+    /// step; with its keel a third of the water's depth below the bed it presses all water away. Errors:
+    /// CD_ERROR_VALUE.
     pub fn get_hull_pose(&self, index: usize, out_pose: &mut [f64]) -> Result<()> {
         let count = count_of(out_pose.len(), 1, "cd_water_get_hull_pose", "out_pose")?;
         check(unsafe { sys::cd_water_get_hull_pose(self.as_ptr(), index, out_pose.as_mut_ptr(), count) })
     }
 
     /// The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
-    /// 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x.
-    /// Errors: CD_ERROR_VALUE.
+    /// 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An
+    /// obstacle that moves through the water, as heavy as the water in its place or heavier, has both set before each
+    /// step; with its keel a third of the water's depth below the bed it presses all water away. Errors:
+    /// CD_ERROR_VALUE.
     pub fn set_hull_velocity(&mut self, index: usize, velocity: &[f64]) -> Result<()> {
         let count = count_of(velocity.len(), 1, "cd_water_set_hull_velocity", "velocity")?;
         check(unsafe { sys::cd_water_set_hull_velocity(self.as_ptr(), index, velocity.as_ptr(), count) })
     }
 
     /// The body's pose, 7 numbers, and its velocity, 6; see above. The middle lies in the scene, all others are at most
-    /// 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x.
-    /// Errors: CD_ERROR_VALUE.
+    /// 1e15 in size, and the direction of the bow is given back with length 1. New hulls lie at 0, heading along x. An
+    /// obstacle that moves through the water, as heavy as the water in its place or heavier, has both set before each
+    /// step; with its keel a third of the water's depth below the bed it presses all water away. Errors:
+    /// CD_ERROR_VALUE.
     pub fn get_hull_velocity(&self, index: usize, out_velocity: &mut [f64]) -> Result<()> {
         let count = count_of(out_velocity.len(), 1, "cd_water_get_hull_velocity", "out_velocity")?;
         check(unsafe { sys::cd_water_get_hull_velocity(self.as_ptr(), index, out_velocity.as_mut_ptr(), count) })
