@@ -23,8 +23,9 @@ template <int n> struct Around {
 
     // f(i, j, weight)
     template <class F> void each(F f) const {
-        for (int c = 0, end = any ? n * n : 0; c < end; ++c) // not a constant, for which compilers write it n n times
-            if (weight[c] > 0) f(i[c % n], j[c / n], weight[c]);
+        for (int row = 0, c = 0; row < n; ++row)
+            for (int k = 0; k < n; ++k, ++c)
+                if (weight[c] > 0) f(i[k], j[row], weight[c]);
     }
 };
 
@@ -42,8 +43,8 @@ inline bool bring_in(double& x, size_t cells, bool periodic) {
     return true;
 }
 
-// The two of n places along an axis, at (k + offset) sizes, that a point lies between; beyond the last ones, the last one
-// alone.
+// The two of n places along an axis, at (k + offset) sizes, that a point lies between; beyond the last ones the last
+// one alone.
 inline bool between(double at, double size, double offset, size_t cells, size_t n, bool periodic, size_t (&k)[2],
                     double (&weight)[2]) {
     double x = at / size;
@@ -77,27 +78,28 @@ inline bool spline_around(double at, double size, size_t cells, bool periodic, s
     return true;
 }
 
-// Of weights along both axes those of the places that are there.
+// The products of weights along both axes; of those of places that are not there none, in proportion.
 template <int n, class There>
 void weigh(Around<n>& out, const double (&along)[n], const double (&across)[n], bool all, There there) {
+    out.any = true;
+    for (int row = 0; row < n; ++row)
+        for (int k = 0; k < n; ++k) out.weight[row * n + k] = along[k] * across[row];
+    if (all) return;
     double sum = 0;
     for (int c = 0; c < n * n; ++c) {
-        out.weight[c] = all || there(out.i[c % n], out.j[c / n]) ? along[c % n] * across[c / n] : 0;
+        if (!there(out.i[c % n], out.j[c / n])) out.weight[c] = 0;
         sum += out.weight[c];
     }
     out.any = sum > 0;
-    if (!all && out.any)
-        for (double& weight : out.weight) weight /= sum;
+    for (int c = 0; c < n * n && out.any; ++c) out.weight[c] /= sum;
 }
 
 // The cells that bear what presses at a point, as far as they are there.
-inline Around<3> cells_around(const Water& w, double x, double y) {
-    Around<3> out{};
+inline void find_cells(const Water& w, double x, double y, Around<3>& out) {
     double along[3], across[3];
-    if (spline_around(x, w.size[kX], w.cells[kX], periodic(w, kX), out.i, along) &&
-        spline_around(y, w.size[kY], w.cells[kY], periodic(w, kY), out.j, across))
-        weigh(out, along, across, !w.mask, [&](size_t i, size_t j) { return present(w, i, j); });
-    return out;
+    out.any = spline_around(x, w.size[kX], w.cells[kX], periodic(w, kX), out.i, along) &&
+              spline_around(y, w.size[kY], w.cells[kY], periodic(w, kY), out.j, across);
+    if (out.any) weigh(out, along, across, !w.mask, [&](size_t i, size_t j) { return present(w, i, j); });
 }
 
 // The cells whose middles a point lies between, as far as they are there.
@@ -120,8 +122,8 @@ inline Around<2> faces_around(const Water& w, Axis a, double x, double y) {
     return out;
 }
 
-// f(i, j, weight) of the faces of an axis whose differences, over a cell's size, are the slope of what cells_around tells
-// of a surface.
+// f(i, j, weight) of the faces of an axis whose differences, over a cell's size, are the slope of what cells_around
+// tells of a surface.
 template <class F> void each_difference(const Water& w, Axis a, double x, double y, F f) {
     const Axis b = other(a);
     const double at[2] = {x, y};
@@ -162,66 +164,17 @@ struct Plate {
     double head() const { return kStiff * sunk(); }
 };
 
-// The water over the cells that bear a plate. depth: a plane of the state's numbers.
-template <class T> void look_at_water(const Water& w, const T* depth, Plate& p) {
-    const T* const bed = numbers<T>(w.bed);
-    p.surface = p.bed = 0;
-    p.cells.each([&](size_t x, size_t y, double weight) {
-        const double b = double(bed[place(w, x, y)]);
-        p.bed += weight * b;
-        p.surface += weight * (b + double(depth[place(w, x, y)]));
-    });
-}
+// see(to, plate) for each part; those over cells that are not there are borne by those under the hull's middle. None
+// where the middle has none. depth: a plane of the state's numbers.
+void walk_plates(const Water& w, size_t index, const HullPose& pose, const void* depth,
+                 void (*see)(void* to, const Plate& p), void* to);
 
-// Where a plate lies, ahead and to port of the hull's middle, and what is there.
-template <class T>
-__attribute__((noinline)) void look_at_plate(const Water& w, const HullPose& pose, const T* depth, Plate& p) {
-    p.x = pose.x + (p.ahead * pose.heading[0] - p.port * pose.heading[1]);
-    p.y = pose.y + (p.ahead * pose.heading[1] + p.port * pose.heading[0]);
-    p.z = pose.z + ((pose.pitch * p.ahead + pose.roll * p.port) + p.height * (1 + 1 / kStiff));
-    p.cells = cells_around(w, p.x, p.y);
-    look_at_water(w, depth, p);
-}
-
-// f(plate) for each part; those over cells that are not there are borne by those under the hull's middle. None where
-// the middle has none. depth: a plane of the state's numbers.
-template <class T, class F>
-void each_plate(const Water& w, size_t index, const HullPose& pose, const T* depth, F f) {
-    const Hull& h = hull(w, index);
-    const HullShape& shape = w.hull_shape;
-    const double* const floors = plate_heights(w, index);
-    const double most = 0.5 * cell_size(w.size, w.cells);
-    const double long_of = h.length / double(shape.along), wide = h.width / double(shape.across);
-    const auto parts = [&](double length) { // none longer than half a cell
-        const double enough = -whole_below(length / most * (kAlmostWhole - 1));
-        return enough > 1 ? size_t(enough) : 1;
-    };
-    const size_t n = parts(long_of), m = parts(wide);
-    const double step_long = long_of / double(n), step_wide = wide / double(m);
-    const Around<3> middle = cells_around(w, pose.x, pose.y);
-    if (!middle.any) return;
-    Plate p;
-    p.area = step_long * step_wide;
-    for (size_t j = 0; j < shape.across; ++j)
-        for (size_t i = 0; i < shape.along; ++i) {
-            const double height = floors[j * shape.along + i];
-            if (height < 0) continue;
-            for (size_t l = 0; l < m; ++l)
-                for (size_t k = 0; k < n; ++k) {
-                    p.height = height;
-                    p.ahead = (double(i * n + k) + 0.5) * step_long - 0.5 * h.length;
-                    p.port = (double(j * m + l) + 0.5) * step_wide - 0.5 * h.width;
-                    look_at_plate(w, pose, depth, p);
-                    if (!p.cells.any) p.cells = middle, look_at_water(w, depth, p);
-                    f(p);
-                }
-        }
+// f(plate), likewise. Its code is there once, whatever is done with plates.
+template <class F> void each_plate(const Water& w, size_t index, const HullPose& pose, const void* depth, F f) {
+    walk_plates(w, index, pose, depth, [](void* to, const Plate& p) { (*static_cast<F*>(to))(p); }, &f);
 }
 template <class F> void each_plate(const Water& w, size_t index, const HullPose& pose, F f) {
-    by_precision(w, [&](auto zero) {
-        using T = decltype(zero);
-        each_plate(w, index, pose, const_cast<const T*>(numbers<T>(w.depth)), f);
-    });
+    each_plate(w, index, pose, w.depth.data, f);
 }
 
 // What holds a hull up, and how that changes with height, pitch and roll.
@@ -229,20 +182,7 @@ struct HullContact {
     double energy = 0, push[3] = {}, slope[6] = {}; // slope: 00, 01, 02, 11, 12, 22
     double by_bed = 0;                              // of push[0], what the bed bears
 
-    HullContact(const Water& w, size_t index, const HullPose& pose) {
-        const double head = w.density * w.gravity;
-        each_plate(w, index, pose, [&](const Plate& p) {
-            const double sunk = p.sunk();
-            if (!(sunk > 0)) return;
-            const double stiff = head * (kStiff * p.area), force = stiff * sunk;
-            energy += 0.5 * (force * sunk);
-            push[0] += force, push[1] += force * p.ahead, push[2] += force * p.port;
-            slope[0] += stiff, slope[1] += stiff * p.ahead, slope[2] += stiff * p.port;
-            slope[3] += stiff * (p.ahead * p.ahead), slope[4] += stiff * (p.ahead * p.port);
-            slope[5] += stiff * (p.port * p.port);
-            if (p.bed > p.z) by_bed += stiff * (p.bed - p.z);
-        });
-    }
+    HullContact(const Water& w, size_t index, const HullPose& pose);
 };
 
 // A step of backward Euler of height, pitch and roll, with the water held; from velocities v of the three.

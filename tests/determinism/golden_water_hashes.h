@@ -64,13 +64,13 @@
 {12, 17, 1, {0xd972a3fe216a4de6, 0x98d9b174d0106581}}, /* everything, long steps */
 {12, 16, 7, {0xc626e1949ce767e7, 0xea33ad104585e052}}, /* everything, long steps */
 {12, 2, 16, {0xabb0ab4281074977, 0xfa9f8907a8278d83}}, /* everything, long steps */
-{13, 13, 9, {0x55b0f261f55aa9e6, 0xfef3ca2c7d5215a4}}, /* hulls */
-{13, 1, 17, {0x807bcd98340c7f81, 0x8cf494f8308b4bf5}}, /* hulls */
-{13, 17, 1, {0x1f71dfc89158b1af, 0xa8288658a4df7344}}, /* hulls */
-{13, 16, 7, {0x0ec072eb01553367, 0x2367a487b47f630d}}, /* hulls */
-{13, 2, 16, {0x53284ad8fef8daba, 0xd78ddedcb0da4dba}}, /* hulls */
-{14, 13, 9, {0xb7d740bb53e4099c, 0x4df647ebec28e2e4}}, /* hulls, long steps */
-{14, 1, 17, {0x54ed7f63be0b3489, 0x4ca13fc9a131c2f8}}, /* hulls, long steps */
-{14, 17, 1, {0x03f85eca7197fecb, 0xd351663b21e26bb5}}, /* hulls, long steps */
-{14, 16, 7, {0x5410a964dd52a124, 0xf7998c43299f70fa}}, /* hulls, long steps */
-{14, 2, 16, {0x5274fd2b8831d2a2, 0x0d4aee0ab76c96a5}}, /* hulls, long steps */
+{13, 13, 9, {0xe611220169d11c60, 0xa6127523876c3d0b}}, /* hulls */
+{13, 1, 17, {0x6ef5d7cc35874677, 0x97b2e2dd7b414db8}}, /* hulls */
+{13, 17, 1, {0xe0a9300a90974681, 0xe89d7a6e2a349417}}, /* hulls */
+{13, 16, 7, {0x2815a32547bdf759, 0x4f191a29176d9dc5}}, /* hulls */
+{13, 2, 16, {0xf8e81cb4eeef2d25, 0x5b776cd6e2dab9a7}}, /* hulls */
+{14, 13, 9, {0x0a5224db24273313, 0xb9f57681938c9092}}, /* hulls, long steps */
+{14, 1, 17, {0x68781f4f68cc6b7d, 0x402c2db22ac4bb34}}, /* hulls, long steps */
+{14, 17, 1, {0x7b43bed3467f6099, 0x692820bdf4d08b8e}}, /* hulls, long steps */
+{14, 16, 7, {0x70f1ae66cfac41c1, 0x72dfb2d5e837a527}}, /* hulls, long steps */
+{14, 2, 16, {0xd88f34c4d9438395, 0x9c17e59f0acbc5a9}}, /* hulls, long steps */
