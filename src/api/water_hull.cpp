@@ -212,7 +212,6 @@ cd_status cd_water_set_hull_velocity(cd_water* water, size_t index, const double
     CD_CHECK(is_hull(__func__, w, index));
     CD_CHECK(is_vector(__func__, "velocity", velocity, count, kWays, kMostPose));
     take(hull(w, index).velocity, velocity, kWays);
-    hull(w, index).owed = 0;
     return CD_OK;
 }
 

@@ -367,9 +367,8 @@ struct Mover {
         for (int half = 0; half <= kHalvings; ++half, time /= 2) {
             if (half == kHalvings) time = 0;
             to = after(pose, time, stops);
-            double more = made + (time > 0 ? HullContact(w, index, to).energy - energy : 0), paid = rubbed;
-            for (int a : {0, 1}) paid += stops[a] ? 0.5 * (mass[a] * (h.velocity[a] * h.velocity[a])) : 0;
-            if (more > 0) more = positive(more - paid); // friction and sides keep nothing for later
+            double more = made + (time > 0 ? HullContact(w, index, to).energy - energy : 0);
+            if (more > 0) more = positive(more - rubbed); // friction keeps nothing for later
             due = h.owed + more;
             if (due <= removable() + credit) break;
         }

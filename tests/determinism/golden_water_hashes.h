@@ -67,10 +67,10 @@
 {13, 13, 9, {0xe611220169d11c60, 0xa6127523876c3d0b}}, /* hulls */
 {13, 1, 17, {0x6ef5d7cc35874677, 0x97b2e2dd7b414db8}}, /* hulls */
 {13, 17, 1, {0xe0a9300a90974681, 0xe89d7a6e2a349417}}, /* hulls */
-{13, 16, 7, {0x2815a32547bdf759, 0x4f191a29176d9dc5}}, /* hulls */
-{13, 2, 16, {0xf8e81cb4eeef2d25, 0x5b776cd6e2dab9a7}}, /* hulls */
-{14, 13, 9, {0x0a5224db24273313, 0xb9f57681938c9092}}, /* hulls, long steps */
+{13, 16, 7, {0xfd30525396e103b9, 0x581764361c143199}}, /* hulls */
+{13, 2, 16, {0x12e45fbab8f33f16, 0xe9d1e51d41e8ef4c}}, /* hulls */
+{14, 13, 9, {0x21c36bfaa3e70d79, 0x9c697498702044c9}}, /* hulls, long steps */
 {14, 1, 17, {0x68781f4f68cc6b7d, 0x402c2db22ac4bb34}}, /* hulls, long steps */
-{14, 17, 1, {0x7b43bed3467f6099, 0x692820bdf4d08b8e}}, /* hulls, long steps */
-{14, 16, 7, {0x70f1ae66cfac41c1, 0x72dfb2d5e837a527}}, /* hulls, long steps */
-{14, 2, 16, {0xd88f34c4d9438395, 0x9c17e59f0acbc5a9}}, /* hulls, long steps */
+{14, 17, 1, {0xccc7d08a0a8435cd, 0x692820bdf4d08b8e}}, /* hulls, long steps */
+{14, 16, 7, {0x7f8702140b86c9b6, 0x86f45bdcfa112be2}}, /* hulls, long steps */
+{14, 2, 16, {0x422cfaa7d49bfa69, 0xdae09937ebedeb05}}, /* hulls, long steps */

@@ -246,16 +246,12 @@ RULES = {
     "friction holds a hull before it moves": (
         HULL_STEP, ", rubbed = rub(contact.by_bed);\n        drift(pose, made, rubbed, contact.energy);\n",
         ";\n        drift(pose, made, 0, contact.energy);\n        rub(contact.by_bed);\n", ["physics_water_hulls"]),
-    "what a side takes pays for what drove a hull": (
-        HULL_STEP, "paid += stops[a] ? 0.5", "paid += stops[a] ? 0", ["physics_water_hulls"]),
     "what friction takes pays for what drove a hull": (
-        HULL_STEP, "paid = rubbed;", "paid = 0;", ["physics_water_hulls"]),
+        HULL_STEP, "positive(more - rubbed);", "positive(more);", ["physics_water_hulls"]),
     "a floor lies on its plane of least squares": (
         HULL_STEP, "xy = second[1] - mean[0] * first[1];", "xy = 0;", ["physics_water_hulls"]),
     "and has a slope along a line of plates": (
         HULL_STEP, "kLeastSpread = 1e-9;", "kLeastSpread = 0;", ["physics_water_hulls"]),
-    "a velocity that is set owes nothing": (
-        "../api/water_hull.cpp", "    hull(w, index).owed = 0;\n", "", ["physics_water_hulls"]),
     "drag is the water's part": (
         HULL_STEP, "drag(1 - contact.by_bed / contact.push[0]);", "drag(1);", ["physics_water_hulls"]),
     "a hull at a wall is borne by the water along it": (
