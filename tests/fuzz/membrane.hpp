@@ -70,6 +70,7 @@ private:
     Doubles masses() const;
     double longest() const;           // length that a line of springs may have
     double push_of_crumpling() const; // at most, of all springs, as they are made up of it and what takes it back
+    double work_of_air() const;
     void check_cloth(const Step& step);
     void check_held();
     void check_momentum(const Step& step);

@@ -112,7 +112,7 @@ double Membrane::room_for_energy(double dt) const {
            4 * n * smallest * (8 * k * x + m * v + m * gravity() + smallest * (k + m));
 }
 
-// What contacts and the two parts of the springs against crumpling round to.
+// What contacts, the two parts of the springs against crumpling, and the air round to.
 double Membrane::room_of_kind() const {
     if (!has_lengths()) return 0;
     const bool wide = precision == CD_FLOAT64;
@@ -124,7 +124,16 @@ double Membrane::room_of_kind() const {
     const double far = off + 1e-15 * place, most = double(nodes) * 1e4 * heaviest();
     const double stiffness = things().empty() ? 0 : most / (step_before * step_before);
     return 4 * (sqrt(2 * stiffness * contacts.sum) * far + stiffness * far * far) +
-           push_of_crumpling() * (off + 1e-13 * longest());
+           push_of_crumpling() * (off + 1e-13 * longest()) + 1e-15 * work_of_air();
+}
+
+// At most what the air takes in a step, of faces that may have been drawn out without end: what the iterations balance,
+// and round, where it is large beside all energies.
+double Membrane::work_of_air() const {
+    double along = 0, across = 0;
+    cd_membrane_get_air(first(), &along, &across);
+    const double x = largest_of({CD_POSITION}), v = fmax(velocity_before, largest_of({CD_VELOCITY}));
+    return step_before * (along + across) * double(nodes) * x * x * v * v;
 }
 
 double Membrane::longest() const {
