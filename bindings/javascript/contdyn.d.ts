@@ -2027,8 +2027,9 @@ export class Water extends Handle {
   // Steps stay bounded at any dt, for hulls of any mass; hulls and water together gain no energy beyond what the water
   // itself does. In steps in which waves cross many cells, or a hull its own length, hulls are slowed down. Momentum
   // that
-  // a hull loses to water on a level bed the water gets to some per cent, in such long steps less. Forces cost time in
-  // proportion to the cells under hulls, and steps of water with hulls some more per cell.
+  // drag takes from a hull the water gets, in such long steps less; of what its waves take, half or more. Forces cost
+  // time
+  // in proportion to the cells under hulls, and steps of water with hulls some more per cell.
   // Errors of all: "errorRange" for an index that no hull has, or a count that is not what the comment says.
 
   /**
@@ -2069,8 +2070,10 @@ export class Water extends Handle {
   /**
    * Launches a hull at (x, y) in the scene, its bow towards (aheadX, aheadY) of any length but 0, at rest. It lies as
    * it
-   * would in time: what it displaces goes, evenly, to all cells whose surface is within its draft of that under it, or
-   * where the bed bears it nothing does. Water that it lay on before is not given back: to move a hull set its pose.
+   * would in time. The water that it displaces goes, evenly, to all cells whose surface is within its draft of that
+   * under
+   * it; where the bed bears it, it displaces none. What it displaced before is not given back: to move a hull set its
+   * pose.
    * Errors: "errorValue"; "errorDisabled" if it has no mass, or no cell is under it, or gravity is 0;
    * "errorDiverged" of a water that did.
    */

@@ -288,8 +288,8 @@ CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double ra
  *
  * Steps stay bounded at any dt, for hulls of any mass; hulls and water together gain no energy beyond what the water
  * itself does. In steps in which waves cross many cells, or a hull its own length, hulls are slowed down. Momentum that
- * a hull loses to water on a level bed the water gets to some per cent, in such long steps less. Forces cost time in
- * proportion to the cells under hulls, and steps of water with hulls some more per cell.
+ * drag takes from a hull the water gets, in such long steps less; of what its waves take, half or more. Forces cost time
+ * in proportion to the cells under hulls, and steps of water with hulls some more per cell.
  * Errors of all: CD_ERROR_RANGE for an index that no hull has, or a count that is not what the comment says. */
 
 /* How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are none
@@ -316,8 +316,9 @@ CD_API cd_status cd_water_get_hull(const cd_water* water, size_t index, double* 
 CD_API cd_status cd_water_remove_hull(cd_water* water, size_t index);
 
 /* Launches a hull at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at rest. It lies as it
- * would in time: what it displaces goes, evenly, to all cells whose surface is within its draft of that under it, or
- * where the bed bears it nothing does. Water that it lay on before is not given back: to move a hull set its pose.
+ * would in time. The water that it displaces goes, evenly, to all cells whose surface is within its draft of that under
+ * it; where the bed bears it, it displaces none. What it displaced before is not given back: to move a hull set its
+ * pose.
  * Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass, or no cell is under it, or gravity is 0;
  * CD_ERROR_DIVERGED of a water that did. */
 CD_API cd_status cd_water_launch_hull(cd_water* water, size_t index, double x, double y, double ahead_x,
