@@ -110,8 +110,8 @@ void reset_hulls(Water& w); // back to where new ones lie, at rest
 // Before a sweep: what hulls press. After it: what that did to them.
 void load_hulls(const Water& w, HullWork& work, bool first);
 void feel_water(const Water& w, HullWork& work, Axis a, double theta, double dt);
-// After both.
-void move_hulls(Water& w, HullWork& work, double dt);
+// After both. False if what they gave the water left the finite range.
+bool move_hulls(Water& w, HullWork& work, double dt);
 // How their floors lie on the water: where the head of a level lake, surface and load, is as far above them as they
 // press, in the mean of the plates that touch the water and in their slopes. So a hull that lies still displaces its
 // own mass, however its edges lie over the cells.

@@ -226,12 +226,15 @@ struct Mover {
             if (const double depth = face_depth(w, a, i, j); depth > 0) f(place(w, i, j), share, depth);
         });
     }
-    void give_water() {
+    // False if a velocity left the finite range: where next to no water is, next to nothing moves it.
+    bool give_water() {
+        bool finite = true;
         for (Axis a : {kX, kY}) {
             if (given[a] != 0 && water[a].sum > 0) {
                 const double change = given[a] / (w.density * cell_area(w) * water[a].sum);
                 each_share(a, [&](size_t at, double share, double) {
                     set_number(w, w.velocity[a], at, get_number(w, w.velocity[a], at) + change * share);
+                    finite &= isfinite(get_number(w, w.velocity[a], at)) != 0;
                 });
                 if (periodic(w, a)) { // the faces 0 and n are one
                     const size_t n = w.cells[a], across = w.cells[other(a)];
@@ -242,6 +245,7 @@ struct Mover {
             }
             water[a].box.each([&](size_t i, size_t j) { work.own[a][place(w, i, j)] = 0; });
         }
+        return finite;
     }
     double inverse() const {
         const double x = water[kX].inverse_mass, y = water[kY].inverse_mass;
@@ -385,11 +389,13 @@ struct Mover {
     static constexpr int kHalvings = 8;
     static constexpr double kCredit = 0.05; // of the hull's energy that may be owed, or kept for later
 
-    void stand_still() { // nothing is under its middle
+    bool stand_still() { // nothing is under its middle
         for (int way = 0; way < 6; ++way) h.velocity[way] = h.water[way] = 0;
+        return true;
     }
 
-    void move() {
+    // False if a velocity of the water left the finite range.
+    bool move() {
         inertia(h, mass);
         HullPose pose(h);
         if (!cells_between(w, h.x, h.y).any) return stand_still();
@@ -411,7 +417,7 @@ struct Mover {
         drift(pose, made, rubbed, contact.energy);
         h.x = pose.x, h.y = pose.y, h.heading[0] = pose.heading[0], h.heading[1] = pose.heading[1];
         h.z = pose.z, h.pitch = pose.pitch, h.roll = pose.roll;
-        give_water();
+        return give_water();
     }
 };
 
@@ -449,8 +455,10 @@ template <class T> void lie(Water& w, size_t index, const T* depth, const double
 
 } // namespace
 
-void move_hulls(Water& w, HullWork& work, double dt) {
-    each_hull(w, [&](size_t k) { Mover{w, work, dt, k}.move(); });
+bool move_hulls(Water& w, HullWork& work, double dt) {
+    bool finite = true;
+    each_hull(w, [&](size_t k) { finite &= Mover{w, work, dt, k}.move(); });
+    return finite;
 }
 
 void settle_hulls(Water& w, const HullWork& work) {

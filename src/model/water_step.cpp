@@ -87,7 +87,7 @@ template <class T> struct Stepper {
         sweep_under_hulls(other(first), false);
         if constexpr (CD_WITH_HULL)
             if (w.hull_shape.count > 0) {
-                move_hulls(w, work.hulls, dt);
+                finite &= move_hulls(w, work.hulls, dt);
                 settle_hulls(w, work.hulls);
                 finite &= hulls_finite(w);
             }
