@@ -47,6 +47,7 @@ struct Hull {
 constexpr double kLeastHull = 1e-12, kMostHull = 1e15; // masses [kg]
 constexpr double kMostHullCells = 512;                 // how long and wide a hull may be
 constexpr double kMostHullForce = 1e30;                // and drag [N], [N m], [N s/m]
+constexpr double kHeadingError = 1e-6;                 // of the square of its length, which is 1
 constexpr size_t kHullNumbers = sizeof(Hull) / sizeof(double);
 
 inline size_t HullShape::numbers() const { return kHullNumbers + plates(); }
@@ -70,7 +71,10 @@ inline bool is_off(const Hull& h) { return h.mass == 0; }
 inline bool valid_hull(const Hull& h, const double* size, const size_t* cells) {
     const double most = kMostHullCells * cell_size(size, cells);
     const auto fits = [&](double length) { return length > 0 && length <= most; };
-    bool good = !(fabs(h.heading[0]) > 1.5) && !(fabs(h.heading[1]) > 1.5);
+    // The direction of the bow has length 1, or is no number, or there never was one.
+    const double square = h.heading[0] * h.heading[0] + h.heading[1] * h.heading[1];
+    const bool has_none = h.heading[0] == 0 && h.heading[1] == 0;
+    bool good = has_none ? is_off(h) : !(fabs(square - 1) > kHeadingError);
     for (double force : h.force) good &= fabs(force) <= kMostHullForce;
     for (double resists : {h.drag[0], h.drag[1], h.friction}) good &= resists >= 0 && resists <= kMostHullForce;
     if (is_off(h)) return good && isfinite(h.length) && isfinite(h.width);

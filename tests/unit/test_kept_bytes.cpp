@@ -297,7 +297,7 @@ struct WaterCalls {
         ok(cd_water_step(water, 0.0625, 3));
     }
     static bool is_possible(const Handle* water) {
-        double depth[12], force[6], drag[3], mass, length, width, time;
+        double depth[12], force[6], drag[3], pose[7], mass, length, width, time;
         size_t count, along, across;
         ok(cd_water_get_time(water, &time));
         ok(cd_water_get_hulls(water, &count, &along, &across));
@@ -308,6 +308,9 @@ struct WaterCalls {
             ok(cd_water_get_hull(water, i, &mass, &length, &width, nullptr, nullptr, 0));
             ok(cd_water_get_hull_force(water, i, force, 6));
             ok(cd_water_get_hull_drag(water, i, &drag[0], &drag[1], &drag[2]));
+            ok(cd_water_get_hull_pose(water, i, pose, 7));
+            const double ahead = std::hypot(pose[3], pose[4]); // which steps divide by
+            good &= ahead == 0 ? mass == 0 : !(std::fabs(ahead - 1) > 1e-6);
             good &= mass == 0 || (mass >= 1e-12 && mass <= 1e15 && length > 0 && width > 0);
             good &= std::isfinite(length) && std::isfinite(width);
             for (double f : force) good &= std::fabs(f) <= 1e30;
