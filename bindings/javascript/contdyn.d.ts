@@ -2020,9 +2020,10 @@ export class Water extends Handle {
   // metre to port. Velocities are {along x, along y, upward [m/s], yaw, pitch, roll [1/s]}, yaw counter-clockwise seen
   // from above. Mass is spread evenly over length and width; the righting moment is that of the waterline.
   //
-  // Between body and water lies a skin, three times as stiff as the water's surface. So the body's keel lies a third of
-  // the draft deeper than the floor that is to be drawn, which getHullFloor gives: of a hull that lies still
-  // the floor displaces its own mass, draft = mass / (density area) for a flat one.
+  // Between body and water lies a skin, three times as stiff as the water's surface. So the body's keel lies deeper
+  // than
+  // the floor that is to be drawn, which getHullFloor gives, by a third of the draft for a hull of many cells:
+  // of a hull that lies still the floor displaces its own mass, draft = mass / (density area) for a flat one.
   //
   // Steps stay bounded at any dt, for hulls of any mass; hulls and water together gain no energy beyond what the water
   // itself does. In steps in which waves cross many cells, or a hull its own length, hulls are slowed down. Momentum
@@ -2072,7 +2073,8 @@ export class Water extends Handle {
    * it
    * would in time. The water that it displaces goes, evenly, to all cells whose surface is within its draft of that
    * under
-   * it; where the bed bears it, it displaces none. What it displaced before is not given back: to move a hull set its
+   * it; where there is no such cell, or the bed bears it, it displaces none. What it displaced before is not given
+   * back: to move a hull set its
    * pose.
    * Errors: "errorValue"; "errorDisabled" if it has no mass, or no cell is under it, or gravity is 0;
    * "errorDiverged" of a water that did.

@@ -282,9 +282,9 @@ CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double ra
  * metre to port. Velocities are {along x, along y, upward [m/s], yaw, pitch, roll [1/s]}, yaw counter-clockwise seen
  * from above. Mass is spread evenly over length and width; the righting moment is that of the waterline.
  *
- * Between body and water lies a skin, three times as stiff as the water's surface. So the body's keel lies a third of
- * the draft deeper than the floor that is to be drawn, which cd_water_get_hull_floor gives: of a hull that lies still
- * the floor displaces its own mass, draft = mass / (density area) for a flat one.
+ * Between body and water lies a skin, three times as stiff as the water's surface. So the body's keel lies deeper than
+ * the floor that is to be drawn, which cd_water_get_hull_floor gives, by a third of the draft for a hull of many cells:
+ * of a hull that lies still the floor displaces its own mass, draft = mass / (density area) for a flat one.
  *
  * Steps stay bounded at any dt, for hulls of any mass; hulls and water together gain no energy beyond what the water
  * itself does. In steps in which waves cross many cells, or a hull its own length, hulls are slowed down. Momentum that
@@ -317,7 +317,7 @@ CD_API cd_status cd_water_remove_hull(cd_water* water, size_t index);
 
 /* Launches a hull at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at rest. It lies as it
  * would in time. The water that it displaces goes, evenly, to all cells whose surface is within its draft of that under
- * it; where the bed bears it, it displaces none. What it displaced before is not given back: to move a hull set its
+ * it; where there is no such cell, or the bed bears it, it displaces none. What it displaced before is not given back: to move a hull set its
  * pose.
  * Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass, or no cell is under it, or gravity is 0;
  * CD_ERROR_DIVERGED of a water that did. */

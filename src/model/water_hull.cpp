@@ -11,6 +11,8 @@ double hull_area(const Water& w, size_t index) {
     return h.length * h.width * (double(there) / double(w.hull_shape.plates()));
 }
 
+double draft_of(const Water& w, size_t index) { return hull(w, index).mass / (w.density * hull_area(w, index)); }
+
 void hull_extent(const Water& w, size_t index, const double (&heading)[2], Axis a, double (&out)[2]) {
     const Hull& h = hull(w, index);
     const HullShape& shape = w.hull_shape;
@@ -57,27 +59,22 @@ namespace {
 
 constexpr int kLaunchings = 32; // of which each leaves at most kStiff / (1 + kStiff) of what is not in balance
 
-// Lets a hull press the water down as it does in time, from `before`. Planes of the state: work.before has the depths
-// as they were, work.load by how much less there is, work.stiff how the hull presses.
+// Lets a hull press the water down as it does in time, from the depths in work.before. work.load: by how much less
+// there is now.
 template <class T> void sink(Water& w, size_t index, const HullWork& work) {
     T* const depth = numbers<T>(w.depth);
     const T* const before = reinterpret_cast<const T*>(work.before);
-    CellBox box;
-    each_plate(w, index, HullPose(hull(w, index)), [&](const Plate& p) {
-        p.cells.each([&](size_t i, size_t j, double) { box.see(i, j); });
-    });
-    const auto at_each = [&](auto f) { box.each([&](size_t i, size_t j) { f(place(w, i, j)); }); };
-    at_each([&](size_t at) { work.load[at] = 0; });
+    memset(work.load, 0, w.plane * sizeof(double));
     for (int k = 0; k < kLaunchings; ++k) {
-        at_each([&](size_t at) { work.stiff[at] = 0; });
-        each_plate(w, index, HullPose(hull(w, index)), [&](const Plate& p) {
-            const double head = p.head() * (p.area / cell_area(w));
-            p.cells.each([&](size_t i, size_t j, double weight) { work.stiff[place(w, i, j)] += weight * head; });
-        });
-        at_each([&](size_t at) {
-            const double all = double(before[at]), more = (work.stiff[at] - work.load[at]) / (1 + kStiff);
-            work.load[at] = work.load[at] + more < all ? work.load[at] + more : all;
+        CellBox box;
+        press(w, index, depth, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
+        box.each([&](size_t i, size_t j) {
+            const size_t at = place(w, i, j);
+            const double all = double(before[at]), more = (work.own[0][at] - work.load[at]) / (1 + kStiff);
+            const double less = work.load[at] + more;
+            work.load[at] = less < all ? less : all;
             depth[at] = T(all - work.load[at]);
+            work.own[0][at] = work.own[1][at] = 0;
         });
         lay_on_water(w, index);
     }
@@ -116,21 +113,18 @@ template <class T> bool hand_on(Water& w, double level, double height, const Hul
 } // namespace
 
 bool launch(Water& w, size_t index, const HullWork& work) {
-    Hull& h = hull(w, index);
     if (!lay_on_water(w, index)) return false;
     memcpy(work.before, w.depth.data, w.depth.bytes());
+    for (double* own : work.own) memset(own, 0, w.plane * sizeof(double)); // no step may have been made
     double level = 0;
-    each_plate(w, index, HullPose(h), [&](const Plate& p) { level += p.area * p.surface; });
+    each_plate(w, index, HullPose(hull(w, index)), [&](const Plate& p) { level += p.area * p.surface; });
     level /= hull_area(w, index);
-    const double draft = h.mass / (w.density * hull_area(w, index));
     by_precision(w, [&](auto zero) {
         using T = decltype(zero);
         sink<T>(w, index, work);
-        if (!hand_on<T>(w, level, draft, work)) memcpy(w.depth.data, work.before, w.depth.bytes());
+        if (!hand_on<T>(w, level, draft_of(w, index), work)) memcpy(w.depth.data, work.before, w.depth.bytes());
     });
     lay_on_water(w, index);
-    memset(work.own[0], 0, w.plane * sizeof(double));
-    memset(work.own[1], 0, w.plane * sizeof(double));
     settle_hulls(w, work);
     return true;
 }

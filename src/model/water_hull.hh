@@ -94,6 +94,8 @@ HullWork hull_work(const Water& w);
 // ---- what is set and told (water_hull.cpp) -------------------------------------------------------------------------
 
 double hull_area(const Water& w, size_t index);
+// How deep a hull with a flat floor lies [m].
+double draft_of(const Water& w, size_t index);
 // How far its plates reach along an axis from its middle, backward and forward.
 void hull_extent(const Water& w, size_t index, const double (&heading)[2], Axis a, double (&out)[2]);
 // Sets height, pitch and roll at which the water as it lies carries a hull's weight; false where nothing can.

@@ -122,11 +122,19 @@ inline Around<2> faces_around(const Water& w, Axis a, double x, double y) {
     return out;
 }
 
-// f(i, j, weight) of the faces of an axis whose differences, over a cell's size, are the slope of what cells_around
-// tells of a surface.
+// In the mirror images of the scene beyond its sides -1, elsewhere 1.
+inline double facing(double at, double size, size_t cells, bool periodic) {
+    const double x = at / (double(cells) * size);
+    if (periodic || (x >= 0 && x <= 1)) return 1;
+    const double image = whole_below(x);
+    return image - 2 * whole_below(0.5 * image) > 0 ? -1 : 1;
+}
+
+// f(i, j, weight) of the faces of an axis whose differences, over a cell's size, are the slope at a point of a surface
+// as find_cells weighs it.
 template <class F> void each_difference(const Water& w, Axis a, double x, double y, F f) {
     const Axis b = other(a);
-    const double at[2] = {x, y};
+    const double at[2] = {x, y}, sign = facing(at[a], w.size[a], w.cells[a], periodic(w, a));
     size_t faces[2], cells[3];
     double along[2], across[3];
     if (!between(at[a], w.size[a], 0, w.cells[a], faces_along(w, a, a), periodic(w, a), faces, along) ||
@@ -134,7 +142,7 @@ template <class F> void each_difference(const Water& w, Axis a, double x, double
         return;
     for (int k = 0; k < 2; ++k)
         for (int c = 0; c < 3; ++c)
-            f(a == kX ? faces[k] : cells[c], a == kX ? cells[c] : faces[k], along[k] * across[c]);
+            f(a == kX ? faces[k] : cells[c], a == kX ? cells[c] : faces[k], sign * (along[k] * across[c]));
 }
 
 // The cells that were seen.
@@ -175,6 +183,28 @@ template <class F> void each_plate(const Water& w, size_t index, const HullPose&
 }
 template <class F> void each_plate(const Water& w, size_t index, const HullPose& pose, F f) {
     each_plate(w, index, pose, w.depth.data, f);
+}
+
+// Whether a plate's cells shall answer as if it touched them: also where a sweep may lift the water to it.
+inline bool near_water(const Plate& p, double draft) {
+    const double depth = p.surface - p.bed, reach = draft < depth ? draft : depth;
+    return p.surface + reach > p.z;
+}
+
+// Adds what a hull presses with, as heads in cells, and how that answers to their depths; see(i, j) for those cells.
+template <class T, class F>
+void press(const Water& w, size_t index, const T* depth, double* heads, double* stiff, F see) {
+    const double draft = draft_of(w, index), per_cell = 1 / cell_area(w);
+    each_plate(w, index, HullPose(hull(w, index)), depth, [&](const Plate& p) {
+        if (!near_water(p, draft)) return;
+        const double head = p.head();
+        p.cells.each([&](size_t i, size_t j, double weight) {
+            const double share = weight * (p.area * per_cell);
+            heads[place(w, i, j)] += share * head;
+            stiff[place(w, i, j)] += share * kStiff;
+            see(i, j);
+        });
+    });
 }
 
 // What holds a hull up, and how that changes with height, pitch and roll.

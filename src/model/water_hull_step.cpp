@@ -14,30 +14,6 @@ void inertia(const Hull& h, double (&out)[6]) {
 
 namespace {
 
-// Whether a plate's cells shall answer as if it touched them: also where a sweep may lift the water to it.
-bool near_water(const Plate& p, double draft) {
-    const double depth = p.surface - p.bed, reach = draft < depth ? draft : depth;
-    return p.surface + reach > p.z;
-}
-
-double draft_of(const Water& w, size_t index) { return hull(w, index).mass / (w.density * hull_area(w, index)); }
-
-// Adds what a hull presses with, as heads in cells, and how that answers to their depths; see(i, j) for those cells.
-template <class T, class F>
-void press(const Water& w, size_t index, const T* depth, double* heads, double* stiff, F see) {
-    const double draft = draft_of(w, index), per_cell = 1 / cell_area(w);
-    each_plate(w, index, HullPose(hull(w, index)), depth, [&](const Plate& p) {
-        if (!near_water(p, draft)) return;
-        const double head = p.head();
-        p.cells.each([&](size_t i, size_t j, double weight) {
-            const double share = weight * (p.area * per_cell);
-            heads[place(w, i, j)] += share * head;
-            stiff[place(w, i, j)] += share * kStiff;
-            see(i, j);
-        });
-    });
-}
-
 template <class F> void each_hull(const Water& w, F f) {
     for (size_t k = 0; k < w.hull_shape.count; ++k)
         if (hull(w, k).mass > 0) f(k);
@@ -226,7 +202,7 @@ struct Mover {
             if (const double depth = face_depth(w, a, i, j); depth > 0) f(place(w, i, j), share, depth);
         });
     }
-    // False if a velocity left the finite range: where next to no water is, next to nothing moves it.
+    // False if a velocity left the finite range.
     bool give_water() {
         bool finite = true;
         for (Axis a : {kX, kY}) {

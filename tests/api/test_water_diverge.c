@@ -289,9 +289,46 @@ static void what_is_finite_has_not_diverged(void** state) {
     cd_water_destroy(w);
 }
 
+/* Cells of 2e25 m by 5 m, a source that fills them, steps as long, and a boat: the velocities that it gives the water
+ * leave the range of float32. */
+static void what_a_hull_gives_the_water_is_judged_too(void** state) {
+    (void)state;
+    const float depth[27] = {
+        0.59306785669283901f, 1.011950261893237f,   0.95867509928062355f, 0,
+        2.1288886136858336f,  1.0523368791203083f,  1.8837638239862244f,  2.1075816741086566f,
+        2.5629686078862153f,  1.3564952787044269f,  0.22011217339757905f, 0.11549387736820937f,
+        0.37117429381308198f, 2.5703327207724165f,  1.8604645540334439f,  2.4648855394069114f,
+        2.4059943325013413f,  0.20561999373790629f, 2.2534886120887845f,  0.080862358768355791f,
+        2.9311822222613526f,  2.5138805036421559f,  2.5693048926134376f,  0.20469868534172453f,
+        0.24375540069374002f, 0,                    1.3113046664035455f};
+    cd_water* w;
+    ok(cd_water_create(3, 9, 2.4610161216819493e+25, 4.7590447617187364, CD_FLOAT32, NULL, &w));
+    ok(cd_water_set_first(w, 1));
+    ok(cd_water_step(w, 0.0072212395556954263, 19));
+    ok(cd_water_step(w, 1.103008377861721e+27, 1));
+    ok(cd_water_write_f32(w, CD_DEPTH, 0, 0, 3, 9, depth, 27));
+    ok(cd_water_step(w, 2.7200387109441727e-22, 1));
+    ok(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_PERIODIC, 0, 0));
+    ok(cd_water_step(w, 0.00051940634242299386, 3));
+    ok(cd_water_set_hulls(w, 1, 5, 4));
+    ok(cd_water_step(w, 3.5015370244059104e-10, 17));
+    ok(cd_water_set_hull(w, 0, 1521.7050576534295, 39.291291219271713, 31.557785495741484, NULL, 0));
+    ok(cd_water_set_lambda(w, 0.25));
+    ok(cd_water_set_side(w, CD_SIDE_X_LAST, CD_BORDER_OPEN, -0.13728154446905294, 0));
+    ok(cd_water_step(w, 173.37636742735293, 4));
+    ok(cd_water_step(w, 1.1645622989477834e-06, 1));
+    ok(cd_water_step(w, 3.7856260226592164e-26, 3));
+    ok(cd_water_step(w, 0.62716375407628355, 1));
+    ok(cd_water_add_source_rectangle(w, 2, 3, 1, 3, 9.4244593735184653e+25));
+    ok(cd_water_launch_hull(w, 0, 4.31909198678421e+25, 11.762093958652859, -0.17541514244922385, 0.62204846913594602));
+    assert_int_equal(cd_water_step(w, 1.2152804681559582e+26, 1), CD_ERROR_DIVERGED);
+    cd_water_destroy(w);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_finite_has_not_diverged),
+        cmocka_unit_test(what_a_hull_gives_the_water_is_judged_too),
         cmocka_unit_test(no_depth_of_a_water_that_diverged_is_negative),
         cmocka_unit_test(divergence_is_reported_with_the_first_bad_step),
         cmocka_unit_test(a_diverged_water_makes_no_step_and_changes_nothing),

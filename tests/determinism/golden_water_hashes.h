@@ -67,8 +67,8 @@
 {13, 13, 9, {0xe611220169d11c60, 0xa6127523876c3d0b}}, /* hulls */
 {13, 1, 17, {0x6ef5d7cc35874677, 0x97b2e2dd7b414db8}}, /* hulls */
 {13, 17, 1, {0xe0a9300a90974681, 0xe89d7a6e2a349417}}, /* hulls */
-{13, 16, 7, {0xfd30525396e103b9, 0x581764361c143199}}, /* hulls */
-{13, 2, 16, {0x12e45fbab8f33f16, 0xe9d1e51d41e8ef4c}}, /* hulls */
+{13, 16, 7, {0xfd30525396e103b9, 0x3f06eb96bf3aa4f1}}, /* hulls */
+{13, 2, 16, {0xe12339a361270d3b, 0xb266aa14a2f9c800}}, /* hulls */
 {14, 13, 9, {0x21c36bfaa3e70d79, 0x9c697498702044c9}}, /* hulls, long steps */
 {14, 1, 17, {0x68781f4f68cc6b7d, 0x402c2db22ac4bb34}}, /* hulls, long steps */
 {14, 17, 1, {0xccc7d08a0a8435cd, 0x692820bdf4d08b8e}}, /* hulls, long steps */

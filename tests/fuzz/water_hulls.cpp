@@ -58,9 +58,8 @@ void Water::place_hull() {
     const double x = pick_between(0, whole().x), y = pick_between(0, whole().y);
     const double ahead_x = uniform(-1, 1), ahead_y = uniform(-1, 1);
     if (chance(0.7)) {
-        both(text("launch_hull %zu %.17g %.17g", index, x, y), kNoMemory, [&](cd_water* water, int) {
-            return cd_water_launch_hull(water, index, x, y, ahead_x, ahead_y);
-        });
+        both(text("launch_hull %zu %.17g %.17g %.17g %.17g", index, x, y, ahead_x, ahead_y), kNoMemory,
+             [&](cd_water* water, int) { return cd_water_launch_hull(water, index, x, y, ahead_x, ahead_y); });
         return;
     }
     double pose[7] = {x, y, uniform(-1, 2), ahead_x, ahead_y, uniform(-0.2, 0.2), uniform(-0.2, 0.2)};

@@ -121,6 +121,18 @@ static void a_launched_hull_lies_still(void** state) {
     cd_water_destroy(land);
 }
 
+/* Steps a hull that can only heave, as on an upright rail. */
+static void step_on_rail(cd_water* w, double dt) {
+    double from[7], pose[7], velocity[6];
+    ok(cd_water_get_hull_pose(w, 0, from, 7));
+    pool_step(w, dt, 1);
+    ok(cd_water_get_hull_pose(w, 0, pose, 7));
+    ok(cd_water_get_hull_velocity(w, 0, velocity, 6));
+    from[2] = pose[2];
+    ok(cd_water_set_hull_pose(w, 0, from, 7));
+    ok(cd_water_set_hull_velocity(w, 0, (const double[]){0, 0, velocity[2], 0, 0, 0}, 6));
+}
+
 /* A box as wide as its slice of a closed basin of twice its length heaves against the seiche of the gap: of a rigid
  * floor over depth d that rises by z, the water under it runs in with u = -x z_t / d, which is an added mass of
  * density L^3 / (3 d) per metre of a half box of length L against the wall; the gap, as long and D deep, swings with
@@ -139,18 +151,18 @@ static void a_box_heaves_in_the_period_of_shallow_water(void** state) {
         ok(cd_water_set_hull(w, 0, 1000 * draft * 2 * l * dx, 2 * l, dx, NULL, 0));
         ok(cd_water_launch_hull(w, 0, 0, dx / 2, 1, 0));
         ok(cd_water_set_drag(w, 1));
-        pool_step(w, 0.05, 800);
+        for (int s = 0; s < 800; ++s) step_on_rail(w, 0.05);
         ok(cd_water_set_drag(w, 0));
         ok(cd_water_set_lambda(w, 0.5));
         double floor[7];
         const double v[6] = {0, 0, 0.01, 0, 0, 0}, dt = 0.01;
-        ok(cd_water_get_hull_floor(w, 0, floor, 7));
+        ok(cd_water_get_hull_pose(w, 0, floor, 7));
         const double z0 = floor[2];
         ok(cd_water_set_hull_velocity(w, 0, v, 6));
         static double z[SAMPLES];
         for (int s = 0; s < SAMPLES; ++s) {
-            pool_step(w, dt, 1);
-            ok(cd_water_get_hull_floor(w, 0, floor, 7));
+            step_on_rail(w, dt);
+            ok(cd_water_get_hull_pose(w, 0, floor, 7));
             z[s] = floor[2] - z0;
         }
         double low = 0.1, high = 2.4; /* k L < pi */
@@ -340,6 +352,28 @@ static void a_hull_stops_with_its_end_at_a_wall_and_leaves_it(void** state) {
     pushed((const double[]){2, 4, 0, 1}, turning, 1, 0);
 }
 
+/* The water beyond a side is the mirror image of that before it: a hull whose middle lies on the side, and one half
+ * beyond it, is pushed no way along it, and a mirrored half bears as much as the other. */
+static void a_hull_halfway_beyond_a_side_is_its_own_image(void** state) {
+    (void)state;
+    for (int side = 0; side < 4; ++side) {
+        cd_water* w = lake(NX, NY, 1);
+        const int along = side < 2 ? 0 : 1;
+        const double at[2] = {along ? LENGTH / 2 : side * LENGTH, along ? (side - 2) * WIDTH : WIDTH / 2};
+        double load[6];
+        ok(cd_water_set_hulls(w, 1, 8, 4));
+        ok(cd_water_set_hull(w, 0, 1000, 4, 1.6, NULL, 0));
+        ok(cd_water_launch_hull(w, 0, at[0], at[1], along ? 0 : 1, along));
+        for (int step = 0; step < 30; ++step) {
+            pool_step(w, 1 / 60.0, 1);
+            ok(cd_water_get_hull_load(w, 0, load, 6));
+            assert_near(load[along], 0, 1e-6 * 1000 * G, 1);
+            assert_near(load[2], 1000 * G, 1e-2, 0);
+        }
+        cd_water_destroy(w);
+    }
+}
+
 /* A post of 1 m that is moved through a lake: the water gives way to it, before it it rises, and none is lost. */
 static void a_post_that_is_moved_presses_the_water_away(void** state) {
     (void)state;
@@ -430,6 +464,7 @@ int main(void) {
         cmocka_unit_test(a_hull_over_a_high_bed_lies_on_it),
         cmocka_unit_test(two_hulls_stay_each_others_image),
         cmocka_unit_test(a_hull_stops_with_its_end_at_a_wall_and_leaves_it),
+        cmocka_unit_test(a_hull_halfway_beyond_a_side_is_its_own_image),
         cmocka_unit_test(a_post_that_is_moved_presses_the_water_away),
         cmocka_unit_test(a_hull_on_dry_land_feels_the_bed_alone),
         cmocka_unit_test(a_velocity_that_is_set_begins_anew),

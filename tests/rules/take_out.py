@@ -241,6 +241,7 @@ RULES = {
         ["physics_water_hulls"]),
     "hulls feel the slope of what they press": (
         HULL_PLATES, "along[k] * across[c]);", "0.5 * across[c]);", ["physics_water_hulls"]),
+    "beyond a side slopes are mirrored": (HULL_PLATES, "> 0 ? -1 : 1;", "> 0 ? 1 : 1;", ["physics_water_hulls"]),
     "hulls stop before sides, and leave them": (
         HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
     "friction holds a hull before it moves": (

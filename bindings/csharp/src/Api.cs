@@ -4645,9 +4645,10 @@ namespace Contdyn
 
         /// <summary>Launches a hull at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at
         /// rest. It lies as it would in time. The water that it displaces goes, evenly, to all cells whose surface is
-        /// within its draft of that under it; where the bed bears it, it displaces none. What it displaced before is
-        /// not given back: to move a hull set its pose. Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass, or
-        /// no cell is under it, or gravity is 0; CD_ERROR_DIVERGED of a water that did.</summary>
+        /// within its draft of that under it; where there is no such cell, or the bed bears it, it displaces none. What
+        /// it displaced before is not given back: to move a hull set its pose. Errors: CD_ERROR_VALUE;
+        /// CD_ERROR_DISABLED if it has no mass, or no cell is under it, or gravity is 0; CD_ERROR_DIVERGED of a water
+        /// that did.</summary>
         public void LaunchHull(long index, double x, double y, double aheadX, double aheadY)
         {
             Changed();
