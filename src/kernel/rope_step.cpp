@@ -306,12 +306,18 @@ template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopePar
     return bundle.step();
 }
 
+template <int kLanes> static RopeResult step_alone(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage,
+                                                   double* scratch, size_t strand) {
+    if constexpr (kLanes > 2) return plain::rope_step(ropes, c, stage, scratch, strand, 1);
+    else return step_bundle<1>(ropes, c, stage, scratch, strand, 1);
+}
+
 RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch, size_t first,
                      size_t count) {
     RopeResult result;
     while (count > 0) {
         const size_t now = count < size_t(kNative) ? count : size_t(kNative);
-        result.add(now == 1 ? step_bundle<1>(ropes, c, stage, scratch, first, 1)
+        result.add(now == 1 ? step_alone<kNative>(ropes, c, stage, scratch, first)
                             : step_bundle<kNative>(ropes, c, stage, scratch, first, now));
         first += now;
         count -= now;

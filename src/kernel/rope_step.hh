@@ -86,4 +86,10 @@ RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStag
                      size_t count);
 
 } // namespace CD_ISA
+
+namespace plain {
+// All sets of kernels step a strand that is alone by this one: it goes through scalars, which no set makes faster.
+RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch, size_t first,
+                     size_t count);
+} // namespace plain
 } // namespace cd
