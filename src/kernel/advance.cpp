@@ -7,8 +7,8 @@ namespace CD_ISA {
 
 namespace {
 
-template <class T> struct Mover {
-    const Lines<T>& lines;
+struct Mover {
+    const Lines lines; // a value, which stores to the state cannot be taken to change
     const Stage& stage;
     const Start& start;
     const RingClosure& ring;
@@ -45,21 +45,12 @@ template <class T> struct Mover {
 
 } // namespace
 
-template <class T> bool advance(const Lines<T>& lines, const Stage& stage, const Start& start, const RingClosure& ring,
-                                double* answer, bool keep, size_t first, size_t count) {
-    Mover<T> bundles{lines, stage, start, ring, answer, keep ? answer : nullptr};
+bool advance(const Lines& lines, const Stage& stage, const Start& start, const RingClosure& ring, double* answer,
+             bool keep, size_t first, size_t count) {
+    Mover bundles{lines, stage, start, ring, answer, keep ? answer : nullptr};
     for_each_bundle(first, count, bundles);
     return bundles.finite;
 }
-
-#if CD_WITH_FLOAT32
-template bool advance(const Lines<float>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t,
-                      size_t);
-#endif
-#if CD_WITH_FLOAT64 || CD_WITH_MEMBRANE // a membrane's planes are double
-template bool advance(const Lines<double>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t,
-                      size_t);
-#endif
 
 } // namespace CD_ISA
 } // namespace cd

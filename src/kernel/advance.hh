@@ -44,8 +44,8 @@ template <int N> inline void ring_forces(const RingClosure& ring, const Stage& s
 
 // answer: what rod_sweep left, from the same start. With `keep`, leaves w there instead of moving. False if a number
 // left the finite range.
-template <class T> bool advance(const Lines<T>& lines, const Stage& stage, const Start& start, const RingClosure& ring,
-                                double* answer, bool keep, size_t first, size_t count);
+bool advance(const Lines& lines, const Stage& stage, const Start& start, const RingClosure& ring, double* answer,
+             bool keep, size_t first, size_t count);
 
 } // namespace CD_ISA
 } // namespace cd

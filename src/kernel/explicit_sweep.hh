@@ -22,11 +22,11 @@ struct ExplicitCoefficients {
 namespace CD_ISA {
 
 // gravity: dt g per component. False if a number left the finite range.
-template <class T> bool explicit_sweep(const Lines<T>& lines, const ExplicitCoefficients& c, double dt,
-                                       const double* gravity, Carrier carrier, size_t first, size_t count);
+bool explicit_sweep(const Lines& lines, const ExplicitCoefficients& c, double dt, const double* gravity,
+                    Carrier carrier, size_t first, size_t count);
 
 // x += dt v. False if a number left the finite range.
-template <class T> bool drift(const Lines<T>& lines, double dt, size_t first, size_t count);
+bool drift(const Lines& lines, double dt, size_t first, size_t count);
 
 } // namespace CD_ISA
 } // namespace cd

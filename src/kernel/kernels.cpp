@@ -32,24 +32,12 @@ template <class T> constexpr SheetStateKernels<T> state_kernels() {
 extern const Kernels kernels;
 const Kernels kernels = {
     CD_SET,
-#if CD_WITH_FLOAT32
-    {spring_sweep<float>, rod_sweep<float>, rod_step<float>, advance<float>, explicit_sweep<float>, drift<float>},
-#else
-    {},
-#endif
-#if CD_WITH_FLOAT64
-    {spring_sweep<double>, rod_sweep<double>, rod_step<double>, advance<double>, explicit_sweep<double>, drift<double>},
-#elif CD_WITH_MEMBRANE
-    {nullptr, rod_sweep<double>, nullptr, advance<double>, nullptr, nullptr},
-#else
-    {},
-#endif
 #if CD_WITH_CHAIN
-    segment_sweep,
-    segment_rod_step,
+    {spring_sweep, rod_sweep, rod_step, advance, explicit_sweep, drift, segment_sweep, segment_rod_step},
+#elif CD_WITH_MEMBRANE
+    {nullptr, rod_sweep, nullptr, advance, nullptr, nullptr, nullptr, nullptr},
 #else
-    nullptr,
-    nullptr,
+    {},
 #endif
 #if CD_WITH_ROPE
     rope_step,

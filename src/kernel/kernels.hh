@@ -15,17 +15,15 @@
 
 namespace cd {
 
-template <class T> struct LineKernels {
-    bool (*spring_sweep)(const Lines<T>&, const SpringCoefficients&, const Stage&, const Start&, double*, bool, size_t,
-                         size_t);
-    void (*rod_sweep)(const Lines<T>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, size_t,
-                      size_t);
-    bool (*rod_step)(const Lines<T>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, bool,
-                     size_t, size_t);
-    bool (*advance)(const Lines<T>&, const Stage&, const Start&, const RingClosure&, double*, bool, size_t, size_t);
-    bool (*explicit_sweep)(const Lines<T>&, const ExplicitCoefficients&, double, const double*, Carrier, size_t,
-                           size_t);
-    bool (*drift)(const Lines<T>&, double, size_t, size_t);
+struct LineKernels {
+    decltype(&CD_ISA::spring_sweep) spring_sweep;
+    decltype(&CD_ISA::rod_sweep) rod_sweep;
+    decltype(&CD_ISA::rod_step) rod_step;
+    decltype(&CD_ISA::advance) advance;
+    decltype(&CD_ISA::explicit_sweep) explicit_sweep;
+    decltype(&CD_ISA::drift) drift;
+    decltype(&CD_ISA::segment_sweep) segment_sweep;
+    decltype(&CD_ISA::segment_rod_step) segment_rod_step;
 };
 
 // Of the state of a sheet; those on double planes begin stages between two others.
@@ -97,18 +95,13 @@ template <class T> struct WaterKernels {
 
 struct Kernels {
     cd_kernels set;
-    LineKernels<float> float32; // null where the precision is left out
-    LineKernels<double> float64;
-    decltype(&CD_ISA::segment_sweep) segment_sweep;
-    decltype(&CD_ISA::segment_rod_step) segment_rod_step;
+    LineKernels line;
     decltype(&CD_ISA::rope_step) rope_step;
     SheetKernels sheet;
     ClothKernels cloth;
     WaterKernels<float> water32;
     WaterKernels<double> water64;
 
-    const LineKernels<float>& of(float) const { return float32; }
-    const LineKernels<double>& of(double) const { return float64; }
     const WaterKernels<float>& water_of(float) const { return water32; }
     const WaterKernels<double>& water_of(double) const { return water64; }
 };

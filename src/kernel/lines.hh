@@ -1,7 +1,7 @@
 // What the sweeps along lines share: a line is one component of one strand, `nodes` numbers `pitch` apart, with its
 // neighbours side by side in memory. Steps reach the sweeps as stages of one form (model/stages.hh).
 //
-// T is what the state is stored in; sweeps compute in double, but for explicit steps of uniform lattices, see
+// Sweeps compute in double, whatever the state is stored in, but for explicit steps of uniform lattices, see
 // plain_step.hh. In float32 the sums along a line would lose what a stiff chain's mean motion is made of (measured:
 // 2e-3 of the position after 1000 steps, against 1e-5), and every constant of a step, rounded the same way each time,
 // would give its energy a trend (2% in 1e6 steps).
@@ -30,20 +30,14 @@ struct StoredRange {
     double least, to_overflow, epsilon; // epsilon: from 1 to the next number
 };
 
-// The lines of an object. force and target are null where there are none.
-template <class T> struct Lines {
-    size_t nodes, pitch, components;
-    T *position, *velocity;
-    const T *force, *target;
-};
-
 // Numbers of the state in either precision, for kernels that would be twice as large with a text for each.
 struct StateNumbers {
     void* data; // null: there are none
     bool is_float64;
 
-    // A precision that is left out takes no code.
-    bool wide() const { return CD_WITH_FLOAT64 && (!CD_WITH_FLOAT32 || is_float64); }
+    // A precision that is left out takes no code; a membrane's planes are double all the same.
+    bool wide() const { return (CD_WITH_FLOAT64 || CD_WITH_MEMBRANE) && (!CD_WITH_FLOAT32 || is_float64); }
+    size_t number_size() const { return wide() ? sizeof(double) : sizeof(float); }
     // f of the numbers as they are stored.
     template <class F> auto stored(F f) const {
         return wide() ? f(static_cast<double*>(data)) : f(static_cast<float*>(data));
@@ -62,7 +56,9 @@ struct StateNumbers {
 private:
     template <class T> static void store(double number, T& to) { to = T(number); }
 };
-struct StateLines {
+
+// The lines of an object. force and target are null where there are none.
+struct Lines {
     size_t nodes, pitch, components;
     StateNumbers position, velocity, force, target;
 };

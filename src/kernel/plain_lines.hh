@@ -14,15 +14,18 @@ namespace {
 template <class T> struct PlainLines {
     static constexpr size_t kWide = size_t(kCountOf<Wide<T>, T>), kMost = 4; // kMost: lines that go along their nodes
 
-    const Lines<T>& lines;
+    const Lines& lines;
+    T *const position, *const velocity;
     const ExplicitCoefficients& c;
     const double* gravity;
     PlainTime<T> time;
     Rate<T> inside, ends[2];
     PlainProbe<T> probe{};
 
-    PlainLines(const Lines<T>& l, const ExplicitCoefficients& coefficients, double dt, const double* g)
+    PlainLines(const Lines& l, const ExplicitCoefficients& coefficients, double dt, const double* g)
         : lines(l),
+          position(static_cast<T*>(l.position.data)),
+          velocity(static_cast<T*>(l.velocity.data)),
           c(coefficients),
           gravity(g),
           time(dt),
@@ -31,7 +34,7 @@ template <class T> struct PlainLines {
 
     static double rate(const ExplicitCoefficients& c, size_t node) { return c.stiffness[0] * c.inertia[node]; }
 
-    static bool takes(const Lines<T>& lines, const ExplicitCoefficients& c, double dt, const double* gravity) {
+    static bool takes(const Lines& lines, const ExplicitCoefficients& c, double dt, const double* gravity) {
         bool all = c.uniform && lines.nodes > 1 && in_plain_range<T>(dt);
         for (size_t k = 0; k < lines.components; ++k) all = all && in_plain_range<T>(__builtin_fabs(gravity[k]));
         for (size_t i : {size_t(0), size_t(lines.nodes > 2), lines.nodes - 1})
@@ -63,7 +66,7 @@ template <class T> struct PlainLines {
         constexpr size_t n = size_t(kCountOf<V, T>), kLater = 3 * 64 / sizeof(T);
         const size_t z = lines.nodes - 1;
         for (; line + n <= end; line += n) {
-            T *x = lines.position + line, *v = lines.velocity + line;
+            T *x = position + line, *v = velocity + line;
             V here = get<V>(x), left{}, seen{};
             const auto node = [&](const Rate<T>& by, const Falls& all, V next) {
                 const V right = next - here;
@@ -90,42 +93,40 @@ template <class T> struct PlainLines {
 
     T old[2 * kMost]; // the left neighbours of the numbers that come next
 
-    // Numbers from m on, as many as fill whole bundles before `end`.
+    // Numbers from m on, as many as fill whole bundles before `end`. The left neighbours of as many bundles as reach over
+    // kMost numbers are read before the numbers there are stored.
     template <class V> void along(const Falls& falls, size_t& m, size_t end) {
-        constexpr size_t n = size_t(kCountOf<V, T>);
-        const size_t p = lines.pitch;
-        T *const x = lines.position, *const v = lines.velocity;
-        V seen{};
-        const auto numbers = [&](V left) {
-            const V here = get<V>(x + m), pull = (get<V>(x + m + p) - here) - (here - left);
+        constexpr size_t n = size_t(kCountOf<V, T>), kAhead = n < kMost ? kMost / n : 1, kReach = kAhead * n;
+        if (m + n > end) return;
+        const size_t p = lines.pitch, stored = end + p;
+        T *const x = position, *const v = velocity;
+        V left[kAhead], seen{};
+        T begin[kReach] = {};
+        memcpy(begin, old, p * sizeof(T));
+        for (size_t k = p; k < kReach && m + k - p < stored; ++k) begin[k] = x[m + k - p];
+        for (size_t k = 0; k < kAhead; ++k) left[k] = get<V>(begin + k * n);
+        const auto bundle = [&](V next) {
+            const V here = get<V>(x + m), pull = (get<V>(x + m + p) - here) - (here - left[0]);
             move(inside, get<V>(falls.all + m % p), here, get<V>(v + m), pull, x + m, v + m, seen);
+            for (size_t k = 0; k + 1 < kAhead; ++k) left[k] = left[k + 1];
+            left[kAhead - 1] = next;
+            m += n;
         };
-        if constexpr (n < kMost) {
-            for (; m + n <= end; m += n) {
-                memcpy(old + p, x + m, n * sizeof(T));
-                numbers(get<V>(old));
-                memmove(old, old + n, p * sizeof(T));
-            }
-        } else if (m + n <= end) {
-            T before[n];
-            memcpy(before, x + m - p, sizeof before);
-            memcpy(before, old, p * sizeof(T));
-            V left = get<V>(before);
-            for (bool more = true; more; m += n) {
-                more = m + 2 * n <= end;
-                if (!more) memcpy(old, x + m + n - p, p * sizeof(T));
-                const V next_left = more ? get<V>(x + m + n - p) : V{};
-                numbers(left);
-                left = next_left;
-            }
+        while (m + kReach + n <= end) bundle(get<V>(x + m + kReach - p));
+        while (m + n <= end) {
+            T next[n] = {};
+            for (size_t k = 0, from = m + kReach - p; k < n && from + k < stored; ++k) next[k] = x[from + k];
+            bundle(get<V>(next));
         }
+        for (size_t k = 0; k < kAhead; ++k) put(left[k], begin + k * n);
+        memcpy(old, begin, p * sizeof(T));
         probe.add(seen);
     }
 
     // The ends are found first and put down last.
     void step_along() {
         const size_t p = lines.pitch, z = lines.nodes - 1, last = z * p;
-        T *const x = lines.position, *const v = lines.velocity;
+        T *const x = position, *const v = velocity;
         T new_x[2][kMost], new_v[2][kMost], seen = 0;
         const Falls falls[3] = {{*this, 0}, {*this, 1}, {*this, z}};
         for (size_t l = 0; l < p; ++l) {

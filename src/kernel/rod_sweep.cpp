@@ -9,8 +9,8 @@ namespace CD_ISA {
 namespace {
 
 // kEnds: the way back ends the stage too.
-template <class T, bool kEnds> struct Sweep {
-    const Lines<T>& lines;
+template <bool kEnds> struct Sweep {
+    const Lines lines; // a value, which stores to the state cannot be taken to change
     const RodCoefficients& c;
     const Stage& stage;
     const Start& start;
@@ -99,34 +99,18 @@ template <class T, bool kEnds> struct Sweep {
 
 } // namespace
 
-template <class T> void rod_sweep(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage,
-                                  const Start& start, double* value, double* slope, size_t first, size_t count) {
-    Sweep<T, false> bundles{lines, c, stage, start, value, slope};
+void rod_sweep(const Lines& lines, const RodCoefficients& c, const Stage& stage, const Start& start, double* value,
+               double* slope, size_t first, size_t count) {
+    Sweep<false> bundles{lines, c, stage, start, value, slope};
     for_each_bundle<kLinesAtOnce>(first, count, bundles);
 }
 
-template <class T> bool rod_step(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage,
-                                 const Start& start, double* value, double* slope, bool keep, size_t first,
-                                 size_t count) {
-    Sweep<T, true> bundles{lines, c, stage, start, value, slope, keep};
+bool rod_step(const Lines& lines, const RodCoefficients& c, const Stage& stage, const Start& start, double* value,
+              double* slope, bool keep, size_t first, size_t count) {
+    Sweep<true> bundles{lines, c, stage, start, value, slope, keep};
     for_each_bundle<kLinesAtOnce>(first, count, bundles);
     return bundles.finite;
 }
-
-#if CD_WITH_FLOAT32
-template void rod_sweep(const Lines<float>&, const RodCoefficients&, const Stage&, const Start&, double*, double*,
-                        size_t, size_t);
-template bool rod_step(const Lines<float>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, bool,
-                       size_t, size_t);
-#endif
-#if CD_WITH_FLOAT64
-template bool rod_step(const Lines<double>&, const RodCoefficients&, const Stage&, const Start&, double*, double*, bool,
-                       size_t, size_t);
-#endif
-#if CD_WITH_FLOAT64 || CD_WITH_MEMBRANE // a membrane's planes are double
-template void rod_sweep(const Lines<double>&, const RodCoefficients&, const Stage&, const Start&, double*, double*,
-                        size_t, size_t);
-#endif
 
 } // namespace CD_ISA
 } // namespace cd

@@ -35,13 +35,12 @@ __attribute__((always_inline)) inline L rod_leave(const Rows& c, size_t i, L ans
 
 // Solves from `start`, leaves the answer in `value` and moves nothing. slope: scratch. Both are laid out like the
 // positions, and neither is that of start.
-template <class T> void rod_sweep(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage,
-                                  const Start& start, double* value, double* slope, size_t first, size_t count);
+void rod_sweep(const Lines& lines, const RodCoefficients& c, const Stage& stage, const Start& start, double* value,
+               double* slope, size_t first, size_t count);
 
 // The same, and moves the lines; with `keep`, leaves w in `value` instead. False if a number left the finite range.
-template <class T> bool rod_step(const Lines<T>& lines, const RodCoefficients& c, const Stage& stage,
-                                 const Start& start, double* value, double* slope, bool keep, size_t first,
-                                 size_t count);
+bool rod_step(const Lines& lines, const RodCoefficients& c, const Stage& stage, const Start& start, double* value,
+              double* slope, bool keep, size_t first, size_t count);
 
 } // namespace CD_ISA
 } // namespace cd

@@ -40,7 +40,7 @@ template <int kLines, bool kPlain> struct Sweep {
     using One = Lanes<1>;
     using Nodes = L[N * kMost]; // of a tile: line l of node i at [i * count + l]
 
-    const StateLines lines; // values, which stores to scratch cannot be taken to change
+    const Lines lines; // values, which stores to scratch cannot be taken to change
     const SegmentRodCoefficients c;
     const Stage stage;
     const Start start;
@@ -98,7 +98,7 @@ template <int kLines, bool kPlain> struct Sweep {
         Start here = start;
         const size_t at = node * size_t(count()) + size_t(l);
         if (here.w) here.w += ptrdiff_t(scratch_of(node, l)) - ptrdiff_t(at);
-        return load_start(lines, here, at);
+        return load_start<1>(lines, here, at);
     }
     // Of the nodes so many places before the segments' first ones; where there is none, of the line's first one.
     StateLanes<N> states_before(size_t by, int l) const {
@@ -367,15 +367,15 @@ template <int kLines, bool kPlain> struct Sweep {
     }
 };
 
-template <int kLines, bool kPlain> bool sweep(const StateLines& lines, const SegmentRodCoefficients& c,
-                                              const Stage& stage, const Start& start, const RingClosure& ring,
-                                              double* value, double* slope, double* hold, bool keep) {
+template <int kLines, bool kPlain> bool sweep(const Lines& lines, const SegmentRodCoefficients& c, const Stage& stage,
+                                              const Start& start, const RingClosure& ring, double* value, double* slope,
+                                              double* hold, bool keep) {
     return Sweep<kLines, kPlain>{lines, c, stage, start, ring, value, slope, hold, keep}.run();
 }
 
 } // namespace
 
-bool segment_rod_step(const StateLines& lines, const SegmentRodCoefficients& c, const Stage& stage, const Start& start,
+bool segment_rod_step(const Lines& lines, const SegmentRodCoefficients& c, const Stage& stage, const Start& start,
                       const RingClosure& ring, double* value, double* slope, double* hold, bool keep) {
     const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !start.w && !keep &&
                        stage.of_change == 0 && ring.constraints == 0;

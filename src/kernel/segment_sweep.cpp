@@ -47,7 +47,7 @@ void join_segments(const SegmentCoefficients& c, const Stage& stage, const Segme
 
 // The nodes that the segments leave over, one after the other.
 struct Head {
-    const StateLines& lines;
+    const Lines& lines;
     const SegmentCoefficients& c;
     const Stage& stage;
     const Start& start;
@@ -61,7 +61,7 @@ struct Head {
         Start here = start;
         const size_t at = i * lines.pitch + line;
         if (here.w) here.w += scratch(i) - at;
-        return load_start(lines, here, at);
+        return load_start<1>(lines, here, at);
     }
 
     // y of the last node, whose state is left in `before`.
@@ -72,7 +72,7 @@ struct Head {
             const size_t row = segments.place(i), at = i * lines.pitch + line;
             const Lanes<1> gravity{stage.gravity[line % lines.components]};
             const Lanes<1> own = (1 - stage.of_change) * here.v;
-            const Lanes<1> acting = outside(lines, c.gains, row, at, gravity, here.x, here.v);
+            const Lanes<1> acting = outside<1>(lines, c.gains, row, at, gravity, here.x, here.v);
             sum = i == 0 ? own + acting : between(own, sum, wish_of<1>(stage, before, here), c.carry[row], acting);
             sum.store(y + scratch(i));
             before = here;
@@ -101,7 +101,7 @@ template <int kLines, bool kPlain> struct Sweep {
     using L = Lanes<N>;
     using Nodes = L[N * kMost]; // of a tile: line l of node i at [i * count + l]
 
-    const StateLines lines; // values, which stores to y cannot be taken to change
+    const Lines lines; // values, which stores to y cannot be taken to change
     const SegmentCoefficients c;
     const Stage stage;
     const Start start;
@@ -263,15 +263,15 @@ template <int kLines, bool kPlain> struct Sweep {
     Head head(int l) const { return {lines, c, stage, start, y, keep, segments, size_t(l)}; }
 };
 
-template <int kLines, bool kPlain> bool sweep(const StateLines& lines, const SegmentCoefficients& c, const Stage& stage,
+template <int kLines, bool kPlain> bool sweep(const Lines& lines, const SegmentCoefficients& c, const Stage& stage,
                                               const Start& start, double* y, bool keep) {
     return Sweep<kLines, kPlain>{lines, c, stage, start, y, keep}.run();
 }
 
 } // namespace
 
-bool segment_sweep(const StateLines& lines, const SegmentCoefficients& c, const Stage& stage, const Start& start,
-                   double* y, bool keep) {
+bool segment_sweep(const Lines& lines, const SegmentCoefficients& c, const Stage& stage, const Start& start, double* y,
+                   bool keep) {
     const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !start.w && !keep && stage.of_change == 0;
     if (plain && lines.pitch == 1) return sweep<1, true>(lines, c, stage, start, y, keep);
     if (plain && lines.pitch == 2) return sweep<2, true>(lines, c, stage, start, y, keep);

@@ -34,8 +34,8 @@ namespace CD_ISA {
 
 // Like spring_sweep, of all lines, 1 to 4 with no gaps between nodes. y: scratch, and what start has to offer, as
 // Segments says, with the lines as rows of each node.
-bool segment_sweep(const StateLines& lines, const SegmentCoefficients& c, const Stage& stage, const Start& start,
-                   double* y, bool keep);
+bool segment_sweep(const Lines& lines, const SegmentCoefficients& c, const Stage& stage, const Start& start, double* y,
+                   bool keep);
 
 } // namespace CD_ISA
 } // namespace cd

@@ -8,8 +8,8 @@ namespace CD_ISA {
 namespace {
 
 // kPlain: nothing acts but springs and gravity, and the stage is for w, from the state.
-template <class T, bool kPlain> struct Sweep {
-    const Lines<T>& lines;
+template <bool kPlain> struct Sweep {
+    const Lines lines; // a value, which stores to the state cannot be taken to change
     const SpringCoefficients& c;
     const Stage& stage;
     const Start& start;
@@ -75,28 +75,19 @@ template <class T, bool kPlain> struct Sweep {
 
 } // namespace
 
-template <class T> bool spring_sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage,
-                                     const Start& start, double* y, bool keep, size_t first, size_t count) {
+bool spring_sweep(const Lines& lines, const SpringCoefficients& c, const Stage& stage, const Start& start, double* y,
+                  bool keep, size_t first, size_t count) {
     const bool plain =
         !c.gains.force && !c.gains.drag && !c.gains.attach && !c.closing && !start.w && !keep && stage.of_change == 0;
     if (plain) {
-        Sweep<T, true> bundles{lines, c, stage, start, y, nullptr};
+        Sweep<true> bundles{lines, c, stage, start, y, nullptr};
         for_each_bundle<kLinesAtOnce>(first, count, bundles);
         return bundles.finite;
     }
-    Sweep<T, false> bundles{lines, c, stage, start, y, keep ? y : nullptr};
+    Sweep<false> bundles{lines, c, stage, start, y, keep ? y : nullptr};
     for_each_bundle<kLinesAtOnce>(first, count, bundles);
     return bundles.finite;
 }
-
-#if CD_WITH_FLOAT32
-template bool spring_sweep(const Lines<float>&, const SpringCoefficients&, const Stage&, const Start&, double*, bool,
-                           size_t, size_t);
-#endif
-#if CD_WITH_FLOAT64
-template bool spring_sweep(const Lines<double>&, const SpringCoefficients&, const Stage&, const Start&, double*, bool,
-                           size_t, size_t);
-#endif
 
 } // namespace CD_ISA
 } // namespace cd

@@ -18,8 +18,8 @@ namespace CD_ISA {
 
 // Solves lines [first, first + count) from `start` and moves them; with `keep`, leaves w in y instead. y: scratch laid
 // out like the positions, not that of start. False if a number left the finite range.
-template <class T> bool spring_sweep(const Lines<T>& lines, const SpringCoefficients& c, const Stage& stage,
-                                     const Start& start, double* y, bool keep, size_t first, size_t count);
+bool spring_sweep(const Lines& lines, const SpringCoefficients& c, const Stage& stage, const Start& start, double* y,
+                  bool keep, size_t first, size_t count);
 
 } // namespace CD_ISA
 } // namespace cd

@@ -95,17 +95,7 @@ bool is_uniform(const double* row, size_t first, size_t end) {
 
 // ---- the kinds of step ----------------------------------------------------------------------------------------------
 
-template <class T> Lines<T> lines_of(Chain& c) {
-    return {c.nodes,
-            c.pitch,
-            c.components,
-            numbers<T>(c.position),
-            numbers<T>(c.velocity),
-            numbers<T>(c.force),
-            c.target ? numbers<T>(c.target) : nullptr};
-}
-
-StateLines state_lines_of(const Chain& c) {
+Lines lines_of(const Chain& c) {
     return {c.nodes,
             c.pitch,
             c.components,
@@ -116,7 +106,7 @@ StateLines state_lines_of(const Chain& c) {
 }
 
 // Whether lines are finite now: where welds take back what a sweep left, that may be all that was not.
-template <class T> bool are_finite(const Lines<T>& lines, size_t first, size_t count) {
+bool are_finite(const Lines& lines, size_t first, size_t count) {
     bool finite = true;
     for (size_t i = 0; i < lines.nodes; ++i)
         for (size_t at = i * lines.pitch + first, end = at + count; at < end; ++at)
@@ -150,13 +140,13 @@ struct Stages {
     }
 };
 
-template <class T> struct SpringStep {
+struct SpringStep {
     Chain& chain;
-    Lines<T> lines;
+    Lines lines;
     SpringCoefficients coefficients;
     Stages stages;
 
-    SpringStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of<T>(c)), stages(c, dt) {
+    SpringStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of(c)), stages(c, dt) {
         Rows rows(c);
         const GainRows gains(c, rows);
         double *const carry = rows.take(), *const pull = rows.take();
@@ -172,7 +162,7 @@ template <class T> struct SpringStep {
     // Welds keep their nodes together but for what is too small to be kept.
     bool operator()(size_t first, size_t count) const {
         const bool finite = stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
-            return chain.kernels->of(T()).spring_sweep(lines, coefficients, stage, start, row, keep, first, count);
+            return chain.kernels->line.spring_sweep(lines, coefficients, stage, start, row, keep, first, count);
         });
         if (chain.has_welds) merge_velocities(chain, first, count);
         return finite;
@@ -182,11 +172,11 @@ template <class T> struct SpringStep {
 // Springs of one long strand.
 struct SegmentStep {
     Chain& chain;
-    StateLines lines;
+    Lines lines;
     SegmentCoefficients coefficients;
     Stages stages;
 
-    SegmentStep(Chain& c, double dt, bool refactor) : chain(c), lines(state_lines_of(c)), stages(c, dt) {
+    SegmentStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of(c)), stages(c, dt) {
         Rows rows(c);
         const GainRows gains(c, rows);
         const SegmentRows segment{rows.take(), rows.take(),          rows.take(),
@@ -202,7 +192,7 @@ struct SegmentStep {
     }
     bool operator()(size_t, size_t) const {
         return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
-            return chain.kernels->segment_sweep(lines, coefficients, stage, start, row, keep);
+            return chain.kernels->line.segment_sweep(lines, coefficients, stage, start, row, keep);
         });
     }
 };
@@ -224,13 +214,13 @@ void close_ring(Chain& c, const StageSystem& system, const RodRows& rod, double 
     c.closure.closing_rate = welded(c, c.springs) ? 0 : closing_rate;
 }
 
-template <class T> struct RodStep {
+struct RodStep {
     Chain& chain;
-    Lines<T> lines;
+    Lines lines;
     RodCoefficients coefficients;
     Stages stages;
 
-    RodStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of<T>(c)), stages(c, dt) {
+    RodStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of(c)), stages(c, dt) {
         Rows rows(c);
         const GainRows gains(c, rows);
         const RodRows rod = take_rod(rows);
@@ -251,7 +241,7 @@ template <class T> struct RodStep {
     }
     // The solve keeps welds to rounding; their nodes then share what they have, to the bit.
     bool operator()(size_t first, size_t count) const {
-        const LineKernels<T>& kernels = chain.kernels->of(T());
+        const LineKernels& kernels = chain.kernels->line;
         double* const slope = chain.scratch.data + size_t(stages.count) * chain.nodes * chain.pitch;
         const bool finite = stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
             if (!chain.ring) return kernels.rod_step(lines, coefficients, stage, start, row, slope, keep, first, count);
@@ -266,11 +256,11 @@ template <class T> struct RodStep {
 // Of one long strand.
 struct SegmentRodStep {
     Chain& chain;
-    StateLines lines;
+    Lines lines;
     SegmentRodCoefficients coefficients;
     Stages stages;
 
-    SegmentRodStep(Chain& c, double dt, bool refactor) : chain(c), lines(state_lines_of(c)), stages(c, dt) {
+    SegmentRodStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of(c)), stages(c, dt) {
         Rows rows(c);
         const GainRows gains(c, rows);
         const SegmentRodRows segment{
@@ -294,20 +284,20 @@ struct SegmentRodStep {
         const size_t row = chain.nodes * chain.pitch;
         double *const slope = chain.scratch.data + size_t(stages.count) * row, *const hold = slope + row;
         return stages.run(chain, [&](const Stage& stage, const Start& start, double* value, bool keep) {
-            return chain.kernels->segment_rod_step(lines, coefficients, stage, start, chain.closure, value, slope, hold,
-                                                   keep);
+            return chain.kernels->line.segment_rod_step(lines, coefficients, stage, start, chain.closure, value, slope,
+                                                        hold, keep);
         });
     }
 };
 
-template <class T> struct ExplicitStep {
+struct ExplicitStep {
     Chain& chain;
-    Lines<T> lines;
+    Lines lines;
     ExplicitCoefficients coefficients;
     double dt, gravity[4];
     Carrier carrier;
 
-    ExplicitStep(Chain& c, double dt_, bool refactor) : chain(c), lines(lines_of<T>(c)), dt(dt_) {
+    ExplicitStep(Chain& c, double dt_, bool refactor) : chain(c), lines(lines_of(c)), dt(dt_) {
         Rows rows(c);
         const GainRows gains(c, rows);
         double *const stiffness = rows.take(), *const inertia = rows.take(), *const bend = rows.take(has_bend(c));
@@ -333,7 +323,7 @@ template <class T> struct ExplicitStep {
     }
     // Welds take up any force without a tension of their own: the nodes they join share what they get.
     bool operator()(size_t first, size_t count) const {
-        const LineKernels<T>& kernels = chain.kernels->of(T());
+        const LineKernels& kernels = chain.kernels->line;
         bool finite = kernels.explicit_sweep(lines, coefficients, dt, gravity, carrier, first, count);
         if (chain.has_welds) merge_velocities(chain, first, count);
         if (carrier == Carrier::kNothing) finite &= kernels.drift(lines, dt, first, count);
@@ -376,22 +366,22 @@ template <class Step> uint64_t run(Chain& c, const Step& step, size_t count, siz
     return first_bad;
 }
 
-template <class T> uint64_t step_lines(Chain& c, double dt, size_t count) {
+uint64_t step_lines(Chain& c, double dt, size_t count) {
     const bool refactor = must_prepare(c, dt);
     if (refactor) {
         c.has_welds = false;
         for (size_t i = 0; i < c.spring_stiffness.count; ++i) c.has_welds |= welded(c, i);
     }
-    if (steps_explicitly(c)) return run(c, ExplicitStep<T>(c, dt, refactor), count, explicit_bundle(c));
+    if (steps_explicitly(c)) return run(c, ExplicitStep(c, dt, refactor), count, explicit_bundle(c));
     if (refactor) {
         ++c.factorizations;
         c.of_change = of_change({c, stage_share(c, dt)});
     }
     const bool rod = is_rod(c), segments = takes_segments(c, rod) && !c.has_welds;
     if (rod && segments) return run(c, SegmentRodStep(c, dt, refactor), count);
-    if (rod) return run(c, RodStep<T>(c, dt, refactor), count);
+    if (rod) return run(c, RodStep(c, dt, refactor), count);
     if (segments) return run(c, SegmentStep(c, dt, refactor), count);
-    return run(c, SpringStep<T>(c, dt, refactor), count);
+    return run(c, SpringStep(c, dt, refactor), count);
 }
 
 } // namespace
@@ -407,19 +397,9 @@ static void pose_nodes(Chain& c, double seconds) {
 }
 
 uint64_t step_chain(Chain& c, double dt, size_t count) {
-    uint64_t bad = UINT64_MAX;
     pose_nodes(c, dt * double(count));
     c.iterations = c.broken = 0, c.residual = 0, c.bad_answer = {};
-    if (has_lengths(c)) {
-        bad = step_ropes(c, dt, count);
-    } else {
-#if CD_WITH_FLOAT64
-        if (c.precision == CD_FLOAT64) bad = step_lines<double>(c, dt, count);
-#endif
-#if CD_WITH_FLOAT32
-        if (c.precision == CD_FLOAT32) bad = step_lines<float>(c, dt, count);
-#endif
-    }
+    const uint64_t bad = has_lengths(c) ? step_ropes(c, dt, count) : step_lines(c, dt, count);
     const uint64_t first = c.clock.steps;
     c.clock.advance(dt, count);
     c.diverged = bad != UINT64_MAX;

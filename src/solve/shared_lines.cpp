@@ -25,15 +25,14 @@ void SharedLines::solve(const Kernels& kernels, const cd_parallel& parallel, con
             kernels.sheet.filter_lines(grid, carry, pull, plane, first, count);
         });
     // The chain's sweeps, for a stage in which no spring wishes for anything.
-    const LineKernels<double>& sweeps = kernels.float64;
-    const Lines<double> lines{grid.rows, grid.pitch, 1, plane, plane, nullptr, nullptr};
+    const Lines lines{grid.rows, grid.pitch, 1, {plane, true}, {plane, true}, {}, {}};
     const NodeGains gains{none, nullptr, nullptr, nullptr};
     const RodCoefficients c{rod.keep, rod.close, rod.turn, rod.lever, rod.follow, rod.lean,
                             rod.bend, nullptr,   none,     gains,     pin};
     const Stage still{};
     in_parts(parallel, grid.columns, grid.rows, [&](size_t first, size_t count) {
-        sweeps.rod_sweep(lines, c, still, {}, plane, slope, first, count);
-        if (ring) sweeps.advance(lines, still, {}, *closure, plane, true, first, count);
+        kernels.line.rod_sweep(lines, c, still, {}, plane, slope, first, count);
+        if (ring) kernels.line.advance(lines, still, {}, *closure, plane, true, first, count);
     });
 }
 

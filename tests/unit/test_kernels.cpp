@@ -25,6 +25,8 @@ struct Line {
     double bend(size_t i) const { return i > 0 && i + 1 < kNodes ? 0.7 * double(i % 4) : 0; }
 };
 
+template <class T> cd::StateNumbers numbers(T* data) { return {data, sizeof(T) == sizeof(double)}; }
+
 template <class T> struct State {
     T position[kNodes][kLines], velocity[kNodes][kLines];
 
@@ -34,14 +36,14 @@ template <class T> struct State {
                 for (T& number : row) number = T(random_number(seed) - 0.5);
         position[3][5] = T(1e-30); // settles in float32
     }
-    cd::Lines<T> lines() { return {kNodes, kLines, 3, position[0], velocity[0], nullptr, nullptr}; }
+    cd::Lines lines() { return {kNodes, kLines, 3, numbers(position[0]), numbers(velocity[0]), {}, {}}; }
 };
 
 // Steps of every kind through one set of kernels.
 template <class T> void step_all(const cd::Kernels& set, State<T>& state) {
     static double rows[12][kNodes], y[kNodes][kLines], slope[kNodes][kLines];
     static unsigned char pin[kNodes];
-    const cd::LineKernels<T>& kernels = set.of(T());
+    const cd::LineKernels& kernels = set.line;
     const Line line;
     for (size_t i = 0; i < kNodes; ++i)
         rows[0][i] = 0.01 * double(i), rows[10][i] = i > 0 && i + 1 < kNodes, rows[11][i] = 0.02;
@@ -82,17 +84,16 @@ template <class T> void step_segments(const cd::Kernels& set, State<T>& state) {
         cd::factor_segment_rod(
             nodes, Line{},
             {{rod[0], rod[1], rod[2], rod[3], rod[4], rod[5], rod[6]}, {rod[7], rod[8], rod[9], rod[10]}, segment});
-        const bool is_float64 = sizeof(T) == sizeof(double);
-        const cd::StateLines all{nodes, lines, lines, {state.position, is_float64}, {state.velocity, is_float64}, {}, {}};
+        const cd::Lines all{nodes, lines, lines, numbers(state.position[0]), numbers(state.velocity[0]), {}, {}};
         for (const double* drag : {(const double*)nullptr, (const double*)rows[4]}) {
             const cd::SegmentCoefficients c{
                 rows[0], rows[1], rows[2], rows[3], reply, pass, {rows[4], nullptr, drag, nullptr}};
             const cd::Stage stage{7, 1, 0.1, {1, -2, 3}, 0};
-            assert_true(set.segment_sweep(all, c, stage, {}, y, false));
+            assert_true(set.line.segment_sweep(all, c, stage, {}, y, false));
             const cd::SegmentRodCoefficients r{rod[0],  rod[1], rod[2], rod[3],
                                                rod[4],  rod[5], rod[6], {rod[7], rod[8], rod[9], rod[10]},
                                                segment, c.gains};
-            assert_true(set.segment_rod_step(all, r, stage, {}, {}, y, slope, hold, false));
+            assert_true(set.line.segment_rod_step(all, r, stage, {}, {}, y, slope, hold, false));
         }
     }
 }
@@ -111,8 +112,8 @@ template <class T> void step_explicitly(const cd::Kernels& set, T* x, T* v, size
     const cd::ExplicitCoefficients c{stiffness, nullptr, inertia, gains, 0, false, uniform};
     const double gravity[4] = {-0.3, -0.3, -0.3, -0.3};
     for (int step = 0; step < 20; ++step)
-        assert_true(set.of(T()).explicit_sweep({kNodes, count, count < 4 ? count : 4, x, v, nullptr, nullptr}, c, 0.1,
-                                               gravity, cd::Carrier::kNewVelocity, 0, count));
+        assert_true(set.line.explicit_sweep({kNodes, count, count < 4 ? count : 4, numbers(x), numbers(v), {}, {}}, c,
+                                            0.1, gravity, cd::Carrier::kNewVelocity, 0, count));
 }
 
 template <class T> void check_sets() {

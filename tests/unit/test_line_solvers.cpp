@@ -100,8 +100,8 @@ void solve_springs(const Line& line, Problem& p, double of_change) {
     double carry[kNodes], pull[kNodes], scratch[kNodes];
     cd::factor_spring_line(kNodes, line, carry, pull, [](size_t, double) {});
     const cd::SpringCoefficients c{carry, pull, nullptr, {p.gravity, nullptr, nullptr, nullptr}};
-    assert_true(cd::spring_sweep<double>({kNodes, 1, 1, p.x, p.v, nullptr, nullptr}, c, p.stage(of_change), {}, scratch,
-                                         false, 0, 1));
+    assert_true(cd::spring_sweep({kNodes, 1, 1, {p.x, true}, {p.v, true}, {}, {}}, c, p.stage(of_change), {}, scratch,
+                                 false, 0, 1));
 }
 
 void solve_rod(const Line& line, Problem& p, bool ring, double of_change) {
@@ -120,7 +120,7 @@ void solve_rod(const Line& line, Problem& p, bool ring, double of_change) {
         cd::factor_ring(kNodes, line, rod, line.turning[1] > 0 ? 3 : 1, stiffness, responses, response[3], closure);
         closure.closing_rate = p.rate;
     }
-    const Lines<double> lines{kNodes, 1, 1, p.x, p.v, nullptr, nullptr};
+    const Lines lines{kNodes, 1, 1, {p.x, true}, {p.v, true}, {}, {}};
     const cd::RodCoefficients c{rows[0], rows[1], rows[2], rows[3],  rows[4],
                                 rows[5], rows[6], nullptr, has_bend, {p.gravity, nullptr, nullptr, nullptr},
                                 held};
@@ -239,12 +239,12 @@ void lanes_do_not_mix(void**) {
             for (float& number : row) number = float(random_number(seed)) - 0.5f;
     static float x0[kNodes][kLines], v0[kNodes][kLines];
     memcpy(x0, x, sizeof x), memcpy(v0, v, sizeof v);
-    cd::spring_sweep<float>({kNodes, kLines, 1, x[0], v[0], nullptr, nullptr}, c, stage, {}, scratch[0], false, 0,
-                            kLines);
+    cd::spring_sweep({kNodes, kLines, 1, {x[0], false}, {v[0], false}, {}, {}}, c, stage, {}, scratch[0], false, 0,
+                     kLines);
     for (size_t l = 0; l < kLines; ++l) {
         for (size_t i = 0; i < kNodes; ++i) alone[0][i] = x0[i][l], alone[1][i] = v0[i][l];
-        cd::spring_sweep<float>({kNodes, 1, 1, alone[0], alone[1], nullptr, nullptr}, c, stage, {}, scratch[0], false,
-                                0, 1);
+        cd::spring_sweep({kNodes, 1, 1, {alone[0], false}, {alone[1], false}, {}, {}}, c, stage, {}, scratch[0], false,
+                         0, 1);
         for (size_t i = 0; i < kNodes; ++i) assert_true(alone[0][i] == x[i][l] && alone[1][i] == v[i][l]);
     }
 }

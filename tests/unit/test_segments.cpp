@@ -56,8 +56,7 @@ struct Scene {
         if (!acts) return {gain[k][0], nullptr, nullptr, nullptr};
         return {gain[k][0], gain[k][1], gain[k][2], gain[k][3]};
     }
-    cd::Lines<double> state(int k) { return {nodes, lines, lines, x[k], v[k], force, target}; }
-    cd::StateLines segments() { return {nodes, lines, lines, {x[1], true}, {v[1], true}, {force, true}, {target, true}}; }
+    cd::Lines state(int k) { return {nodes, lines, lines, {x[k], true}, {v[k], true}, {force, true}, {target, true}}; }
     double difference() const {
         double size = 0, most = 0;
         for (size_t k = 0; k < nodes * lines; ++k) size = fmax(size, fabs(v[0][k]));
@@ -76,12 +75,12 @@ void springs_in_segments_solve_what_one_sweep_does(void**) {
         const size_t n = scene.nodes;
         cd::factor_spring_line(n, scene, rows[0], rows[1], [](size_t, double) {});
         const cd::SpringCoefficients whole{rows[0], rows[1], nullptr, scene.gains(0)};
-        assert_true(cd::spring_sweep<double>(scene.state(0), whole, scene.stage, {}, y, false, 0, scene.lines));
+        assert_true(cd::spring_sweep(scene.state(0), whole, scene.stage, {}, y, false, 0, scene.lines));
 
         double reply[cd::kSegments], pass[cd::kSegments];
         cd::factor_segment_line(n, scene, {rows[2], rows[3], rows[4], rows[5], reply, pass}, [](size_t, double) {});
         const cd::SegmentCoefficients parts{rows[2], rows[3], rows[4], rows[5], reply, pass, scene.gains(1)};
-        assert_true(cd::segment_sweep(scene.segments(), parts, scene.stage, {}, y, false));
+        assert_true(cd::segment_sweep(scene.state(1), parts, scene.stage, {}, y, false));
         assert_true(scene.difference() < 1e-13);
     }
 }
@@ -125,7 +124,7 @@ void rods_in_segments_solve_what_one_sweep_does(void**) {
         const cd::RodCoefficients whole{rows[0], rows[1], rows[2],  rows[3],        rows[4], rows[5],
                                         rows[6], nullptr, has_bend, scene.gains(0), pin};
         run_stages(stages, scene.stage, [&](const cd::Start& start, double* row, bool keep) {
-            cd::rod_sweep<double>(scene.state(0), whole, scene.stage, start, row, slope, 0, scene.lines);
+            cd::rod_sweep(scene.state(0), whole, scene.stage, start, row, slope, 0, scene.lines);
             assert_true(cd::advance(scene.state(0), scene.stage, start, closure, row, keep, 0, scene.lines));
         });
 
@@ -137,8 +136,8 @@ void rods_in_segments_solve_what_one_sweep_does(void**) {
                                                rows[4], rows[5],       rows[6], {rows[7], rows[8], rows[9], rows[10]},
                                                segment, scene.gains(1)};
         run_stages(stages, scene.stage, [&](const cd::Start& start, double* row, bool keep) {
-            assert_true(cd::segment_rod_step(scene.segments(), parts, scene.stage, start, closure, row, slope, hold,
-                                             keep));
+            assert_true(
+                cd::segment_rod_step(scene.state(1), parts, scene.stage, start, closure, row, slope, hold, keep));
         });
         assert_true(scene.difference() < 2e-13);
     }
