@@ -37,6 +37,8 @@ struct StateNumbers {
 
     // A precision that is left out takes no code; a membrane's planes are double all the same.
     bool wide() const { return (CD_WITH_FLOAT64 || CD_WITH_MEMBRANE) && (!CD_WITH_FLOAT32 || is_float64); }
+    explicit operator bool() const { return data != nullptr; }
+    StateNumbers from(size_t at) const { return {static_cast<char*>(data) + at * number_size(), is_float64}; }
     size_t number_size() const { return wide() ? sizeof(double) : sizeof(float); }
     // f of the numbers as they are stored.
     template <class F> auto stored(F f) const {

@@ -9,6 +9,7 @@
 #include <stddef.h>
 
 #include "kernel/lanes.hh"
+#include "kernel/lines.hh"
 
 namespace cd {
 
@@ -41,14 +42,14 @@ struct GeneralSheet {
 };
 
 // What acts on a sheet beside its springs.
-template <class T> struct SheetPush {
-    double gravity;           // h g
-    double force;             // h, of force and pressed
-    double drag;              // h drag, of separable sheets
-    const T *forces, *target; // null: none
-    const double* pressed;    // null: none
-    const double* tie;        // h times the stiffness that ties to the target
-    bool whole;               // of general sheets: what there is in all, S v included, and not what changes v
+struct SheetPush {
+    double gravity;              // h g
+    double force;                // h, of force and pressed
+    double drag;                 // h drag, of separable sheets
+    StateNumbers forces, target; // null: none
+    const double* pressed;       // null: none
+    const double* tie;           // h times the stiffness that ties to the target
+    bool whole;                  // of general sheets: what there is in all, S v included, and not what changes v
 };
 
 // The filters of lines that share one factorization (solve/spring_line.hh); 0 up to a whole cache line.
@@ -57,9 +58,9 @@ struct SharedFilter {
 };
 
 // A stage of a uniform sheet. Its springs look at closing_rate x + share v.
-template <class T> struct UniformStage {
+struct UniformStage {
     const SeparableSheet& sheet;
-    const SheetPush<T>& push;
+    const SheetPush& push;
     double closing_rate, share;
     bool ring_u;
     bool constant;                 // beside springs only gravity acts
@@ -118,38 +119,38 @@ template <class F> inline void along_whole_row(size_t first, size_t count, F&& f
     for (size_t u = first; u < first + count; u += size_t(kWidest)) f.template bundle<kWidest>(u);
 }
 
-// ---- the state (sheet_state.cpp) ---- S is what a stage starts from: the state's type, or double between stages.
+// ---- the state (sheet_state.cpp) ---- A stage starts from the state, or from the doubles between two stages.
 
-template <class S>
-void gather(const Grid& grid, const SheetGather& how, const S* x, const S* v, size_t first, size_t count);
+void gather(const Grid& grid, const SheetGather& how, const StateNumbers& x, const StateNumbers& v, size_t first,
+            size_t count);
 // out = what acts on the nodes beside springs: on a separable sheet [m/s], else [kg m/s].
-template <class S, class T> void push_separable(const Grid& grid, const SeparableSheet& sheet, const SheetPush<T>& push,
-                                                const S* v, double* out, size_t first, size_t count);
-template <class S, class T> void push_general(const Grid& grid, const GeneralSheet& sheet, const SheetPush<T>& push,
-                                              const S* x, const S* v, double* out, size_t first, size_t count);
+void push_separable(const Grid& grid, const SeparableSheet& sheet, const SheetPush& push, const StateNumbers& v,
+                    double* out, size_t first, size_t count);
+void push_general(const Grid& grid, const GeneralSheet& sheet, const SheetPush& push, const StateNumbers& x,
+                  const StateNumbers& v, double* out, size_t first, size_t count);
 // False if a number left the finite range. to_x and to_v may be x and v.
-template <class S, class T> bool move_nodes(const Grid& grid, const SheetMove& move, const S* x, const S* v, T* to_x,
-                                            T* to_v, size_t first, size_t count);
+bool move_nodes(const Grid& grid, const SheetMove& move, const StateNumbers& x, const StateNumbers& v,
+                const StateNumbers& to_x, const StateNumbers& to_v, size_t first, size_t count);
 
 // ---- a stage of a uniform sheet (sheet_sweep.cpp) ----
 
 // plane = the filters along the rows, and with `carries` the first one down the columns, of what acts on the nodes that
 // start from x and v. looked: scratch, kLookedRows rows. With `carries`, all rows at once.
-template <class S, class T> void sweep_down(const Grid& grid, const UniformStage<T>& stage, const S* x, const S* v,
-                                            double* plane, double* looked, size_t first, size_t count);
+void sweep_down(const Grid& grid, const UniformStage& stage, const StateNumbers& x, const StateNumbers& v,
+                double* plane, double* looked, size_t first, size_t count);
 // The filters down the columns, but for the first one if it is `carried`; moves by that. below: scratch, a row. Parts
 // are of the columns.
-template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried,
-                                          const SheetMove& move, double* plane, double* below, const S* x, const S* v,
-                                          T* to_x, T* to_v, size_t first, size_t count);
+bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried, const SheetMove& move, double* plane,
+              double* below, const StateNumbers& x, const StateNumbers& v, const StateNumbers& to_x,
+              const StateNumbers& to_v, size_t first, size_t count);
 
 // ---- an explicit step of a uniform sheet (sheet_explicit.cpp) ----
 
 // What a part needs of its neighbours, into looked, before any part is stepped.
-template <class T> void look_beyond(const Grid& grid, const UniformStage<T>& stage, const SheetMove& move, T* x, T* v,
-                                    double* looked, size_t first, size_t count);
-template <class T> bool step_rows(const Grid& grid, const UniformStage<T>& stage, const SheetMove& move, T* x, T* v,
-                                  double* looked, size_t first, size_t count);
+void look_beyond(const Grid& grid, const UniformStage& stage, const SheetMove& move, const StateNumbers& x,
+                 const StateNumbers& v, double* looked, size_t first, size_t count);
+bool step_rows(const Grid& grid, const UniformStage& stage, const SheetMove& move, const StateNumbers& x,
+               const StateNumbers& v, double* looked, size_t first, size_t count);
 
 // ---- a shifted step of alternating directions (sheet_shift.cpp) ----
 

@@ -10,17 +10,17 @@ namespace CD_ISA {
 namespace {
 
 // Pointers to where a row starts.
-template <class T> struct ExplicitMove {
+struct ExplicitMove {
     Separable acting;
-    T *x, *v;
+    StateNumbers x, v;
     double move, follow;
     Lanes<kWidest>& probe;
 
     template <int N, bool kInside = false> void bundle(size_t u) {
         using L = Lanes<N>;
-        const L from = L::load(v + u), change = acting.acts<N, kInside>(u);
-        store_settled(from + change, v + u, probe);
-        store_settled(L::load(x + u) + move * (from + follow * change), x + u, probe);
+        const L from = load_lanes<N>(v, u), change = acting.acts<N, kInside>(u);
+        store_settled(from + change, v, u, probe);
+        store_settled(load_lanes<N>(x, u) + move * (from + follow * change), x, u, probe);
     }
 };
 
@@ -92,7 +92,7 @@ template <class T> struct PlainRow {
 
 template <class T> struct PlainRows {
     const Grid& grid;
-    const UniformStage<T>& stage;
+    const UniformStage& stage;
     PlainLine along, across;
     PlainTime<T> time;
     T *x, *v;
@@ -101,7 +101,7 @@ template <class T> struct PlainRows {
     bool fetches;
     PlainProbe<T> probe{};
 
-    PlainRows(const Grid& grid_, const UniformStage<T>& stage_, double dt, T* x_, T* v_, double* looked, size_t first_,
+    PlainRows(const Grid& grid_, const UniformStage& stage_, double dt, T* x_, T* v_, double* looked, size_t first_,
               size_t count)
         : grid(grid_),
           stage(stage_),
@@ -116,7 +116,7 @@ template <class T> struct PlainRows {
           end(first_ + count),
           fetches(leaves_cache(grid)) {}
 
-    static bool takes(const Grid& grid, const UniformStage<T>& stage, const SheetMove& move) {
+    static bool takes(const Grid& grid, const UniformStage& stage, const SheetMove& move) {
         return stage.constant && stage.share == 0 && move.follow == 1 && in_plain_range<T>(move.move) &&
                in_plain_range<T>(__builtin_fabs(stage.push.gravity)) &&
                PlainLine(stage.sheet, 0).in_range<T>(grid.columns) && PlainLine(stage.sheet, 1).in_range<T>(grid.rows);
@@ -156,41 +156,44 @@ template <class T> struct PlainRows {
 
 } // namespace
 
-template <class T> void look_beyond(const Grid& grid, const UniformStage<T>& stage, const SheetMove& move, T* x, T* v,
-                                    double* looked, size_t first, size_t count) {
-    if (PlainRows<T>::takes(grid, stage, move))
-        return PlainRows<T>(grid, stage, move.move, x, v, looked, first, count).look_beyond();
-    StageRows<T, T>{grid, stage, x, v, looked, first, first + count}.look_beyond();
+// f of the rows, if they are ones that take plain steps; whether they are.
+template <class F> static bool as_plain_rows(const Grid& grid, const UniformStage& stage, const SheetMove& move,
+                                             const StateNumbers& x, const StateNumbers& v, double* looked, size_t first,
+                                             size_t count, F f) {
+    return x.stored([&](auto* position) {
+        using T = std::remove_pointer_t<decltype(position)>;
+        if (!PlainRows<T>::takes(grid, stage, move)) return false;
+        f(PlainRows<T>(grid, stage, move.move, position, static_cast<T*>(v.data), looked, first, count));
+        return true;
+    });
 }
 
-template <class T> bool step_rows(const Grid& grid, const UniformStage<T>& stage, const SheetMove& move, T* x, T* v,
-                                  double* looked, size_t first, size_t count) {
-    if (PlainRows<T>::takes(grid, stage, move)) {
-        PlainRows<T> rows(grid, stage, move.move, x, v, looked, first, count);
+void look_beyond(const Grid& grid, const UniformStage& stage, const SheetMove& move, const StateNumbers& x,
+                 const StateNumbers& v, double* looked, size_t first, size_t count) {
+    const auto look = [](const auto& rows) { rows.look_beyond(); };
+    if (!as_plain_rows(grid, stage, move, x, v, looked, first, count, look))
+        StageRows{grid, stage, x, v, looked, first, first + count}.look_beyond();
+}
+
+bool step_rows(const Grid& grid, const UniformStage& stage, const SheetMove& move, const StateNumbers& x,
+               const StateNumbers& v, double* looked, size_t first, size_t count) {
+    bool finite = true;
+    const auto step_plainly = [&](auto rows) {
         for (size_t r = first; r < rows.end; ++r) rows.step(r);
-        return rows.probe.finite();
-    }
-    const StageRows<T, T> rows{grid, stage, x, v, looked, first, first + count};
+        finite = rows.probe.finite();
+    };
+    if (as_plain_rows(grid, stage, move, x, v, looked, first, count, step_plainly)) return finite;
+    const StageRows rows{grid, stage, x, v, looked, first, first + count};
     Lanes<kWidest> probe{};
     rows.look(first, rows.at(first));
     for (size_t r = first; r < rows.end; ++r) {
         if (r + 1 < rows.end) rows.look(r + 1, rows.at(r + 1));
         const size_t row = r * grid.pitch;
-        ExplicitMove<T> step{rows.acting(r, rows.pushes()), x + row, v + row, move.move, move.follow, probe};
+        ExplicitMove step{rows.acting(r, rows.pushes()), x.from(row), v.from(row), move.move, move.follow, probe};
         along_springs(grid.columns, step);
     }
     return !probe.any_nan();
 }
-
-#define CD_EXPLICIT(T)                                                                                                 \
-    template void look_beyond(const Grid&, const UniformStage<T>&, const SheetMove&, T*, T*, double*, size_t, size_t); \
-    template bool step_rows(const Grid&, const UniformStage<T>&, const SheetMove&, T*, T*, double*, size_t, size_t);
-#if CD_WITH_FLOAT32
-CD_EXPLICIT(float)
-#endif
-#if CD_WITH_FLOAT64
-CD_EXPLICIT(double)
-#endif
 
 } // namespace CD_ISA
 } // namespace cd

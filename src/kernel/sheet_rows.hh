@@ -89,13 +89,23 @@ template <class F> inline void along_springs(size_t columns, F&& f) {
     along_whole_row(begins + inner, columns - begins - inner, f);
 }
 
-template <class S, class T> struct PushSeparable {
+struct PushSeparable {
     const SeparableSheet& sheet;
-    const SheetPush<T>& push;
-    const S* v;
+    const SheetPush& push;
+    StateNumbers v;
     double* out;               // where the row starts
     size_t row;                // likewise, in planes
     double inverse_mass, drag; // of the row
+
+    PushSeparable(const Grid& grid, const SeparableSheet& sheet_, const SheetPush& push_, const StateNumbers& v_,
+                  double* row_out, size_t r)
+        : sheet(sheet_),
+          push(push_),
+          v(v_),
+          out(row_out),
+          row(r * grid.pitch),
+          inverse_mass(sheet.inverse_mass[1][r]),
+          drag(sheet.drag[1] ? push.drag + sheet.drag[1][r] : push.drag) {}
 
     template <int N> void bundle(size_t u) const {
         using L = Lanes<N>;
@@ -103,13 +113,13 @@ template <class S, class T> struct PushSeparable {
         L sum = L::splat(push.gravity);
         if (push.forces || push.pressed) {
             L force{};
-            if (push.forces) force = L::load(push.forces + at);
+            if (push.forces) force = load_lanes<N>(push.forces, at);
             if (push.pressed) force = force + L::load(push.pressed + at);
             sum = sum + (push.force * inverse_mass) * (L::load(sheet.inverse_mass[0] + u) * force);
         }
         L rate = L::splat(drag);
         if (sheet.drag[0]) rate = rate + L::load(sheet.drag[0] + u);
-        (sum - rate * L::load(v + at)).store(out + u);
+        (sum - rate * load_lanes<N>(v, at)).store(out + u);
     }
 };
 
@@ -131,10 +141,10 @@ template <class S> struct Look {
 
 // The rows of a stage in a sweep down the sheet. Of what springs look at the last three rows are held, and beside them
 // the two beyond the sweep's part, which may be another thread's; then a row of pushes.
-template <class S, class T> struct StageRows {
+struct StageRows {
     const Grid& grid;
-    const UniformStage<T>& stage;
-    const S *x, *v;
+    const UniformStage& stage;
+    StateNumbers x, v;
     double* looked; // kLookedRows rows
     size_t first, end;
     bool fetches = leaves_cache(grid);
@@ -144,8 +154,13 @@ template <class S, class T> struct StageRows {
     double* at(size_t row) const { return slot(row % 3); }
 
     void look(size_t row, double* to) const {
-        const Look<S> bundles{fetches, stage.closing_rate, stage.share, x + row * grid.pitch, v + row * grid.pitch, to};
-        along_whole_row(0, grid.columns, bundles);
+        x.stored([&](auto* position) {
+            using S = std::remove_pointer_t<decltype(position)>;
+            const size_t start = row * grid.pitch;
+            const Look<S> bundles{
+                fetches, stage.closing_rate, stage.share, position + start, static_cast<const S*>(v.data) + start, to};
+            along_whole_row(0, grid.columns, bundles);
+        });
         if (!stage.ring_u) return;
         to[-1] = to[grid.columns - 1];
         to[grid.columns] = to[0];
@@ -156,15 +171,10 @@ template <class S, class T> struct StageRows {
     }
     // What acts at a row, once the row after it is looked at; out: see Separable.
     Separable acting(size_t row, double* out) const {
-        const SeparableSheet& sheet = stage.sheet;
-        if (!stage.constant) {
-            const double drag = sheet.drag[1] ? stage.push.drag + sheet.drag[1][row] : stage.push.drag;
-            const PushSeparable<S, T> push{sheet, stage.push, v, out, row * grid.pitch, sheet.inverse_mass[1][row],
-                                           drag};
-            along_whole_row(0, grid.columns, push);
-        }
+        if (!stage.constant)
+            along_whole_row(0, grid.columns, PushSeparable(grid, stage.sheet, stage.push, v, out, row));
         const Rows rows{at(row), row > first ? at(row - 1) : slot(3), row + 1 < end ? at(row + 1) : slot(4)};
-        return {grid, sheet, stage.constant, stage.push.gravity, out, rows, row};
+        return {grid, stage.sheet, stage.constant, stage.push.gravity, out, rows, row};
     }
 };
 

@@ -32,8 +32,8 @@ template <class S> inline void fetch(const S* from, size_t count) {
     for (size_t i = 0; i < count; i += 64 / sizeof(S)) __builtin_prefetch(from + i, 1);
 }
 
-template <class S, class T> struct DownSweep {
-    const StageRows<S, T> rows;
+struct DownSweep {
+    const StageRows rows;
     double* plane;
 
     void block(size_t row, size_t count) const {
@@ -91,25 +91,21 @@ template <class S, class T> struct MoveUp {
 
 } // namespace
 
-template <class S, class T> void sweep_down(const Grid& grid, const UniformStage<T>& stage, const S* x, const S* v,
-                                            double* plane, double* looked, size_t first, size_t count) {
-    const DownSweep<S, T> sweep{{grid, stage, x, v, looked, first, first + count}, plane};
+void sweep_down(const Grid& grid, const UniformStage& stage, const StateNumbers& x, const StateNumbers& v,
+                double* plane, double* looked, size_t first, size_t count) {
+    const DownSweep sweep{{grid, stage, x, v, looked, first, first + count}, plane};
     sweep.rows.look_beyond();
     sweep.rows.look(first, sweep.rows.at(first));
     for (size_t done = 0; done < count; done += kBlock)
         sweep.block(first + done, count - done < kBlock ? count - done : kBlock);
 }
 
-template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried,
-                                          const SheetMove& move, double* plane, double* below, const S* x, const S* v,
-                                          T* to_x, T* to_v, size_t first, size_t count) {
+template <class S, class T> static bool move_up(const Grid& grid, const SharedFilter& filter, const SheetMove& move,
+                                                const double* plane, double* below, const S* x, const S* v, T* to_x,
+                                                T* to_v, size_t first, size_t count) {
     PlainProbe<T> probe; // of all rows: looking into it takes as long as a short one
     const size_t ahead = rows_ahead(grid, count);
     const size_t end = first + (count + kWidest - 1) / kWidest * kWidest; // see along_whole_row
-    for (size_t r = 1; r < grid.rows && !carried; ++r) {
-        if (ahead > 0 && r + ahead < grid.rows) fetch(plane + (r + ahead) * grid.pitch + first, count);
-        along_whole_row(first, count, CarryDown(grid, filter, plane, r));
-    }
     for (size_t r = grid.rows; r-- > 0;) {
         const size_t row = r * grid.pitch;
         MoveUp<S, T> step{r + 1 == grid.rows,
@@ -132,22 +128,22 @@ template <class S, class T> bool sweep_up(const Grid& grid, const SharedFilter& 
     return probe.finite();
 }
 
-#define CD_DOWN(S, T) \
-    template void sweep_down(const Grid&, const UniformStage<T>&, const S*, const S*, double*, double*, size_t, size_t);
-#define CD_UP(S, T)                                                                                              \
-    template bool sweep_up(const Grid&, const SharedFilter&, bool, const SheetMove&, double*, double*, const S*, \
-                           const S*, T*, T*, size_t, size_t);
-#if CD_WITH_FLOAT32
-CD_DOWN(float, float)
-CD_DOWN(double, float)
-CD_UP(float, float)
-CD_UP(float, double)
-CD_UP(double, float)
-#endif
-#if CD_WITH_FLOAT64
-CD_DOWN(double, double)
-CD_UP(double, double)
-#endif
+bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried, const SheetMove& move, double* plane,
+              double* below, const StateNumbers& x, const StateNumbers& v, const StateNumbers& to_x,
+              const StateNumbers& to_v, size_t first, size_t count) {
+    const size_t ahead = rows_ahead(grid, count);
+    for (size_t r = 1; r < grid.rows && !carried; ++r) {
+        if (ahead > 0 && r + ahead < grid.rows) fetch(plane + (r + ahead) * grid.pitch + first, count);
+        along_whole_row(first, count, CarryDown(grid, filter, plane, r));
+    }
+    return x.stored([&](auto* from_x) {
+        return to_x.stored([&](auto* into_x) {
+            const auto from_v = static_cast<decltype(from_x)>(v.data);
+            const auto into_v = static_cast<decltype(into_x)>(to_v.data);
+            return move_up(grid, filter, move, plane, below, from_x, from_v, into_x, into_v, first, count);
+        });
+    });
+}
 
 } // namespace CD_ISA
 } // namespace cd

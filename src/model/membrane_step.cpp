@@ -32,14 +32,13 @@ namespace cd {
 
 namespace {
 
-template <class T> struct Stepper {
+struct Stepper {
     Membrane& m;
     Work& w;
     double dt, h;
     Convergence worst; // of all coupled solves
 
     const SheetKernels& sheet() const { return m.kernels->sheet; }
-    const SheetStateKernels<T>& state() const { return sheet().of(T()); }
     template <class Body> void rows(const Body& body) const { w.system.rows(body); }
 
     // Makes a step. False if a number left the finite range.
@@ -47,27 +46,23 @@ template <class T> struct Stepper {
         if (m.pressure != 0) press(m);
         bool finite = true;
         const StageMoves moves(m, dt);
+        const StateNumbers kept_x{w.kept_x, true}, kept_v{w.kept_v, true};
         for (size_t k = 0; k < m.components; ++k) {
-            T *const x = numbers<T>(m.position) + k * m.plane, *const v = numbers<T>(m.velocity) + k * m.plane;
+            const StateNumbers x = plane_of(m.position, k), v = plane_of(m.velocity, k);
             if (!w.implicit) {
                 const SheetMove by{1, dt, m.method == CD_METHOD_SYMPLECTIC_EULER ? 1.0 : 0.0, {w.residual}, {1}, 1};
                 if (w.uniform) {
                     finite &= sweep_once(k, by, x, v);
                     continue;
                 }
-                start<false>(k, x, v);
+                start(k, x, v);
                 w.system.multiply(w.residual, w.inverse, w.residual);
-                finite &= move(state().move, by, x, v, x, v);
-            } else if (w.swept) {
-                finite &= sweep_stages(k, moves, x, v);
+                finite &= move(by, x, v, x, v);
             } else if (moves.count == 1) {
-                start<false>(k, x, v);
-                finite &= move(state().move, solve(moves.overshoot[0], moves.move[0]), x, v, x, v);
+                finite &= stage(k, moves, 0, x, v, x, v);
             } else {
-                start<false>(k, x, v);
-                move(state().keep, solve(moves.overshoot[0], moves.move[0]), x, v, w.kept_x, w.kept_v);
-                start<true>(k, w.kept_x, w.kept_v);
-                finite &= move(state().move_kept, solve(moves.overshoot[1], moves.move[1]), w.kept_x, w.kept_v, x, v);
+                stage(k, moves, 0, x, v, kept_x, kept_v);
+                finite &= stage(k, moves, 1, kept_x, kept_v, x, v);
             }
         }
         return finite;
@@ -75,9 +70,9 @@ template <class T> struct Stepper {
 
     // What acts on component k of a uniform sheet.
     struct Uniform {
-        SheetPush<T> push;
+        SheetPush push;
         SeparableSheet sheet;
-        UniformStage<T> stage;
+        UniformStage stage;
 
         Uniform(const Stepper& s, size_t k)
             : push(s.push(k)),
@@ -94,70 +89,65 @@ template <class T> struct Stepper {
     };
     double* looked(size_t band) const { return w.looked + band * kLookedRows * w.grid.pitch; }
 
-    bool sweep_once(size_t k, const SheetMove& by, T* x, T* v) const {
+    bool sweep_once(size_t k, const SheetMove& by, const StateNumbers& x, const StateNumbers& v) const {
         const Uniform now(*this, k);
         bool finite = true;
         w.bands.each(m.parallel, [&](size_t band, size_t first, size_t count) {
-            state().look_beyond(w.grid, now.stage, by, x, v, looked(band), first, count);
+            sheet().look_beyond(w.grid, now.stage, by, x, v, looked(band), first, count);
         });
         w.bands.each(m.parallel, [&](size_t band, size_t first, size_t count) {
-            if (!state().step_rows(w.grid, now.stage, by, x, v, looked(band), first, count))
+            if (!sheet().step_rows(w.grid, now.stage, by, x, v, looked(band), first, count))
                 __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
         });
         return finite;
     }
 
-    bool sweep_stages(size_t k, const StageMoves& by, T* x, T* v) const {
-        if (by.count == 1) return sweep(k, state().down, state().up, by, 0, x, v, x, v);
-        sweep(k, state().down, state().up_keep, by, 0, x, v, w.kept_x, w.kept_v);
-        return sweep(k, state().down_kept, state().up_kept, by, 1, w.kept_x, w.kept_v, x, v);
+    // One implicit stage of component k, from (x, v) to (to_x, to_v).
+    bool stage(size_t k, const StageMoves& by, int number, const StateNumbers& x, const StateNumbers& v,
+               const StateNumbers& to_x, const StateNumbers& to_v) {
+        if (w.swept) return sweep(k, by, number, x, v, to_x, to_v);
+        start(k, x, v);
+        return move(solve(by.overshoot[number], by.move[number]), x, v, to_x, to_v);
     }
 
-    // One stage of component k of a uniform sheet. On one thread the filters down the columns start at once.
-    template <class Down, class Up, class S, class D> bool sweep(size_t k, Down down, Up up, const StageMoves& by,
-                                                                 int number, const S* x, const S* v, D* to_x,
-                                                                 D* to_v) const {
+    // Likewise of a uniform sheet. On one thread the filters down the columns start at once.
+    bool sweep(size_t k, const StageMoves& by, int number, const StateNumbers& x, const StateNumbers& v,
+               const StateNumbers& to_x, const StateNumbers& to_v) const {
         const Uniform now(*this, k);
-        const UniformStage<T>& stage = now.stage;
+        const UniformStage& stage = now.stage;
         w.bands.each(m.parallel, [&](size_t band, size_t first, size_t count) {
-            down(w.grid, stage, x, v, w.residual, looked(band), first, count);
+            sheet().sweep_down(w.grid, stage, x, v, w.residual, looked(band), first, count);
         });
         const SheetMove move{1 + by.overshoot[number], by.move[number], 1, {}, {}, 0};
         bool finite = true;
         w.strips.each(m.parallel, [&](size_t, size_t first, size_t count) {
-            if (!up(w.grid, stage.along_v, stage.carries, move, w.residual, w.looked, x, v, to_x, to_v, first, count))
+            if (!sheet().sweep_up(w.grid, stage.along_v, stage.carries, move, w.residual, w.looked, x, v, to_x, to_v,
+                                  first, count))
                 __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
         });
         return finite;
     }
 
-    template <class Move, class S, class D>
-    bool move(Move kernel, const SheetMove& by, const S* x, const S* v, D* to_x, D* to_v) const {
+    bool move(const SheetMove& by, const StateNumbers& x, const StateNumbers& v, const StateNumbers& to_x,
+              const StateNumbers& to_v) const {
         bool finite = true;
         rows([&](size_t first, size_t count) {
-            if (!kernel(w.grid, by, x, v, to_x, to_v, first, count)) __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
+            if (!sheet().move_nodes(w.grid, by, x, v, to_x, to_v, first, count))
+                __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
         });
         return finite;
     }
 
     // w.residual = r for component k, where nodes move; of a separable sheet without planes divided by its masses.
     // w.free_v too, if the solver wants it.
-    template <bool kKept, class S> void start(size_t k, const S* x, const S* v) const {
+    void start(size_t k, const StateNumbers& x, const StateNumbers& v) const {
         const double closing_rate = w.implicit ? 1 / (h + m.damping) : 1, v_share = w.implicit ? 1 : m.damping;
         const SheetGather look{closing_rate, m.whole ? 0 : v_share, v_share, w.mass, w.scaled, w.free_v};
-        const SheetPush<T> push = this->push(k);
-        rows([&](size_t first, size_t count) {
-            const auto kernel = [&] {
-                if constexpr (kKept) return state().gather_kept;
-                else return state().gather;
-            }();
-            kernel(w.grid, look, x, v, first, count);
-        });
+        const SheetPush push = this->push(k);
+        rows([&](size_t first, size_t count) { sheet().gather(w.grid, look, x, v, first, count); });
         if (w.general) {
             rows([&](size_t first, size_t count) {
-                if constexpr (kKept)
-                    state().push_general_kept(w.grid, w.system.sheet, push, x, v, w.residual, first, count);
-                else state().push_general(w.grid, w.system.sheet, push, x, v, w.residual, first, count);
+                sheet().push_general(w.grid, w.system.sheet, push, x, v, w.residual, first, count);
             });
             w.system.pull(w.scaled, w.residual);
             return;
@@ -166,16 +156,12 @@ template <class T> struct Stepper {
         const bool constant = is_constant(push, uniform);
         w.system.wrap(w.scaled);
         rows([&](size_t first, size_t count) {
-            if constexpr (kKept) {
-                if (!constant) state().push_separable_kept(w.grid, uniform, push, v, w.residual, first, count);
-            } else {
-                if (!constant) state().push_separable(w.grid, uniform, push, v, w.residual, first, count);
-            }
+            if (!constant) sheet().push_separable(w.grid, uniform, push, v, w.residual, first, count);
             sheet().pull_separable(w.grid, uniform, w.scaled, constant, push.gravity, w.residual, first, count);
         });
     }
 
-    SheetPush<T> push(size_t k) const {
+    SheetPush push(size_t k) const {
         return {h * m.gravity[k],
                 h,
                 h * m.drag,
@@ -186,12 +172,13 @@ template <class T> struct Stepper {
                 m.whole};
     }
     // Whether h g is all that acts on nodes beside springs.
-    static bool is_constant(const SheetPush<T>& push, const SeparableSheet& sheet) {
+    static bool is_constant(const SheetPush& push, const SeparableSheet& sheet) {
         return !push.forces && !push.pressed && push.drag == 0 && !sheet.drag[0];
     }
 
-    const T* plane_of(const Array<char>& array, size_t k) const {
-        return array ? numbers<T>(array) + k * m.plane : nullptr;
+    StateNumbers plane_of(const Array<char>& array, size_t k) const {
+        const StateNumbers all = state_of(m, array);
+        return all ? all.from(k * m.plane) : all;
     }
 
     SeparableSheet separable_sheet() const {
@@ -297,14 +284,15 @@ template <class T> struct Stepper {
 
 // What lies beyond the rows' ends, and in the scratch, is no part of the sheet, but sweeps work on it too: numbers that
 // are not finite leak there and back, or grow there by themselves.
-template <class T> void clear_beyond(Membrane& m) {
+void clear_beyond(Membrane& m) {
     if (m.scratch) memset(m.scratch.data, 0, m.scratch.bytes());
-    for (T* const state : {numbers<T>(m.position), numbers<T>(m.velocity)})
+    const size_t size = number_size(m);
+    for (char* const state : {m.position.data, m.velocity.data})
         for (size_t row = 0; row < m.components * m.rows; ++row)
-            memset(state + row * m.pitch + m.columns, 0, (m.pitch - m.columns) * sizeof(T));
+            memset(state + (row * m.pitch + m.columns) * size, 0, (m.pitch - m.columns) * size);
 }
 
-template <class T> MembraneOutcome step(Membrane& m, double dt, size_t count) {
+MembraneOutcome step_springs(Membrane& m, double dt, size_t count) {
     const bool anew = must_prepare(m, dt);
     Carver coefficients{m.coefficients.data}, scratch{m.scratch.data};
     Work work(m, features(m), coefficients, scratch);
@@ -312,11 +300,11 @@ template <class T> MembraneOutcome step(Membrane& m, double dt, size_t count) {
         prepare(m, work, dt);
         if (work.implicit) ++m.factorizations;
     }
-    Stepper<T> stepper{m, work, dt, stage_share(m, dt), {}};
+    Stepper stepper{m, work, dt, stage_share(m, dt), {}};
     uint64_t bad = 0;
     for (size_t s = 0; s < count; ++s) {
         if (stepper.step()) continue;
-        clear_beyond<T>(m);
+        clear_beyond(m);
         if (bad == 0 && !all_finite(m)) bad = m.clock.steps + s + 1;
     }
     if (bad) stop_nodes(m);
@@ -338,22 +326,16 @@ static void pose_nodes(Membrane& m, double seconds) {
     }
 }
 
-static MembraneOutcome step_by_precision(Membrane& m, double dt, size_t count) {
+static MembraneOutcome make_steps(Membrane& m, double dt, size_t count) {
     if constexpr (CD_WITH_CLOTH)
         if (has_lengths(m)) return step_cloth(m, dt, count);
-#if CD_WITH_FLOAT64
-    if (m.precision == CD_FLOAT64) return step<double>(m, dt, count);
-#endif
-#if CD_WITH_FLOAT32
-    if (m.precision == CD_FLOAT32) return step<float>(m, dt, count);
-#endif
-    return {};
+    return step_springs(m, dt, count);
 }
 
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
     pose_nodes(m, dt * double(count));
     m.bad_answer = {};
-    const MembraneOutcome outcome = step_by_precision(m, dt, count);
+    const MembraneOutcome outcome = make_steps(m, dt, count);
     m.clock.advance(dt, count);
     m.diverged = outcome.diverged_at != 0;
     return outcome;
