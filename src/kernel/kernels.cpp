@@ -8,27 +8,6 @@
 namespace cd {
 namespace CD_ISA {
 
-#if CD_WITH_MEMBRANE
-template <class T> constexpr SheetStateKernels<T> state_kernels() {
-    return {gather<T>,
-            push_separable<T, T>,
-            push_general<T, T>,
-            move_nodes<T, T>,
-            move_nodes<T, double>,
-            gather<double>,
-            push_separable<double, T>,
-            push_general<double, T>,
-            move_nodes<double, T>,
-            sweep_down<T, T>,
-            sweep_down<double, T>,
-            sweep_up<T, T>,
-            sweep_up<T, double>,
-            sweep_up<double, T>,
-            look_beyond<T>,
-            step_rows<T>};
-}
-#endif
-
 extern const Kernels kernels;
 const Kernels kernels = {
     CD_SET,
@@ -45,19 +24,10 @@ const Kernels kernels = {
     nullptr,
 #endif
 #if CD_WITH_MEMBRANE
-    {pull_separable, pull_general, apply, moments, energies, solve_lines, filter_lines, smooth_lines, shift_down,
-     shift_up, transpose, combine, multiply, wrap, dot, aggregate, spread,
-#if CD_WITH_FLOAT32
-     state_kernels<float>(),
-#else
-     {},
-#endif
-#if CD_WITH_FLOAT64
-     state_kernels<double>()
-#else
-     {}
-#endif
-    },
+    {gather,         push_separable, push_general, move_nodes, sweep_down, sweep_up,    look_beyond,  step_rows,
+     pull_separable, pull_general,   apply,        moments,    energies,   solve_lines, filter_lines, smooth_lines,
+     shift_down,     shift_up,       transpose,    combine,    multiply,   wrap,        dot,          aggregate,
+     spread},
 #else
     {},
 #endif
@@ -66,13 +36,8 @@ const Kernels kernels = {
 #else
     {},
 #endif
-#if CD_WITH_WATER && CD_WITH_FLOAT32
-    {sweep_water<float>, carry_across<float>},
-#else
-    {},
-#endif
-#if CD_WITH_WATER && CD_WITH_FLOAT64
-    {sweep_water<double>, carry_across<double>},
+#if CD_WITH_WATER
+    {sweep_water, carry_across},
 #else
     {},
 #endif

@@ -26,34 +26,15 @@ struct LineKernels {
     decltype(&CD_ISA::segment_rod_step) segment_rod_step;
 };
 
-// Of the state of a sheet; those on double planes begin stages between two others.
-template <class T> struct SheetStateKernels {
-    void (*gather)(const Grid&, const SheetGather&, const T*, const T*, size_t, size_t);
-    void (*push_separable)(const Grid&, const SeparableSheet&, const SheetPush<T>&, const T*, double*, size_t, size_t);
-    void (*push_general)(const Grid&, const GeneralSheet&, const SheetPush<T>&, const T*, const T*, double*, size_t,
-                         size_t);
-    bool (*move)(const Grid&, const SheetMove&, const T*, const T*, T*, T*, size_t, size_t);
-    bool (*keep)(const Grid&, const SheetMove&, const T*, const T*, double*, double*, size_t, size_t);
-    void (*gather_kept)(const Grid&, const SheetGather&, const double*, const double*, size_t, size_t);
-    void (*push_separable_kept)(const Grid&, const SeparableSheet&, const SheetPush<T>&, const double*, double*, size_t,
-                                size_t);
-    void (*push_general_kept)(const Grid&, const GeneralSheet&, const SheetPush<T>&, const double*, const double*,
-                              double*, size_t, size_t);
-    bool (*move_kept)(const Grid&, const SheetMove&, const double*, const double*, T*, T*, size_t, size_t);
-    void (*down)(const Grid&, const UniformStage<T>&, const T*, const T*, double*, double*, size_t, size_t);
-    void (*down_kept)(const Grid&, const UniformStage<T>&, const double*, const double*, double*, double*, size_t,
-                      size_t);
-    bool (*up)(const Grid&, const SharedFilter&, bool, const SheetMove&, double*, double*, const T*, const T*, T*, T*,
-               size_t, size_t);
-    bool (*up_keep)(const Grid&, const SharedFilter&, bool, const SheetMove&, double*, double*, const T*, const T*,
-                    double*, double*, size_t, size_t);
-    bool (*up_kept)(const Grid&, const SharedFilter&, bool, const SheetMove&, double*, double*, const double*,
-                    const double*, T*, T*, size_t, size_t);
-    void (*look_beyond)(const Grid&, const UniformStage<T>&, const SheetMove&, T*, T*, double*, size_t, size_t);
-    bool (*step_rows)(const Grid&, const UniformStage<T>&, const SheetMove&, T*, T*, double*, size_t, size_t);
-};
-
 struct SheetKernels {
+    decltype(&CD_ISA::gather) gather;
+    decltype(&CD_ISA::push_separable) push_separable;
+    decltype(&CD_ISA::push_general) push_general;
+    decltype(&CD_ISA::move_nodes) move_nodes;
+    decltype(&CD_ISA::sweep_down) sweep_down;
+    decltype(&CD_ISA::sweep_up) sweep_up;
+    decltype(&CD_ISA::look_beyond) look_beyond;
+    decltype(&CD_ISA::step_rows) step_rows;
     decltype(&CD_ISA::pull_separable) pull_separable;
     decltype(&CD_ISA::pull_general) pull_general;
     decltype(&CD_ISA::apply) apply;
@@ -71,11 +52,6 @@ struct SheetKernels {
     decltype(&CD_ISA::dot) dot;
     decltype(&CD_ISA::aggregate) aggregate;
     decltype(&CD_ISA::spread) spread;
-    SheetStateKernels<float> float32; // null where the precision is left out
-    SheetStateKernels<double> float64;
-
-    const SheetStateKernels<float>& of(float) const { return float32; }
-    const SheetStateKernels<double>& of(double) const { return float64; }
 };
 
 struct ClothKernels {
@@ -88,9 +64,9 @@ struct ClothKernels {
     decltype(&CD_ISA::cloth_solve) solve;
 };
 
-template <class T> struct WaterKernels {
-    bool (*sweep)(const WaterSweep&, const WaterLines<T>&, double*, size_t, size_t);
-    bool (*carry_across)(const WaterAcross<T>&, double*, size_t, size_t);
+struct WaterKernels {
+    decltype(&CD_ISA::sweep_water) sweep;
+    decltype(&CD_ISA::carry_across) carry_across;
 };
 
 struct Kernels {
@@ -99,11 +75,7 @@ struct Kernels {
     decltype(&CD_ISA::rope_step) rope_step;
     SheetKernels sheet;
     ClothKernels cloth;
-    WaterKernels<float> water32;
-    WaterKernels<double> water64;
-
-    const WaterKernels<float>& water_of(float) const { return water32; }
-    const WaterKernels<double>& water_of(double) const { return water64; }
+    WaterKernels water;
 };
 
 // What the public function of that name tells.

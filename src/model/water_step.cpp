@@ -67,14 +67,15 @@ HullWork hull_work(const Water& w) {
 
 namespace {
 
-template <class T> struct Stepper {
+struct Stepper {
     Water& w;
     WaterWork& work;
     double dt;
     double done = 0; // steps made in this call
     bool finite = true;
 
-    const WaterKernels<T>& kernels() const { return w.kernels->water_of(T()); }
+    const WaterKernels& kernels() const { return w.kernels->water; }
+    StateNumbers moved() const { return {work.moved, w.precision == CD_FLOAT64}; }
     size_t stride(Axis a) const { return a == kX ? 1 : w.pitch; }
     size_t byte_stride(Axis a) const { return a == kX ? 1 : w.cells[kX] + 1; }
 
@@ -119,7 +120,7 @@ template <class T> struct Stepper {
     void sweep(Axis a) {
         const WaterSweep along = sweep_along(a);
         if (along.cells == 1 && along.closed() && !along.ring()) return; // nothing moves
-        const WaterLines<T> lines = lines_along(a);
+        const WaterLines lines = lines_along(a);
         in_tasks(a, lines.lines, [&](double* place, size_t first, size_t count) {
             return kernels().sweep(along, lines, place, first, count);
         });
@@ -162,17 +163,18 @@ template <class T> struct Stepper {
         }
     }
 
-    WaterLines<T> lines_along(Axis a) const {
-        WaterLines<T> lines{};
+    WaterLines lines_along(Axis a) const {
+        WaterLines lines{};
         lines.lines = lines_of(w, a);
         lines.along = stride(a), lines.across = stride(other(a));
         lines.byte_along = byte_stride(a), lines.byte_across = byte_stride(other(a));
-        lines.depth = numbers<T>(w.depth), lines.bed = numbers<T>(w.bed), lines.velocity = numbers<T>(w.velocity[a]);
-        lines.pressure = numbers<T>(w.pressure), lines.force = numbers<T>(w.force[a]);
+        lines.depth = state_of(w, w.depth), lines.bed = state_of(w, w.bed);
+        lines.velocity = state_of(w, w.velocity[a]), lines.force = state_of(w, w.force[a]);
+        lines.pressure = state_of(w, w.pressure);
         lines.pressure_share = dt / (w.density * w.size[a]);
-        lines.load = work.hulls.load, lines.stiff = work.hulls.stiff;
+        lines.load = {work.hulls.load, true}, lines.stiff = {work.hulls.stiff, true};
         lines.mask = w.mask.data, lines.wall = w.wall[a].data;
-        lines.moved = reinterpret_cast<T*>(work.moved);
+        lines.moved = moved();
         lines.tally = work.tally;
         return lines;
     }
@@ -183,8 +185,8 @@ template <class T> struct Stepper {
         carry_faces(a, 1, last, 0);
         if (!periodic(w, other(a))) return;
         carry_faces(a, 0, 1, last);
-        T* const v = numbers<T>(w.velocity[other(a)]); // the faces 0 and n are one
-        for (size_t i = 0; i < w.cells[a]; ++i) v[i * stride(a) + (last + 1) * step] = v[i * stride(a)];
+        const StateNumbers v = state_of(w, w.velocity[other(a)]); // the faces 0 and n are one
+        for (size_t i = 0; i < w.cells[a]; ++i) v.put(i * stride(a) + (last + 1) * step, v[i * stride(a)]);
     }
 
     // The faces [first, first + count) between lines, and the line of cells before the first one.
@@ -193,19 +195,19 @@ template <class T> struct Stepper {
         const size_t here = first * stride(over), there = before * stride(over);
         const size_t byte_here = first * byte_stride(over), byte_there = before * byte_stride(over);
         const uint8_t *const mask = w.mask.data, *const wall = w.wall[over].data;
-        const T *const depth = numbers<T>(w.depth), *const moved = reinterpret_cast<const T*>(work.moved);
-        const WaterAcross<T> across{w.cells[a],
-                                    count,
-                                    stride(a),
-                                    stride(over),
-                                    periodic(w, a),
-                                    numbers<T>(w.velocity[over]) + here,
-                                    {depth + there, depth + here},
-                                    {moved + there, moved + here},
-                                    {mask ? mask + byte_there : nullptr, mask ? mask + byte_here : nullptr},
-                                    wall ? wall + byte_here : nullptr,
-                                    byte_stride(a),
-                                    byte_stride(over)};
+        const StateNumbers depth = state_of(w, w.depth), moved = this->moved();
+        const WaterAcross across{w.cells[a],
+                                 count,
+                                 stride(a),
+                                 stride(over),
+                                 periodic(w, a),
+                                 state_of(w, w.velocity[over]).from(here),
+                                 {depth.from(there), depth.from(here)},
+                                 {moved.from(there), moved.from(here)},
+                                 {mask ? mask + byte_there : nullptr, mask ? mask + byte_here : nullptr},
+                                 wall ? wall + byte_here : nullptr,
+                                 byte_stride(a),
+                                 byte_stride(over)};
         in_tasks(a, count, [&](double* place, size_t from, size_t packs) {
             return kernels().carry_across(across, place, from, packs);
         });
@@ -232,16 +234,17 @@ template <class T> struct Stepper {
     void add_sources() {
         Sum in, out;
         const Axis along = Axis(w.first);
-        Rounding<T, 1> rounding;
+        const StateNumbers depth = state_of(w, w.depth), sources = state_of(w, w.source);
+        Rounding<1> rounding{depth.wide()};
         for (size_t line = 0; line < lines_of(w, along); ++line) {
             for (size_t k = 0; k < w.cells[along]; ++k) {
                 const size_t i = along == kX ? k : line, j = along == kX ? line : k, at = place(w, i, j);
-                const double source = double(numbers<T>(w.source)[at]), d = double(numbers<T>(w.depth)[at]);
+                const double source = sources[at], d = depth[at];
                 if (source == 0 || !present(w, i, j)) continue;
                 const double added = dt * source > -d ? dt * source : -d;
                 (added > 0 ? in : out).add(added > 0 ? added : -added);
-                numbers<T>(w.depth)[at] = T(rounding({d + added}).v);
-                finite &= double(numbers<T>(w.depth)[at]) <= most_of(w);
+                depth.put(at, rounding({d + added}).v);
+                finite &= depth[at] <= most_of(w);
             }
         }
         w.account.in += in.value() * cell_area(w);
@@ -249,28 +252,17 @@ template <class T> struct Stepper {
     }
 };
 
-template <class T> uint64_t step(Water& w, double dt, size_t count) {
+} // namespace
+
+uint64_t step_water(Water& w, double dt, size_t count) {
     Carver scratch{w.scratch.data};
     WaterWork work(w, features(w), scratch);
     w.limited_cells = 0;
     w.limited_volume = 0;
-    Stepper<T> stepper{w, work, dt};
-    uint64_t bad = 0;
-    for (size_t s = 0; s < count; ++s)
-        if (!stepper.step() && bad == 0) bad = w.clock.steps + s + 1;
-    return bad;
-}
-
-} // namespace
-
-uint64_t step_water(Water& w, double dt, size_t count) {
+    Stepper stepper{w, work, dt};
     uint64_t diverged_at = 0;
-#if CD_WITH_FLOAT64
-    if (w.precision == CD_FLOAT64) diverged_at = step<double>(w, dt, count);
-#endif
-#if CD_WITH_FLOAT32
-    if (w.precision == CD_FLOAT32) diverged_at = step<float>(w, dt, count);
-#endif
+    for (size_t s = 0; s < count; ++s)
+        if (!stepper.step() && diverged_at == 0) diverged_at = w.clock.steps + s + 1;
     w.clock.advance(dt, count);
     w.diverged = diverged_at != 0;
     if (w.diverged) stop_closed(w); // what is not finite leaks over walls

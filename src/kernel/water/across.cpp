@@ -40,8 +40,8 @@ template <int N> struct AcrossCarriers {
     void set(size_t i, L u) const { results.put(i, u); }
 };
 
-template <class T> struct Across {
-    const WaterAcross<T>& across;
+struct Across {
+    const WaterAcross& across;
     double* work;
 
     template <int N> bool bundle(size_t first) const {
@@ -59,17 +59,16 @@ template <class T> struct Across {
         if (across.wall || across.mask[0]) fetch_openings(p, faces.opening = panel());
 
         carry_line<N>(n, across.ring, faces, answers, pull, around);
-        L probe{};
-        put<N>(p, n, across.velocity, [&](size_t i) {
+        for (size_t i = 0; i < n; ++i) {
             const L passes = size_of(faces.flux[i]) + size_of(faces.flux[i + 1]); // 0: what is there stays, to the bit
             const L u = select(passes, faces.results[i], faces.velocity[i]);
-            return settled(storable<T>(select(water[i], u, L{}), probe), kRest<T>);
-        });
-        return !probe.any_nan();
+            faces.results.put(i, select(water[i], u, L{}));
+        }
+        return !put(p, n, faces.results, across.velocity, across.velocity.range().least).any_nan();
     }
 
     template <int N>
-    void fetch_mean(const Place& p, size_t count, const T* const* from, Panel<N> to, Panel<N> scratch) const {
+    void fetch_mean(const Place& p, size_t count, const StateNumbers* from, Panel<N> to, Panel<N> scratch) const {
         fetch(p, count, from[0], to);
         fetch(p, count, from[1], scratch);
         for (size_t i = 0; i < count; ++i) to.put(i, 0.5 * (to[i] + scratch[i]));
@@ -87,16 +86,9 @@ template <class T> struct Across {
 
 } // namespace
 
-template <class T> bool carry_across(const WaterAcross<T>& across, double* work, size_t first, size_t count) {
-    return in_bundles(Across<T>{across, work}, across.lines, first, count);
+bool carry_across(const WaterAcross& across, double* work, size_t first, size_t count) {
+    return in_bundles(Across{across, work}, across.lines, first, count);
 }
-
-#if CD_WITH_FLOAT32
-template bool carry_across(const WaterAcross<float>&, double*, size_t, size_t);
-#endif
-#if CD_WITH_FLOAT64
-template bool carry_across(const WaterAcross<double>&, double*, size_t, size_t);
-#endif
 
 } // namespace CD_ISA
 } // namespace cd

@@ -40,58 +40,66 @@ template <class Lines> Place place_of(const Lines& lines, size_t line, size_t mo
     return {lines.along, lines.across, line, left < most ? left : most};
 }
 
-constexpr auto kUnseen = [](auto) {};
+// What numbers reach, beyond what this is when they are looked at.
+template <int N> struct Reach {
+    Lanes<N> least{}, largest{};
 
-// see(numbers) is called for all of them in turn.
-template <int N, class T, class F = decltype(kUnseen)>
-void fetch(const Place& p, size_t count, const T* from, Panel<N> to, F see = kUnseen) {
+    void see(Lanes<N> a) { least = smaller(a, least), largest = larger(a, largest); }
+};
+
+template <int N, class T>
+inline Reach<N> fetch_stored(const Place& p, size_t count, const T* from, Panel<N> to, Reach<N> reach) {
+    const auto take = [&](size_t i, Lanes<N> numbers) { to.put(i, numbers), reach.see(numbers); };
     size_t i = 0;
     if (p.across == 1 && p.lanes == N)
-        for (; i < count; ++i) {
-            const Lanes<N> numbers = Lanes<N>::load(from + p.at(i, 0));
-            to.put(i, numbers);
-            see(numbers);
-        }
+        for (; i < count; ++i) take(i, Lanes<N>::load(from + p.at(i, 0)));
     if constexpr (N == kTile)
         if (p.along == 1 && p.lanes == N)
             for (; i + kTile <= count; i += kTile) {
                 Lanes<N> numbers[kTile];
                 load_tile(from + p.at(i, 0), p.across, numbers);
-                for (size_t k = 0; k < kTile; ++k) to.put(i + k, numbers[k]), see(numbers[k]);
+                for (size_t k = 0; k < kTile; ++k) take(i + k, numbers[k]);
             }
     for (; i < count; ++i) {
         double numbers[N];
         for (size_t lane = 0; lane < N; ++lane) numbers[lane] = double(from[p.at(i, lane)]);
-        to.put(i, Lanes<N>::load(numbers));
-        see(Lanes<N>::load(numbers));
+        take(i, Lanes<N>::load(numbers));
     }
+    return reach;
+}
+template <int N> __attribute__((noinline)) Reach<N> fetch(const Place& p, size_t count, const StateNumbers& from,
+                                                          Panel<N> to, Reach<N> reach = {}) {
+    return from.stored([&](const auto* numbers) { return fetch_stored(p, count, numbers, to, reach); });
 }
 
-// What stored(i) makes of all numbers in turn.
-template <int N, class T, class F> void put(const Place& p, size_t count, T* to, F stored) {
+// Numbers smaller than `least` are put down as 0. NaN where one is too large to be stored, else 0.
+template <int N, class T> inline Lanes<N> put_stored(const Place& p, size_t count, Panel<N> from, T* to, double least) {
+    Lanes<N> probe{};
+    const auto storable = [&](size_t i) {
+        probe = probe + 0.0 * (Limits<T>::to_overflow * from[i]);
+        return settled(from[i], least);
+    };
     size_t i = 0;
     if (p.across == 1 && p.lanes == N)
-        for (; i < count; ++i) stored(i).store(to + p.at(i, 0));
+        for (; i < count; ++i) storable(i).store(to + p.at(i, 0));
     if constexpr (N == kTile)
         if (p.along == 1 && p.lanes == N)
             for (; i + kTile <= count; i += kTile) {
                 Lanes<N> numbers[kTile];
-                for (size_t k = 0; k < kTile; ++k) numbers[k] = stored(i + k);
+                for (size_t k = 0; k < kTile; ++k) numbers[k] = storable(i + k);
                 store_tile(numbers, to + p.at(i, 0), p.across);
             }
     for (; i < count; ++i) {
         double numbers[N];
-        stored(i).store(numbers);
+        storable(i).store(numbers);
         for (size_t lane = 0; lane < p.lanes; ++lane) to[p.at(i, lane)] = T(numbers[lane]);
     }
+    return probe;
 }
-
-// A number that shall be stored; probe gets NaN for what is too large. Velocities below kRest are 0.
-template <class T, int N> inline Lanes<N> storable(Lanes<N> a, Lanes<N>& probe) {
-    probe = probe + 0.0 * (Limits<T>::to_overflow * a);
-    return a;
+template <int N> __attribute__((noinline)) Lanes<N> put(const Place& p, size_t count, Panel<N> from,
+                                                        const StateNumbers& to, double least = 0) {
+    return to.stored([&](auto* numbers) { return put_stored(p, count, from, numbers, least); });
 }
-template <class T> constexpr double kRest = double(Limits<T>::least); // [m/s]
 
 // work.bundle<N>(its first line) for what lies in packs [first, first + count); whether all came out finite.
 template <class Work> bool in_bundles(const Work& work, size_t lines, size_t first, size_t count) {

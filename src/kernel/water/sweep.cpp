@@ -64,9 +64,9 @@ template <int N> __attribute__((noinline)) WaterStep<N> make_step(WaterLine<N>& 
     return out;
 }
 
-template <class T> struct Sweep {
+struct Sweep {
     const WaterSweep& sweep;
-    const WaterLines<T>& lines;
+    const WaterLines& lines;
     double* work;
 
     template <int N> bool bundle(size_t first) const {
@@ -80,41 +80,39 @@ template <class T> struct Sweep {
             *one = panel();
         if (lines.mask || lines.wall) fetch_openings(p, line.opening = panel());
         if (lines.force || lines.pressure) fetch_acceleration(p, line.acceleration = panel(), line.flux);
-        L deepest{}, shallowest = L::splat(1), fastest{}; // shallowest: as far as it matters
-        const auto see_depth = [&](L d) { deepest = larger(d, deepest), shallowest = smaller(d, shallowest); };
         fetch(p, n, lines.bed, line.bed);
-        fetch(p, n, lines.depth, line.depth, see_depth);
-        fetch(p, n + 1, lines.velocity, line.velocity, [&](L u) { fastest = larger(size_of(u), fastest); });
-
+        const Reach<N> depths = fetch(p, n, lines.depth, line.depth, {L::splat(1), L{}}); // 1: as far as it matters
+        const Reach<N> speeds = fetch(p, n + 1, lines.velocity, line.velocity);
+        const L deepest = depths.largest, fastest = larger(speeds.largest, -speeds.least);
         L waves = deepest;
         if (CD_WITH_HULL && lines.load) {
             fetch(p, n, lines.load, line.load = panel());
             fetch(p, n, lines.stiff, line.stiff = panel());
             for (size_t i = 0; i < n; ++i) waves = larger(line.waves_in(i), waves);
         }
-        const WaterStep<N> step = make_step(line, larger(fastest, coming_in(line)), waves, shallowest, panel());
+        const WaterStep<N> step = make_step(line, larger(fastest, coming_in(line)), waves, depths.least, panel());
 
+        round_depths(line.after, deepest);
         L probe = 0.0 * (step.in + step.out);
-        round_depths(line.after, deepest, probe);
-        put<N>(p, n, lines.depth, [&](size_t i) { return line.after[i]; });
-        put<N>(p, n + 1, lines.velocity,
-               [&](size_t i) { return settled(storable<T>(line.speed[i], probe), kRest<T>); });
-        if (lines.moved) put<N>(p, n + 1, lines.moved, [&](size_t i) { return step.moved[i]; });
+        probe = probe + put(p, n, line.after, lines.depth);
+        probe = probe + put(p, n + 1, line.speed, lines.velocity, lines.velocity.range().least);
+        if (lines.moved) put(p, n + 1, step.moved, lines.moved);
         put_tally(p, {step.in, step.out, line.held_back, line.limited, step.parts});
         return !probe.any_nan();
     }
 
     // In chains of cells, since one waits long for the next; what they owe at last goes to the last cells that take it.
     // Of water as deep in all cells of a line, but for a factor of 2, none is left but for what double rounds.
-    template <int N> void round_depths(Panel<N> depth, Lanes<N> deepest, Lanes<N>& probe) const {
+    template <int N> void round_depths(Panel<N> depth, Lanes<N> deepest) const {
         using L = Lanes<N>;
         constexpr size_t kChains = 4;
         constexpr double kNoise = 0x1p-44; // of the deepest cell
-        Rounding<T, N> chain[kChains], rest;
+        const bool wide = lines.depth.wide();
+        Rounding<N> chain[kChains] = {{wide}, {wide}, {wide}, {wide}}, rest{wide};
         const size_t n = sweep.cells;
         for (size_t i = 0; i < n; i += kChains)
             for (size_t k = 0; k < kChains && i + k < n; ++k)
-                depth.put(i + k, chain[k](storable<T>(larger(L{}, depth[i + k]), probe))); // NaN hides what is < 0
+                depth.put(i + k, chain[k](larger(L{}, depth[i + k]))); // NaN hides what is < 0
         for (const auto& one : chain) rest.owed = rest.owed + one.owed;
         for (size_t i = n; i-- > 0;) {
             const L more = size_of(rest.owed) - kNoise * deepest;
@@ -177,17 +175,9 @@ template <class T> struct Sweep {
 
 } // namespace
 
-template <class T>
-bool sweep_water(const WaterSweep& sweep, const WaterLines<T>& lines, double* work, size_t first, size_t count) {
-    return in_bundles(Sweep<T>{sweep, lines, work}, lines.lines, first, count);
+bool sweep_water(const WaterSweep& sweep, const WaterLines& lines, double* work, size_t first, size_t count) {
+    return in_bundles(Sweep{sweep, lines, work}, lines.lines, first, count);
 }
-
-#if CD_WITH_FLOAT32
-template bool sweep_water(const WaterSweep&, const WaterLines<float>&, double*, size_t, size_t);
-#endif
-#if CD_WITH_FLOAT64
-template bool sweep_water(const WaterSweep&, const WaterLines<double>&, double*, size_t, size_t);
-#endif
 
 } // namespace CD_ISA
 } // namespace cd

@@ -37,16 +37,15 @@ struct WaterSweep {
 };
 
 // The numbers of lines along an axis: those of line k at cell or face i lie at i * along + k * across. Null: not there.
-template <class T> struct WaterLines {
+struct WaterLines {
     size_t lines, along, across;
-    T *depth, *velocity;
-    const T *bed, *pressure, *force;
-    const double *load, *stiff; // of hulls, in cells: the head that presses [m] is load + stiff depth
+    StateNumbers depth, velocity, bed, pressure, force;
+    StateNumbers load, stiff;   // of hulls, in cells: the head that presses [m] is load + stiff depth
     double pressure_share;      // from a difference of pressures to an acceleration
     const uint8_t *mask, *wall; // at i * byte_along + k * byte_across
     size_t byte_along, byte_across;
-    T* moved;      // out, for carry_across: what went through faces, as depths [m]
-    double* tally; // out: kTallies numbers per line
+    StateNumbers moved; // out, for carry_across: what went through faces, as depths [m]
+    double* tally;      // out: kTallies numbers per line
 };
 
 // What a line let in and out at its ends, what the limiter held back, all as depths [m]; in how many cells; and the
@@ -55,11 +54,10 @@ enum WaterTally { kIn, kOut, kHeldBack, kLimited, kParts, kTallies };
 
 // How what a sweep has moved along its lines carries the velocities of the other axis, which lie on the faces between
 // lines of cells: before them and behind.
-template <class T> struct WaterAcross {
+struct WaterAcross {
     size_t cells, lines, along, across;
     bool ring; // along the lines
-    T* velocity;
-    const T *depth[2], *moved[2];
+    StateNumbers velocity, depth[2], moved[2];
     // what closes faces, see WaterLines: the cells before and behind them, walls on them
     const uint8_t *mask[2], *wall;
     size_t byte_along, byte_across;
@@ -74,15 +72,16 @@ namespace CD_ISA {
 
 // Depths as they will be stored, cell after cell. What rounding takes from a wet cell the next one gets that can take
 // it, and the other way round; depths below the least are 0.
-template <class T, int N> struct Rounding {
+template <int N> struct Rounding {
     using L = Lanes<N>;
+    bool is_float64;
     L owed{};
 
     L operator()(L now) {
         now = settled(now, kDry);
-        if (sizeof(T) == sizeof(double)) return now;
+        if (is_float64) return now;
         const L none{}, takes = select(now, now + 2 * owed, none), exact = select(takes, now + owed, now);
-        const L stored = settled(exact, kDry).template rounded_to<T>();
+        const L stored = settled(exact, kDry).template rounded_to<float>();
         owed = select(takes, none, owed) + (exact - stored);
         return stored;
     }
@@ -90,11 +89,10 @@ template <class T, int N> struct Rounding {
 
 // Makes the step along packs [first, first + count) of lines; work: kWaterPanels * (cells + kWaterRoom) * kWaterLanes
 // numbers, more with hulls. False if a number left the finite range.
-template <class T>
-bool sweep_water(const WaterSweep& sweep, const WaterLines<T>& lines, double* work, size_t first, size_t count);
+bool sweep_water(const WaterSweep& sweep, const WaterLines& lines, double* work, size_t first, size_t count);
 
 // The same for what is carried across.
-template <class T> bool carry_across(const WaterAcross<T>& across, double* work, size_t first, size_t count);
+bool carry_across(const WaterAcross& across, double* work, size_t first, size_t count);
 
 } // namespace CD_ISA
 
