@@ -32,10 +32,10 @@ template <int N> inline StateLanes<N> difference(const StateLanes<N>& a, const S
     return {a.x - b.x, a.v - b.v};
 }
 
-// kLines lines side by side in memory, 0: any number; a lane is a segment. kPlain: an open line on which nothing acts
-// but springs, bend and gravity, and the stage is for w, from the state.
-template <int kLines, bool kPlain> struct Sweep {
-    static constexpr int kMost = kLines > 0 ? kLines : int(kMostSegmentLines), N = kTile;
+// Up to kMostSegmentLines lines, which alternate in memory; a lane is a segment. kAlone: one line. kPlain: open lines on
+// which nothing acts but springs, bend and gravity, and the stage is for w, from the state.
+template <bool kAlone, bool kPlain> struct Sweep {
+    static constexpr int kMost = kAlone ? 1 : int(kMostSegmentLines), N = kTile;
     using L = Lanes<N>;
     using One = Lanes<1>;
     using Nodes = L[N * kMost]; // of a tile: line l of node i at [i * count + l]
@@ -55,18 +55,14 @@ template <int kLines, bool kPlain> struct Sweep {
 
     // ---- where things lie -------------------------------------------------------------------------------------------
 
-    int count() const { return kLines > 0 ? kLines : int(lines.pitch); }
-    size_t stride() const { return segments.length * size_t(count()); }
-    size_t at_node(size_t j) const { return (segments.head + j) * size_t(count()); }
-    size_t scratch(size_t j, int l) const { return (j * size_t(count()) + size_t(l)) * N; }
-    size_t scratch_of(size_t node, int l) const {
+    size_t count() const { return kAlone ? 1 : lines.pitch; }
+    size_t stride() const { return segments.length * count(); }
+    size_t at_node(size_t j) const { return (segments.head + j) * count(); }
+    size_t scratch(size_t j, size_t l) const { return (j * count() + l) * N; }
+    size_t scratch_of(size_t node, size_t l) const {
         const size_t row = segments.place(node);
-        if (node < segments.head) return row * size_t(count()) + size_t(l);
+        if (node < segments.head) return row * count() + l;
         return scratch(row / N, l) + row % N;
-    }
-
-    void settle(L* numbers) const {
-        for (int l = 0; l < count(); ++l) numbers[l] = settled(numbers[l], Limits<double>::least);
     }
 
     // ---- states -----------------------------------------------------------------------------------------------------
@@ -78,30 +74,30 @@ template <int kLines, bool kPlain> struct Sweep {
     void load_nodes(const StateNumbers& of, size_t j, size_t nodes, L* out) const {
         of.stored([&](const auto* numbers) {
             const auto* const from = numbers + at_node(j);
-            if (!kTurnsHere || nodes < N) return load_numbers(from, stride(), nodes * size_t(count()), out);
-            for (int l = 0; l < count(); ++l) load_tile(from + l * N, stride(), out + l * N);
+            if (!kTurnsHere || nodes < N) return load_numbers(from, stride(), nodes * count(), out);
+            for (size_t l = 0; l < count(); ++l) load_tile(from + l * N, stride(), out + l * N);
         });
     }
     void store_nodes(const L* in, const StateNumbers& of, size_t j, size_t nodes) const {
         of.stored([&](auto* numbers) {
             auto* const to = numbers + at_node(j);
-            if (!kTurnsHere || nodes < N) return store_numbers(in, to, stride(), nodes * size_t(count()));
-            for (int l = 0; l < count(); ++l) store_tile(in + l * N, to + l * N, stride());
+            if (!kTurnsHere || nodes < N) return store_numbers(in, to, stride(), nodes * count());
+            for (size_t l = 0; l < count(); ++l) store_tile(in + l * N, to + l * N, stride());
         });
     }
-    StateLanes<N> begin(L x, L v, size_t j, int l) const {
+    StateLanes<N> begin(L x, L v, size_t j, size_t l) const {
         if (kPlain || !start.w) return {x, v};
         const L w = L::load(start.w + scratch(j, l));
         return {x + start.move * w, w + start.overshoot * (w - v)};
     }
-    StateLanes<1> state(size_t node, int l) const {
+    StateLanes<1> state(size_t node, size_t l) const {
         Start here = start;
-        const size_t at = node * size_t(count()) + size_t(l);
+        const size_t at = node * count() + l;
         if (here.w) here.w += ptrdiff_t(scratch_of(node, l)) - ptrdiff_t(at);
         return load_start<1>(lines, here, at);
     }
     // Of the nodes so many places before the segments' first ones; where there is none, of the line's first one.
-    StateLanes<N> states_before(size_t by, int l) const {
+    StateLanes<N> states_before(size_t by, size_t l) const {
         double x[N], v[N];
         for (size_t k = 0; k < kSegments; ++k) {
             const size_t node = segments.head + k * segments.length;
@@ -115,7 +111,7 @@ template <int kLines, bool kPlain> struct Sweep {
 
     // Alone. row: of the coefficients. force, target: where these act.
     template <int K>
-    Lanes<K> own(const StateLanes<K>& here, size_t row, const Lanes<K>& force, const Lanes<K>& target, int l) const {
+    Lanes<K> own(const StateLanes<K>& here, size_t row, const Lanes<K>& force, const Lanes<K>& target, size_t l) const {
         const auto gain = [row](const double* of) { return Lanes<K>::load(of + row); };
         Lanes<K> sum = gravity[l] * gain(c.gains.gravity);
         if (!kPlain && c.gains.force) sum = sum + gain(c.gains.force) * force;
@@ -133,18 +129,16 @@ template <int kLines, bool kPlain> struct Sweep {
         const size_t nodes = nodes_from(0);
         Nodes x, v, force, target;
         const auto load = [&](const StateNumbers& of, L* out) {
-            of.stored([&](const auto* numbers) {
-                load_numbers(numbers + at_node(0), stride(), nodes * size_t(count()), out);
-            });
+            of.stored([&](const auto* numbers) { load_numbers(numbers + at_node(0), stride(), nodes * count(), out); });
         };
         load(lines.velocity, v);
         if (!kPlain) load(lines.position, x);
         if (!kPlain && c.gains.force) load(lines.force, force);
         if (!kPlain && c.gains.attach) load(lines.target, target);
-        for (int l = 0; l < count(); ++l) {
-            gravity[l] = stage.gravity[size_t(l) % lines.components];
+        for (size_t l = 0; l < count(); ++l) {
+            gravity[l] = stage.gravity[l % lines.components];
             const auto alone = [&](size_t i) {
-                const size_t m = i * size_t(count()) + size_t(l);
+                const size_t m = i * count() + l;
                 return own(begin(kPlain ? v[m] : x[m], v[m], i, l), N * i, force[m], target[m], l);
             };
             double one[N], excess[N];
@@ -159,16 +153,19 @@ template <int kLines, bool kPlain> struct Sweep {
 
     // ---- going right ------------------------------------------------------------------------------------------------
 
+    // A line on its way. gap: from the node before the left one to that.
+    struct Right {
+        StateLanes<N> left, gap;
+        L u, d;
+    };
+
     void go_right() {
         make_guesses();
-        StateLanes<N> left[kMost], gap[kMost]; // gap: from the node before the left one to that
-        L u[kMost], d[kMost];
-        for (int l = 0; l < count(); ++l) {
-            left[l] = states_before(1, l);
-            gap[l] = difference(states_before(2, l), left[l]);
-            u[l] = L::splat(guess[l]), d[l] = L{};
+        Right going[kMost];
+        for (size_t l = 0; l < count(); ++l) {
+            const StateLanes<N> left = states_before(1, l);
+            going[l] = {left, difference(states_before(2, l), left), L::splat(guess[l]), L{}};
         }
-        const LaneRows rows(c);
         Nodes x, v, force, target;
         for (size_t j = 0, nodes; j < segments.length; j += nodes) {
             nodes = nodes_from(j);
@@ -176,29 +173,35 @@ template <int kLines, bool kPlain> struct Sweep {
             load_nodes(lines.velocity, j, nodes, v);
             if (!kPlain && c.gains.force) load_nodes(lines.force, j, nodes, force);
             if (!kPlain && c.gains.attach) load_nodes(lines.target, j, nodes, target);
-            for (size_t i = 0; i < nodes; ++i) {
-                for (int l = 0; l < count(); ++l) {
-                    const size_t m = i * size_t(count()) + size_t(l), at = scratch(j + i, l);
-                    const StateLanes<N> here = begin(x[m], v[m], j + i, l);
-                    const StateLanes<N> into = difference(left[l], here);
-                    const L held = d[l] + wish(difference(into, gap[l]));
-                    rod_reach(rows, j + i, held, wish(into), own(here, N * (j + i), force[m], target[m], l), u[l],
-                              d[l]);
-                    held.store(hold + at), u[l].store(value + at), d[l].store(slope + at);
-                    left[l] = here, gap[l] = into;
-                }
-            }
-            settle(u), settle(d);
+            for (size_t l = 0; l < count(); ++l) tile_right(going[l], j, nodes, l, x + l, v + l, force + l, target + l);
         }
-        for (int l = 0; l < count(); ++l) u[l].store(last[l].value), d[l].store(last[l].slope);
+        for (size_t l = 0; l < count(); ++l) going[l].u.store(last[l].value), going[l].d.store(last[l].slope);
+    }
+    // The nodes of a tile, one line after the other: in registers, and of several lines at once only as far as the
+    // processor looks ahead.
+    CD_INLINED void tile_right(Right& line, size_t j, size_t nodes, size_t l, const L* x, const L* v, const L* force,
+                               const L* target) const {
+        L x_left = line.left.x, v_left = line.left.v, x_gap = line.gap.x, v_gap = line.gap.v, u = line.u, d = line.d;
+        const LaneRows rows(c);
+        const size_t step = count();
+        for (size_t i = 0; i < nodes; ++i) {
+            const size_t m = i * step, at = scratch(j + i, l);
+            const StateLanes<N> here = begin(x[m], v[m], j + i, l), into = difference<N>({x_left, v_left}, here);
+            const L held = d + wish(difference<N>(into, {x_gap, v_gap}));
+            rod_reach(rows, j + i, held, wish(into), own(here, N * (j + i), force[m], target[m], l), u, d);
+            held.store(hold + at), u.store(value + at), d.store(slope + at);
+            x_left = here.x, v_left = here.v, x_gap = into.x, v_gap = into.v;
+        }
+        line.left = {x_left, v_left}, line.gap = {x_gap, v_gap};
+        line.u = settled(u, Limits<double>::least), line.d = settled(d, Limits<double>::least);
     }
     // The head: nodes that the segments leave over, one after the other. u, d: of its last one.
-    void head_right(int l, One& u, One& d) const {
+    void head_right(size_t l, One& u, One& d) const {
         StateLanes<1> left = state(0, l), gap{};
         u = {guess[l]}, d = {};
         for (size_t i = 0; i < segments.head; ++i) {
             const StateLanes<1> here = state(i, l);
-            const size_t row = segments.place(i), at = i * size_t(count()) + size_t(l), to = scratch_of(i, l);
+            const size_t row = segments.place(i), at = i * count() + l, to = scratch_of(i, l);
             const One force{c.gains.force ? lines.force[at] : 0};
             const One target{c.gains.attach ? lines.target[at] : 0};
             const StateLanes<1> into = difference(left, here);
@@ -211,33 +214,39 @@ template <int kLines, bool kPlain> struct Sweep {
 
     // ---- going left; answers replace what u rested at ---------------------------------------------------------------
 
+    struct Left {
+        L answer, d, held;
+    };
+
     void go_left() {
-        L answer[kMost], d[kMost], held[kMost];
-        for (int l = 0; l < count(); ++l) {
+        Left going[kMost];
+        for (size_t l = 0; l < count(); ++l) {
             // What the bend at a segment's last node holds: its wish is what the next one began with.
             double wish_there[N] = {};
             for (size_t k = 0; k + 1 < kSegments; ++k) wish_there[k] = hold[scratch(0, l) + k + 1];
-            answer[l] = L::splat(guess[l]), d[l] = L{};
-            held[l] = L::load(last[l].slope) + L::load(wish_there);
+            going[l] = {L::splat(guess[l]), L{}, L::load(last[l].slope) + L::load(wish_there)};
         }
-        const LaneRows rows(c);
         for (size_t end = segments.length, nodes; end > 0; end -= nodes) {
             nodes = end % N ? end % N : size_t(N);
-            for (size_t j = end; j-- > end - nodes;) {
-                for (int l = 0; l < count(); ++l) {
-                    const size_t at = scratch(j, l);
-                    const L u_here = L::load(value + at), d_here = L::load(slope + at);
-                    answer[l] = by_sign(rows.lean[j], u_here, answer[l] - d[l]);
-                    d[l] = rod_leave(rows, j, answer[l], u_here, d_here, d[l] - held[l]);
-                    held[l] = L::load(hold + at);
-                    answer[l].store(value + at);
-                }
-            }
-            settle(answer), settle(d);
+            for (size_t l = 0; l < count(); ++l) tile_left(going[l], end - nodes, nodes, l);
         }
-        for (int l = 0; l < count(); ++l) answer[l].store(first[l].value), d[l].store(first[l].slope);
+        for (size_t l = 0; l < count(); ++l) going[l].answer.store(first[l].value), going[l].d.store(first[l].slope);
     }
-    void head_left(int l) const {
+    CD_INLINED void tile_left(Left& line, size_t j, size_t nodes, size_t l) const {
+        L answer = line.answer, d = line.d, held = line.held;
+        const LaneRows rows(c);
+        for (size_t i = j + nodes; i-- > j;) {
+            const size_t at = scratch(i, l);
+            const L u_here = L::load(value + at), d_here = L::load(slope + at);
+            answer = by_sign(rows.lean[i], u_here, answer - d);
+            d = rod_leave(rows, i, answer, u_here, d_here, d - held);
+            held = L::load(hold + at);
+            answer.store(value + at);
+        }
+        line.answer = settled(answer, Limits<double>::least), line.d = settled(d, Limits<double>::least);
+        line.held = held;
+    }
+    void head_left(size_t l) const {
         if (segments.head == 0) return;
         One answer{first[l].value[0]}, d{first[l].slope[0]};
         One held = One{before[l].slope[0]} + One{hold[scratch_of(segments.head, l)]};
@@ -258,17 +267,17 @@ template <int kLines, bool kPlain> struct Sweep {
         const auto small = [](One a) { return settled(a, Limits<double>::least).v; };
         for (size_t k = 0; k < kSegments; ++k) {
             const auto& reach = c.segment[k].reach;
-            for (int l = 0; l < count(); ++l) {
+            for (size_t l = 0; l < count(); ++l) {
                 const double a = before[l].value[k] = small(u[l] - One{guess[l]});
                 const double b = before[l].slope[k] = small(d[l]);
                 u[l].v = last[l].value[k] + (reach[0][0] * a + reach[0][1] * b);
                 d[l].v = last[l].slope[k] + (reach[1][0] * a + reach[1][1] * b);
             }
         }
-        for (int l = 0; l < count(); ++l) u[l].v = guess[l], d[l].v = 0;
+        for (size_t l = 0; l < count(); ++l) u[l].v = guess[l], d[l].v = 0;
         for (size_t k = kSegments; k-- > 0;) {
             const auto& reply = c.segment[k].reply;
-            for (int l = 0; l < count(); ++l) {
+            for (size_t l = 0; l < count(); ++l) {
                 const double a = before[l].value[k], b = before[l].slope[k];
                 const double e = after[l].value[k] = small(u[l] - One{guess[l]});
                 const double f = after[l].slope[k] = small(d[l]);
@@ -278,17 +287,17 @@ template <int kLines, bool kPlain> struct Sweep {
                     (first[l].slope[k] + (reply[1][0] * a + reply[1][1] * b)) + (reply[1][2] * e + reply[1][3] * f);
             }
         }
-        for (int l = 0; l < count(); ++l) first[l].value[0] = u[l].v, first[l].slope[0] = d[l].v;
+        for (size_t l = 0; l < count(); ++l) first[l].value[0] = u[l].v, first[l].slope[0] = d[l].v;
     }
     // The open line's answer.
-    double answer_at(size_t node, int l) const {
+    double answer_at(size_t node, size_t l) const {
         const double alone = value[scratch_of(node, l)];
         if (node < segments.head) return alone;
         const size_t row = segments.place(node), k = row % N;
         return (alone + (c.influence[0][row] * before[l].value[k] + c.influence[1][row] * before[l].slope[k])) +
                (c.influence[2][row] * after[l].value[k] + c.influence[3][row] * after[l].slope[k]);
     }
-    void close_ring(int l) {
+    void close_ring(size_t l) {
         const size_t z = lines.nodes - 1, nodes[4] = {z - 1, z, 0, 1};
         One x[4], w[4], force[3];
         for (int k = 0; k < 4; ++k) {
@@ -301,47 +310,49 @@ template <int kLines, bool kPlain> struct Sweep {
     }
 
     bool finish() {
-        L u[kMost], d[kMost], next[kMost], into_next[kMost], probe{};
-        for (int l = 0; l < count(); ++l) {
-            u[l] = L::load(before[l].value), d[l] = L::load(before[l].slope);
-            next[l] = L::load(after[l].value), into_next[l] = L::load(after[l].slope);
-        }
-        const LaneRow by[4] = {{c.influence[0]}, {c.influence[1]}, {c.influence[2]}, {c.influence[3]}};
         const StoredRange range = lines.position.range();
         Nodes x, v;
+        L probe{};
         for (size_t j = 0, nodes; j < segments.length; j += nodes) {
             nodes = nodes_from(j);
             load_nodes(lines.position, j, nodes, x);
             load_nodes(lines.velocity, j, nodes, v);
-            for (size_t i = 0; i < nodes; ++i) {
-                const L of[4] = {by[0][j + i], by[1][j + i], by[2][j + i], by[3][j + i]};
-                for (int l = 0; l < count(); ++l) {
-                    const size_t m = i * size_t(count()) + size_t(l), at = scratch(j + i, l);
-                    const StateLanes<N> here = begin(x[m], v[m], j + i, l);
-                    L answer = (L::load(value + at) + (of[0] * u[l] + of[1] * d[l])) +
-                               (of[2] * next[l] + of[3] * into_next[l]);
-                    for (int r = 0; !kPlain && r < ring.constraints; ++r)
-                        answer = answer + pull[l][r] * LaneRow{ring.response[r]}[j + i];
-                    const L w = kPlain ? answer : answer + stage.of_change * here.v;
-                    const L change = kPlain ? w - here.v : answer - (1 - stage.of_change) * here.v;
-                    if (!kPlain && keep) {
-                        w.store(value + at);
-                        continue;
-                    }
-                    v[m] = settle_and_probe(w + stage.overshoot * change, range, probe);
-                    x[m] = settle_and_probe(here.x + stage.move * w, range, probe);
-                }
-            }
+            for (size_t l = 0; l < count(); ++l) probe = probe + move_tile(j, nodes, l, range, x + l, v + l);
             if (!kPlain && keep) continue;
             store_nodes(x, lines.position, j, nodes);
             store_nodes(v, lines.velocity, j, nodes);
         }
         return !probe.any_nan();
     }
-    bool finish_head(int l) const {
+    // The nodes of a tile of one line move, unless `value` keeps what they would move by. NaN if one moves too far.
+    CD_INLINED L move_tile(size_t j, size_t nodes, size_t l, const StoredRange& range, L* x, L* v) const {
+        const L u = L::load(before[l].value), d = L::load(before[l].slope);
+        const L next = L::load(after[l].value), into_next = L::load(after[l].slope);
+        const LaneRow by[4] = {{c.influence[0]}, {c.influence[1]}, {c.influence[2]}, {c.influence[3]}};
+        const size_t step = count();
+        L probe{};
+        for (size_t i = 0; i < nodes; ++i) {
+            const size_t m = i * step, at = scratch(j + i, l);
+            const StateLanes<N> here = begin(x[m], v[m], j + i, l);
+            L answer = (L::load(value + at) + (by[0][j + i] * u + by[1][j + i] * d)) +
+                       (by[2][j + i] * next + by[3][j + i] * into_next);
+            for (int r = 0; !kPlain && r < ring.constraints; ++r)
+                answer = answer + pull[l][r] * LaneRow{ring.response[r]}[j + i];
+            const L w = kPlain ? answer : answer + stage.of_change * here.v;
+            const L change = kPlain ? w - here.v : answer - (1 - stage.of_change) * here.v;
+            if (!kPlain && keep) {
+                w.store(value + at);
+                continue;
+            }
+            v[m] = settle_and_probe(w + stage.overshoot * change, range, probe);
+            x[m] = settle_and_probe(here.x + stage.move * w, range, probe);
+        }
+        return probe;
+    }
+    bool finish_head(size_t l) const {
         One probe{};
         for (size_t i = 0; i < segments.head; ++i) {
-            const size_t at = i * size_t(count()) + size_t(l), from = scratch_of(i, l);
+            const size_t at = i * count() + l, from = scratch_of(i, l);
             One answer{value[from]};
             for (int r = 0; r < ring.constraints; ++r)
                 answer = answer + One{pull[l][r] * ring.response[r][segments.place(i)]};
@@ -355,23 +366,17 @@ template <int kLines, bool kPlain> struct Sweep {
         go_right();
         go_left();
         One u[kMost], d[kMost];
-        for (int l = 0; l < count(); ++l) head_right(l, u[l], d[l]);
+        for (size_t l = 0; l < count(); ++l) head_right(l, u[l], d[l]);
         join(u, d);
-        for (int l = 0; l < count(); ++l) {
+        for (size_t l = 0; l < count(); ++l) {
             head_left(l);
             if (!kPlain && ring.constraints > 0) close_ring(l);
         }
         bool finite = true;
-        for (int l = 0; l < count(); ++l) finite &= finish_head(l);
+        for (size_t l = 0; l < count(); ++l) finite &= finish_head(l);
         return finish() && finite;
     }
 };
-
-template <int kLines, bool kPlain> bool sweep(const Lines& lines, const SegmentRodCoefficients& c, const Stage& stage,
-                                              const Start& start, const RingClosure& ring, double* value, double* slope,
-                                              double* hold, bool keep) {
-    return Sweep<kLines, kPlain>{lines, c, stage, start, ring, value, slope, hold, keep}.run();
-}
 
 } // namespace
 
@@ -379,11 +384,10 @@ bool segment_rod_step(const Lines& lines, const SegmentRodCoefficients& c, const
                       const RingClosure& ring, double* value, double* slope, double* hold, bool keep) {
     const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !start.w && !keep &&
                        stage.of_change == 0 && ring.constraints == 0;
-    const auto run = [&](auto with) { return with(lines, c, stage, start, ring, value, slope, hold, keep); };
-    if (plain && lines.pitch == 1) return run(sweep<1, true>);
-    if (plain && lines.pitch == 2) return run(sweep<2, true>);
-    if (plain && lines.pitch == 3) return run(sweep<3, true>);
-    return run(sweep<0, false>);
+    if (plain && lines.pitch == 1)
+        return Sweep<true, true>{lines, c, stage, start, ring, value, slope, hold, keep}.run();
+    if (plain) return Sweep<false, true>{lines, c, stage, start, ring, value, slope, hold, keep}.run();
+    return Sweep<false, false>{lines, c, stage, start, ring, value, slope, hold, keep}.run();
 }
 
 } // namespace CD_ISA

@@ -94,10 +94,10 @@ struct Head {
     }
 };
 
-// kLines lines side by side in memory, 0: any number; a lane is a segment. kPlain: nothing acts but springs and
+// Up to kMostSegmentLines lines, which alternate in memory; a lane is a segment. kPlain: nothing acts but springs and
 // gravity, and the stage is for w, from the state.
-template <int kLines, bool kPlain> struct Sweep {
-    static constexpr int kMost = kLines > 0 ? kLines : int(kMostSegmentLines), N = kTile;
+template <bool kAlone, bool kPlain> struct Sweep {
+    static constexpr int kMost = kAlone ? 1 : int(kMostSegmentLines), N = kTile;
     using L = Lanes<N>;
     using Nodes = L[N * kMost]; // of a tile: line l of node i at [i * count + l]
 
@@ -110,15 +110,15 @@ template <int kLines, bool kPlain> struct Sweep {
     const Segments segments{lines.nodes};
     Ends ends[kMost] = {};
 
-    int count() const { return kLines > 0 ? kLines : int(lines.pitch); }
+    size_t count() const { return kAlone ? 1 : lines.pitch; }
     static L load(const double* row, size_t j) { return L::load(row + N * j); }
-    size_t scratch(size_t j, int l) const { return (j * size_t(count()) + size_t(l)) * N; }
+    size_t scratch(size_t j, size_t l) const { return (j * count() + l) * N; }
 
     L wish(const StateLanes<N>& left, const StateLanes<N>& right) const {
         if (kPlain) return stage.closing_rate * (left.x - right.x);
         return wish_of<N>(stage, left, right);
     }
-    StateLanes<N> begin(L x, L v, size_t j, int l) const {
+    StateLanes<N> begin(L x, L v, size_t j, size_t l) const {
         if (kPlain || !start.w) return {x, v};
         const L w = L::load(start.w + scratch(j, l));
         return {x + start.move * w, w + start.overshoot * (w - v)};
@@ -126,86 +126,101 @@ template <int kLines, bool kPlain> struct Sweep {
 
     // ---- nodes j to j + nodes of every segment, eight but at the segments' ends ---------------------------------
 
-    size_t stride() const { return segments.length * size_t(count()); }
-    size_t at_node(size_t j) const { return (segments.head + j) * size_t(count()); }
+    size_t stride() const { return segments.length * count(); }
+    size_t at_node(size_t j) const { return (segments.head + j) * count(); }
     // Around a call all registers are saved: it pays only where tiles take much code.
     static constexpr bool kTurnsHere = kPlain && kNative > 2;
+    static constexpr bool kUnrolls = kAlone && kPlain && kNative > 4; // where a tile's numbers have room in the registers
 
-    template <class T> void load_nodes(const T* of, size_t j, size_t nodes, L* out) const {
-        const T* const from = of + at_node(j);
-        if (!kTurnsHere || nodes < N) return load_numbers(from, stride(), nodes * size_t(count()), out);
-        for (int l = 0; l < count(); ++l) load_tile(from + l * N, stride(), out + l * N);
-    }
     void load_nodes(const StateNumbers& of, size_t j, size_t nodes, L* out) const {
-        of.stored([&](const auto* numbers) { load_nodes(numbers, j, nodes, out); });
-    }
-    void load_state(size_t j, size_t nodes, L* x, L* v) const {
-        lines.position.stored([&](const auto* position) {
-            load_nodes(position, j, nodes, x);
-            load_nodes(static_cast<decltype(position)>(lines.velocity.data), j, nodes, v);
+        of.stored([&](const auto* numbers) {
+            const auto* const from = numbers + at_node(j);
+            if (!kTurnsHere || nodes < N) return load_numbers(from, stride(), nodes * count(), out);
+            for (size_t l = 0; l < count(); ++l) load_tile(from + l * N, stride(), out + l * N);
         });
     }
-    template <class T> void store_nodes(const L* in, T* of, size_t j, size_t nodes) const {
-        T* const to = of + at_node(j);
-        if (!kTurnsHere || nodes < N) return store_numbers(in, to, stride(), nodes * size_t(count()));
-        for (int l = 0; l < count(); ++l) store_tile(in + l * N, to + l * N, stride());
-    }
-    void store_state(const L* x, const L* v, size_t j, size_t nodes) const {
-        lines.position.stored([&](auto* position) {
-            store_nodes(x, position, j, nodes);
-            store_nodes(v, static_cast<decltype(position)>(lines.velocity.data), j, nodes);
+    void store_nodes(const L* in, const StateNumbers& of, size_t j, size_t nodes) const {
+        of.stored([&](auto* numbers) {
+            auto* const to = numbers + at_node(j);
+            if (!kTurnsHere || nodes < N) return store_numbers(in, to, stride(), nodes * count());
+            for (size_t l = 0; l < count(); ++l) store_tile(in + l * N, to + l * N, stride());
         });
     }
 
     // ---- going right --------------------------------------------------------------------------------------------
 
+    // A line on its way: at the first node, at the one before, and what the sweep has come to.
+    struct Right {
+        StateLanes<N> first, left;
+        L sum, gathered;
+    };
+
     void go_right() {
-        StateLanes<N> first[kMost] = {}, left[kMost] = {};
-        L sum[kMost] = {}, gathered[kMost] = {};
-        double gravity[kMost];
-        bool falls = false;
-        for (int l = 0; l < count(); ++l) {
-            gravity[l] = stage.gravity[size_t(l) % lines.components];
-            falls |= gravity[l] != 0;
-        }
+        Right going[kMost] = {};
         Nodes x, v, force, target;
         for (size_t j = 0, nodes; j < segments.length; j += nodes) {
             nodes = segments.length - j < N ? segments.length - j : N;
-            load_state(j, nodes, x, v);
+            load_nodes(lines.position, j, nodes, x);
+            load_nodes(lines.velocity, j, nodes, v);
             if (!kPlain && c.gains.force) load_nodes(lines.force, j, nodes, force);
             if (!kPlain && c.gains.attach) load_nodes(lines.target, j, nodes, target);
-            for (size_t i = 0; i < nodes; ++i) {
-                for (int l = 0; l < count(); ++l) {
-                    const size_t m = i * size_t(count()) + size_t(l);
-                    const StateLanes<N> here = begin(x[m], v[m], j + i, l);
-                    if (j + i == 0) first[l] = left[l] = here;
-                    L acting{};
-                    if (falls) acting = gravity[l] * load(c.gains.gravity, j + i);
-                    if (!kPlain && c.gains.force) acting = acting + load(c.gains.force, j + i) * force[m];
-                    if (!kPlain && c.gains.drag) acting = acting - load(c.gains.drag, j + i) * here.v;
-                    if (!kPlain && c.gains.attach) acting = acting - load(c.gains.attach, j + i) * (here.x - target[m]);
-                    const L own = kPlain ? here.v : (1 - stage.of_change) * here.v;
-                    sum[l] = between(own, sum[l], wish(left[l], here), load(c.carry, j + i), acting);
-                    if (i == 0) sum[l] = settled(sum[l], Limits<double>::least);
-                    sum[l].store(y + scratch(j + i, l));
-                    gathered[l] = between(gathered[l], sum[l], -wish(first[l], here), load(c.share, j + i));
-                    left[l] = here;
-                }
-            }
+            for (size_t l = 0; l < count(); ++l) tile_right(going[l], j, nodes, l, x + l, v + l, force + l, target + l);
         }
-        for (int l = 0; l < count(); ++l) {
-            first[l].x.store(ends[l].x_first), first[l].v.store(ends[l].v_first);
-            left[l].x.store(ends[l].x_last), left[l].v.store(ends[l].v_last);
-            sum[l].store(ends[l].y_last), gathered[l].store(ends[l].gathered);
+        for (size_t l = 0; l < count(); ++l) {
+            const Right& end = going[l];
+            end.first.x.store(ends[l].x_first), end.first.v.store(ends[l].v_first);
+            end.left.x.store(ends[l].x_last), end.left.v.store(ends[l].v_last);
+            end.sum.store(ends[l].y_last), end.gathered.store(ends[l].gathered);
         }
+    }
+    // The nodes of a tile, one line after the other: in registers, and of several lines at once only where the
+    // processor looks that far ahead.
+    CD_INLINED void tile_right(Right& line, size_t j, size_t nodes, size_t l, const L* x, const L* v, const L* force,
+                               const L* target) const {
+        L first_x = line.first.x, first_v = line.first.v, x_left = line.left.x, v_left = line.left.v;
+        L sum = line.sum, gathered = line.gathered;
+        const double gravity = stage.gravity[l % lines.components];
+        const bool falls = gravity != 0;
+        const size_t step = count();
+        double* const sums = y + scratch(j, l);
+        const auto node = [&](size_t i) {
+            const size_t m = i * step;
+            const StateLanes<N> here = begin(x[m], v[m], j + i, l);
+            if (j + i == 0) first_x = x_left = here.x, first_v = v_left = here.v;
+            L acting{};
+            if (falls) acting = gravity * load(c.gains.gravity, j + i);
+            if (!kPlain && c.gains.force) acting = acting + load(c.gains.force, j + i) * force[m];
+            if (!kPlain && c.gains.drag) acting = acting - load(c.gains.drag, j + i) * here.v;
+            if (!kPlain && c.gains.attach) acting = acting - load(c.gains.attach, j + i) * (here.x - target[m]);
+            const L own = kPlain ? here.v : (1 - stage.of_change) * here.v;
+            sum = between(own, sum, wish({x_left, v_left}, here), load(c.carry, j + i), acting);
+            if (i == 0) sum = settled(sum, Limits<double>::least);
+            sum.store(sums + m * N);
+            gathered = between(gathered, sum, -wish({first_x, first_v}, here), load(c.share, j + i));
+            x_left = here.x, v_left = here.v;
+        };
+        if (kUnrolls && nodes == N) {
+#pragma GCC unroll 8
+            for (size_t i = 0; i < N; ++i) node(i);
+        } else {
+            for (size_t i = 0; i < nodes; ++i) node(i);
+        }
+        if (j == 0) line.first = {first_x, first_v};
+        line.left = {x_left, v_left};
+        line.sum = sum, line.gathered = gathered;
     }
 
     // ---- going left ---------------------------------------------------------------------------------------------
 
+    struct Left {
+        StateLanes<N> right;
+        L answer, begun;
+    };
+
     bool go_left() {
-        StateLanes<N> right[kMost] = {};
-        L answer[kMost] = {}, begun[kMost] = {}, probe{};
-        for (int l = 0; l < count(); ++l) {
+        Left going[kMost] = {};
+        L probe{};
+        for (size_t l = 0; l < count(); ++l) {
             const Ends& e = ends[l];
             double next_x[N], next_v[N];
             for (size_t k = 0; k < kSegments; ++k) {
@@ -213,72 +228,79 @@ template <int kLines, bool kPlain> struct Sweep {
                 next_x[k] = is_last ? e.x_last[k] : e.x_first[k + 1];
                 next_v[k] = is_last ? e.v_last[k] : e.v_first[k + 1];
             }
-            right[l] = {L::load(next_x), L::load(next_v)};
-            answer[l] = L::load(e.next);
-            begun[l] = L::load(e.start);
+            going[l] = {{L::load(next_x), L::load(next_v)}, L::load(e.next), L::load(e.start)};
         }
-        const StoredRange range = lines.position.range();
         Nodes x, v;
         for (size_t end = segments.length; end > 0;) {
             const size_t nodes = end % N ? end % N : size_t(N), j = end -= nodes;
-            load_state(j, nodes, x, v);
-            for (size_t i = nodes; i-- > 0;) {
-                for (int l = 0; l < count(); ++l) {
-                    const size_t m = i * size_t(count()) + size_t(l);
-                    const StateLanes<N> here = begin(x[m], v[m], j + i, l);
-                    const L sum = L::load(y + scratch(j + i, l)) + load(c.reach, j + i) * begun[l];
-                    answer[l] = between(sum, answer[l], -wish(here, right[l]), load(c.pull, j + i));
-                    if (i == 0) answer[l] = settled(answer[l], Limits<double>::least);
-                    right[l] = here;
-                    const L w = kPlain ? answer[l] : answer[l] + stage.of_change * here.v;
-                    const L change = kPlain ? w - here.v : answer[l] - (1 - stage.of_change) * here.v;
-                    if (!kPlain && keep) {
-                        w.store(y + scratch(j + i, l));
-                        continue;
-                    }
-                    v[m] = settle_and_probe(w + stage.overshoot * change, range, probe);
-                    x[m] = settle_and_probe(here.x + stage.move * w, range, probe);
-                }
-            }
+            load_nodes(lines.position, j, nodes, x);
+            load_nodes(lines.velocity, j, nodes, v);
+            for (size_t l = 0; l < count(); ++l) probe = probe + tile_left(going[l], j, nodes, l, x + l, v + l);
             if (!kPlain && keep) continue;
-            store_state(x, v, j, nodes);
+            store_nodes(x, lines.position, j, nodes);
+            store_nodes(v, lines.velocity, j, nodes);
         }
-        for (int l = 0; l < count(); ++l) answer[l].store(ends[l].next);
+        for (size_t l = 0; l < count(); ++l) going[l].answer.store(ends[l].next);
         return !probe.any_nan();
+    }
+    // The nodes of a tile of one line move, unless y keeps what they would move by. NaN if one moves too far, else 0.
+    CD_INLINED L tile_left(Left& line, size_t j, size_t nodes, size_t l, L* x, L* v) const {
+        L x_right = line.right.x, v_right = line.right.v, answer = line.answer, probe{};
+        const L begun = line.begun;
+        const StoredRange range = lines.position.range();
+        const size_t step = count();
+        double* const sums = y + scratch(j, l);
+        const auto node = [&](size_t i) {
+            const size_t m = i * step;
+            const StateLanes<N> here = begin(x[m], v[m], j + i, l);
+            const L sum = L::load(sums + m * N) + load(c.reach, j + i) * begun;
+            answer = between(sum, answer, -wish(here, {x_right, v_right}), load(c.pull, j + i));
+            if (i == 0) answer = settled(answer, Limits<double>::least);
+            x_right = here.x, v_right = here.v;
+            const L w = kPlain ? answer : answer + stage.of_change * here.v;
+            const L change = kPlain ? w - here.v : answer - (1 - stage.of_change) * here.v;
+            if (!kPlain && keep) {
+                w.store(sums + m * N);
+                return;
+            }
+            v[m] = settle_and_probe(w + stage.overshoot * change, range, probe);
+            x[m] = settle_and_probe(here.x + stage.move * w, range, probe);
+        };
+        if (kUnrolls && nodes == N) {
+#pragma GCC unroll 8
+            for (size_t left = 0; left < N; ++left) node(N - 1 - left);
+        } else {
+            for (size_t i = nodes; i-- > 0;) node(i);
+        }
+        line.right = {x_right, v_right};
+        line.answer = answer;
+        return probe;
     }
 
     bool run() {
         go_right();
-        for (int l = 0; l < count(); ++l) {
+        for (size_t l = 0; l < count(); ++l) {
             StateLanes<1> before{};
             const Lanes<1> sum = head(l).go_right(before);
             join_segments(c, stage, segments, before, sum, ends[l]);
         }
         StateLanes<1> first[kMost]; // as they were
-        for (int l = 0; l < count(); ++l) first[l] = ends[l].first(0);
+        for (size_t l = 0; l < count(); ++l) first[l] = ends[l].first(0);
         bool finite = go_left();
-        for (int l = 0; l < count(); ++l) finite &= head(l).go_left(first[l], {ends[l].next[0]});
+        for (size_t l = 0; l < count(); ++l) finite &= head(l).go_left(first[l], {ends[l].next[0]});
         return finite;
     }
-    Head head(int l) const { return {lines, c, stage, start, y, keep, segments, size_t(l)}; }
+    Head head(size_t l) const { return {lines, c, stage, start, y, keep, segments, l}; }
 };
-
-template <int kLines, bool kPlain> bool sweep(const Lines& lines, const SegmentCoefficients& c, const Stage& stage,
-                                              const Start& start, double* y, bool keep) {
-    return Sweep<kLines, kPlain>{lines, c, stage, start, y, keep}.run();
-}
 
 } // namespace
 
 bool segment_sweep(const Lines& lines, const SegmentCoefficients& c, const Stage& stage, const Start& start, double* y,
                    bool keep) {
     const bool plain = !c.gains.force && !c.gains.drag && !c.gains.attach && !start.w && !keep && stage.of_change == 0;
-    if (plain && lines.pitch == 1) return sweep<1, true>(lines, c, stage, start, y, keep);
-    if (plain && lines.pitch == 2) return sweep<2, true>(lines, c, stage, start, y, keep);
-    if (plain && lines.pitch == 3) return sweep<3, true>(lines, c, stage, start, y, keep);
-    if (lines.pitch == 1) return sweep<1, false>(lines, c, stage, start, y, keep);
-    if (lines.pitch == 3) return sweep<3, false>(lines, c, stage, start, y, keep);
-    return sweep<0, false>(lines, c, stage, start, y, keep);
+    if (plain && lines.pitch == 1) return Sweep<true, true>{lines, c, stage, start, y, keep}.run();
+    if (plain) return Sweep<false, true>{lines, c, stage, start, y, keep}.run();
+    return Sweep<false, false>{lines, c, stage, start, y, keep}.run();
 }
 
 } // namespace CD_ISA

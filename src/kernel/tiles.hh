@@ -69,7 +69,7 @@ template <int N> inline void split(Lanes<N> whole, Lanes<kNative>* parts) {
 }
 
 // Streams lie `stride` apart.
-template <class T> inline void load_tile(const T* from, size_t stride, Lanes<kTile>* out) {
+template <class T> CD_INLINED inline void load_tile(const T* from, size_t stride, Lanes<kTile>* out) {
     using S = Square<T>;
     typename S::Row rows[S::kSide];
     Lanes<kNative> parts[kTile][kTile / kNative];
@@ -83,7 +83,7 @@ template <class T> inline void load_tile(const T* from, size_t stride, Lanes<kTi
         }
     for (int i = 0; i < kTile; ++i) out[i] = join<kTile>(parts[i]);
 }
-template <class T> inline void store_tile(const Lanes<kTile>* in, T* to, size_t stride) {
+template <class T> CD_INLINED inline void store_tile(const Lanes<kTile>* in, T* to, size_t stride) {
     using S = Square<T>;
     typename S::Row rows[S::kSide];
     Lanes<kNative> parts[kTile][kTile / kNative];
