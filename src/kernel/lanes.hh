@@ -25,6 +25,7 @@
 
 #ifndef CD_ISA
 #define CD_ISA plain // of the code outside the kernels
+#define CD_ISA_IS_PLAIN
 #endif
 
 namespace cd {

@@ -35,7 +35,7 @@ struct StateNumbers {
     void* data; // null: there are none
     bool is_float64;
 
-    // A precision that is left out takes no code; a membrane's planes are double all the same.
+    // A precision that is left out takes no code, but that a membrane's planes are double.
     bool wide() const { return (CD_WITH_FLOAT64 || CD_WITH_MEMBRANE) && (!CD_WITH_FLOAT32 || is_float64); }
     explicit operator bool() const { return data != nullptr; }
     StateNumbers from(size_t at) const { return {static_cast<char*>(data) + at * number_size(), is_float64}; }

@@ -301,15 +301,18 @@ template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopePar
     auto* const by_link = reinterpret_cast<typename Here::V*>(joints + (stage.bends ? ropes.nodes : 0));
     const size_t link_count = stage.bends ? 3 * (contact_count + (stage.has_air() ? ropes.nodes : 0)) : 0;
     auto* const question = reinterpret_cast<double*>(by_link + link_count);
-    Here bundle{ropes,   c,        stage, nodes, springs, in_air, contacts, joints, by_link,
-                answers, question, first, count, {},      {},     {}};
+    Here bundle{ropes,   c,       stage,    nodes, springs, in_air, contacts, joints,
+                by_link, answers, question, first, count,   {},     {},       {}};
     return bundle.step();
 }
 
-template <int kLanes> static RopeResult step_alone(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage,
-                                                   double* scratch, size_t strand) {
-    if constexpr (kLanes > 2) return plain::rope_step(ropes, c, stage, scratch, strand, 1);
-    else return step_bundle<1>(ropes, c, stage, scratch, strand, 1);
+static RopeResult step_alone(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch,
+                             size_t strand) {
+#ifdef CD_ISA_IS_PLAIN
+    return step_bundle<1>(ropes, c, stage, scratch, strand, 1);
+#else
+    return plain::rope_step(ropes, c, stage, scratch, strand, 1);
+#endif
 }
 
 RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch, size_t first,
@@ -317,7 +320,7 @@ RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStag
     RopeResult result;
     while (count > 0) {
         const size_t now = count < size_t(kNative) ? count : size_t(kNative);
-        result.add(now == 1 ? step_alone<kNative>(ropes, c, stage, scratch, first)
+        result.add(now == 1 ? step_alone(ropes, c, stage, scratch, first)
                             : step_bundle<kNative>(ropes, c, stage, scratch, first, now));
         first += now;
         count -= now;

@@ -2,6 +2,7 @@
 """Takes the rules of the steps of water, hulls, ropes and cloth out, one after the other, and shows which tests fail without.
 
     take_out.py FOLDER [RULE...]     builds in FOLDER, some minutes a rule; without a rule's name all of them
+    take_out.py --check              fails unless these rules are in the sources, and those of src/README.md
 
 Exit status 0: every rule has a test that fails without it, and that passes with it. The tables in src/README.md are what
 this prints.
@@ -94,14 +95,12 @@ RULES = {
     "what rounding takes is handed on": (
         "water/sweep.cpp", "rest.owed = rest.owed + one.owed;", "(void)one;", ["physics_water_lake"]),
     "a rope's step makes no energy": (
-        "rope_step.cpp", "larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths)",
-        "larger(seen.pushed, seen.slack * seen.lengths)", ["stability_ropes"]),
+        "rope_step.cpp", "share(seen.gained, worth + seen.rounding)", "L{}", ["stability_ropes"]),
     "springs that only pull push nothing": (
-        "rope_step.cpp", "larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths)",
-        "larger(seen.gained, seen.slack * seen.lengths)", ["stability_ropes"]),
+        "rope_step.cpp", "larger(seen.pushed, seen.slack * seen.lengths)", "seen.slack * seen.lengths",
+        ["stability_ropes"]),
     "slack springs of the interior point bear no tension": (
-        "rope_step.cpp", "larger(larger(seen.gained, seen.pushed), seen.slack * seen.lengths)",
-        "larger(seen.gained, seen.pushed)", ["stability_ropes"]),
+        "rope_step.cpp", "larger(seen.pushed, seen.slack * seen.lengths)", "seen.pushed", ["stability_ropes"]),
     "what fails is tried with lambda = 1": (
         "rope_step.cpp", "    if (stage.lambda < 1) {\n        lambda = select", "    if (false) {\n        lambda = select",
         ["stability_ropes"]),
@@ -240,7 +239,7 @@ RULES = {
         "weight[0] = off < 0 ? -off : 0, weight[1] = 1 - fabs(off);\n    weight[2] = off > 0 ? off : 0;",
         ["physics_water_hulls"]),
     "hulls feel the slope of what they press": (
-        HULL_PLATES, "along[k] * across[c]);", "0.5 * across[c]);", ["physics_water_hulls"]),
+        HULL_PLATES, "(along[k] * across[c]));", "(0.5 * across[c]));", ["physics_water_hulls"]),
     "beyond a side slopes are mirrored": (HULL_PLATES, "> 0 ? -1 : 1;", "> 0 ? 1 : 1;", ["physics_water_hulls"]),
     "hulls stop before sides, and leave them": (
         HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
@@ -266,6 +265,19 @@ RULES = {
 }
 
 
+def check():
+    """What is wrong with the rules as they are told here."""
+    told = (ROOT / "src/README.md").read_text().split("\n## The rules of ")[1].split("\n## ")[0]
+    rows = {line.split(" | ")[0].removeprefix("| "): line for line in told.splitlines() if line.startswith("| ")}
+    for name, (file, there, instead, tests) in RULES.items():
+        times = (ROOT / KERNELS / file).read_text().count(there)
+        if times != 1:
+            yield f"{name}: {file} has {times} times {there!r}"
+        if not any(f"`{test}`" in rows.get(name, "") for test in tests):
+            yield f"{name}: src/README.md names none of {tests}"
+    yield from (f"{name}: no rule here" for name in rows.keys() - RULES.keys() - {"rule"})
+
+
 def run(*command, cwd=None):
     return subprocess.run(command, cwd=cwd, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
@@ -287,6 +299,10 @@ def failure(build, test):
 
 
 def main():
+    if sys.argv[1:] == ["--check"]:
+        wrong = list(check())
+        print("\n".join(wrong))
+        return 1 if wrong else 0
     folder = Path(sys.argv[1]).resolve()
     names = sys.argv[2:] or list(RULES)
     tree, build = folder / "tree", folder / "build"
