@@ -48,6 +48,7 @@ template <bool kAlone, bool kPlain> struct Sweep {
     double *const value, *const slope, *const hold;
     const bool keep;
     const Segments segments{lines.nodes};
+    const bool fetches = lines.nodes * lines.pitch >= kFetchedNumbers;
     double gravity[kMost] = {}, guess[kMost] = {};
     double pull[kMost][3] = {};                  // of a ring's constraints
     Pairs first[kMost] = {}, last[kMost] = {};   // nodes of the segments
@@ -58,7 +59,11 @@ template <bool kAlone, bool kPlain> struct Sweep {
     size_t count() const { return kAlone ? 1 : lines.pitch; }
     size_t stride() const { return segments.length * count(); }
     size_t at_node(size_t j) const { return (segments.head + j) * count(); }
-    size_t scratch(size_t j, size_t l) const { return (j * count() + l) * N; }
+    // Line by line within a tile, as sweeps go: of node j and line l.
+    size_t scratch(size_t j, size_t l) const {
+        const size_t i = j % N, left = segments.length - (j - i);
+        return ((j - i) * count() + l * (left < N ? left : N) + i) * N;
+    }
     size_t scratch_of(size_t node, size_t l) const {
         const size_t row = segments.place(node);
         if (node < segments.head) return row * count() + l;
@@ -85,9 +90,10 @@ template <bool kAlone, bool kPlain> struct Sweep {
             for (size_t l = 0; l < count(); ++l) store_tile(in + l * N, to + l * N, stride());
         });
     }
-    StateLanes<N> begin(L x, L v, size_t j, size_t l) const {
+    // at: its place in scratch.
+    StateLanes<N> begin(L x, L v, size_t at) const {
         if (kPlain || !start.w) return {x, v};
-        const L w = L::load(start.w + scratch(j, l));
+        const L w = L::load(start.w + at);
         return {x + start.move * w, w + start.overshoot * (w - v)};
     }
     StateLanes<1> state(size_t node, size_t l) const {
@@ -139,7 +145,7 @@ template <bool kAlone, bool kPlain> struct Sweep {
             gravity[l] = stage.gravity[l % lines.components];
             const auto alone = [&](size_t i) {
                 const size_t m = i * count() + l;
-                return own(begin(kPlain ? v[m] : x[m], v[m], i, l), N * i, force[m], target[m], l);
+                return own(begin(kPlain ? v[m] : x[m], v[m], scratch(i, l)), N * i, force[m], target[m], l);
             };
             double one[N], excess[N];
             alone(0).store(one);
@@ -173,6 +179,9 @@ template <bool kAlone, bool kPlain> struct Sweep {
             load_nodes(lines.velocity, j, nodes, v);
             if (!kPlain && c.gains.force) load_nodes(lines.force, j, nodes, force);
             if (!kPlain && c.gains.attach) load_nodes(lines.target, j, nodes, target);
+            if (fetches && j + 3 * N <= segments.length)
+                for (const double* row : {c.keep, c.close, c.turn, c.lever, c.follow, c.gains.gravity})
+                    fetch_tile(row + N * (j + 2 * N));
             for (size_t l = 0; l < count(); ++l) tile_right(going[l], j, nodes, l, x + l, v + l, force + l, target + l);
         }
         for (size_t l = 0; l < count(); ++l) going[l].u.store(last[l].value), going[l].d.store(last[l].slope);
@@ -183,10 +192,10 @@ template <bool kAlone, bool kPlain> struct Sweep {
                                const L* target) const {
         L x_left = line.left.x, v_left = line.left.v, x_gap = line.gap.x, v_gap = line.gap.v, u = line.u, d = line.d;
         const LaneRows rows(c);
-        const size_t step = count();
+        const size_t step = count(), tile = scratch(j, l);
         for (size_t i = 0; i < nodes; ++i) {
-            const size_t m = i * step, at = scratch(j + i, l);
-            const StateLanes<N> here = begin(x[m], v[m], j + i, l), into = difference<N>({x_left, v_left}, here);
+            const size_t m = i * step, at = tile + i * N;
+            const StateLanes<N> here = begin(x[m], v[m], at), into = difference<N>({x_left, v_left}, here);
             const L held = d + wish(difference<N>(into, {x_gap, v_gap}));
             rod_reach(rows, j + i, held, wish(into), own(here, N * (j + i), force[m], target[m], l), u, d);
             held.store(hold + at), u.store(value + at), d.store(slope + at);
@@ -228,6 +237,11 @@ template <bool kAlone, bool kPlain> struct Sweep {
         }
         for (size_t end = segments.length, nodes; end > 0; end -= nodes) {
             nodes = end % N ? end % N : size_t(N);
+            if (fetches && end - nodes >= 2 * N) {
+                const size_t j = end - nodes - 2 * N;
+                for (const double* row : {c.lean, c.bend}) fetch_tile(row + N * j);
+                for (const double* tile : {value, slope, hold}) fetch_tile(tile + scratch(j, 0), N * N * count());
+            }
             for (size_t l = 0; l < count(); ++l) tile_left(going[l], end - nodes, nodes, l);
         }
         for (size_t l = 0; l < count(); ++l) going[l].answer.store(first[l].value), going[l].d.store(first[l].slope);
@@ -235,8 +249,9 @@ template <bool kAlone, bool kPlain> struct Sweep {
     CD_INLINED void tile_left(Left& line, size_t j, size_t nodes, size_t l) const {
         L answer = line.answer, d = line.d, held = line.held;
         const LaneRows rows(c);
+        const size_t tile = scratch(j, l);
         for (size_t i = j + nodes; i-- > j;) {
-            const size_t at = scratch(i, l);
+            const size_t at = tile + (i - j) * N;
             const L u_here = L::load(value + at), d_here = L::load(slope + at);
             answer = by_sign(rows.lean[i], u_here, answer - d);
             d = rod_leave(rows, i, answer, u_here, d_here, d - held);
@@ -317,6 +332,10 @@ template <bool kAlone, bool kPlain> struct Sweep {
             nodes = nodes_from(j);
             load_nodes(lines.position, j, nodes, x);
             load_nodes(lines.velocity, j, nodes, v);
+            if (fetches && j + 3 * N <= segments.length) {
+                for (const double* row : c.influence) fetch_tile(row + N * (j + 2 * N));
+                fetch_tile(value + scratch(j + 2 * N, 0), N * N * count());
+            }
             for (size_t l = 0; l < count(); ++l) probe = probe + move_tile(j, nodes, l, range, x + l, v + l);
             if (!kPlain && keep) continue;
             store_nodes(x, lines.position, j, nodes);
@@ -329,11 +348,11 @@ template <bool kAlone, bool kPlain> struct Sweep {
         const L u = L::load(before[l].value), d = L::load(before[l].slope);
         const L next = L::load(after[l].value), into_next = L::load(after[l].slope);
         const LaneRow by[4] = {{c.influence[0]}, {c.influence[1]}, {c.influence[2]}, {c.influence[3]}};
-        const size_t step = count();
+        const size_t step = count(), tile = scratch(j, l);
         L probe{};
         for (size_t i = 0; i < nodes; ++i) {
-            const size_t m = i * step, at = scratch(j + i, l);
-            const StateLanes<N> here = begin(x[m], v[m], j + i, l);
+            const size_t m = i * step, at = tile + i * N;
+            const StateLanes<N> here = begin(x[m], v[m], at);
             L answer = (L::load(value + at) + (by[0][j + i] * u + by[1][j + i] * d)) +
                        (by[2][j + i] * next + by[3][j + i] * into_next);
             for (int r = 0; !kPlain && r < ring.constraints; ++r)

@@ -108,19 +108,25 @@ template <bool kAlone, bool kPlain> struct Sweep {
     double* const y;
     const bool keep;
     const Segments segments{lines.nodes};
+    const bool fetches = lines.nodes * lines.pitch >= kFetchedNumbers;
     Ends ends[kMost] = {};
 
     size_t count() const { return kAlone ? 1 : lines.pitch; }
     static L load(const double* row, size_t j) { return L::load(row + N * j); }
-    size_t scratch(size_t j, size_t l) const { return (j * count() + l) * N; }
+    // Line by line within a tile, as sweeps go: of node j and line l.
+    size_t scratch(size_t j, size_t l) const {
+        const size_t i = j % N, left = segments.length - (j - i);
+        return ((j - i) * count() + l * (left < N ? left : N) + i) * N;
+    }
 
     L wish(const StateLanes<N>& left, const StateLanes<N>& right) const {
         if (kPlain) return stage.closing_rate * (left.x - right.x);
         return wish_of<N>(stage, left, right);
     }
-    StateLanes<N> begin(L x, L v, size_t j, size_t l) const {
+    // at: its place in scratch.
+    StateLanes<N> begin(L x, L v, size_t at) const {
         if (kPlain || !start.w) return {x, v};
-        const L w = L::load(start.w + scratch(j, l));
+        const L w = L::load(start.w + at);
         return {x + start.move * w, w + start.overshoot * (w - v)};
     }
 
@@ -130,7 +136,8 @@ template <bool kAlone, bool kPlain> struct Sweep {
     size_t at_node(size_t j) const { return (segments.head + j) * count(); }
     // Around a call all registers are saved: it pays only where tiles take much code.
     static constexpr bool kTurnsHere = kPlain && kNative > 2;
-    static constexpr bool kUnrolls = kAlone && kPlain && kNative > 4; // where a tile's numbers have room in the registers
+    static constexpr bool kUnrolls =
+        kAlone && kPlain && kNative > 4; // where a tile's numbers have room in the registers
 
     void load_nodes(const StateNumbers& of, size_t j, size_t nodes, L* out) const {
         of.stored([&](const auto* numbers) {
@@ -164,6 +171,8 @@ template <bool kAlone, bool kPlain> struct Sweep {
             load_nodes(lines.velocity, j, nodes, v);
             if (!kPlain && c.gains.force) load_nodes(lines.force, j, nodes, force);
             if (!kPlain && c.gains.attach) load_nodes(lines.target, j, nodes, target);
+            if (fetches && j + 3 * N <= segments.length)
+                for (const double* row : {c.carry, c.share, c.gains.gravity}) fetch_tile(row + N * (j + 2 * N));
             for (size_t l = 0; l < count(); ++l) tile_right(going[l], j, nodes, l, x + l, v + l, force + l, target + l);
         }
         for (size_t l = 0; l < count(); ++l) {
@@ -182,10 +191,10 @@ template <bool kAlone, bool kPlain> struct Sweep {
         const double gravity = stage.gravity[l % lines.components];
         const bool falls = gravity != 0;
         const size_t step = count();
-        double* const sums = y + scratch(j, l);
+        const size_t tile = scratch(j, l);
         const auto node = [&](size_t i) {
-            const size_t m = i * step;
-            const StateLanes<N> here = begin(x[m], v[m], j + i, l);
+            const size_t m = i * step, at = tile + i * N;
+            const StateLanes<N> here = begin(x[m], v[m], at);
             if (j + i == 0) first_x = x_left = here.x, first_v = v_left = here.v;
             L acting{};
             if (falls) acting = gravity * load(c.gains.gravity, j + i);
@@ -195,7 +204,7 @@ template <bool kAlone, bool kPlain> struct Sweep {
             const L own = kPlain ? here.v : (1 - stage.of_change) * here.v;
             sum = between(own, sum, wish({x_left, v_left}, here), load(c.carry, j + i), acting);
             if (i == 0) sum = settled(sum, Limits<double>::least);
-            sum.store(sums + m * N);
+            sum.store(y + at);
             gathered = between(gathered, sum, -wish({first_x, first_v}, here), load(c.share, j + i));
             x_left = here.x, v_left = here.v;
         };
@@ -235,6 +244,10 @@ template <bool kAlone, bool kPlain> struct Sweep {
             const size_t nodes = end % N ? end % N : size_t(N), j = end -= nodes;
             load_nodes(lines.position, j, nodes, x);
             load_nodes(lines.velocity, j, nodes, v);
+            if (fetches && j >= 2 * N) {
+                for (const double* row : {c.pull, c.reach}) fetch_tile(row + N * (j - 2 * N));
+                fetch_tile(y + scratch(j - 2 * N, 0), N * N * count());
+            }
             for (size_t l = 0; l < count(); ++l) probe = probe + tile_left(going[l], j, nodes, l, x + l, v + l);
             if (!kPlain && keep) continue;
             store_nodes(x, lines.position, j, nodes);
@@ -249,18 +262,18 @@ template <bool kAlone, bool kPlain> struct Sweep {
         const L begun = line.begun;
         const StoredRange range = lines.position.range();
         const size_t step = count();
-        double* const sums = y + scratch(j, l);
+        const size_t tile = scratch(j, l);
         const auto node = [&](size_t i) {
-            const size_t m = i * step;
-            const StateLanes<N> here = begin(x[m], v[m], j + i, l);
-            const L sum = L::load(sums + m * N) + load(c.reach, j + i) * begun;
+            const size_t m = i * step, at = tile + i * N;
+            const StateLanes<N> here = begin(x[m], v[m], at);
+            const L sum = L::load(y + at) + load(c.reach, j + i) * begun;
             answer = between(sum, answer, -wish(here, {x_right, v_right}), load(c.pull, j + i));
             if (i == 0) answer = settled(answer, Limits<double>::least);
             x_right = here.x, v_right = here.v;
             const L w = kPlain ? answer : answer + stage.of_change * here.v;
             const L change = kPlain ? w - here.v : answer - (1 - stage.of_change) * here.v;
             if (!kPlain && keep) {
-                w.store(sums + m * N);
+                w.store(y + at);
                 return;
             }
             v[m] = settle_and_probe(w + stage.overshoot * change, range, probe);

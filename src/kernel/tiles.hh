@@ -120,5 +120,14 @@ __attribute__((noinline)) void store_numbers(const Lanes<kTile>* in, T* to, size
     }
 }
 
+// Long lines, which do not stay in the cache, want what lies two tiles on asked for: while it works on one of several
+// lines, the processor does not look that far.
+constexpr size_t kFetchedNumbers = 1 << 18; // of all lines
+// numbers: of a row, or of a tile of several lines.
+inline void fetch_tile(const double* numbers, size_t count = kTile * kTile) {
+#pragma GCC unroll 1
+    for (size_t i = 0; i < count; i += 64 / sizeof(double)) __builtin_prefetch(numbers + i);
+}
+
 } // namespace CD_ISA
 } // namespace cd
