@@ -8,7 +8,7 @@ namespace CD_ISA {
 namespace {
 
 struct Mover {
-    const Lines lines; // a value, which stores to the state cannot be taken to change
+    const Lines& lines;
     const Stage& stage;
     const Start& start;
     const RingClosure& ring;

@@ -13,7 +13,7 @@ namespace {
 // Everything is updated in place: what node i needs of the old state of its left neighbours (the tension of the spring
 // and the moments of the bends there) is carried along.
 struct Sweep {
-    const Lines lines; // a value, which stores to the state cannot be taken to change
+    const Lines& lines;
     const ExplicitCoefficients& c;
     double dt;
     const double* gravity;
@@ -142,7 +142,7 @@ struct Along {
 };
 
 struct Drift {
-    const Lines lines; // a value, which stores to the state cannot be taken to change
+    const Lines& lines;
     double dt;
     bool finite = true;
 

@@ -10,7 +10,7 @@ namespace {
 
 // kEnds: the way back ends the stage too.
 template <bool kEnds> struct Sweep {
-    const Lines lines; // a value, which stores to the state cannot be taken to change
+    const Lines& lines;
     const RodCoefficients& c;
     const Stage& stage;
     const Start& start;

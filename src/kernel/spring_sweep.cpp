@@ -9,7 +9,7 @@ namespace {
 
 // kPlain: nothing acts but springs and gravity, and the stage is for w, from the state.
 template <bool kPlain> struct Sweep {
-    const Lines lines; // a value, which stores to the state cannot be taken to change
+    const Lines& lines;
     const SpringCoefficients& c;
     const Stage& stage;
     const Start& start;
