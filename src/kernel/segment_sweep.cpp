@@ -94,8 +94,8 @@ struct Head {
     }
 };
 
-// Up to kMostSegmentLines lines, which alternate in memory; a lane is a segment. kPlain: nothing acts but springs and
-// gravity, and the stage is for w, from the state.
+// Up to kMostSegmentLines lines, which alternate in memory; a lane is a segment. kAlone: one line. kPlain: nothing acts
+// but springs and gravity, and the stage is for w, from the state.
 template <bool kAlone, bool kPlain> struct Sweep {
     static constexpr int kMost = kAlone ? 1 : int(kMostSegmentLines), N = kTile;
     using L = Lanes<N>;
@@ -136,8 +136,8 @@ template <bool kAlone, bool kPlain> struct Sweep {
     size_t at_node(size_t j) const { return (segments.head + j) * count(); }
     // Around a call all registers are saved: it pays only where tiles take much code.
     static constexpr bool kTurnsHere = kPlain && kNative > 2;
-    static constexpr bool kUnrolls =
-        kAlone && kPlain && kNative > 4; // where a tile's numbers have room in the registers
+    // Where a tile's numbers have room in the registers.
+    static constexpr bool kUnrolls = kAlone && kPlain && kNative > 4;
 
     void load_nodes(const StateNumbers& of, size_t j, size_t nodes, L* out) const {
         of.stored([&](const auto* numbers) {
@@ -182,16 +182,15 @@ template <bool kAlone, bool kPlain> struct Sweep {
             end.sum.store(ends[l].y_last), end.gathered.store(ends[l].gathered);
         }
     }
-    // The nodes of a tile, one line after the other: in registers, and of several lines at once only where the
-    // processor looks that far ahead.
+    // The nodes of a tile, one line after the other. What goes from node to node has a name for each register: GCC 12
+    // leaves a copy of the structure in memory.
     CD_INLINED void tile_right(Right& line, size_t j, size_t nodes, size_t l, const L* x, const L* v, const L* force,
                                const L* target) const {
         L first_x = line.first.x, first_v = line.first.v, x_left = line.left.x, v_left = line.left.v;
         L sum = line.sum, gathered = line.gathered;
         const double gravity = stage.gravity[l % lines.components];
         const bool falls = gravity != 0;
-        const size_t step = count();
-        const size_t tile = scratch(j, l);
+        const size_t step = count(), tile = scratch(j, l);
         const auto node = [&](size_t i) {
             const size_t m = i * step, at = tile + i * N;
             const StateLanes<N> here = begin(x[m], v[m], at);
@@ -261,8 +260,7 @@ template <bool kAlone, bool kPlain> struct Sweep {
         L x_right = line.right.x, v_right = line.right.v, answer = line.answer, probe{};
         const L begun = line.begun;
         const StoredRange range = lines.position.range();
-        const size_t step = count();
-        const size_t tile = scratch(j, l);
+        const size_t step = count(), tile = scratch(j, l);
         const auto node = [&](size_t i) {
             const size_t m = i * step, at = tile + i * N;
             const StateLanes<N> here = begin(x[m], v[m], at);
