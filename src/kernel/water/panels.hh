@@ -40,7 +40,7 @@ template <class Lines> Place place_of(const Lines& lines, size_t line, size_t mo
     return {lines.along, lines.across, line, left < most ? left : most};
 }
 
-// What numbers reach, beyond what this is when they are looked at.
+// The least and the largest of some numbers and of what this begins with.
 template <int N> struct Reach {
     Lanes<N> least{}, largest{};
 
