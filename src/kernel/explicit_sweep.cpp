@@ -165,7 +165,7 @@ bool explicit_sweep(const Lines& lines, const ExplicitCoefficients& c, double dt
     const bool plain = !c.bend && !c.ring && c.damping == 0 && !c.gains.force && !c.gains.drag && !c.gains.attach;
     if (plain && carrier == Carrier::kNewVelocity && lines.nodes > 1) {
         bool finite = false;
-        const bool made = lines.position.stored([&](auto* position) {
+        const bool made = lines.position.stored_state([&](auto* position) {
             using Plain = PlainLines<std::remove_pointer_t<decltype(position)>>;
             if (!Plain::takes(lines, c, dt, gravity)) return false;
             finite = Plain(lines, c, dt, gravity).step(first, count);

@@ -35,15 +35,22 @@ struct StateNumbers {
     void* data; // null: there are none
     bool is_float64;
 
-    // A precision that is left out takes no code, but that a membrane's planes are double.
-    bool wide() const { return (CD_WITH_FLOAT64 || CD_WITH_MEMBRANE) && (!CD_WITH_FLOAT32 || is_float64); }
+    // A precision that is left out takes no code, but that some numbers besides the state are double: a membrane's
+    // planes, and what hulls press with.
+    static constexpr bool kMayBeWide = CD_WITH_FLOAT64 || CD_WITH_MEMBRANE || CD_WITH_HULL;
+    bool wide() const { return kMayBeWide && (!CD_WITH_FLOAT32 || is_float64); }
     explicit operator bool() const { return data != nullptr; }
     StateNumbers from(size_t at) const { return {static_cast<char*>(data) + at * number_size(), is_float64}; }
     size_t number_size() const { return wide() ? sizeof(double) : sizeof(float); }
     // f of the numbers as they are stored.
-    template <class F> auto stored(F f) const {
-        return wide() ? f(static_cast<double*>(data)) : f(static_cast<float*>(data));
+    template <bool kMayBeDouble, class F> auto by_width(F f) const {
+        if constexpr (!kMayBeDouble) return f(static_cast<float*>(data));
+        else if constexpr (!CD_WITH_FLOAT32) return f(static_cast<double*>(data));
+        else return is_float64 ? f(static_cast<double*>(data)) : f(static_cast<float*>(data));
     }
+    template <class F> auto stored(F f) const { return by_width<kMayBeWide>(f); }
+    // The same of what can only be the state.
+    template <class F> auto stored_state(F f) const { return by_width<CD_WITH_FLOAT64>(f); }
     double operator[](size_t at) const {
         return stored([at](auto* numbers) { return double(numbers[at]); });
     }

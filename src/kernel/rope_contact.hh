@@ -25,6 +25,9 @@ constexpr double kStickSpeed = 1e-4;
 // How far friction may be off, over mu p; from this iteration of the interior point on p is the push found by then.
 constexpr double kFrictionError = 1e-2;
 constexpr size_t kGripIterations = 50;
+// How near a node is to what it touches by the first guess, over the springs' length, or nearer by the tolerance: pushes
+// that two colliders further apart would have against each other throw it from where it lies.
+constexpr double kNear = 1e-3;
 
 // Of a place x and a collider at this time: the way out of it, and how far outside x lies.
 template <int N> void RopeBundle<N>::look_at_gap(const Obstacle& to, V x, double time, V& normal, L& gap) const {
@@ -140,7 +143,8 @@ template <int N> typename RopeBundle<N>::Axes RopeBundle<N>::surface_axes(V norm
 // iteration: how many came before, 0 where nothing has been solved yet.
 template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
     const V before = load(ropes.position, i), x = before + L::splat(stage.dt) * nodes[i].w;
-    const L length = length_at(i), room = stage.tolerance * length, free = opposite(held(i));
+    const L length = length_at(i), room = stage.tolerance * length, near = (stage.tolerance < kNear ? stage.tolerance : kNear) * length;
+    const L free = opposite(held(i));
     L error{};
     for (size_t k = 0; k < stage.collider_count; ++k) {
         const Obstacle& to = stage.colliders[k];
@@ -149,7 +153,7 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
             if (!to.callback) look_at_gap(to, before, stage.time_before, c.acting, c.before);
             look_at_end(k, i, before, x, c);
             const L alone = nodes[i].ground * positive(leaving(i, c) - dot(c.normal, nodes[i].b));
-            c.on = select(open, free * select(room - c.gap, one(), L{}), c.on);
+            c.on = select(open, free * select(near - c.gap, one(), L{}), c.on);
             c.grip = c.push = select(open, c.on * alone, c.push);
             c.slip = select(open, slip_at(to, i, c), c.slip);
             c.follows = c.along = c.wished = c.across = L{};

@@ -160,7 +160,7 @@ template <class T> struct PlainRows {
 template <class F> static bool as_plain_rows(const Grid& grid, const UniformStage& stage, const SheetMove& move,
                                              const StateNumbers& x, const StateNumbers& v, double* looked, size_t first,
                                              size_t count, F f) {
-    return x.stored([&](auto* position) {
+    return x.stored_state([&](auto* position) {
         using T = std::remove_pointer_t<decltype(position)>;
         if (!PlainRows<T>::takes(grid, stage, move)) return false;
         f(PlainRows<T>(grid, stage, move.move, position, static_cast<T*>(v.data), looked, first, count));

@@ -76,11 +76,11 @@ END
     exit 0
     ;;
 FLOAT32)
-    dropped '[a-z_]*_sweep<float'
+    dropped '[a-z_]*_numbers<float'
     other=FLOAT64
     ;;
 FLOAT64)
-    dropped 'spring_sweep<double' # membranes and waters solve their lines in double
+    dropped 'Plain[LR][a-z]*<double' # what membranes and hulls keep for themselves is double
     other=FLOAT32
     ;;
 esac

@@ -255,6 +255,29 @@ static void what_lay_inside_comes_out_and_is_not_thrown(void** state) {
 }
 
 /* A held node stays where it is held, inside of a body too, and the rope comes out of it. */
+/* However loose the tolerance is: two colliders that are apart do not push against each other. */
+static void what_lies_beside_colliders_is_not_thrown(void** state) {
+    (void)state;
+    static const double tolerances[] = {0.5, 0.1, 1e-2, 1e-4}, apart[] = {0.001, 0.01, 0.13, 0.3};
+    for (size_t t = 0; t < 4; ++t)
+        for (size_t d = 0; d < 4; ++d) {
+            const double at[2] = {0.09, 0.09}, way = 1, radius = 0.01, centre = at[0] - apart[d] - radius;
+            double kinetic;
+            cd_chain* c;
+            ok(cd_chain_create(1, 1, 1, CD_FLOAT64, NULL, &c));
+            ok(cd_chain_set_rest_length(c, 0.5));
+            ok(cd_chain_set_tolerance(c, tolerances[t], 1));
+            ok(cd_chain_set_colliders(c, 2));
+            ok(cd_chain_set_plane(c, 0, at, &way, 1, 0));
+            ok(cd_chain_set_capsule(c, 1, &centre, &centre, 1, radius, 0.1));
+            ok(cd_chain_write_f64(c, CD_POSITION, 0, 1, 0, 2, at, 2));
+            ok(cd_chain_step(c, 1.0 / 60, 3));
+            ok(cd_chain_get_energy(c, &kinetic, NULL, NULL));
+            assert_true(kinetic < 1e-20);
+            cd_chain_destroy(c);
+        }
+}
+
 static void a_held_node_may_lie_inside(void** state) {
     (void)state;
     const double inside[3] = {0, -0.03, 0}, along[3] = {0.6, 0.8, 0};
@@ -398,6 +421,7 @@ int main(void) {
         cmocka_unit_test(bodies_are_not_entered_and_give_no_energy),
         cmocka_unit_test(colliders_that_move_take_ropes_along),
         cmocka_unit_test(what_lay_inside_comes_out_and_is_not_thrown),
+        cmocka_unit_test(what_lies_beside_colliders_is_not_thrown),
         cmocka_unit_test(a_held_node_may_lie_inside),
         cmocka_unit_test(tensions_that_are_gone_push_nothing_off),
         cmocka_unit_test(held_strands_stay_beside_those_that_touch),

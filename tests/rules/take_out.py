@@ -99,6 +99,8 @@ RULES = {
     "springs that only pull push nothing": (
         "rope_step.cpp", "larger(seen.pushed, seen.slack * seen.lengths)", "seen.slack * seen.lengths",
         ["stability_ropes"]),
+    "colliders that a node is not near do not push by the first guess": (
+        "rope_contact.hh", "kNear = 1e-3;", "kNear = 1;", ["physics_rope_contact"]),
     "slack springs of the interior point bear no tension": (
         "rope_step.cpp", "larger(seen.pushed, seen.slack * seen.lengths)", "seen.pushed", ["stability_ropes"]),
     "what fails is tried with lambda = 1": (
