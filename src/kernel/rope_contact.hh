@@ -143,7 +143,8 @@ template <int N> typename RopeBundle<N>::Axes RopeBundle<N>::surface_axes(V norm
 // iteration: how many came before, 0 where nothing has been solved yet.
 template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
     const V before = load(ropes.position, i), x = before + L::splat(stage.dt) * nodes[i].w;
-    const L length = length_at(i), room = stage.tolerance * length, near = (stage.tolerance < kNear ? stage.tolerance : kNear) * length;
+    const double at_first = stage.tolerance < kNear ? stage.tolerance : kNear;
+    const L length = length_at(i), room = stage.tolerance * length, near = at_first * length;
     const L free = opposite(held(i));
     L error{};
     for (size_t k = 0; k < stage.collider_count; ++k) {
