@@ -2074,8 +2074,8 @@ export class Water extends Handle {
    * would in time. The water that it displaces goes, evenly, to all cells whose surface is within its draft of that
    * under
    * it; where there is no such cell, or the bed bears it, it displaces none. What it displaced before is not given
-   * back: to move a hull set its
-   * pose.
+   * back:
+   * to move a hull set its pose.
    * Errors: "errorValue"; "errorDisabled" if it has no mass, or no cell is under it, or gravity is 0;
    * "errorDiverged" of a water that did.
    */

@@ -317,8 +317,8 @@ CD_API cd_status cd_water_remove_hull(cd_water* water, size_t index);
 
 /* Launches a hull at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at rest. It lies as it
  * would in time. The water that it displaces goes, evenly, to all cells whose surface is within its draft of that under
- * it; where there is no such cell, or the bed bears it, it displaces none. What it displaced before is not given back: to move a hull set its
- * pose.
+ * it; where there is no such cell, or the bed bears it, it displaces none. What it displaced before is not given back:
+ * to move a hull set its pose.
  * Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass, or no cell is under it, or gravity is 0;
  * CD_ERROR_DIVERGED of a water that did. */
 CD_API cd_status cd_water_launch_hull(cd_water* water, size_t index, double x, double y, double ahead_x,

@@ -25,7 +25,7 @@ struct SegmentRodCoefficients {
 namespace CD_ISA {
 
 // Like rod_step, of all lines, 1 to 4 with no gaps between nodes; ring: its responses lie as Segments says. value,
-// slope, hold: scratch, and what start has to offer, as Segments says, with the lines as rows of each node.
+// slope, hold: scratch, and what start has to offer, as of segment_sweep.
 bool segment_rod_step(const Lines& lines, const SegmentRodCoefficients& c, const Stage& stage, const Start& start,
                       const RingClosure& ring, double* value, double* slope, double* hold, bool keep);
 

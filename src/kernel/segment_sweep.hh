@@ -33,7 +33,7 @@ struct SegmentCoefficients {
 namespace CD_ISA {
 
 // Like spring_sweep, of all lines, 1 to 4 with no gaps between nodes. y: scratch, and what start has to offer, as
-// Segments says, with the lines as rows of each node.
+// Segments says, of eight nodes of every segment line by line, and in the head node by node.
 bool segment_sweep(const Lines& lines, const SegmentCoefficients& c, const Stage& stage, const Start& start, double* y,
                    bool keep);
 
