@@ -70,10 +70,6 @@ template <int N> inline Lanes<N> settle_and_probe(Lanes<N> a, const StoredRange&
     probe = probe + 0.0 * (range.to_overflow * a);
     return settled(a, range.least);
 }
-template <class T, int N> inline void store_settled(Lanes<N> a, T* to, Lanes<N>& probe) {
-    probe = probe + 0.0 * (Limits<T>::to_overflow * a);
-    settled(a, double(Limits<T>::least)).store(to);
-}
 template <int N> inline void store_settled(Lanes<N> a, const StateNumbers& to, size_t at, Lanes<N>& probe) {
     const Lanes<N> settles = settle_and_probe(a, to.range(), probe);
     to.stored([&](auto* numbers) { settles.store(numbers + at); });
