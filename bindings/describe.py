@@ -15,12 +15,16 @@ import re
 import sys
 from pathlib import Path
 
+sys.dont_write_bytecode = True
+from facts import LIMITS, Facts, NotUnderstood  # noqa: E402
+
 HERE = Path(__file__).resolve().parent
 HEADERS = ["base.h", "chain.h", "membrane.h", "water.h"]
 NUMBERS = {"int32_t": 32, "uint32_t": 32, "uint64_t": 64, "size_t": 0, "float": 32, "double": 64}
 
-# ---- what the declarations do not say ---- 
-# But the comments above them do, and tests/bindings/check_api.py holds the library to it.
+# ---- what the declarations do not say ----
+# But the comments above them do, and tests/bindings/check_api.py holds the library to it. Units, ranges, defaults and
+# errors are found by facts.py.
 
 # Pointers that may be null, beyond allocators, callbacks and what a comment says of "each output".
 NULLABLE = {
@@ -97,10 +101,6 @@ FIELD_FACTS = {
 
 # What a field may have its values per.
 PLACES = {"strand", "node", "spring", "cell", "x-face", "y-face"}
-
-
-class NotUnderstood(Exception):
-    pass
 
 
 # ---- comments -------------------------------------------------------------------------------------------------------
@@ -392,6 +392,7 @@ class Description:
         for function in self.functions:
             if not function["doc"]:
                 raise NotUnderstood(f"{function['name']} has no comment")
+        Facts(self.functions, self.objects, self.sections, self.enum_names())
         beside = sorted(path.name for path in (include / "contdyn").glob("*.h"))
         if beside != sorted([*HEADERS, "contdyn.h", "export.h"]):
             raise NotUnderstood(f"the headers are {beside}")
@@ -414,6 +415,7 @@ def describe(include):
         "callbacks": description.callbacks,
         "objects": description.objects,
         "sections": description.sections,
+        "limits": [{"name": name, "doc": doc} for name, doc in LIMITS.items()],
         "functions": description.functions,
     }
 

@@ -442,7 +442,7 @@ export class Chain extends Handle {
   // ---- parameters ---------------------------------------------------------------------------------------------------
   // Totals of one strand. A change takes effect at the next step and costs it one refactorization. Where the field of
   // the same name is switched on, setting the total writes the whole field anew. A getter tells the total last set.
-  // Errors of all setters: "errorValue" for a number that is NaN, infinite or out of range.
+  // Errors of all setters: "errorValue" for a number that is NaN, infinite or out of range; "errorEnum".
 
   /**
    * Mass [kg], > 0. Per node, "equal": mass / nodes; "halfEnds": mass / springs, half of it at the two
@@ -484,7 +484,10 @@ export class Chain extends Handle {
   get stiffnessDamping(): number;
   set stiffnessDamping(value: number);
 
-  /** Gravity [m/s^2], one number per component. Errors: "errorRange" if count is not the number of components. */
+  /**
+   * Gravity [m/s^2], one number per component, at most 1e60 in size, in "float32" 1e30.
+   * Errors: "errorRange" if count is not the number of components.
+   */
   get gravity(): Float64Array;
   set gravity(value: Numbers);
 
@@ -642,7 +645,7 @@ export class Chain extends Handle {
   // Where colliders overlap, a node may be caught between them: "errorTolerance". Friction is Coulomb's, of each
   // node's push, times v / (v + 1e-4 m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the
   // push that 50 iterations found. So what it holds creeps: at half of what it bears by 1e-4 m/s.
-  // Errors of all that set: "errorUnsupported" of a chain that is no rope; "errorRange" for an index that no collider
+  // Errors of all that set: "errorUnsupported" without a rest length; "errorRange" for an index that no collider
   // has, or a count that is not the number of components; "errorValue"; "errorMemory" where a bed or a callback
   // becomes something else.
 
@@ -717,8 +720,9 @@ export class Chain extends Handle {
 
   /**
    * Switches a field on, filled with the present uniform values (force 0, target the present position). On already:
-   * nothing happens. "strength" switches "stiffness" on too. Errors: "errorEnum", "errorMemory"; here and below
-   * "errorUnsupported" for the fields of ropes of a chain that is none.
+   * nothing happens. "strength" switches "stiffness" on too. Errors: "errorEnum", "errorMemory"; "errorDiverged"
+   * for "target" where the state is not finite; here and below "errorUnsupported" for the fields of ropes of a chain
+   * that is none.
    */
   enableField(field: Field): void;
 
@@ -790,7 +794,7 @@ export class Chain extends Handle {
    * Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
    * every velocity rotation * v; tensions stay, and colliders stay where they are. rotation: components rows of as many
    * numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count counts.
-   * Errors: "errorRange", "errorValue": nothing has moved; "errorDiverged" for a state that is not finite.
+   * Errors: "errorRange", "errorValue"; "errorDiverged" for a state that is not finite.
    */
   teleport(strand: number, rotation: Numbers | null, offset: Numbers): void;
 
@@ -802,7 +806,8 @@ export class Chain extends Handle {
    * tied. target, one number per component, is given to every strand that is tied; null: the present position, and
    * count
    * means nothing. Move it afterwards by writing "target". Attaching again changes the numbers. Switches "target" on.
-   * Errors: "errorRange", "errorValue", "errorMemory".
+   * Errors: "errorRange"; attach: "errorValue", "errorMemory", and "errorDiverged" for a state that is not
+   * finite.
    */
   attach(strand: number, node: number, stiffness: number, damping: number, target?: Numbers | null): void;
 
@@ -814,7 +819,8 @@ export class Chain extends Handle {
    * tied. target, one number per component, is given to every strand that is tied; null: the present position, and
    * count
    * means nothing. Move it afterwards by writing "target". Attaching again changes the numbers. Switches "target" on.
-   * Errors: "errorRange", "errorValue", "errorMemory".
+   * Errors: "errorRange"; attach: "errorValue", "errorMemory", and "errorDiverged" for a state that is not
+   * finite.
    */
   detach(strand: number, node: number): void;
 
@@ -826,7 +832,8 @@ export class Chain extends Handle {
    * tied. target, one number per component, is given to every strand that is tied; null: the present position, and
    * count
    * means nothing. Move it afterwards by writing "target". Attaching again changes the numbers. Switches "target" on.
-   * Errors: "errorRange", "errorValue", "errorMemory".
+   * Errors: "errorRange"; attach: "errorValue", "errorMemory", and "errorDiverged" for a state that is not
+   * finite.
    */
   getAttachment(strand: number, node: number): { stiffness: number; damping: number };
 
@@ -1104,9 +1111,8 @@ export class Membrane extends Handle {
 
   /**
    * When "coupled" is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
-   * component), in [1e-14, 1/2], default 1e-6; and how many iterations it may take, >= 1, default 100. A solve ends,
-   * too,
-   * when 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
+   * component), in [1e-14, 1/2], default 1e-6. It may take mostIterations, >= 1, default 100. A solve ends, too, when
+   * 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
    * tolerance step says so with "errorTolerance". Errors: "errorValue".
    */
   get tolerance(): { tolerance: number; mostIterations: number };
@@ -1130,7 +1136,7 @@ export class Membrane extends Handle {
   // ---- parameters ---------------------------------------------------------------------------------------------------
   // Totals of the sheet. A change takes effect at the next step and costs it one refactorization. Where the field of
   // the same name is switched on, setting the total writes the whole field anew. A getter tells the total last set.
-  // Errors of all setters: "errorValue" for a number that is NaN, infinite or out of range.
+  // Errors of all setters: "errorValue" for a number that is NaN, infinite or out of range; "errorEnum".
 
   /**
    * Mass [kg], > 0. "equal": mass / ((nu + 1) (nv + 1)) per node. "halfEnds": an edge line counts half, in
@@ -1188,7 +1194,10 @@ export class Membrane extends Handle {
   get stiffnessDamping(): number;
   set stiffnessDamping(value: number);
 
-  /** Gravity [m/s^2], one number per component. Errors: "errorRange" if count is not the number of components. */
+  /**
+   * Gravity [m/s^2], one number per component, at most 1e60 in size, in "float32" 1e30.
+   * Errors: "errorRange" if count is not the number of components.
+   */
   get gravity(): Float64Array;
   set gravity(value: Numbers);
 
@@ -1254,11 +1263,12 @@ export class Membrane extends Handle {
   // says "errorUnsupported". It has a solver of its own: solver and set_tolerance do not matter.
 
   /**
-   * Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in [1e-60, 1e60]. Per
-   * spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets lambda to
-   * 1.
-   * Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: "errorValue"; "errorMemory";
-   * "errorUnsupported" without 3 components and springs along both directions, and in a build without cloth.
+   * Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or
+   * neither
+   * is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
+   * lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: "errorValue";
+   * "errorMemory"; "errorUnsupported" without 3 components and springs along both directions, and in a build without
+   * cloth.
    */
   get restLength(): { alongU: number; alongV: number };
   set restLength(value: { alongU?: number; alongV?: number });
@@ -1281,8 +1291,10 @@ export class Membrane extends Handle {
   set compression(value: number);
 
   /**
-   * How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
-   * 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
+   * How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of
+   * conjugate
+   * gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and
+   * fewer of the latter.
    * convergence tells the iterations of conjugate gradients that the last call's dearest step took, and
    * the largest gradient that a step left, over the one it started from: Infinity where that is no number.
    */
@@ -1417,8 +1429,9 @@ export class Membrane extends Handle {
 
   /**
    * Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin
-   * what the edges say). On already: nothing happens. Errors: "errorEnum", "errorMemory"; here and below
-   * "errorUnsupported" for the fields of cloth of a membrane that is none.
+   * what the edges say). On already: nothing happens. Errors: "errorEnum", "errorMemory"; "errorDiverged" for
+   * "target" where the state is not finite; here and below "errorUnsupported" for the fields of cloth of a membrane
+   * that is none.
    */
   enableField(field: Field): void;
 
@@ -1496,7 +1509,7 @@ export class Membrane extends Handle {
    * every velocity rotation * v; colliders stay where they are. rotation: components rows of as many numbers,
    * orthogonal
    * to 1e-6; null: none. offset [m]: one number per component, which count counts.
-   * Errors: "errorRange", "errorValue": nothing has moved; "errorDiverged" for a state that is not finite.
+   * Errors: "errorRange", "errorValue"; "errorDiverged" for a state that is not finite.
    */
   teleport(rotation: Numbers | null, offset: Numbers): void;
 
@@ -1504,7 +1517,8 @@ export class Membrane extends Handle {
    * Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
    * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
    * writing "target". Attaching again changes the numbers. Switches "target" on.
-   * Errors: "errorRange", "errorValue", "errorMemory".
+   * Errors: "errorRange"; attach: "errorValue", "errorMemory", and "errorDiverged" for a state that is not
+   * finite.
    */
   attach(u: number, v: number, stiffness: number, damping: number, target?: Numbers | null): void;
 
@@ -1512,7 +1526,8 @@ export class Membrane extends Handle {
    * Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
    * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
    * writing "target". Attaching again changes the numbers. Switches "target" on.
-   * Errors: "errorRange", "errorValue", "errorMemory".
+   * Errors: "errorRange"; attach: "errorValue", "errorMemory", and "errorDiverged" for a state that is not
+   * finite.
    */
   detach(u: number, v: number): void;
 
@@ -1520,7 +1535,8 @@ export class Membrane extends Handle {
    * Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
    * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
    * writing "target". Attaching again changes the numbers. Switches "target" on.
-   * Errors: "errorRange", "errorValue", "errorMemory".
+   * Errors: "errorRange"; attach: "errorValue", "errorMemory", and "errorDiverged" for a state that is not
+   * finite.
    */
   getAttachment(u: number, v: number): { stiffness: number; damping: number };
 
@@ -1786,6 +1802,7 @@ export interface WaterOptions {
  *
  * All computing is done in double precision; "float32" is what depth, bed, velocities and the fields are stored in.
  * Depths below 2^-80 m are taken for 0 where a step stores them, and velocities below 2^-80 (float32) or 2^-500 m/s.
+ * Parameters may be as large as 1e60.
  *
  * Every function returns "errorNull" for a null pointer and "errorHandle" for a handle of another kind; the
  * comments name the other errors. Functions that chain and membrane have too mean the same here.
@@ -1862,7 +1879,8 @@ export class Water extends Handle {
   set manning(value: number);
 
   /**
-   * What is at a side. `value` now, and how fast it changes, `rate` per second, from now on:
+   * What is at a side. `value` now, and how fast it changes, `rate` per second, from now on, both at most 1e60 in size,
+   * in "float32" 1e30:
    *   "open"     level of the water outside [m], which is at rest: a tide is its level and rate, set anew as it
    *                      goes. Waves leave without an echo, by u = 2 (sqrt(g d) - sqrt(g D)), d the depth in the cell
    * at
@@ -1885,7 +1903,10 @@ export class Water extends Handle {
    */
   setSide(side: Side, kind: Border, value?: number, rate?: number): void;
 
-  /** The kind, and value and rate as of now; 0 where they mean nothing. */
+  /**
+   * The kind, and value and rate as of now; 0 where they mean nothing. Errors:
+   * "errorEnum".
+   */
   getSide(side: Side): { kind: Border; value: number; rate: number };
 
   /** What a write to "bed" leaves as it is; default "liftsWater". Errors: "errorEnum". */
@@ -2034,9 +2055,10 @@ export class Water extends Handle {
   // Errors of all: "errorRange" for an index that no hull has, or a count that is not what the comment says.
 
   /**
-   * How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are none
-   * (mass 0), those that stay keep what they are unless the plates change. Errors: "errorValue"; "errorMemory";
-   * "errorUnsupported" in a build without hulls.
+   * How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `nAlong` and `nAcross`, 1 to
+   * 256: new ones are none (mass 0), those that stay keep what they are unless the plates change. Without hulls nAlong
+   * and nAcross mean nothing. Errors: "errorValue"; "errorMemory"; "errorUnsupported" in a build without hulls. Each
+   * output may be null.
    */
   get hulls(): { count: number; nAlong: number; nAcross: number };
   set hulls(value: { count?: number; nAlong?: number; nAcross?: number });
@@ -2051,7 +2073,7 @@ export class Water extends Handle {
 
   /**
    * Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all stretched so that
-   * their area is the disc's. radius [m] as half of a length. Errors: "errorValue".
+   * their area is the disc's. The square, some two radii [m] wide, is at most 512 cells. Errors: "errorValue".
    */
   setDisc(index: number, mass: number, radius: number): void;
 
@@ -2236,7 +2258,8 @@ export class Water extends Handle {
   get wetArea(): number;
 
   /**
-   * The largest Courant number of a step of dt [s], over directions and wet faces: (|u| + sqrt(g d)) dt / dx.
+   * The largest Courant number of a step of dt [s], in [0, 1e30], over directions and wet faces: (|u| + sqrt(g d)) dt /
+   * dx.
    * Errors: "errorValue".
    */
   getCourant(dt: number): number;
@@ -2271,6 +2294,7 @@ export class Water extends Handle {
   /**
    * How many indices writeIndices writes now: 6 per square of four neighbouring cells that are there, 3 per
    * square of which three are. skipDry 1: squares without a wet cell are left out, so that it changes with the water.
+   * Errors: "errorValue" for a skipDry neither 0 nor 1.
    */
   getIndexCount(skipDry: boolean): number;
 

@@ -74,7 +74,7 @@ CD_API cd_status cd_chain_get_kernels(const cd_chain* chain, cd_kernels* out_ker
 /* ---- parameters -------------------------------------------------------------------------------------------------- */
 /* Totals of one strand. A change takes effect at the next step and costs it one refactorization. Where the field of
  * the same name is switched on, setting the total writes the whole field anew. A getter tells the total last set.
- * Errors of all setters: CD_ERROR_VALUE for a number that is NaN, infinite or out of range. */
+ * Errors of all setters: CD_ERROR_VALUE for a number that is NaN, infinite or out of range; CD_ERROR_ENUM. */
 
 /* Mass [kg], > 0. Per node, CD_MASS_EQUAL: mass / nodes; CD_MASS_HALF_ENDS: mass / springs, half of it at the two
  * ends (in a ring, and with no spring, the rules agree). Kass 1997, eq. 6. */
@@ -103,7 +103,8 @@ CD_API cd_status cd_chain_get_drag(const cd_chain* chain, double* out_drag);
 CD_API cd_status cd_chain_set_stiffness_damping(cd_chain* chain, double seconds);
 CD_API cd_status cd_chain_get_stiffness_damping(const cd_chain* chain, double* out_seconds);
 
-/* Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of components. */
+/* Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30.
+ * Errors: CD_ERROR_RANGE if count is not the number of components. */
 CD_API cd_status cd_chain_set_gravity(cd_chain* chain, const double* gravity, size_t count);
 CD_API cd_status cd_chain_get_gravity(const cd_chain* chain, double* out_gravity, size_t count);
 
@@ -224,7 +225,7 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  * Where colliders overlap, a node may be caught between them: CD_ERROR_TOLERANCE. Friction is Coulomb's, of each
  * node's push, times v / (v + 1e-4 m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the
  * push that 50 iterations found. So what it holds creeps: at half of what it bears by 1e-4 m/s.
- * Errors of all that set: CD_ERROR_UNSUPPORTED of a chain that is no rope; CD_ERROR_RANGE for an index that no collider
+ * Errors of all that set: CD_ERROR_UNSUPPORTED without a rest length; CD_ERROR_RANGE for an index that no collider
  * has, or a count that is not the number of components; CD_ERROR_VALUE; CD_ERROR_MEMORY where a bed or a callback
  * becomes something else. */
 
@@ -313,8 +314,9 @@ CD_API cd_status cd_chain_get_thickness(const cd_chain* chain, double* out_radiu
  * they are switched on. */
 
 /* Switches a field on, filled with the present uniform values (force 0, target the present position). On already:
- * nothing happens. CD_STRENGTH switches CD_STIFFNESS on too. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below
- * CD_ERROR_UNSUPPORTED for the fields of ropes of a chain that is none. */
+ * nothing happens. CD_STRENGTH switches CD_STIFFNESS on too. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; CD_ERROR_DIVERGED
+ * for CD_TARGET where the state is not finite; here and below CD_ERROR_UNSUPPORTED for the fields of ropes of a chain
+ * that is none. */
 CD_API cd_status cd_chain_enable_field(cd_chain* chain, cd_field field);
 
 /* Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened.
@@ -354,7 +356,7 @@ CD_API cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, c
 /* Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
  * every velocity rotation * v; tensions stay, and colliders stay where they are. rotation: components rows of as many
  * numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count counts.
- * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite. */
+ * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite. */
 CD_API cd_status cd_chain_teleport(cd_chain* chain, size_t strand, const double* rotation, const double* offset,
                                    size_t count);
 
@@ -362,7 +364,8 @@ CD_API cd_status cd_chain_teleport(cd_chain* chain, size_t strand, const double*
  * a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node of every strand is
  * tied. target, one number per component, is given to every strand that is tied; null: the present position, and count
  * means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
- * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY. */
+ * Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not
+ * finite. */
 CD_API cd_status cd_chain_attach(cd_chain* chain, size_t strand, size_t node, double stiffness, double damping,
                                  const double* target, size_t count);
 CD_API cd_status cd_chain_detach(cd_chain* chain, size_t strand, size_t node);

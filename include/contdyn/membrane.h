@@ -96,8 +96,8 @@ CD_API cd_status cd_membrane_set_solver(cd_membrane* membrane, cd_solver solver)
 CD_API cd_status cd_membrane_get_solver(const cd_membrane* membrane, cd_solver* out_solver);
 
 /* When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
- * component), in [1e-14, 1/2], default 1e-6; and how many iterations it may take, >= 1, default 100. A solve ends, too,
- * when 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
+ * component), in [1e-14, 1/2], default 1e-6. It may take most_iterations, >= 1, default 100. A solve ends, too, when
+ * 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
  * tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_membrane_set_tolerance(cd_membrane* membrane, double tolerance, size_t most_iterations);
 CD_API cd_status cd_membrane_get_tolerance(const cd_membrane* membrane, double* out_tolerance,
@@ -121,7 +121,7 @@ CD_API cd_status cd_membrane_get_kernels(const cd_membrane* membrane, cd_kernels
 /* ---- parameters -------------------------------------------------------------------------------------------------- */
 /* Totals of the sheet. A change takes effect at the next step and costs it one refactorization. Where the field of
  * the same name is switched on, setting the total writes the whole field anew. A getter tells the total last set.
- * Errors of all setters: CD_ERROR_VALUE for a number that is NaN, infinite or out of range. */
+ * Errors of all setters: CD_ERROR_VALUE for a number that is NaN, infinite or out of range; CD_ERROR_ENUM. */
 
 /* Mass [kg], > 0. CD_MASS_EQUAL: mass / ((nu + 1) (nv + 1)) per node. CD_MASS_HALF_ENDS: an edge line counts half, in
  * its masses and in the springs and bends along it: mass / (nu nv) per node inside, half of it on an edge, a quarter at
@@ -158,7 +158,8 @@ CD_API cd_status cd_membrane_get_drag(const cd_membrane* membrane, double* out_d
 CD_API cd_status cd_membrane_set_stiffness_damping(cd_membrane* membrane, double seconds);
 CD_API cd_status cd_membrane_get_stiffness_damping(const cd_membrane* membrane, double* out_seconds);
 
-/* Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of components. */
+/* Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30.
+ * Errors: CD_ERROR_RANGE if count is not the number of components. */
 CD_API cd_status cd_membrane_set_gravity(cd_membrane* membrane, const double* gravity, size_t count);
 CD_API cd_status cd_membrane_get_gravity(const cd_membrane* membrane, double* out_gravity, size_t count);
 
@@ -204,10 +205,11 @@ CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_
  * Cloth needs CD_METHOD_IMPLICIT with lambda in [1/2, 1], no matched edge and no stiffness damping: cd_membrane_step
  * says CD_ERROR_UNSUPPORTED. It has a solver of its own: cd_membrane_set_solver and set_tolerance do not matter. */
 
-/* Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in [1e-60, 1e60]. Per
- * spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets lambda to 1.
- * Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
- * CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without cloth. */
+/* Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
+ * is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
+ * lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
+ * CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without
+ * cloth. */
 CD_API cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, double along_v);
 CD_API cd_status cd_membrane_get_rest_length(const cd_membrane* membrane, double* out_along_u, double* out_along_v);
 
@@ -223,8 +225,9 @@ CD_API cd_status cd_membrane_get_shear(const cd_membrane* membrane, double* out_
 CD_API cd_status cd_membrane_set_compression(cd_membrane* membrane, double rate);
 CD_API cd_status cd_membrane_get_compression(const cd_membrane* membrane, double* out_rate);
 
-/* How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
- * 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
+/* How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of conjugate
+ * gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and
+ * fewer of the latter.
  * cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's dearest step took, and
  * the largest gradient that a step left, over the one it started from: INFINITY where that is no number. */
 CD_API cd_status cd_membrane_set_effort(cd_membrane* membrane, size_t newton, size_t gradient);
@@ -307,8 +310,9 @@ CD_API cd_status cd_membrane_get_thickness(const cd_membrane* membrane, double* 
  * lines differ, with factors for each of them. */
 
 /* Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin
- * what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below
- * CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is none. */
+ * what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; CD_ERROR_DIVERGED for
+ * CD_TARGET where the state is not finite; here and below CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane
+ * that is none. */
 CD_API cd_status cd_membrane_enable_field(cd_membrane* membrane, cd_field field);
 
 /* Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened, all nodes
@@ -352,14 +356,15 @@ CD_API cd_status cd_membrane_impulse(cd_membrane* membrane, double u, double v, 
 /* Moves the sheet as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
  * every velocity rotation * v; colliders stay where they are. rotation: components rows of as many numbers, orthogonal
  * to 1e-6; null: none. offset [m]: one number per component, which count counts.
- * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite. */
+ * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite. */
 CD_API cd_status cd_membrane_teleport(cd_membrane* membrane, const double* rotation, const double* offset,
                                       size_t count);
 
 /* Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
  * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
  * writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
- * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY. */
+ * Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not
+ * finite. */
 CD_API cd_status cd_membrane_attach(cd_membrane* membrane, size_t u, size_t v, double stiffness, double damping,
                                     const double* target, size_t count);
 CD_API cd_status cd_membrane_detach(cd_membrane* membrane, size_t u, size_t v);

@@ -51,6 +51,7 @@
  *
  * All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
  * Depths below 2^-80 m are taken for 0 where a step stores them, and velocities below 2^-80 (float32) or 2^-500 m/s.
+ * Parameters may be as large as 1e60.
  *
  * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
  * comments name the other errors. Functions that chain and membrane have too mean the same here. */
@@ -163,7 +164,8 @@ CD_API cd_status cd_water_get_drag(const cd_water* water, double* out_drag);
 CD_API cd_status cd_water_set_manning(cd_water* water, double manning);
 CD_API cd_status cd_water_get_manning(const cd_water* water, double* out_manning);
 
-/* What is at a side. `value` now, and how fast it changes, `rate` per second, from now on:
+/* What is at a side. `value` now, and how fast it changes, `rate` per second, from now on, both at most 1e60 in size,
+ * in CD_FLOAT32 1e30:
  *   CD_BORDER_OPEN     level of the water outside [m], which is at rest: a tide is its level and rate, set anew as it
  *                      goes. Waves leave without an echo, by u = 2 (sqrt(g d) - sqrt(g D)), d the depth in the cell at
  *                      the side and D that of the level over the same bed; linear, u = sqrt(g d) (1 - D / d). The
@@ -180,7 +182,8 @@ CD_API cd_status cd_water_get_manning(const cd_water* water, double* out_manning
  * Both sides of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the
  * opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE. */
 CD_API cd_status cd_water_set_side(cd_water* water, cd_side side, cd_border kind, double value, double rate);
-/* The kind, and value and rate as of now; 0 where they mean nothing. Each output may be null. */
+/* The kind, and value and rate as of now; 0 where they mean nothing. Each output may be null. Errors:
+ * CD_ERROR_ENUM. */
 CD_API cd_status cd_water_get_side(const cd_water* water, cd_side side, cd_border* out_kind, double* out_value,
                                    double* out_rate);
 
@@ -292,9 +295,10 @@ CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double ra
  * in proportion to the cells under hulls, and steps of water with hulls some more per cell.
  * Errors of all: CD_ERROR_RANGE for an index that no hull has, or a count that is not what the comment says. */
 
-/* How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are none
- * (mass 0), those that stay keep what they are unless the plates change. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
- * CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null. */
+/* How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along` and `n_across`, 1 to
+ * 256: new ones are none (mass 0), those that stay keep what they are unless the plates change. Without hulls n_along
+ * and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls. Each
+ * output may be null. */
 CD_API cd_status cd_water_set_hulls(cd_water* water, size_t count, size_t n_along, size_t n_across);
 CD_API cd_status cd_water_get_hulls(const cd_water* water, size_t* out_count, size_t* out_n_along,
                                     size_t* out_n_across);
@@ -306,7 +310,7 @@ CD_API cd_status cd_water_set_hull(cd_water* water, size_t index, double mass, d
                                    const double* heights, size_t count);
 
 /* Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all stretched so that
- * their area is the disc's. radius [m] as half of a length. Errors: CD_ERROR_VALUE. */
+ * their area is the disc's. The square, some two radii [m] wide, is at most 512 cells. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_water_set_disc(cd_water* water, size_t index, double mass, double radius);
 
 /* What a hull is: mass (0: none), length, width, the area of its plates [m^2]. Each output may be null; heights:
@@ -405,7 +409,7 @@ CD_API cd_status cd_water_get_energy(const cd_water* water, double* out_kinetic,
 /* Area [m^2] of the cells with depth > 0. */
 CD_API cd_status cd_water_get_wet_area(const cd_water* water, double* out_area);
 
-/* The largest Courant number of a step of dt [s], over directions and wet faces: (|u| + sqrt(g d)) dt / dx.
+/* The largest Courant number of a step of dt [s], in [0, 1e30], over directions and wet faces: (|u| + sqrt(g d)) dt / dx.
  * Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_water_get_courant(const cd_water* water, double dt, double* out_courant);
 
@@ -434,7 +438,8 @@ CD_API cd_status cd_water_write_vertices(const cd_water* water, void* buffer, si
                                          size_t position_offset, size_t normal_offset, size_t depth_offset);
 
 /* How many indices cd_water_write_indices writes now: 6 per square of four neighbouring cells that are there, 3 per
- * square of which three are. skip_dry 1: squares without a wet cell are left out, so that it changes with the water. */
+ * square of which three are. skip_dry 1: squares without a wet cell are left out, so that it changes with the water.
+ * Errors: CD_ERROR_VALUE for a skip_dry neither 0 nor 1. */
 CD_API cd_status cd_water_get_index_count(const cd_water* water, int32_t skip_dry, size_t* out_count);
 
 /* Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte order), counter-

@@ -793,8 +793,8 @@ namespace Contdyn
             }
         }
 
-        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
-        /// components.</summary>
+        /// <summary>Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors:
+        /// CD_ERROR_RANGE if count is not the number of components.</summary>
         public void SetGravity(params double[] gravity)
         {
             fixed (double* gravityPointer = gravity)
@@ -802,8 +802,8 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
-        /// components.</summary>
+        /// <summary>Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors:
+        /// CD_ERROR_RANGE if count is not the number of components.</summary>
         public void SetGravity(ReadOnlySpan<double> gravity)
         {
             fixed (double* gravityPointer = &MemoryMarshal.GetReference(gravity))
@@ -818,8 +818,8 @@ namespace Contdyn
             Check(Native.cd_chain_set_gravity(Handle, gravity, Native.Size(count, "cd_chain_set_gravity", "count")));
         }
 
-        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
-        /// components.</summary>
+        /// <summary>Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors:
+        /// CD_ERROR_RANGE if count is not the number of components.</summary>
         public void GetGravity(double[] outGravity)
         {
             fixed (double* outGravityPointer = outGravity)
@@ -827,8 +827,8 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
-        /// components.</summary>
+        /// <summary>Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors:
+        /// CD_ERROR_RANGE if count is not the number of components.</summary>
         public void GetGravity(Span<double> outGravity)
         {
             fixed (double* outGravityPointer = &MemoryMarshal.GetReference(outGravity))
@@ -1421,8 +1421,8 @@ namespace Contdyn
 
         /// <summary>Switches a field on, filled with the present uniform values (force 0, target the present position).
         /// On already: nothing happens. CD_STRENGTH switches CD_STIFFNESS on too. Errors: CD_ERROR_ENUM,
-        /// CD_ERROR_MEMORY; here and below CD_ERROR_UNSUPPORTED for the fields of ropes of a chain that is
-        /// none.</summary>
+        /// CD_ERROR_MEMORY; CD_ERROR_DIVERGED for CD_TARGET where the state is not finite; here and below
+        /// CD_ERROR_UNSUPPORTED for the fields of ropes of a chain that is none.</summary>
         public void EnableField(Field field)
         {
             Changed();
@@ -1642,8 +1642,8 @@ namespace Contdyn
         /// <summary>Moves a strand as a whole, as if it had always been there: every position and target becomes
         /// rotation * x + offset, every velocity rotation * v; tensions stay, and colliders stay where they are.
         /// rotation: components rows of as many numbers, orthogonal to 1e-6; null: none. offset [m]: one number per
-        /// component, which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED
-        /// for a state that is not finite.</summary>
+        /// component, which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is
+        /// not finite.</summary>
         public void Teleport(long strand, double[] rotation, params double[] offset)
         {
             fixed (double* rotationPointer = rotation)
@@ -1655,8 +1655,8 @@ namespace Contdyn
         /// <summary>Moves a strand as a whole, as if it had always been there: every position and target becomes
         /// rotation * x + offset, every velocity rotation * v; tensions stay, and colliders stay where they are.
         /// rotation: components rows of as many numbers, orthogonal to 1e-6; null: none. offset [m]: one number per
-        /// component, which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED
-        /// for a state that is not finite.</summary>
+        /// component, which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is
+        /// not finite.</summary>
         public void Teleport(long strand, ReadOnlySpan<double> rotation, ReadOnlySpan<double> offset)
         {
             fixed (double* rotationPointer = &MemoryMarshal.GetReference(rotation))
@@ -1679,8 +1679,8 @@ namespace Contdyn
         /// as a mouse drag does. In a rope it is the node of this strand; in a chain that is no rope `strand` must be
         /// 0, and the node of every strand is tied. target, one number per component, is given to every strand that is
         /// tied; null: the present position, and count means nothing. Move it afterwards by writing CD_TARGET.
-        /// Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE,
-        /// CD_ERROR_MEMORY.</summary>
+        /// Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE,
+        /// CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not finite.</summary>
         public void Attach(long strand, long node, double stiffness, double damping, params double[] target)
         {
             fixed (double* targetPointer = target)
@@ -1692,8 +1692,8 @@ namespace Contdyn
         /// as a mouse drag does. In a rope it is the node of this strand; in a chain that is no rope `strand` must be
         /// 0, and the node of every strand is tied. target, one number per component, is given to every strand that is
         /// tied; null: the present position, and count means nothing. Move it afterwards by writing CD_TARGET.
-        /// Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE,
-        /// CD_ERROR_MEMORY.</summary>
+        /// Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE,
+        /// CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not finite.</summary>
         public void Attach(long strand, long node, double stiffness, double damping, ReadOnlySpan<double> target)
         {
             fixed (double* targetPointer = &MemoryMarshal.GetReference(target))
@@ -1715,8 +1715,8 @@ namespace Contdyn
         /// as a mouse drag does. In a rope it is the node of this strand; in a chain that is no rope `strand` must be
         /// 0, and the node of every strand is tied. target, one number per component, is given to every strand that is
         /// tied; null: the present position, and count means nothing. Move it afterwards by writing CD_TARGET.
-        /// Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE,
-        /// CD_ERROR_MEMORY.</summary>
+        /// Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE,
+        /// CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not finite.</summary>
         public void Detach(long strand, long node)
         {
             Changed();
@@ -1728,8 +1728,8 @@ namespace Contdyn
         /// as a mouse drag does. In a rope it is the node of this strand; in a chain that is no rope `strand` must be
         /// 0, and the node of every strand is tied. target, one number per component, is given to every strand that is
         /// tied; null: the present position, and count means nothing. Move it afterwards by writing CD_TARGET.
-        /// Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE,
-        /// CD_ERROR_MEMORY.</summary>
+        /// Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE,
+        /// CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not finite.</summary>
         public ChainAttachment GetAttachment(long strand, long node)
         {
             double outStiffness;
@@ -2355,10 +2355,10 @@ namespace Contdyn
         }
 
         /// <summary>When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from
-        /// (Euclidean norm, per component), in [1e-14, 1/2], default 1e-6; and how many iterations it may take, &gt;=
-        /// 1, default 100. A solve ends, too, when 500 iterations have not halved its residual, for rounding may keep
-        /// it from falling. When it ends short of the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE.
-        /// Errors: CD_ERROR_VALUE.</summary>
+        /// (Euclidean norm, per component), in [1e-14, 1/2], default 1e-6. It may take most_iterations, &gt;= 1,
+        /// default 100. A solve ends, too, when 500 iterations have not halved its residual, for rounding may keep it
+        /// from falling. When it ends short of the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors:
+        /// CD_ERROR_VALUE.</summary>
         public void SetTolerance(double tolerance, long mostIterations)
         {
             Changed();
@@ -2367,10 +2367,10 @@ namespace Contdyn
         }
 
         /// <summary>When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from
-        /// (Euclidean norm, per component), in [1e-14, 1/2], default 1e-6; and how many iterations it may take, &gt;=
-        /// 1, default 100. A solve ends, too, when 500 iterations have not halved its residual, for rounding may keep
-        /// it from falling. When it ends short of the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE.
-        /// Errors: CD_ERROR_VALUE.</summary>
+        /// (Euclidean norm, per component), in [1e-14, 1/2], default 1e-6. It may take most_iterations, &gt;= 1,
+        /// default 100. A solve ends, too, when 500 iterations have not halved its residual, for rounding may keep it
+        /// from falling. When it ends short of the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors:
+        /// CD_ERROR_VALUE.</summary>
         public MembraneTolerance GetTolerance()
         {
             double outTolerance;
@@ -2543,8 +2543,8 @@ namespace Contdyn
             }
         }
 
-        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
-        /// components.</summary>
+        /// <summary>Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors:
+        /// CD_ERROR_RANGE if count is not the number of components.</summary>
         public void SetGravity(params double[] gravity)
         {
             fixed (double* gravityPointer = gravity)
@@ -2552,8 +2552,8 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
-        /// components.</summary>
+        /// <summary>Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors:
+        /// CD_ERROR_RANGE if count is not the number of components.</summary>
         public void SetGravity(ReadOnlySpan<double> gravity)
         {
             fixed (double* gravityPointer = &MemoryMarshal.GetReference(gravity))
@@ -2569,8 +2569,8 @@ namespace Contdyn
                 "count")));
         }
 
-        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
-        /// components.</summary>
+        /// <summary>Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors:
+        /// CD_ERROR_RANGE if count is not the number of components.</summary>
         public void GetGravity(double[] outGravity)
         {
             fixed (double* outGravityPointer = outGravity)
@@ -2578,8 +2578,8 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of
-        /// components.</summary>
+        /// <summary>Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors:
+        /// CD_ERROR_RANGE if count is not the number of components.</summary>
         public void GetGravity(Span<double> outGravity)
         {
             fixed (double* outGravityPointer = &MemoryMarshal.GetReference(outGravity))
@@ -2665,22 +2665,22 @@ namespace Contdyn
             return new MembraneRing(outAlongU != 0, outAlongV != 0);
         }
 
-        /// <summary>Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in
-        /// [1e-60, 1e60]. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a
-        /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too.
-        /// Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both
-        /// directions, and in a build without cloth.</summary>
+        /// <summary>Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both
+        /// are 0 or neither is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making
+        /// cloth of a membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders
+        /// too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along
+        /// both directions, and in a build without cloth.</summary>
         public void SetRestLength(double alongU, double alongV)
         {
             Changed();
             Check(Native.cd_membrane_set_rest_length(Handle, alongU, alongV));
         }
 
-        /// <summary>Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in
-        /// [1e-60, 1e60]. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a
-        /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too.
-        /// Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both
-        /// directions, and in a build without cloth.</summary>
+        /// <summary>Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both
+        /// are 0 or neither is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making
+        /// cloth of a membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders
+        /// too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along
+        /// both directions, and in a build without cloth.</summary>
         public MembraneRestLength GetRestLength()
         {
             double outAlongU;
@@ -2727,11 +2727,11 @@ namespace Contdyn
             }
         }
 
-        /// <summary>How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients
-        /// in each, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of
-        /// the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
-        /// dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY where
-        /// that is no number.</summary>
+        /// <summary>How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each
+        /// those of conjugate gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to
+        /// 4 more of the former and fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate
+        /// gradients that the last call's dearest step took, and the largest gradient that a step left, over the one it
+        /// started from: INFINITY where that is no number.</summary>
         public void SetEffort(long newton, long gradient)
         {
             Changed();
@@ -2739,11 +2739,11 @@ namespace Contdyn
                 Native.Size(gradient, "cd_membrane_set_effort", "gradient")));
         }
 
-        /// <summary>How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients
-        /// in each, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of
-        /// the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
-        /// dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY where
-        /// that is no number.</summary>
+        /// <summary>How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each
+        /// those of conjugate gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to
+        /// 4 more of the former and fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate
+        /// gradients that the last call's dearest step took, and the largest gradient that a step left, over the one it
+        /// started from: INFINITY where that is no number.</summary>
         public MembraneEffort GetEffort()
         {
             UIntPtr outNewton;
@@ -3167,8 +3167,9 @@ namespace Contdyn
         }
 
         /// <summary>Switches a field on, filled with the present uniform values (force 0, target the present position,
-        /// mask 1, pin what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here
-        /// and below CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is none.</summary>
+        /// mask 1, pin what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY;
+        /// CD_ERROR_DIVERGED for CD_TARGET where the state is not finite; here and below CD_ERROR_UNSUPPORTED for the
+        /// fields of cloth of a membrane that is none.</summary>
         public void EnableField(Field field)
         {
             Changed();
@@ -3388,8 +3389,7 @@ namespace Contdyn
         /// <summary>Moves the sheet as a whole, as if it had always been there: every position and target becomes
         /// rotation * x + offset, every velocity rotation * v; colliders stay where they are. rotation: components rows
         /// of as many numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count
-        /// counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not
-        /// finite.</summary>
+        /// counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite.</summary>
         public void Teleport(double[] rotation, params double[] offset)
         {
             fixed (double* rotationPointer = rotation)
@@ -3401,8 +3401,7 @@ namespace Contdyn
         /// <summary>Moves the sheet as a whole, as if it had always been there: every position and target becomes
         /// rotation * x + offset, every velocity rotation * v; colliders stay where they are. rotation: components rows
         /// of as many numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count
-        /// counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not
-        /// finite.</summary>
+        /// counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite.</summary>
         public void Teleport(ReadOnlySpan<double> rotation, ReadOnlySpan<double> offset)
         {
             fixed (double* rotationPointer = &MemoryMarshal.GetReference(rotation))
@@ -3424,7 +3423,8 @@ namespace Contdyn
         /// <summary>Ties a node to its target by a spring of `stiffness` [N/m] &gt;= 0 and `damping` [N s/m] &gt;= 0,
         /// as a mouse drag does. target: one number per component; null: the node's present position, and count means
         /// nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET
-        /// on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.</summary>
+        /// on. Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that
+        /// is not finite.</summary>
         public void Attach(long u, long v, double stiffness, double damping, params double[] target)
         {
             fixed (double* targetPointer = target)
@@ -3435,7 +3435,8 @@ namespace Contdyn
         /// <summary>Ties a node to its target by a spring of `stiffness` [N/m] &gt;= 0 and `damping` [N s/m] &gt;= 0,
         /// as a mouse drag does. target: one number per component; null: the node's present position, and count means
         /// nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET
-        /// on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.</summary>
+        /// on. Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that
+        /// is not finite.</summary>
         public void Attach(long u, long v, double stiffness, double damping, ReadOnlySpan<double> target)
         {
             fixed (double* targetPointer = &MemoryMarshal.GetReference(target))
@@ -3455,7 +3456,8 @@ namespace Contdyn
         /// <summary>Ties a node to its target by a spring of `stiffness` [N/m] &gt;= 0 and `damping` [N s/m] &gt;= 0,
         /// as a mouse drag does. target: one number per component; null: the node's present position, and count means
         /// nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET
-        /// on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.</summary>
+        /// on. Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that
+        /// is not finite.</summary>
         public void Detach(long u, long v)
         {
             Changed();
@@ -3466,7 +3468,8 @@ namespace Contdyn
         /// <summary>Ties a node to its target by a spring of `stiffness` [N/m] &gt;= 0 and `damping` [N s/m] &gt;= 0,
         /// as a mouse drag does. target: one number per component; null: the node's present position, and count means
         /// nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET
-        /// on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.</summary>
+        /// on. Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that
+        /// is not finite.</summary>
         public MembraneAttachment GetAttachment(long u, long v)
         {
             double outStiffness;
@@ -3996,7 +3999,7 @@ namespace Contdyn
     /// CD_MOMENTUM_LINEAR, CD_METHOD_IMPLICIT with lambda 0.55.
     /// All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are
     /// stored in. Depths below 2^-80 m are taken for 0 where a step stores them, and velocities below 2^-80
-    /// (float32) or 2^-500 m/s.
+    /// (float32) or 2^-500 m/s. Parameters may be as large as 1e60.
     /// Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind;
     /// the comments name the other errors. Functions that chain and membrane have too mean the same here.</summary>
     public sealed unsafe class Water : LibraryObject
@@ -4254,28 +4257,28 @@ namespace Contdyn
             }
         }
 
-        /// <summary>What is at a side. `value` now, and how fast it changes, `rate` per second, from now on:
-        /// CD_BORDER_OPEN level of the water outside [m], which is at rest: a tide is its level and rate, set anew as
-        /// it goes. Waves leave without an echo, by u = 2 (sqrt(g d) - sqrt(g D)), d the depth in the cell at the side
-        /// and D that of the level over the same bed; linear, u = sqrt(g d) (1 - D / d). The discharge is u d. Where
-        /// that is faster than the waves, as over a side that lies higher than the level, water falls off: a stream
-        /// that is slower than its waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
-        /// CD_BORDER_LEVEL level [m] that is held at the side itself, whatever flows out: of depth D there water
-        /// crosses it with U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and discharge U D. Waves
-        /// are thrown back. What is faster than its waves falls off as above. CD_BORDER_INFLOW discharge per metre of
-        /// the side [m^2/s] into the water, velocity times depth, whatever the depth is; it comes in at critical depth
-        /// where the cell is shallower. If negative it leaves, as far as there is water CD_BORDER_WALL,
-        /// CD_BORDER_PERIODIC value and rate mean nothing Both sides of a direction are periodic or neither is: setting
-        /// one sets the other, and leaving it leaves both, the opposite one as a wall. Errors: CD_ERROR_ENUM;
-        /// CD_ERROR_VALUE.</summary>
+        /// <summary>What is at a side. `value` now, and how fast it changes, `rate` per second, from now on, both at
+        /// most 1e60 in size, in CD_FLOAT32 1e30: CD_BORDER_OPEN level of the water outside [m], which is at rest: a
+        /// tide is its level and rate, set anew as it goes. Waves leave without an echo, by u = 2 (sqrt(g d) - sqrt(g
+        /// D)), d the depth in the cell at the side and D that of the level over the same bed; linear, u = sqrt(g d) (1
+        /// - D / d). The discharge is u d. Where that is faster than the waves, as over a side that lies higher than
+        /// the level, water falls off: a stream that is slower than its waves leaves at critical depth, u = sqrt(g d),
+        /// a faster one as it comes. CD_BORDER_LEVEL level [m] that is held at the side itself, whatever flows out: of
+        /// depth D there water crosses it with U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and
+        /// discharge U D. Waves are thrown back. What is faster than its waves falls off as above. CD_BORDER_INFLOW
+        /// discharge per metre of the side [m^2/s] into the water, velocity times depth, whatever the depth is; it
+        /// comes in at critical depth where the cell is shallower. If negative it leaves, as far as there is water
+        /// CD_BORDER_WALL, CD_BORDER_PERIODIC value and rate mean nothing Both sides of a direction are periodic or
+        /// neither is: setting one sets the other, and leaving it leaves both, the opposite one as a wall. Errors:
+        /// CD_ERROR_ENUM; CD_ERROR_VALUE.</summary>
         public void SetSide(Side side, Border kind, double value, double rate)
         {
             Changed();
             Check(Native.cd_water_set_side(Handle, (int)side, (int)kind, value, rate));
         }
 
-        /// <summary>The kind, and value and rate as of now; 0 where they mean nothing. Each output may be
-        /// null.</summary>
+        /// <summary>The kind, and value and rate as of now; 0 where they mean nothing. Each output may be null. Errors:
+        /// CD_ERROR_ENUM.</summary>
         public WaterSide GetSide(Side side)
         {
             int outKind;
@@ -4540,10 +4543,10 @@ namespace Contdyn
             Check(Native.cd_water_impulse(Handle, x, y, radius, impulseX, impulseY));
         }
 
-        /// <summary>How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way:
-        /// new ones are none (mass 0), those that stay keep what they are unless the plates change. Errors:
-        /// CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be
-        /// null.</summary>
+        /// <summary>How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along`
+        /// and `n_across`, 1 to 256: new ones are none (mass 0), those that stay keep what they are unless the plates
+        /// change. Without hulls n_along and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
+        /// CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null.</summary>
         public void SetHulls(long count, long nAlong, long nAcross)
         {
             Changed();
@@ -4552,10 +4555,10 @@ namespace Contdyn
                 "n_across")));
         }
 
-        /// <summary>How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way:
-        /// new ones are none (mass 0), those that stay keep what they are unless the plates change. Errors:
-        /// CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be
-        /// null.</summary>
+        /// <summary>How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along`
+        /// and `n_across`, 1 to 256: new ones are none (mass 0), those that stay keep what they are unless the plates
+        /// change. Without hulls n_along and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
+        /// CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null.</summary>
         public WaterHulls GetHulls()
         {
             UIntPtr outCount;
@@ -4597,8 +4600,8 @@ namespace Contdyn
         }
 
         /// <summary>Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all
-        /// stretched so that their area is the disc's. radius [m] as half of a length. Errors:
-        /// CD_ERROR_VALUE.</summary>
+        /// stretched so that their area is the disc's. The square, some two radii [m] wide, is at most 512 cells.
+        /// Errors: CD_ERROR_VALUE.</summary>
         public void SetDisc(long index, double mass, double radius)
         {
             Changed();
@@ -5059,8 +5062,8 @@ namespace Contdyn
             return outArea;
         }
 
-        /// <summary>The largest Courant number of a step of dt [s], over directions and wet faces: (|u| + sqrt(g d)) dt
-        /// / dx. Errors: CD_ERROR_VALUE.</summary>
+        /// <summary>The largest Courant number of a step of dt [s], in [0, 1e30], over directions and wet faces: (|u| +
+        /// sqrt(g d)) dt / dx. Errors: CD_ERROR_VALUE.</summary>
         public double GetCourant(double dt)
         {
             double outCourant;
@@ -5179,7 +5182,7 @@ namespace Contdyn
 
         /// <summary>How many indices cd_water_write_indices writes now: 6 per square of four neighbouring cells that
         /// are there, 3 per square of which three are. skip_dry 1: squares without a wet cell are left out, so that it
-        /// changes with the water.</summary>
+        /// changes with the water. Errors: CD_ERROR_VALUE for a skip_dry neither 0 nor 1.</summary>
         public long GetIndexCount(bool skipDry)
         {
             UIntPtr outCount;

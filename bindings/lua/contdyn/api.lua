@@ -894,7 +894,8 @@ function Chain:get_stiffness_damping()
   return tonumber(out_seconds[0])
 end
 
--- Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of components.
+-- Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors: CD_ERROR_RANGE if count
+-- is not the number of components.
 function Chain:set_gravity(gravity)
   local where = "cd_chain_set_gravity"
   local p_gravity, n_gravity = array_in("double", gravity, where, "gravity")
@@ -903,7 +904,8 @@ function Chain:set_gravity(gravity)
   check(lib.cd_chain_set_gravity(handle_of(self), p_gravity, count))
 end
 
--- Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of components.
+-- Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors: CD_ERROR_RANGE if count
+-- is not the number of components.
 function Chain:get_gravity(out_gravity)
   local where = "cd_chain_get_gravity"
   local p_out_gravity, n_out_gravity = array_out("double", out_gravity, components_of(self), where, "out_gravity")
@@ -1309,8 +1311,9 @@ function Chain:get_thickness()
 end
 
 -- Switches a field on, filled with the present uniform values (force 0, target the present position). On already:
--- nothing happens. CD_STRENGTH switches CD_STIFFNESS on too. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below
--- CD_ERROR_UNSUPPORTED for the fields of ropes of a chain that is none.
+-- nothing happens. CD_STRENGTH switches CD_STIFFNESS on too. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; CD_ERROR_DIVERGED
+-- for CD_TARGET where the state is not finite; here and below CD_ERROR_UNSUPPORTED for the fields of ropes of a chain
+-- that is none.
 function Chain:enable_field(field)
   local where = "cd_chain_enable_field"
   field = enum_in("cd_field", field, where, "field")
@@ -1434,7 +1437,7 @@ end
 -- Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
 -- every velocity rotation * v; tensions stay, and colliders stay where they are. rotation: components rows of as many
 -- numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count counts. Errors:
--- CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite.
+-- CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite.
 function Chain:teleport(strand, rotation, offset)
   local where = "cd_chain_teleport"
   strand = integer_in(strand, where, "strand")
@@ -1450,7 +1453,8 @@ end
 -- a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node of every strand is
 -- tied. target, one number per component, is given to every strand that is tied; null: the present position, and count
 -- means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
--- Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
+-- Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not
+-- finite.
 function Chain:attach(strand, node, stiffness, damping, target)
   local where = "cd_chain_attach"
   strand = integer_in(strand, where, "strand")
@@ -1467,7 +1471,8 @@ end
 -- a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node of every strand is
 -- tied. target, one number per component, is given to every strand that is tied; null: the present position, and count
 -- means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
--- Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
+-- Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not
+-- finite.
 function Chain:detach(strand, node)
   local where = "cd_chain_detach"
   strand = integer_in(strand, where, "strand")
@@ -1480,7 +1485,8 @@ end
 -- a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node of every strand is
 -- tied. target, one number per component, is given to every strand that is tied; null: the present position, and count
 -- means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
--- Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
+-- Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not
+-- finite.
 function Chain:get_attachment(strand, node)
   local where = "cd_chain_get_attachment"
   strand = integer_in(strand, where, "strand")
@@ -1814,8 +1820,8 @@ function Membrane:get_solver()
 end
 
 -- When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
--- component), in [1e-14, 1/2], default 1e-6; and how many iterations it may take, >= 1, default 100. A solve ends, too,
--- when 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
+-- component), in [1e-14, 1/2], default 1e-6. It may take most_iterations, >= 1, default 100. A solve ends, too, when
+-- 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
 -- tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE.
 function Membrane:set_tolerance(tolerance, most_iterations)
   local where = "cd_membrane_set_tolerance"
@@ -1826,8 +1832,8 @@ function Membrane:set_tolerance(tolerance, most_iterations)
 end
 
 -- When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
--- component), in [1e-14, 1/2], default 1e-6; and how many iterations it may take, >= 1, default 100. A solve ends, too,
--- when 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
+-- component), in [1e-14, 1/2], default 1e-6. It may take most_iterations, >= 1, default 100. A solve ends, too, when
+-- 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
 -- tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE.
 function Membrane:get_tolerance()
   local where = "cd_membrane_get_tolerance"
@@ -2006,7 +2012,8 @@ function Membrane:get_stiffness_damping()
   return tonumber(out_seconds[0])
 end
 
--- Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of components.
+-- Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors: CD_ERROR_RANGE if count
+-- is not the number of components.
 function Membrane:set_gravity(gravity)
   local where = "cd_membrane_set_gravity"
   local p_gravity, n_gravity = array_in("double", gravity, where, "gravity")
@@ -2015,7 +2022,8 @@ function Membrane:set_gravity(gravity)
   check(lib.cd_membrane_set_gravity(handle_of(self), p_gravity, count))
 end
 
--- Gravity [m/s^2], one number per component. Errors: CD_ERROR_RANGE if count is not the number of components.
+-- Gravity [m/s^2], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors: CD_ERROR_RANGE if count
+-- is not the number of components.
 function Membrane:get_gravity(out_gravity)
   local where = "cd_membrane_get_gravity"
   local p_out_gravity, n_out_gravity = array_out("double", out_gravity, components_of(self), where, "out_gravity")
@@ -2098,10 +2106,11 @@ function Membrane:get_ring()
   return out_along_u[0] ~= 0, out_along_v[0] ~= 0
 end
 
--- Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in [1e-60, 1e60]. Per
--- spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets lambda to 1.
--- Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
--- CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without cloth.
+-- Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
+-- is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
+-- lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
+-- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without
+-- cloth.
 function Membrane:set_rest_length(along_u, along_v)
   local where = "cd_membrane_set_rest_length"
   along_u = number_in(along_u, where, "along_u")
@@ -2110,10 +2119,11 @@ function Membrane:set_rest_length(along_u, along_v)
   check(lib.cd_membrane_set_rest_length(handle_of(self), along_u, along_v))
 end
 
--- Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in [1e-60, 1e60]. Per
--- spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets lambda to 1.
--- Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
--- CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without cloth.
+-- Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
+-- is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
+-- lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
+-- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without
+-- cloth.
 function Membrane:get_rest_length()
   local where = "cd_membrane_get_rest_length"
   local out_along_u = double_1()
@@ -2162,10 +2172,11 @@ function Membrane:get_compression()
   return tonumber(out_rate[0])
 end
 
--- How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
--- 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
--- cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's dearest step took, and
--- the largest gradient that a step left, over the one it started from: INFINITY where that is no number.
+-- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of conjugate
+-- gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and
+-- fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
+-- dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY where that is no
+-- number.
 function Membrane:set_effort(newton, gradient)
   local where = "cd_membrane_set_effort"
   newton = integer_in(newton, where, "newton")
@@ -2174,10 +2185,11 @@ function Membrane:set_effort(newton, gradient)
   check(lib.cd_membrane_set_effort(handle_of(self), newton, gradient))
 end
 
--- How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
--- 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
--- cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's dearest step took, and
--- the largest gradient that a step left, over the one it started from: INFINITY where that is no number.
+-- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of conjugate
+-- gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and
+-- fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
+-- dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY where that is no
+-- number.
 function Membrane:get_effort()
   local where = "cd_membrane_get_effort"
   local out_newton = size_t_1()
@@ -2427,8 +2439,9 @@ function Membrane:get_thickness()
 end
 
 -- Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin what
--- the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below
--- CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is none.
+-- the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; CD_ERROR_DIVERGED for CD_TARGET
+-- where the state is not finite; here and below CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is
+-- none.
 function Membrane:enable_field(field)
   local where = "cd_membrane_enable_field"
   field = enum_in("cd_field", field, where, "field")
@@ -2556,7 +2569,7 @@ end
 -- Moves the sheet as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
 -- every velocity rotation * v; colliders stay where they are. rotation: components rows of as many numbers, orthogonal
 -- to 1e-6; null: none. offset [m]: one number per component, which count counts. Errors: CD_ERROR_RANGE,
--- CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite.
+-- CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite.
 function Membrane:teleport(rotation, offset)
   local where = "cd_membrane_teleport"
   local p_rotation, n_rotation = array_in("double", rotation, where, "rotation", true)
@@ -2569,8 +2582,8 @@ end
 
 -- Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
 -- target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
--- writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE,
--- CD_ERROR_VALUE, CD_ERROR_MEMORY.
+-- writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE; attach:
+-- CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not finite.
 function Membrane:attach(u, v, stiffness, damping, target)
   local where = "cd_membrane_attach"
   u = integer_in(u, where, "u")
@@ -2585,8 +2598,8 @@ end
 
 -- Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
 -- target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
--- writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE,
--- CD_ERROR_VALUE, CD_ERROR_MEMORY.
+-- writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE; attach:
+-- CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not finite.
 function Membrane:detach(u, v)
   local where = "cd_membrane_detach"
   u = integer_in(u, where, "u")
@@ -2597,8 +2610,8 @@ end
 
 -- Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
 -- target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
--- writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE,
--- CD_ERROR_VALUE, CD_ERROR_MEMORY.
+-- writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE; attach:
+-- CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not finite.
 function Membrane:get_attachment(u, v)
   local where = "cd_membrane_get_attachment"
   u = integer_in(u, where, "u")
@@ -2857,6 +2870,7 @@ end
 -- CD_METHOD_IMPLICIT with lambda 0.55.
 -- All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
 -- Depths below 2^-80 m are taken for 0 where a step stores them, and velocities below 2^-80 (float32) or 2^-500 m/s.
+-- Parameters may be as large as 1e60.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 -- comments name the other errors. Functions that chain and membrane have too mean the same here.
 local Water = support.class("Water", lib.cd_water_destroy)
@@ -3071,18 +3085,19 @@ function Water:get_manning()
   return tonumber(out_manning[0])
 end
 
--- What is at a side. `value` now, and how fast it changes, `rate` per second, from now on: CD_BORDER_OPEN level of the
--- water outside [m], which is at rest: a tide is its level and rate, set anew as it goes. Waves leave without an echo,
--- by u = 2 (sqrt(g d) - sqrt(g D)), d the depth in the cell at the side and D that of the level over the same bed;
--- linear, u = sqrt(g d) (1 - D / d). The discharge is u d. Where that is faster than the waves, as over a side that
--- lies higher than the level, water falls off: a stream that is slower than its waves leaves at critical depth, u =
--- sqrt(g d), a faster one as it comes. CD_BORDER_LEVEL level [m] that is held at the side itself, whatever flows out:
--- of depth D there water crosses it with U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and
--- discharge U D. Waves are thrown back. What is faster than its waves falls off as above. CD_BORDER_INFLOW discharge
--- per metre of the side [m^2/s] into the water, velocity times depth, whatever the depth is; it comes in at critical
--- depth where the cell is shallower. If negative it leaves, as far as there is water CD_BORDER_WALL, CD_BORDER_PERIODIC
--- value and rate mean nothing Both sides of a direction are periodic or neither is: setting one sets the other, and
--- leaving it leaves both, the opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
+-- What is at a side. `value` now, and how fast it changes, `rate` per second, from now on, both at most 1e60 in size,
+-- in CD_FLOAT32 1e30: CD_BORDER_OPEN level of the water outside [m], which is at rest: a tide is its level and rate,
+-- set anew as it goes. Waves leave without an echo, by u = 2 (sqrt(g d) - sqrt(g D)), d the depth in the cell at the
+-- side and D that of the level over the same bed; linear, u = sqrt(g d) (1 - D / d). The discharge is u d. Where that
+-- is faster than the waves, as over a side that lies higher than the level, water falls off: a stream that is slower
+-- than its waves leaves at critical depth, u = sqrt(g d), a faster one as it comes. CD_BORDER_LEVEL level [m] that is
+-- held at the side itself, whatever flows out: of depth D there water crosses it with U = u + 2 (sqrt(g d) - sqrt(g
+-- D)), u its velocity one face inside, and discharge U D. Waves are thrown back. What is faster than its waves falls
+-- off as above. CD_BORDER_INFLOW discharge per metre of the side [m^2/s] into the water, velocity times depth, whatever
+-- the depth is; it comes in at critical depth where the cell is shallower. If negative it leaves, as far as there is
+-- water CD_BORDER_WALL, CD_BORDER_PERIODIC value and rate mean nothing Both sides of a direction are periodic or
+-- neither is: setting one sets the other, and leaving it leaves both, the opposite one as a wall. Errors:
+-- CD_ERROR_ENUM; CD_ERROR_VALUE.
 function Water:set_side(side, kind, value, rate)
   local where = "cd_water_set_side"
   side = enum_in("cd_side", side, where, "side")
@@ -3093,7 +3108,7 @@ function Water:set_side(side, kind, value, rate)
   check(lib.cd_water_set_side(handle_of(self), side, kind, value, rate))
 end
 
--- The kind, and value and rate as of now; 0 where they mean nothing. Each output may be null.
+-- The kind, and value and rate as of now; 0 where they mean nothing. Each output may be null. Errors: CD_ERROR_ENUM.
 function Water:get_side(side)
   local where = "cd_water_get_side"
   side = enum_in("cd_side", side, where, "side")
@@ -3299,9 +3314,10 @@ function Water:impulse(x, y, radius, impulse_x, impulse_y)
   check(lib.cd_water_impulse(handle_of(self), x, y, radius, impulse_x, impulse_y))
 end
 
--- How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are none
--- (mass 0), those that stay keep what they are unless the plates change. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
--- CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null.
+-- How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along` and `n_across`, 1 to
+-- 256: new ones are none (mass 0), those that stay keep what they are unless the plates change. Without hulls n_along
+-- and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls.
+-- Each output may be null.
 function Water:set_hulls(count, n_along, n_across)
   local where = "cd_water_set_hulls"
   count = integer_in(count, where, "count")
@@ -3311,9 +3327,10 @@ function Water:set_hulls(count, n_along, n_across)
   check(lib.cd_water_set_hulls(handle_of(self), count, n_along, n_across))
 end
 
--- How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are none
--- (mass 0), those that stay keep what they are unless the plates change. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
--- CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null.
+-- How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along` and `n_across`, 1 to
+-- 256: new ones are none (mass 0), those that stay keep what they are unless the plates change. Without hulls n_along
+-- and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls.
+-- Each output may be null.
 function Water:get_hulls()
   local where = "cd_water_get_hulls"
   local out_count = size_t_1()
@@ -3339,7 +3356,7 @@ function Water:set_hull(index, mass, length, width, heights)
 end
 
 -- Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all stretched so that
--- their area is the disc's. radius [m] as half of a length. Errors: CD_ERROR_VALUE.
+-- their area is the disc's. The square, some two radii [m] wide, is at most 512 cells. Errors: CD_ERROR_VALUE.
 function Water:set_disc(index, mass, radius)
   local where = "cd_water_set_disc"
   index = integer_in(index, where, "index")
@@ -3639,8 +3656,8 @@ function Water:get_wet_area()
   return tonumber(out_area[0])
 end
 
--- The largest Courant number of a step of dt [s], over directions and wet faces: (|u| + sqrt(g d)) dt / dx. Errors:
--- CD_ERROR_VALUE.
+-- The largest Courant number of a step of dt [s], in [0, 1e30], over directions and wet faces: (|u| + sqrt(g d)) dt /
+-- dx. Errors: CD_ERROR_VALUE.
 function Water:get_courant(dt)
   local where = "cd_water_get_courant"
   dt = number_in(dt, where, "dt")
@@ -3706,6 +3723,7 @@ end
 
 -- How many indices cd_water_write_indices writes now: 6 per square of four neighbouring cells that are there, 3 per
 -- square of which three are. skip_dry 1: squares without a wet cell are left out, so that it changes with the water.
+-- Errors: CD_ERROR_VALUE for a skip_dry neither 0 nor 1.
 function Water:get_index_count(skip_dry)
   local where = "cd_water_get_index_count"
   skip_dry = flag_in(skip_dry, where, "skip_dry")

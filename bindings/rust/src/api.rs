@@ -889,13 +889,15 @@ impl Chain {
         Ok(out_seconds)
     }
 
-    /// Gravity \[m/s^2\], one number per component. Errors: CD_ERROR_RANGE if count is not the number of components.
+    /// Gravity \[m/s^2\], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors: CD_ERROR_RANGE if
+    /// count is not the number of components.
     pub fn set_gravity(&mut self, gravity: &[f64]) -> Result<()> {
         let count = count_of(gravity.len(), 1, "cd_chain_set_gravity", "gravity")?;
         check(unsafe { sys::cd_chain_set_gravity(self.as_ptr(), gravity.as_ptr(), count) })
     }
 
-    /// Gravity \[m/s^2\], one number per component. Errors: CD_ERROR_RANGE if count is not the number of components.
+    /// Gravity \[m/s^2\], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors: CD_ERROR_RANGE if
+    /// count is not the number of components.
     pub fn get_gravity(&self, out_gravity: &mut [f64]) -> Result<()> {
         let count = count_of(out_gravity.len(), 1, "cd_chain_get_gravity", "out_gravity")?;
         check(unsafe { sys::cd_chain_get_gravity(self.as_ptr(), out_gravity.as_mut_ptr(), count) })
@@ -1237,8 +1239,9 @@ impl Chain {
     }
 
     /// Switches a field on, filled with the present uniform values (force 0, target the present position). On already:
-    /// nothing happens. CD_STRENGTH switches CD_STIFFNESS on too. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and
-    /// below CD_ERROR_UNSUPPORTED for the fields of ropes of a chain that is none.
+    /// nothing happens. CD_STRENGTH switches CD_STIFFNESS on too. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY;
+    /// CD_ERROR_DIVERGED for CD_TARGET where the state is not finite; here and below CD_ERROR_UNSUPPORTED for the
+    /// fields of ropes of a chain that is none.
     pub fn enable_field(&mut self, field: Field) -> Result<()> {
         check(unsafe { sys::cd_chain_enable_field(self.as_ptr(), field as i32) })
     }
@@ -1325,8 +1328,7 @@ impl Chain {
     /// Moves a strand as a whole, as if it had always been there: every position and target becomes rotation \* x +
     /// offset, every velocity rotation \* v; tensions stay, and colliders stay where they are. rotation: components
     /// rows of as many numbers, orthogonal to 1e-6; null: none. offset \[m\]: one number per component, which count
-    /// counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not
-    /// finite.
+    /// counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite.
     pub fn teleport(&mut self, strand: usize, rotation: Option<&[f64]>, offset: &[f64]) -> Result<()> {
         let count = count_of(offset.len(), 1, "cd_chain_teleport", "offset")?;
         same(rotation.map(<[_]>::len), count.checked_mul(count), "cd_chain_teleport", "rotation")?;
@@ -1338,7 +1340,8 @@ impl Chain {
     /// drag does. In a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node
     /// of every strand is tied. target, one number per component, is given to every strand that is tied; null: the
     /// present position, and count means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the
-    /// numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
+    /// numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and
+    /// CD_ERROR_DIVERGED for a state that is not finite.
     pub fn attach(&mut self, strand: usize, node: usize, stiffness: f64, damping: f64,
         target: Option<&[f64]>) -> Result<()> {
         let count = target.map(<[_]>::len);
@@ -1351,7 +1354,8 @@ impl Chain {
     /// drag does. In a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node
     /// of every strand is tied. target, one number per component, is given to every strand that is tied; null: the
     /// present position, and count means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the
-    /// numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
+    /// numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and
+    /// CD_ERROR_DIVERGED for a state that is not finite.
     pub fn detach(&mut self, strand: usize, node: usize) -> Result<()> {
         check(unsafe { sys::cd_chain_detach(self.as_ptr(), strand, node) })
     }
@@ -1360,7 +1364,8 @@ impl Chain {
     /// drag does. In a rope it is the node of this strand; in a chain that is no rope `strand` must be 0, and the node
     /// of every strand is tied. target, one number per component, is given to every strand that is tied; null: the
     /// present position, and count means nothing. Move it afterwards by writing CD_TARGET. Attaching again changes the
-    /// numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
+    /// numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and
+    /// CD_ERROR_DIVERGED for a state that is not finite.
     pub fn get_attachment(&self, strand: usize, node: usize) -> Result<ChainAttachment> {
         let mut out_stiffness = 0.0;
         let mut out_damping = 0.0;
@@ -1852,17 +1857,17 @@ impl Membrane {
     }
 
     /// When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
-    /// component), in \[1e-14, 1/2\], default 1e-6; and how many iterations it may take, \>= 1, default 100. A solve
-    /// ends, too, when 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends
-    /// short of the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE.
+    /// component), in \[1e-14, 1/2\], default 1e-6. It may take most_iterations, \>= 1, default 100. A solve ends, too,
+    /// when 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of
+    /// the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE.
     pub fn set_tolerance(&mut self, tolerance: f64, most_iterations: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_tolerance(self.as_ptr(), tolerance, most_iterations) })
     }
 
     /// When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
-    /// component), in \[1e-14, 1/2\], default 1e-6; and how many iterations it may take, \>= 1, default 100. A solve
-    /// ends, too, when 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends
-    /// short of the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE.
+    /// component), in \[1e-14, 1/2\], default 1e-6. It may take most_iterations, \>= 1, default 100. A solve ends, too,
+    /// when 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of
+    /// the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE.
     pub fn get_tolerance(&self) -> Result<MembraneTolerance> {
         let mut out_tolerance = 0.0;
         let mut out_most_iterations = 0;
@@ -2024,13 +2029,15 @@ impl Membrane {
         Ok(out_seconds)
     }
 
-    /// Gravity \[m/s^2\], one number per component. Errors: CD_ERROR_RANGE if count is not the number of components.
+    /// Gravity \[m/s^2\], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors: CD_ERROR_RANGE if
+    /// count is not the number of components.
     pub fn set_gravity(&mut self, gravity: &[f64]) -> Result<()> {
         let count = count_of(gravity.len(), 1, "cd_membrane_set_gravity", "gravity")?;
         check(unsafe { sys::cd_membrane_set_gravity(self.as_ptr(), gravity.as_ptr(), count) })
     }
 
-    /// Gravity \[m/s^2\], one number per component. Errors: CD_ERROR_RANGE if count is not the number of components.
+    /// Gravity \[m/s^2\], one number per component, at most 1e60 in size, in CD_FLOAT32 1e30. Errors: CD_ERROR_RANGE if
+    /// count is not the number of components.
     pub fn get_gravity(&self, out_gravity: &mut [f64]) -> Result<()> {
         let count = count_of(out_gravity.len(), 1, "cd_membrane_get_gravity", "out_gravity")?;
         check(unsafe { sys::cd_membrane_get_gravity(self.as_ptr(), out_gravity.as_mut_ptr(), count) })
@@ -2098,20 +2105,20 @@ impl Membrane {
         })
     }
 
-    /// Rest lengths of the sheet along u and along v \[m\], both 0, the default: no cloth, or both in \[1e-60, 1e60\].
-    /// Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
-    /// lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
-    /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build
-    /// without cloth.
+    /// Rest lengths of the sheet along u and along v \[m\], 0 or in \[1e-60, 1e60\]; default 0: no cloth. Both are 0 or
+    /// neither is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a
+    /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors:
+    /// CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions,
+    /// and in a build without cloth.
     pub fn set_rest_length(&mut self, along_u: f64, along_v: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_rest_length(self.as_ptr(), along_u, along_v) })
     }
 
-    /// Rest lengths of the sheet along u and along v \[m\], both 0, the default: no cloth, or both in \[1e-60, 1e60\].
-    /// Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
-    /// lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
-    /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build
-    /// without cloth.
+    /// Rest lengths of the sheet along u and along v \[m\], 0 or in \[1e-60, 1e60\]; default 0: no cloth. Both are 0 or
+    /// neither is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a
+    /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors:
+    /// CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions,
+    /// and in a build without cloth.
     pub fn get_rest_length(&self) -> Result<MembraneRestLength> {
         let mut out_along_u = 0.0;
         let mut out_along_v = 0.0;
@@ -2154,18 +2161,20 @@ impl Membrane {
         Ok(out_rate)
     }
 
-    /// How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
-    /// 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
-    /// cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's dearest step took,
-    /// and the largest gradient that a step left, over the one it started from: INFINITY where that is no number.
+    /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of
+    /// conjugate gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the
+    /// former and fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the
+    /// last call's dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY
+    /// where that is no number.
     pub fn set_effort(&mut self, newton: usize, gradient: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_effort(self.as_ptr(), newton, gradient) })
     }
 
-    /// How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
-    /// 10000, default 20. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
-    /// cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's dearest step took,
-    /// and the largest gradient that a step left, over the one it started from: INFINITY where that is no number.
+    /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of
+    /// conjugate gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the
+    /// former and fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the
+    /// last call's dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY
+    /// where that is no number.
     pub fn get_effort(&self) -> Result<MembraneEffort> {
         let mut out_newton = 0;
         let mut out_gradient = 0;
@@ -2386,8 +2395,9 @@ impl Membrane {
     }
 
     /// Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin
-    /// what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below
-    /// CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is none.
+    /// what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; CD_ERROR_DIVERGED for
+    /// CD_TARGET where the state is not finite; here and below CD_ERROR_UNSUPPORTED for the fields of cloth of a
+    /// membrane that is none.
     pub fn enable_field(&mut self, field: Field) -> Result<()> {
         check(unsafe { sys::cd_membrane_enable_field(self.as_ptr(), field as i32) })
     }
@@ -2477,7 +2487,7 @@ impl Membrane {
     /// Moves the sheet as a whole, as if it had always been there: every position and target becomes rotation \* x +
     /// offset, every velocity rotation \* v; colliders stay where they are. rotation: components rows of as many
     /// numbers, orthogonal to 1e-6; null: none. offset \[m\]: one number per component, which count counts. Errors:
-    /// CD_ERROR_RANGE, CD_ERROR_VALUE: nothing has moved; CD_ERROR_DIVERGED for a state that is not finite.
+    /// CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite.
     pub fn teleport(&mut self, rotation: Option<&[f64]>, offset: &[f64]) -> Result<()> {
         let count = count_of(offset.len(), 1, "cd_membrane_teleport", "offset")?;
         same(rotation.map(<[_]>::len), count.checked_mul(count), "cd_membrane_teleport", "rotation")?;
@@ -2488,7 +2498,7 @@ impl Membrane {
     /// Ties a node to its target by a spring of `stiffness` \[N/m\] \>= 0 and `damping` \[N s/m\] \>= 0, as a mouse
     /// drag does. target: one number per component; null: the node's present position, and count means nothing. Move it
     /// afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors:
-    /// CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
+    /// CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not finite.
     pub fn attach(&mut self, u: usize, v: usize, stiffness: f64, damping: f64, target: Option<&[f64]>) -> Result<()> {
         let count = target.map(<[_]>::len);
         let count = count_of(count.unwrap_or(0), 1, "cd_membrane_attach", "target")?;
@@ -2499,7 +2509,7 @@ impl Membrane {
     /// Ties a node to its target by a spring of `stiffness` \[N/m\] \>= 0 and `damping` \[N s/m\] \>= 0, as a mouse
     /// drag does. target: one number per component; null: the node's present position, and count means nothing. Move it
     /// afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors:
-    /// CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
+    /// CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not finite.
     pub fn detach(&mut self, u: usize, v: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_detach(self.as_ptr(), u, v) })
     }
@@ -2507,7 +2517,7 @@ impl Membrane {
     /// Ties a node to its target by a spring of `stiffness` \[N/m\] \>= 0 and `damping` \[N s/m\] \>= 0, as a mouse
     /// drag does. target: one number per component; null: the node's present position, and count means nothing. Move it
     /// afterwards by writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors:
-    /// CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_MEMORY.
+    /// CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not finite.
     pub fn get_attachment(&self, u: usize, v: usize) -> Result<MembraneAttachment> {
         let mut out_stiffness = 0.0;
         let mut out_damping = 0.0;
@@ -2821,7 +2831,7 @@ pub struct WaterEnergy {
 /// CD_MOMENTUM_LINEAR, CD_METHOD_IMPLICIT with lambda 0.55.
 /// All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored
 /// in. Depths below 2^-80 m are taken for 0 where a step stores them, and velocities below 2^-80 (float32) or
-/// 2^-500 m/s.
+/// 2^-500 m/s. Parameters may be as large as 1e60.
 /// Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 /// comments name the other errors. Functions that chain and membrane have too mean the same here.
 pub struct Water {
@@ -3101,24 +3111,25 @@ impl Water {
         Ok(out_manning)
     }
 
-    /// What is at a side. `value` now, and how fast it changes, `rate` per second, from now on: CD_BORDER_OPEN level of
-    /// the water outside \[m\], which is at rest: a tide is its level and rate, set anew as it goes. Waves leave
-    /// without an echo, by u = 2 (sqrt(g d) - sqrt(g D)), d the depth in the cell at the side and D that of the level
-    /// over the same bed; linear, u = sqrt(g d) (1 - D / d). The discharge is u d. Where that is faster than the waves,
-    /// as over a side that lies higher than the level, water falls off: a stream that is slower than its waves leaves
-    /// at critical depth, u = sqrt(g d), a faster one as it comes. CD_BORDER_LEVEL level \[m\] that is held at the side
-    /// itself, whatever flows out: of depth D there water crosses it with U = u + 2 (sqrt(g d) - sqrt(g D)), u its
-    /// velocity one face inside, and discharge U D. Waves are thrown back. What is faster than its waves falls off as
-    /// above. CD_BORDER_INFLOW discharge per metre of the side \[m^2/s\] into the water, velocity times depth, whatever
-    /// the depth is; it comes in at critical depth where the cell is shallower. If negative it leaves, as far as there
-    /// is water CD_BORDER_WALL, CD_BORDER_PERIODIC value and rate mean nothing Both sides of a direction are periodic
-    /// or neither is: setting one sets the other, and leaving it leaves both, the opposite one as a wall. Errors:
-    /// CD_ERROR_ENUM; CD_ERROR_VALUE.
+    /// What is at a side. `value` now, and how fast it changes, `rate` per second, from now on, both at most 1e60 in
+    /// size, in CD_FLOAT32 1e30: CD_BORDER_OPEN level of the water outside \[m\], which is at rest: a tide is its level
+    /// and rate, set anew as it goes. Waves leave without an echo, by u = 2 (sqrt(g d) - sqrt(g D)), d the depth in the
+    /// cell at the side and D that of the level over the same bed; linear, u = sqrt(g d) (1 - D / d). The discharge is
+    /// u d. Where that is faster than the waves, as over a side that lies higher than the level, water falls off: a
+    /// stream that is slower than its waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
+    /// CD_BORDER_LEVEL level \[m\] that is held at the side itself, whatever flows out: of depth D there water crosses
+    /// it with U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and discharge U D. Waves are thrown
+    /// back. What is faster than its waves falls off as above. CD_BORDER_INFLOW discharge per metre of the side
+    /// \[m^2/s\] into the water, velocity times depth, whatever the depth is; it comes in at critical depth where the
+    /// cell is shallower. If negative it leaves, as far as there is water CD_BORDER_WALL, CD_BORDER_PERIODIC value and
+    /// rate mean nothing Both sides of a direction are periodic or neither is: setting one sets the other, and leaving
+    /// it leaves both, the opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
     pub fn set_side(&mut self, side: Side, kind: Border, value: f64, rate: f64) -> Result<()> {
         check(unsafe { sys::cd_water_set_side(self.as_ptr(), side as i32, kind as i32, value, rate) })
     }
 
-    /// The kind, and value and rate as of now; 0 where they mean nothing. Each output may be null.
+    /// The kind, and value and rate as of now; 0 where they mean nothing. Each output may be null. Errors:
+    /// CD_ERROR_ENUM.
     pub fn get_side(&self, side: Side) -> Result<WaterSide> {
         let mut out_kind = 0;
         let mut out_value = 0.0;
@@ -3255,16 +3266,18 @@ impl Water {
         check(unsafe { sys::cd_water_impulse(self.as_ptr(), x, y, radius, impulse_x, impulse_y) })
     }
 
-    /// How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are
-    /// none (mass 0), those that stay keep what they are unless the plates change. Errors: CD_ERROR_VALUE;
-    /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null.
+    /// How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along` and `n_across`,
+    /// 1 to 256: new ones are none (mass 0), those that stay keep what they are unless the plates change. Without hulls
+    /// n_along and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build
+    /// without hulls. Each output may be null.
     pub fn set_hulls(&mut self, count: usize, n_along: usize, n_across: usize) -> Result<()> {
         check(unsafe { sys::cd_water_set_hulls(self.as_ptr(), count, n_along, n_across) })
     }
 
-    /// How many hulls there are, 0 to 4096, default 0, and how many plates each has, 1 to 256 each way: new ones are
-    /// none (mass 0), those that stay keep what they are unless the plates change. Errors: CD_ERROR_VALUE;
-    /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null.
+    /// How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along` and `n_across`,
+    /// 1 to 256: new ones are none (mass 0), those that stay keep what they are unless the plates change. Without hulls
+    /// n_along and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build
+    /// without hulls. Each output may be null.
     pub fn get_hulls(&self) -> Result<WaterHulls> {
         let mut out_count = 0;
         let mut out_n_along = 0;
@@ -3290,7 +3303,8 @@ impl Water {
     }
 
     /// Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all stretched so
-    /// that their area is the disc's. radius \[m\] as half of a length. Errors: CD_ERROR_VALUE.
+    /// that their area is the disc's. The square, some two radii \[m\] wide, is at most 512 cells. Errors:
+    /// CD_ERROR_VALUE.
     pub fn set_disc(&mut self, index: usize, mass: f64, radius: f64) -> Result<()> {
         check(unsafe { sys::cd_water_set_disc(self.as_ptr(), index, mass, radius) })
     }
@@ -3543,8 +3557,8 @@ impl Water {
         Ok(out_area)
     }
 
-    /// The largest Courant number of a step of dt \[s\], over directions and wet faces: (|u| + sqrt(g d)) dt / dx.
-    /// Errors: CD_ERROR_VALUE.
+    /// The largest Courant number of a step of dt \[s\], in \[0, 1e30\], over directions and wet faces: (|u| + sqrt(g
+    /// d)) dt / dx. Errors: CD_ERROR_VALUE.
     pub fn get_courant(&self, dt: f64) -> Result<f64> {
         let mut out_courant = 0.0;
         check(unsafe { sys::cd_water_get_courant(self.as_ptr(), dt, &mut out_courant) })?;
@@ -3597,7 +3611,7 @@ impl Water {
 
     /// How many indices cd_water_write_indices writes now: 6 per square of four neighbouring cells that are there, 3
     /// per square of which three are. skip_dry 1: squares without a wet cell are left out, so that it changes with the
-    /// water.
+    /// water. Errors: CD_ERROR_VALUE for a skip_dry neither 0 nor 1.
     pub fn get_index_count(&self, skip_dry: bool) -> Result<usize> {
         let mut out_count = 0;
         check(unsafe { sys::cd_water_get_index_count(self.as_ptr(), i32::from(skip_dry), &mut out_count) })?;
