@@ -1,6 +1,7 @@
 """Units, ranges, defaults and errors of functions, as data. What the comments of the headers tell of one parameter is
 found in them; prose.py has the rest. tests/bindings/check_ranges.py holds the library to it."""
 import re
+from itertools import groupby
 
 from prose import DEFAULTS, LIMITS, RANGES, UNITS, WHEN
 
@@ -134,14 +135,15 @@ def range_of(text, is_integer, ends):
     return {**limits, **found}
 
 
+def said(number):
+    """A number, or the word for one, for people."""
+    return re.sub(r"e\+?(-?)0*", r"e\1", f"{number:g}") if isinstance(number, float) else str(number)
+
+
 def words_of(told):
-    """A range for people."""
+    """A range for people, but for when it counts."""
     if isinstance(told, list):
-        return "; ".join(map(words_of, told))
-
-    def said(limit):
-        return re.sub(r"e\+?(-?)0*", r"e\1", f"{limit:g}") if isinstance(limit, float) else str(limit)
-
+        return "; ".join(words for words, _ in groupby(map(words_of, told)))
     least, most = said(told.get("least")), said(told.get("most"))
     if "least" not in told and "above" not in told:
         words = " or ".join(map(said, told["values"]))
@@ -158,7 +160,7 @@ def words_of(told):
         words = f"{others} or {words}" if others == "0" else f"{words}, or {others}"
     if "in_ropes" in told:
         words += ", of ropes up to " + said(told["in_ropes"][-1])
-    return words + (f" ({told['when']})" if "when" in told else "")
+    return words
 
 
 ENDS = ("least", "above", "most", "below")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(HERE), str(HERE.parent / "generate")]
+sys.path[:0] = [str(HERE), str(HERE.parent), str(HERE.parent / "generate")]
 from description import Description  # noqa: E402
 from page import Page  # noqa: E402
 

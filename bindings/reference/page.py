@@ -19,8 +19,6 @@ TITLES = {"base.h": "What all share", "chain.h": "Chains and ropes", "membrane.h
 NAME = re.compile(r"\b(?:cd_[a-z0-9_]+|CD_[A-Z0-9_]+)\b")
 ALIGNED = re.compile(r"^ +\S|\S {3,}\S")  # a line of a table or an equation, whose spaces count
 ITEM = re.compile(r"^  (CD_[A-Z_]+(?:, CD_[A-Z_]+)*) {3,}", re.MULTILINE)  # what each of some values means
-EVERY = re.compile(r"Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE")
-ALL = re.compile(r"Errors of all")
 ROLES = {"self": "the object", "handle": "another object", "length": "length", "callbacks": "functions",
          "created": "new object", "address": "address"}
 
@@ -109,7 +107,7 @@ class Page:
     def function(self, group):
         first = group[0]
         header = first["header"]
-        described, caption, errors = facts.of_errors(first["doc"])
+        described, _, _ = facts.of_errors(first["doc"])
         yield f'<article class="entry" data-names="{" ".join(f["name"] for f in group)}">'
         for f in group:
             inner = ", ".join(map(self.declaration, f["parameters"])) or "void"
@@ -118,21 +116,29 @@ class Page:
         yield from self.prose(described, header)
         for f in group:
             yield from self.parameters(f)
-        if errors:
-            general = {v["name"]: v["doc"] for v in self.api.enums["cd_status"]["values"]}
-            rows = [([self.linked(code, header), self.linked(when, header) or self.linked(general[code], header)], None)
-                    for code, when in errors]
-            yield from table(caption, ["Status", "When"], rows)
+        yield from self.errors(group)
         yield from self.also(group)
         yield "</article>"
 
+    def errors(self, group):
+        """One row for each error and what it is for; of a part of the group, with their names."""
+        general = {v["name"]: v["doc"] for v in self.api.enums["cd_status"]["values"]}
+        whose = {}
+        for f in group:
+            for error in f["errors"]:
+                whose.setdefault((error["code"], error["when"] or general[error["code"]]), []).append(f["name"])
+        rows = [([*(self.linked(text, group[0]["header"]) for text in error),
+                  "" if len(names) == len(group) else self.linked(", ".join(names), group[0]["header"])], None)
+                for error, names in whose.items()]
+        if rows:
+            yield from table("Errors", ["Status", "When", "Of"], rows)
+
     def parameters(self, f):
-        """One row for each parameter, with what its comment tells of it."""
+        """One row for each parameter."""
         if not f["parameters"]:
             return
-        known, rows = facts.of_parameters(f), []
+        rows = []
         for p in f["parameters"]:
-            told = known.get(p["name"], {})
             what = ROLES.get(p["role"], "")
             if p["role"] == "length":
                 what = "length of " + ", ".join(f"<var>{name}</var>" for name in p["of"])
@@ -140,24 +146,22 @@ class Page:
                 times = p["times"]
                 count = f"<var>{p['length']}</var>" + (f" × {times}" if times != 1 else "")
                 what = f"{count} {'bytes' if p['role'] == 'bytes' else 'numbers'}"
-            elif p["base"] == "int32_t" and p["role"] in ("value", "result"):
-                what = "0 or 1"
-            interval = f'<span class="range">{escape(told["range"])}</span>' if "range" in told else ""
+            interval = facts.words_of(p["range"]) if "range" in p else ""
+            if p["base"] == "int32_t" and interval:
+                interval = "0 or 1"
+            interval = f'<span class="range">{escape(interval)}</span>' if interval else ""
+            if interval and "when" in p["range"]:
+                interval += " " + self.linked(p["range"]["when"], f["header"])
+            default = facts.said(p["default"]) if "default" in p else ""
             rows.append(([f"<var>{p['name']}</var>", f"<code>{self.type_of(p['type'])}</code>", p["direction"], what,
-                          escape(told.get("unit", "")), interval,
-                          self.linked(told.get("default", ""), f["header"]), "yes" if p.get("null") else ""], None))
+                          escape(p.get("unit", "")), interval, self.linked(default, f["header"]),
+                          "yes" if p.get("null") else ""], None))
         yield from table(f"Parameters of <code>{f['name']}</code>",
                          ["Name", "Type", "In or out", "What", "Unit", "Range", "Default", "May be null"], rows)
 
     def also(self, group):
-        """What holds of every function here, what belongs to it, and its names in other languages."""
-        first, header, lines = group[0], group[0]["header"], []
-        thing = self.object_of(header)
-        if thing and EVERY.search(thing["doc"]) and first["returns"] == "cd_status":
-            where = self.sections[header, first["section"]]
-            lines.append(("Errors of every function", self.linked("CD_ERROR_NULL, CD_ERROR_HANDLE", header) + (
-                f'; and those of <a href="#{section_id(header, first["section"])}">{first["section"]}</a>'
-                if ALL.search(where) else "")))
+        """What belongs to it, and its names in other languages."""
+        header, lines = group[0]["header"], []
         for f in group:
             for here, there, word in (("set_", "get_", "Getter"), ("get_", "set_", "Setter")):
                 pair = f["name"].replace(f"_{here}", f"_{there}", 1)
@@ -303,6 +307,7 @@ class Page:
             f"{self.json['version']}, and what its functions are called in other languages. "
             f"{len(self.json['functions'])} functions, "
             f"{len(self.json['enums'])} enumerations, {sum(len(o['fields']) for o in self.json['objects'])} fields. "
-            "Units, ranges and defaults are in the tables where the text tells them of one parameter; an empty cell "
-            'says nothing, and the text tells the rest. <span class="keyboard">Press <kbd>/</kbd> to search.</span>'
-            "</p></div>")
+            'Words in ranges are other parameters, what <code>get_shape</code> tells, or those below. '
+            '<span class="keyboard">Press <kbd>/</kbd> to search.</span></p><dl>' + "".join(
+                f"<dt><code>{limit['name']}</code></dt><dd>{escape(limit['doc'])}</dd>"
+                for limit in self.json["limits"]) + "</dl></div>")

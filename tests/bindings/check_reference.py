@@ -12,6 +12,10 @@ import tempfile
 from html.parser import HTMLParser
 from pathlib import Path
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bindings"))
+import facts  # noqa: E402
+
 VOID = {"meta", "input", "br", "hr", "img", "link", "wbr"}
 
 
@@ -105,9 +109,12 @@ def problems(page, api):
             meta.get("name") == "viewport" for meta in reader.attributes["meta"]):
         found.append("no language, title or viewport")
 
+    found += check_ranges(page, api)
+
     said = {name: set(words_of(" ".join(texts))) for names, texts in reader.words.items() for name in names.split()}
     for function in api["functions"]:
-        wanted = {*words_of(function["doc"]), *(p["name"] for p in function["parameters"])} - {"Errors"}
+        wanted = {*words_of(facts.of_errors(function["doc"])[0]), *(p["name"] for p in function["parameters"]),
+                  *(w for error in function["errors"] for text in error.values() for w in words_of(text))}
         missing = wanted - said.get(function["name"], set())
         if missing:
             found.append(f"{function['name']}: not said: {sorted(missing)}")
@@ -137,39 +144,63 @@ def must_fail(page, api):
     yield "a heading that skips a level", page.replace("<h2", "<h5", 1).replace("</h2>", "</h5>", 1)
     yield "a script from elsewhere", page.replace("<script>", '<script src="https://example.org/a.js">')
     yield "a function's comment cut", page.replace("Never allocates", "")
+    yield "a number without a range", re.sub(r'<span class="range">in .0, nu.</span>', "", page, count=1)
+    yield "another range", page.replace(">in [0, 1e60]<", ">in [0, 1e6]<")
+    yield "an error left out", page.replace(">CD_ERROR_DISABLED<", "><")
 
 
-def check_facts(reference, api):
-    """What the tables hold of parameters are pieces of their comments; and they are found where they must be."""
-    sys.path.insert(0, str(reference))
-    import facts
-
-    known = {}
+def check_facts(api):
+    """What is found in comments are pieces of them, no error that one tells is lost, and some are known."""
+    known, codes = {}, {}
     for function in api["functions"]:
         doc = " ".join(function["doc"].split())
-        known[function["name"]] = facts.of_parameters(function)
-        for name, told in known[function["name"]].items():
-            if name not in [p["name"] for p in function["parameters"]]:
-                return f"{function['name']} has no {name}"
+        for name, told in facts.of_comment(function).items():
             for key, text in told.items():
                 if (f"[{text}]" if key == "unit" else text) not in doc:
                     return f"{function['name']}: {key} of {name} is not in its comment: {text}"
-        codes = re.findall(r"CD_ERROR_[A-Z]+", doc[doc.find("Errors"):] if re.search(r"Errors[a-z ]*:", doc) else "")
-        if sorted(set(codes)) != sorted({code for code, _ in facts.of_errors(function["doc"])[2]}):
-            return f"{function['name']}: errors are not those of its comment"
-    for name, parameter, told in (
-            ("cd_chain_set_mass", "mass", {"unit": "kg", "range": "> 0"}),
-            ("cd_chain_get_rest_length", "out_length",
-             {"unit": "m", "range": "0 or in [1e-60, 1e60]", "default": "0"}),
-            ("cd_chain_step", "dt", {"unit": "s", "range": "in [1e-30, 1e30]"}),
-            ("cd_membrane_attach", "damping", {"unit": "N s/m", "range": ">= 0"}),
-            ("cd_water_set_manning", "manning", {"unit": "s/m^(1/3)", "range": "in [0, 1e3]", "default": "0"}),
-            ("cd_water_set_bed_rule", "rule", {"default": "CD_BED_LIFTS_WATER"})):
-        if known[name].get(parameter) != told:
-            return f"{name}: of {parameter} is found {known[name].get(parameter)}, not {told}"
-    if "friction" in known["cd_water_set_hull_drag"]:
-        return "friction has the unit of drag"
+        codes.setdefault(doc, set()).update(error["code"] for error in function["errors"])
+        for p in function["parameters"]:
+            known[function["name"], p["name"]] = {key: p[key] for key in ("unit", "range", "default") if key in p}
+    for doc, listed in codes.items():
+        errors = re.search(r"Errors[a-z ]*:", doc)
+        missing = set(re.findall(r"CD_ERROR_[A-Z]+", doc[errors.start():])) - listed if errors else None
+        if missing:
+            return f"errors that only a comment tells: {missing}: {doc}"
+    for name, told in (
+            (("cd_chain_set_mass", "mass"), {"unit": "kg", "range": {"least": 1e-60, "most": 1e60}, "default": 1}),
+            (("cd_chain_get_rest_length", "out_length"),
+             {"unit": "m", "range": {"least": 1e-60, "most": 1e60, "values": [0]}, "default": 0}),
+            (("cd_chain_step", "dt"), {"unit": "s", "range": {"least": 1e-30, "most": 1e30}}),
+            (("cd_membrane_attach", "damping"), {"unit": "N s/m", "range": {"least": 0, "most": 1e60}}),
+            (("cd_membrane_set_plane", "index"), {"range": {"least": 0, "below": "colliders"}}),
+            (("cd_water_set_manning", "manning"),
+             {"unit": "s/m^(1/3)", "range": {"least": 0, "most": 1e3}, "default": 0}),
+            (("cd_water_set_hull_drag", "friction"), {"unit": "1", "range": {"least": 0, "most": 1e30}}),
+            (("cd_water_set_bed_rule", "rule"), {"default": "CD_BED_LIFTS_WATER"})):
+        if known[name] != told:
+            return f"{name}: described as {known[name]}, not {told}"
     return None
+
+
+def check_ranges(page, api):
+    """Every number that is passed has a cell with each number and name of its range."""
+    enums = {enum["name"] for enum in api["enums"]}
+    tables = dict(re.findall(r"<caption>Parameters of <code>(\w+)</code></caption>(.*?)</table>", page, re.DOTALL))
+    for function in api["functions"]:
+        rows = dict(re.findall(r'<th scope="row"><var>(\w+)</var></th>(.*?)</tr>', tables.get(function["name"], "")))
+        for p in function["parameters"]:
+            if p["role"] != "value" or p["base"] in enums:
+                continue
+            cell = re.search(r'<td><span class="range">([^<]+)</span>', rows.get(p["name"], ""))
+            if not cell:
+                yield f"{function['name']}: {p['name']} has no range"
+                continue
+            shown = {float(x) for x in re.findall(r"\d+(?:\.\d+)?(?:e-?\d+)?", cell.group(1))}
+            ends = {key: limit for key, limit in p["range"].items() if key != "when" and limit != 0}
+            for end in (x for limit in ends.values() for x in (limit if isinstance(limit, list) else [limit])):
+                words = set(words_of(end)) - set(words_of(cell.group(1))) if isinstance(end, str) else set()
+                if words or not isinstance(end, str) and abs(end) not in shown:
+                    yield f"{function['name']}: the range of {p['name']} is shown as {cell.group(1)}"
 
 
 SOURCES = {"C++": "cpp/include/contdyn/contdyn.hpp", "Python": "python/contdyn/*.py", "Lua": "lua/contdyn/*.lua",
@@ -190,7 +221,6 @@ def check_names(page, bindings):
 
 def main():
     reference, path = map(Path, sys.argv[1:])
-    sys.dont_write_bytecode = True
     api = json.loads(path.read_text(encoding="utf-8"))
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([sys.executable, "-B", reference, folder], check=True)
@@ -199,7 +229,7 @@ def main():
     found = problems(page, api)
     if files != ["index.html"]:
         found.append(f"the reference is {files}")
-    found += [what for what in (check_facts(reference, api), check_names(page, reference.parent)) if what]
+    found += [what for what in (check_facts(api), check_names(page, reference.parent)) if what]
     if found:
         sys.exit("check_reference: " + "\n".join(found))
     for what, broken in must_fail(page, api):
