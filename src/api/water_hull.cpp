@@ -46,8 +46,10 @@ cd_status set_bow(const char* function, const char* name, Hull& h, double x, dou
     return CD_OK;
 }
 
+double most_size(const Water& w) { return kMostHullCells * cell_size(w.size, w.cells); }
+
 cd_status is_size(const char* function, const Water& w, const char* name, double size) {
-    const double most = kMostHullCells * cell_size(w.size, w.cells);
+    const double most = most_size(w);
     if (size > 0 && size <= most) return CD_OK;
     return fail(CD_ERROR_VALUE, function, "%s is %g, must be > 0 and at most %g, %g cells", name, size, most,
                 kMostHullCells);
@@ -124,7 +126,10 @@ cd_status cd_water_set_disc(cd_water* water, size_t index, double mass, double r
     each([&](size_t, bool in) { there += in ? 1 : 0; });
     if (there == 0) return fail(CD_ERROR_VALUE, __func__, "radius: too few plates for a disc");
     const double side = radius * sqrt(3.14159265358979323846 * double(shape.plates()) / double(there));
-    CD_CHECK(is_size(__func__, w, "radius, of which the plates' square", side));
+    if (side > most_size(w))
+        return fail(CD_ERROR_VALUE, __func__,
+                    "radius is %g: the plates' square is %g wide, must be at most %g, %g cells", radius, side,
+                    most_size(w), kMostHullCells);
     set_body(hull(w, index), mass, side, side);
     each([&](size_t k, bool in) { plate_heights(w, index)[k] = in ? 0 : -1; });
     return CD_OK;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Holds the library file to the ranges, defaults and errors of bindings/api.json: each number that is passed, by value
 or in an array, may be what its range says, and nothing else; what is refused is refused by an error of the function's
-list, whose message names the argument, and changes nothing.
+list, whose message names the argument and its value, and changes neither the object nor what outputs hold.
 
     check_ranges.py API LIBRARY
 """
@@ -22,6 +22,7 @@ INT_ENDS = (-(1 << 31), (1 << 31) - 1)
 STATES = {"chain": ("new", "with lengths", "ring"), "membrane": ("new", "with lengths", "ring"),
           "water": ("new", "with hulls")}
 PLATES = 2  # of each hull
+LOOKED_AT = 64  # bytes of an output
 FLOAT32, FLOAT64 = 0, 1
 
 # Arguments with which what is tried counts, or succeeds: of a function, or of one of its parameters.
@@ -29,6 +30,8 @@ OTHERS = {
     "cd_water_set_side": {"kind": 1},
     "cd_water_set_hull": {"count": PLATES},
     "cd_water_get_hull": {"count": PLATES},
+    "cd_membrane_set_stiffness": {"along_u": 2, "along_v": 3},  # not what a new one has: half of a call would be seen
+    "cd_membrane_set_rest_length": {"along_u": 2, "along_v": 3},
     ("cd_membrane_write_vertices", "normal_offset"): {"position_offset": 40},
     ("cd_water_write_vertices", "normal_offset"): {"position_offset": 40},
     ("cd_water_write_vertices", "depth_offset"): {"position_offset": 40},
@@ -156,8 +159,12 @@ class Calls:
             at = names.index(name)
             plain = self.library.plain(self.function["parameters"][at]["base"])
             (plain * (index + 1)).from_buffer(kept[at])[index] = number
+        outputs = [buffer for p, buffer in zip(self.function["parameters"], kept) if p["direction"] == "out" and
+                   isinstance(buffer, ctypes.Array)]
+        for buffer in outputs:
+            ctypes.memset(buffer, ord("?"), LOOKED_AT)
         status = getattr(self.library.dll, self.name)(*values)
-        del kept
+        self.wrote = any(buffer.raw[:LOOKED_AT] != b"?" * LOOKED_AT for buffer in outputs)
         return status
 
     def says(self):
@@ -178,7 +185,7 @@ class Calls:
         status = self.call(handle, changes, element)
         check(status == OK, f"{self.name}: {what} is in the range, but: {self.says()}")
 
-    def refused(self, what, words, statuses, changes, element=None):
+    def refused(self, what, words, statuses, number, changes, element=None):
         handle = self.make()
         before = told(self.library, self.kind, handle, "hash")
         status = self.call(handle, changes, element)
@@ -186,13 +193,15 @@ class Calls:
         message = self.says() if status != OK else "nothing"
         check(name in statuses and name in self.codes,
               f"{self.name}: {what} is out of the range, but gives {name}; described: {sorted(self.codes)}")
-        check(status == OK or re.search(rf"(?<!\w){words}(?!\w)", message),
+        shown = "%g" % number if isinstance(number, float) else str(number)
+        check(status == OK or re.search(rf"(?<!\w){words}(?!\w)", message) and shown in message.split(self.name)[1],
               f"{self.name}: {what} is refused by a message that does not name it: {message}")
+        check(not self.wrote, f"{self.name}: {what} is refused, but an output has been written")
         check(told(self.library, self.kind, handle, "hash") == before, f"{self.name}: {what} is refused, but the state "
                                                                        "has changed")
 
 
-def each_with(calls, names, p, number):
+def each_with(calls, p, number):
     """The changes that give a parameter this number, and what else has to change with it."""
     others = TOGETHER.get(calls.name, {}).get(number, [p["name"]])
     changes = {**OTHERS.get((calls.name, p["name"]), {}), **{name: number for name in others}}
@@ -212,7 +221,7 @@ def tries(calls, tried):
         if p["role"] == "value" and p["base"] in calls.library.enums:
             values = calls.library.enums[p["base"]].values()
             for number in (min(values) - 1, max(values) + 1, *INT_ENDS):
-                calls.refused(f"{p['name']} {number}", p["name"], {"CD_ERROR_ENUM"}, {p["name"]: number})
+                calls.refused(f"{p['name']} {number}", p["name"], {"CD_ERROR_ENUM"}, number, {p["name"]: number})
         elif p["role"] == "value":
             names = limit_names(calls.library, calls.kind, calls.objects[0])
             names |= {q["name"]: calls.value(q["name"]) for q in function["parameters"] if q["role"] == "value"}
@@ -220,16 +229,17 @@ def tries(calls, tried):
             inside, outside = ends(p["range"], p["base"], names)
             tried.add((function["name"], p["name"]))
             for number in inside:
-                calls.taken(f"{p['name']} {number}", each_with(calls, names, p, number))
+                calls.taken(f"{p['name']} {number}", each_with(calls, p, number))
             for number in outside:
                 calls.refused(f"{p['name']} {number}", ELSEWISE.get(p["name"], p["name"]),
-                              {"CD_ERROR_VALUE", "CD_ERROR_RANGE"}, each_with(calls, names, p, number))
+                              {"CD_ERROR_VALUE", "CD_ERROR_RANGE"}, number, each_with(calls, p, number))
         elif p["role"] == "array" and p["direction"] == "in":
             tried.add((function["name"], p["name"]))
             in_array(calls, p)
         elif p["role"] == "length" and not any(q["role"] == "bytes" for q in function["parameters"]):
-            for number in {SIZE_MAX} if p["name"] == "n" else {calls.value(p["name"]) + 1, SIZE_MAX}:
-                calls.refused(f"{p['name']} {number}", p["name"], {"CD_ERROR_RANGE"}, {p["name"]: number})
+            right = calls.value(p["name"])
+            for number in {SIZE_MAX} if p["name"] == "n" else {0, right + 1, SIZE_MAX} - {right}:
+                calls.refused(f"{p['name']} {number}", p["name"], {"CD_ERROR_RANGE"}, number, {p["name"]: number})
 
 
 def in_array(calls, p):
@@ -242,8 +252,8 @@ def in_array(calls, p):
         for number in inside:
             calls.taken(f"{p['name']}[{i}] = {number}", {}, (p["name"], i, number))
         for number in outside:
-            calls.refused(f"{p['name']}[{i}] = {number}", re.escape(f"{p['name']}[{i}]"), {"CD_ERROR_VALUE"}, {},
-                          (p["name"], i, number))
+            calls.refused(f"{p['name']}[{i}] = {number}", re.escape(f"{p['name']}[{i}]"), {"CD_ERROR_VALUE"}, number,
+                          {}, (p["name"], i, number))
 
 
 # ---- the tests ------------------------------------------------------------------------------------------------------

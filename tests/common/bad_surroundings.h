@@ -1,7 +1,6 @@
-/* What surrounds ropes and cloth, air and colliders: who has none, and the numbers that none takes. A test program
+/* What surrounds ropes and cloth, air and colliders: who has none, and what numbers do not go together. A test program
  * includes this once, for the functions of one object, and says before:
  *   BODY                       chain or membrane
- *   THICKNESS                  the name of what its set_thickness takes
  *   new_body()                 makes one of 12 nodes and 3 components whose springs have no length
  *   set_lengths(body, length)  gives it some, or none
  *   read_winds(body, numbers)  reads the whole field CD_WIND */
@@ -24,7 +23,7 @@
 
 enum { WINDS = 12 * 3 };
 
-static void only_springs_that_have_a_length_feel_air_of_numbers_in_the_range(void** state) {
+static void only_springs_that_have_a_length_feel_air(void** state) {
     (void)state;
     const double wind[3] = {1, 2, 3}, gust[3] = {-4, 5, 0.5};
     double air[2], shown[3], of_nodes[WINDS];
@@ -32,18 +31,6 @@ static void only_springs_that_have_a_length_feel_air_of_numbers_in_the_range(voi
     is_refused(CALL(set_air)(b, 0, 1), CD_ERROR_UNSUPPORTED, "air|rest length");
     is_refused(CALL(set_wind)(b, wind, 3), CD_ERROR_UNSUPPORTED, "air|rest length");
     set_lengths(b, 1);
-    refuses_each(b, CALL(set_air)(b, bad, 1), "along", not_finite);
-    refuses_each(b, CALL(set_air)(b, bad, 1), "along", negative);
-    refuses_each(b, CALL(set_air)(b, bad, 1), "along", too_large);
-    refuses_each(b, CALL(set_air)(b, 1, bad), "across", not_finite);
-    refuses_each(b, CALL(set_air)(b, 1, bad), "across", negative);
-    refuses_each(b, CALL(set_air)(b, 1, bad), "across", too_large);
-    for (size_t i = 0; i < COUNT(not_finite); ++i) {
-        const double numbers[3] = {0.5, not_finite[i].value, 0.5};
-        is_refused(CALL(set_wind)(b, numbers, 3), CD_ERROR_VALUE, text_of("velocity|[1]|%s", not_finite[i].shown));
-    }
-    is_refused(CALL(set_wind)(b, wind, 2), CD_ERROR_RANGE, name_and_size("count", 2));
-    is_refused(CALL(get_wind)(b, shown, 2), CD_ERROR_RANGE, name_and_size("count", 2));
     ok(CALL(set_air)(b, 0.25, 2));
     ok(CALL(set_wind)(b, wind, 3));
     ok(CALL(get_air)(b, &air[0], &air[1]));
@@ -65,9 +52,9 @@ static void only_springs_that_have_a_length_feel_air_of_numbers_in_the_range(voi
     CALL(destroy)(b);
 }
 
-static void only_springs_that_have_a_length_touch_things_of_numbers_in_the_range(void** state) {
+static void only_springs_that_have_a_length_touch_things(void** state) {
     (void)state;
-    const double place[3] = {1, 2, 3}, none[3] = {0, -0.0, 0}, far[3] = {0, 1.5e60, 0};
+    const double place[3] = {1, 2, 3}, none[3] = {0, -0.0, 0};
     double radius;
     size_t count;
     HANDLE* b = new_body();
@@ -82,51 +69,8 @@ static void only_springs_that_have_a_length_touch_things_of_numbers_in_the_range
     is_refused(CALL(set_plane)(b, 0, place, place, 3, 0), CD_ERROR_RANGE, none_yet);
     is_refused(CALL(get_bed)(b, 0, &count, &count, NULL, 0), CD_ERROR_RANGE, none_yet);
     is_refused(CALL(get_collider)(b, 0, &out.i32, NULL, NULL, NULL, 3, &radius, &radius), CD_ERROR_RANGE, none_yet);
-    is_refused(CALL(set_colliders)(b, 4097), CD_ERROR_VALUE, name_and_size("count", 4097));
-    is_refused(CALL(set_colliders)(b, SIZE_MAX), CD_ERROR_VALUE, name_and_size("count", SIZE_MAX));
     ok(CALL(set_colliders)(b, 2));
-    refuses_each(b, CALL(set_thickness)(b, bad), THICKNESS, not_finite);
-    refuses_each(b, CALL(set_thickness)(b, bad), THICKNESS, negative);
-    refuses_each(b, CALL(set_thickness)(b, bad), THICKNESS, too_large);
-    refuses_each(b, CALL(set_plane)(b, 0, place, place, 3, bad), "friction", not_finite);
-    refuses_each(b, CALL(set_plane)(b, 0, place, place, 3, bad), "friction", negative);
-    refuses_each(b, CALL(set_plane)(b, 0, place, place, 3, bad), "friction", too_large);
-    refuses_each(b, CALL(set_capsule)(b, 0, place, place, 3, 1, bad), "friction", not_finite);
-    refuses_each(b, CALL(set_capsule)(b, 0, place, place, 3, 1, bad), "friction", negative);
-    refuses_each(b, CALL(set_capsule)(b, 0, place, place, 3, 1, bad), "friction", too_large);
-    refuses_each(b, CALL(set_capsule)(b, 0, place, place, 3, bad, 0), "radius", not_finite);
-    refuses_each(b, CALL(set_capsule)(b, 0, place, place, 3, bad, 0), "radius", not_positive);
-    refuses_each(b, CALL(set_capsule)(b, 0, place, place, 3, bad, 0), "radius", too_small);
-    refuses_each(b, CALL(set_capsule)(b, 0, place, place, 3, bad, 0), "radius", too_large);
     is_refused(CALL(set_plane)(b, 0, place, none, 3, 0), CD_ERROR_VALUE, "normal|0");
-    is_refused(CALL(set_plane)(b, 0, far, place, 3, 0), CD_ERROR_VALUE, "point|[1]|1.5e+60");
-    for (size_t at = 0; at < 3; ++at)
-        for (size_t i = 0; i < COUNT(not_finite); ++i) {
-            double numbers[3] = {0.5, 0.5, 0.5};
-            numbers[at] = not_finite[i].value;
-            const char* text = text_of("[%zu]|%s", at, not_finite[i].shown);
-            is_refused(CALL(set_plane)(b, 0, numbers, place, 3, 0), CD_ERROR_VALUE, text_of("point|%s", text));
-            is_refused(CALL(set_plane)(b, 0, place, numbers, 3, 0), CD_ERROR_VALUE, text_of("normal|%s", text));
-            is_refused(CALL(set_capsule)(b, 0, numbers, place, 3, 1, 0), CD_ERROR_VALUE, text_of("first|%s", text));
-            is_refused(CALL(set_capsule)(b, 0, place, numbers, 3, 1, 0), CD_ERROR_VALUE, text_of("last|%s", text));
-            is_refused(CALL(set_collider_velocity)(b, 0, numbers, 3), CD_ERROR_VALUE, text_of("velocity|%s", text));
-        }
-    static const size_t beyond[] = {2, 3, 4096, SIZE_MAX / 2, SIZE_MAX};
-    for (size_t i = 0; i < COUNT(beyond); ++i) {
-        const size_t index = beyond[i], n = i == 0 ? 2 : index + 1;
-        const char *at = name_and_size("index", index), *of = name_and_size("count", n);
-        is_refused(CALL(set_plane)(b, index, place, place, 3, 0), CD_ERROR_RANGE, at);
-        is_refused(CALL(set_capsule)(b, index, place, place, 3, 1, 0), CD_ERROR_RANGE, at);
-        is_refused(CALL(set_collider_velocity)(b, index, place, 3), CD_ERROR_RANGE, at);
-        is_refused(CALL(remove_collider)(b, index), CD_ERROR_RANGE, at);
-        is_refused(CALL(get_collider)(b, index, &out.i32, out.number, out.number + 3, out.number + 6, 3,
-                                      out.number + 9, out.number + 10), CD_ERROR_RANGE, at);
-        is_refused(CALL(set_plane)(b, 1, place, place, n, 0), CD_ERROR_RANGE, of);
-        is_refused(CALL(set_capsule)(b, 1, place, place, n, 1, 0), CD_ERROR_RANGE, of);
-        is_refused(CALL(set_collider_velocity)(b, 1, place, n), CD_ERROR_RANGE, of);
-        is_refused(CALL(get_collider)(b, 1, &out.i32, out.number, out.number + 3, out.number + 6, n,
-                                      out.number + 9, out.number + 10), CD_ERROR_RANGE, of);
-    }
     ok(CALL(set_thickness)(b, 0.25));
     set_lengths(b, 0); /* switches all of it off */
     set_lengths(b, 1);
@@ -147,7 +91,7 @@ static void tell_floor(void* user, double time, size_t count, size_t components,
     }
 }
 
-static void beds_have_heights_in_the_range(void** state) {
+static void beds_have_as_many_heights_as_places(void** state) {
     (void)state;
     const double place[3] = {1, 2, 3}, heights[6] = {1, 2, 3, 4, 5, 6};
     double told[6], second[3];
@@ -161,29 +105,8 @@ static void beds_have_heights_in_the_range(void** state) {
     ok(CALL(set_colliders)(b, 3));
     is_refused(CALL(set_bed)(b, 0, NULL, 3, 3, 2, 1, 1, heights, 6, 0), CD_ERROR_NULL, "origin");
     is_refused(CALL(set_bed)(b, 0, place, 3, 3, 2, 1, 1, NULL, 6, 0), CD_ERROR_NULL, "heights");
-    is_refused(CALL(set_bed)(b, 0, place, 2, 3, 2, 1, 1, heights, 6, 0), CD_ERROR_RANGE, name_and_size("count", 2));
-    is_refused(CALL(set_bed)(b, 0, place, 3, 1, 6, 1, 1, heights, 6, 0), CD_ERROR_VALUE, name_and_size("columns", 1));
-    is_refused(CALL(set_bed)(b, 0, place, 3, 6, 1, 1, 1, heights, 6, 0), CD_ERROR_VALUE, name_and_size("rows", 1));
     is_refused(CALL(set_bed)(b, 0, place, 3, 3, 2, 1, 1, heights, 5, 0), CD_ERROR_RANGE, "height_count|5|3|2");
     is_refused(CALL(set_bed)(b, 0, place, 3, SIZE_MAX / 2, 4, 1, 1, heights, 6, 0), CD_ERROR_RANGE, "height_count|6");
-    refuses_each(b, CALL(set_bed)(b, 0, place, 3, 3, 2, bad, 1, heights, 6, 0), "column_spacing", not_finite);
-    refuses_each(b, CALL(set_bed)(b, 0, place, 3, 3, 2, bad, 1, heights, 6, 0), "column_spacing", not_positive);
-    refuses_each(b, CALL(set_bed)(b, 0, place, 3, 3, 2, bad, 1, heights, 6, 0), "column_spacing", too_small);
-    refuses_each(b, CALL(set_bed)(b, 0, place, 3, 3, 2, bad, 1, heights, 6, 0), "column_spacing", too_large);
-    refuses_each(b, CALL(set_bed)(b, 0, place, 3, 3, 2, 1, bad, heights, 6, 0), "row_spacing", not_finite);
-    refuses_each(b, CALL(set_bed)(b, 0, place, 3, 3, 2, 1, bad, heights, 6, 0), "row_spacing", not_positive);
-    refuses_each(b, CALL(set_bed)(b, 0, place, 3, 3, 2, 1, bad, heights, 6, 0), "row_spacing", too_large);
-    refuses_each(b, CALL(set_bed)(b, 0, place, 3, 3, 2, 1, 1, heights, 6, bad), "friction", not_finite);
-    refuses_each(b, CALL(set_bed)(b, 0, place, 3, 3, 2, 1, 1, heights, 6, bad), "friction", negative);
-    for (size_t i = 0; i < COUNT(not_finite); ++i) {
-        double numbers[6] = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
-        numbers[2] = not_finite[i].value;
-        const char* text = text_of("[2]|%s", not_finite[i].shown);
-        is_refused(CALL(set_bed)(b, 0, numbers, 3, 3, 2, 1, 1, heights, 6, 0), CD_ERROR_VALUE,
-                   text_of("origin|%s", text));
-        is_refused(CALL(set_bed)(b, 0, place, 3, 3, 2, 1, 1, numbers, 6, 0), CD_ERROR_VALUE,
-                   text_of("heights|%s", text));
-    }
     ok(CALL(get_bed)(b, 1, &columns, &rows, told, 0));
     assert_true(columns == 0 && rows == 0); /* of what is none */
     const double turned[6] = {6, 5, 4, 3, 2, 1};
@@ -228,14 +151,6 @@ static void callbacks_are_functions_that_tell_distances(void** state) {
     is_refused(CALL(set_callback)(b, 1, NULL, place, 3, 0), CD_ERROR_NULL, "distance");
     is_refused(CALL(set_callback)(b, 1, &none, place, 3, 0), CD_ERROR_NULL, "distance|function");
     is_refused(CALL(set_callback)(b, 1, &floor, NULL, 3, 0), CD_ERROR_NULL, "origin");
-    is_refused(CALL(set_callback)(b, 1, &floor, place, 2, 0), CD_ERROR_RANGE, name_and_size("count", 2));
-    refuses_each(b, CALL(set_callback)(b, 1, &floor, place, 3, bad), "friction", not_finite);
-    refuses_each(b, CALL(set_callback)(b, 1, &floor, place, 3, bad), "friction", negative);
-    for (size_t i = 0; i < COUNT(not_finite); ++i) {
-        const double numbers[3] = {0.5, not_finite[i].value, 0.5};
-        is_refused(CALL(set_callback)(b, 1, &floor, numbers, 3, 0), CD_ERROR_VALUE,
-                   text_of("origin|[1]|%s", not_finite[i].shown));
-    }
     ok(CALL(set_callback)(b, 1, &floor, place, 3, 0.5));
     ok(CALL(set_lambda)(b, 1));
     ok(CALL(step)(b, 0.01, 2));
@@ -338,7 +253,7 @@ static void beds_and_callbacks_give_their_memory_back(void** state) {
 }
 
 #define SURROUNDINGS_TESTS                                                                                             \
-    cmocka_unit_test(only_springs_that_have_a_length_feel_air_of_numbers_in_the_range),                                \
-        cmocka_unit_test(only_springs_that_have_a_length_touch_things_of_numbers_in_the_range),                        \
-        cmocka_unit_test(beds_have_heights_in_the_range), cmocka_unit_test(callbacks_are_functions_that_tell_distances), \
+    cmocka_unit_test(only_springs_that_have_a_length_feel_air),                                \
+        cmocka_unit_test(only_springs_that_have_a_length_touch_things),                        \
+        cmocka_unit_test(beds_have_as_many_heights_as_places), cmocka_unit_test(callbacks_are_functions_that_tell_distances), \
         cmocka_unit_test(callbacks_are_not_kept), cmocka_unit_test(beds_and_callbacks_give_their_memory_back)

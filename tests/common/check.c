@@ -55,11 +55,8 @@ void refusal_begin(const void* object, hash_function* hash, const char* call) {
 
 const struct bad_number not_finite[NOT_FINITE] = {{NAN, "nan"}, {INFINITY, "inf"}, {-INFINITY, "-inf"}};
 const struct bad_number negative[NEGATIVE] = {{-1, "-1"}, {-0x1p-1000, ""}};
-const struct bad_number not_positive[NOT_POSITIVE] = {{0, "0"}, {-0.0, "0"}, {-2.5, "-2.5"}};
 const struct bad_number too_large[TOO_LARGE] = {{1.0625e60, "1.0625e+60"}, {1e300, "1e+300"}};
 const struct bad_number too_small[TOO_SMALL] = {{0.5e-60, "5e-61"}, {0x1p-1074, ""}};
-const struct bad_number not_a_share[NOT_A_SHARE] = {{-0.25, "-0.25"}, {1.5, "1.5"}, {1e9, "1e+09"}};
-const struct bad_number not_a_step[NOT_A_STEP] = {{1e-31, "1e-31"}, {1e31, "1e+31"}, {-0.125, "-0.125"}};
 
 static bool is_name_character(char c) {
     return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');

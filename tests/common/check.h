@@ -50,9 +50,8 @@ struct bad_number {
     double value;
     const char* shown;
 };
-enum { NOT_FINITE = 3, NEGATIVE = 2, NOT_POSITIVE = 3, TOO_LARGE = 2, TOO_SMALL = 2, NOT_A_SHARE = 3, NOT_A_STEP = 3 };
-extern const struct bad_number not_finite[NOT_FINITE], negative[NEGATIVE], not_positive[NOT_POSITIVE],
-    too_large[TOO_LARGE], too_small[TOO_SMALL], not_a_share[NOT_A_SHARE], not_a_step[NOT_A_STEP];
+enum { NOT_FINITE = 3, NEGATIVE = 2, TOO_LARGE = 2, TOO_SMALL = 2 };
+extern const struct bad_number not_finite[NOT_FINITE], negative[NEGATIVE], too_large[TOO_LARGE], too_small[TOO_SMALL];
 
 /* A call with `bad` among its arguments, for each bad number in the table. */
 #define refuses_each(object, call, argument, table)                                                                    \

@@ -160,41 +160,6 @@ static bool has_field(const struct prototype* function) {
     return false;
 }
 
-/* A bad argument of this type is told by one of these statuses. */
-static const struct {
-    const char* type;
-    cd_status statuses[4];
-} kinds[] = {
-    {"double", {CD_ERROR_VALUE}},
-    {"const double*", {CD_ERROR_VALUE}},
-    {"int32_t", {CD_ERROR_VALUE}},
-    {"size_t", {CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_SIZE}},
-    {"cd_precision", {CD_ERROR_ENUM}},
-    {"cd_method", {CD_ERROR_ENUM}},
-    {"cd_solver", {CD_ERROR_ENUM}},
-    {"cd_kernels", {CD_ERROR_ENUM}},
-    {"cd_mass_rule", {CD_ERROR_ENUM}},
-    {"cd_end", {CD_ERROR_ENUM}},
-    {"cd_edge", {CD_ERROR_ENUM}},
-    {"cd_node", {CD_ERROR_ENUM}},
-    {"cd_side", {CD_ERROR_ENUM}},
-    {"cd_border", {CD_ERROR_ENUM}},
-    {"cd_momentum", {CD_ERROR_ENUM}},
-    {"cd_bed_rule", {CD_ERROR_ENUM}},
-};
-
-static bool number_tried(const struct prototype* function, const struct parameter* parameter) {
-    if (has_field(function) || (is_pointer(parameter) && strcmp(parameter->type, "const double*") != 0)) return true;
-    for (size_t k = 0; k < COUNT(kinds); ++k)
-        for (size_t s = 0; s < 4 && kinds[k].statuses[s] && strcmp(kinds[k].type, parameter->type) == 0; ++s)
-            if (was_refused(function->name, kinds[k].statuses[s], parameter->name)) return true;
-    return false;
-}
-
-void all_numbers_were_tried(const char* object, const char* const* but, size_t count) {
-    try_all(object, number_tried, but, count);
-}
-
 static bool field_argument_tried(const struct prototype* function, const struct parameter* parameter) {
     if (!has_field(function) || is_object(function, parameter) || strncmp(parameter->name, "out_", 4) == 0) return true;
     cd_status status = CD_ERROR_VALUE;
