@@ -326,6 +326,8 @@ class Errors(unittest.TestCase):
         tried = {(function, error) for function, error, _, _ in CASES} | {("step", "DIVERGED"), ("load", "MEMORY"),
                                                                          ("set_end", "DIVERGED"),
                                                                          ("teleport", "DIVERGED"),
+                                                                         ("attach", "DIVERGED"),
+                                                                         ("enable_field", "DIVERGED"),
                                                                          ("copy_state", "MEMORY"),
                                                                          ("step", "TOLERANCE"),
                                                                          ("step", "CALLBACK")}
@@ -344,7 +346,8 @@ class Errors(unittest.TestCase):
         self.assertEqual(chain.steps, 103)
         chain.read(Field.POSITION)
         for use in (lambda: chain.step(0.01), lambda: chain.teleport(0, None, (1, 1, 1)),
-                    lambda: chain.set_end(End.LAST, Node.POSED)):
+                    lambda: chain.set_end(End.LAST, Node.POSED), lambda: chain.attach(0, 1, 1, 1),
+                    lambda: chain.enable_field(Field.TARGET)):
             with self.assertRaises(contdyn.DivergedError):
                 use()
         chain.reset()
