@@ -19,7 +19,7 @@ LIMITS = {
     "field_v": "how many places the field has along v",
     "field_x": "how many places the field has along x",
     "field_y": "how many places the field has along y",
-    "cell": "the shorter side of a cell; of a slice, of one cell's width, the other side",
+    "cell": "the shorter side of a cell; of a slice the one along it",
     "largest_disc": "the radius at which the square of all of the disc's plates is 512 cells wide, some 256 cells",
     "largest": "1e60; 1e30 of an object in CD_FLOAT32",
     "finite": "the largest finite number of the object's precision",
