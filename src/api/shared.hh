@@ -86,13 +86,13 @@ inline cd_status set_parallel(const char* function, Object& o, const cd_parallel
     return CD_OK;
 }
 
-template <class X> cd_status set_kernels(const char* function, X& x, cd_kernels kernels) {
+template <class Table> cd_status set_kernels(const char* function, const Table*& of_object, cd_kernels kernels) {
     CD_CHECK(is_enum(function, "kernels", kernels, CD_KERNELS_AVX512));
-    const auto* const wanted = kernels_of(kernels, x.kernels);
+    const Table* const wanted = kernels_of<Table>(kernels);
     if (!wanted)
         return fail(CD_ERROR_UNSUPPORTED, function, "kernels is %d, %s: not in this build, or not for this processor",
                     int(kernels), cd_kernels_name(kernels));
-    x.kernels = wanted;
+    of_object = wanted;
     return CD_OK;
 }
 
@@ -387,7 +387,7 @@ template <class X, class Handle> cd_status copy_state(const char* function, X& x
                 shared::set_parameter(__func__, x, "lambda", lambda, x.lambda, 0, 1))                               \
     CD_GETTER(object, get_lambda, double, out_lambda, x.lambda)                                                     \
     CD_FUNCTION(object, , set_parallel, (const cd_parallel* parallel), shared::set_parallel(__func__, x, parallel)) \
-    CD_FUNCTION(object, , set_kernels, (cd_kernels kernels), shared::set_kernels(__func__, x, kernels))             \
+    CD_FUNCTION(object, , set_kernels, (cd_kernels kernels), shared::set_kernels(__func__, x.kernels, kernels))     \
     CD_GETTER(object, get_kernels, cd_kernels, out_kernels, x.kernels->set)                                         \
     CD_FUNCTION(object, , enable_field, (cd_field field), shared::enable_field(__func__, x, field))                 \
     CD_FUNCTION(object, , disable_field, (cd_field field), shared::disable_field(__func__, x, field))               \

@@ -39,7 +39,7 @@ uint32_t runnable_kernels() {
     return sets;
 }
 
-cd_kernels best_kernels() {
+cd_kernels fastest_kernels() {
     cd_kernels set = CD_KERNELS_PLAIN;
     for (uint32_t faster = runnable_kernels() >> 1; faster > 0; faster >>= 1) ++set;
     return set;

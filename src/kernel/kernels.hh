@@ -83,7 +83,11 @@ struct WaterKernels {
 
 // What the public function of that name tells, and the fastest of them.
 uint32_t runnable_kernels();
-cd_kernels best_kernels();
+cd_kernels fastest_kernels();
+
+// A kind's table of that set; null for one that is not among the runnable ones.
+template <class Table> const Table* kernels_of(cd_kernels set);
+template <class Table> const Table& best_kernels() { return *kernels_of<Table>(fastest_kernels()); }
 
 #if CD_WITH_AVX2
 #define CD_OF_AVX2(table) &avx2::table
@@ -96,7 +100,6 @@ cd_kernels best_kernels();
 #define CD_OF_AVX512(table) nullptr
 #endif
 
-// A kind's table of that set, null for one that is not among the runnable ones. The pointer only tells which kind.
 #define CD_TABLES(Table, table)                                                                \
     namespace plain {                                                                          \
     extern const Table table;                                                                  \
@@ -107,7 +110,7 @@ cd_kernels best_kernels();
     namespace avx512 {                                                                         \
     extern const Table table;                                                                  \
     }                                                                                          \
-    inline const Table* kernels_of(cd_kernels set, const Table*) {                             \
+    template <> inline const Table* kernels_of<Table>(cd_kernels set) {                        \
         const Table* const tables[] = {&plain::table, CD_OF_AVX2(table), CD_OF_AVX512(table)}; \
         return (runnable_kernels() >> set & 1) != 0 ? tables[set] : nullptr;                   \
     }

@@ -158,7 +158,7 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
                        const cd_allocator& allocator, Chain*& out) {
     Chain shape{};
     shape.memory.allocator = allocator;
-    shape.kernels = kernels_of(best_kernels(), shape.kernels);
+    shape.kernels = &best_kernels<ChainKernels>();
     shape.strands = strands;
     shape.springs = springs;
     shape.components = components;

@@ -254,7 +254,7 @@ cd_status create_membrane(const char* function, size_t nu, size_t nv, size_t com
                           const cd_allocator& allocator, Membrane*& out) {
     Membrane shape{};
     shape.memory.allocator = allocator;
-    shape.kernels = kernels_of(best_kernels(), shape.kernels);
+    shape.kernels = &best_kernels<MembraneKernels>();
     shape.springs[kU] = nu;
     shape.springs[kV] = nv;
     shape.components = components;

@@ -39,9 +39,7 @@ template <class T> struct State {
     cd::Lines lines() { return {kNodes, kLines, 3, numbers(position[0]), numbers(velocity[0]), {}, {}}; }
 };
 
-const cd::ChainKernels& chains_of(cd_kernels set) {
-    return *cd::kernels_of(set, static_cast<const cd::ChainKernels*>(nullptr));
-}
+const cd::ChainKernels& chains_of(cd_kernels set) { return *cd::kernels_of<cd::ChainKernels>(set); }
 
 // Steps of every kind through one set of kernels.
 template <class T> void step_all(const cd::ChainKernels& kernels, State<T>& state) {
@@ -92,11 +90,11 @@ template <class T> void step_segments(const cd::ChainKernels& kernels, State<T>&
             const cd::SegmentCoefficients c{
                 rows[0], rows[1], rows[2], rows[3], reply, pass, {rows[4], nullptr, drag, nullptr}};
             const cd::Stage stage{7, 1, 0.1, {1, -2, 3}, 0};
-            assert_true(set.line.segment_sweep(all, c, stage, {}, y, false));
+            assert_true(kernels.segment_sweep(all, c, stage, {}, y, false));
             const cd::SegmentRodCoefficients r{rod[0],  rod[1], rod[2], rod[3],
                                                rod[4],  rod[5], rod[6], {rod[7], rod[8], rod[9], rod[10]},
                                                segment, c.gains};
-            assert_true(set.line.segment_rod_step(all, r, stage, {}, {}, y, slope, hold, false));
+            assert_true(kernels.segment_rod_step(all, r, stage, {}, {}, y, slope, hold, false));
         }
     }
 }
