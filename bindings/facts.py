@@ -281,6 +281,8 @@ class Facts:
         ends = [re.search(rf"{what} as (?:large|small) as ({NUMBER})", doc) for what in ("masses", "Parameters may be")]
         ends = [float(end[1]) if end else None for end in ends]
         is_integer = p["base"] not in ("double", "float")
+        if not is_integer and ends[1] is None:
+            raise NotUnderstood(f"how large parameters of {function['object']} may be")
         if isinstance(told, tuple):
             return [range_of(text, is_integer, ends) for text in told]
         return range_of(told, is_integer, ends)

@@ -73,7 +73,7 @@ export const Status: {
   readonly errorMemory: 7;
   /** the field is not switched on: see enableField */
   readonly errorDisabled: 8;
-  /** a combination this object or this build cannot do */
+  /** what this object cannot do, or what was left out of this build: see buildInfo */
   readonly errorUnsupported: 9;
   /** the state left the finite range during a step, or has not come back to it */
   readonly errorDiverged: 10;
@@ -314,7 +314,10 @@ export function version(): number;
 /** The same as text, "0.2.0". A static string. */
 export function versionString(): string;
 
-/** Compiler, target and what was left out of this build, in one line. A static string. */
+/**
+ * Compiler, target, and which objects, features, precisions and kernels this build has, in one line: options of the
+ * build leave parts out, and what asks for one that is not there says "errorUnsupported". A static string.
+ */
 export function buildInfo(): string;
 
 /**
@@ -554,8 +557,8 @@ export class Chain extends Handle {
    * its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
    * switches "tension" off, and "restLength", strength, air, wind and colliders too. Reeled in or paid out a little
    * every step, it is a winch. Errors: "errorValue"; "errorMemory"; "errorUnsupported" with 4 components or no
-   * spring, in a build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness
-   * would weld all springs or two held nodes.
+   * spring, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all springs or
+   * two held nodes.
    */
   get restLength(): number;
   set restLength(value: number);
@@ -1267,8 +1270,7 @@ export class Membrane extends Handle {
    * neither
    * is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
    * lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: "errorValue";
-   * "errorMemory"; "errorUnsupported" without 3 components and springs along both directions, and in a build without
-   * cloth.
+   * "errorMemory"; "errorUnsupported" without 3 components and springs along both directions.
    */
   get restLength(): { alongU: number; alongV: number };
   set restLength(value: { alongU?: number; alongV?: number });
@@ -2057,8 +2059,7 @@ export class Water extends Handle {
   /**
    * How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `nAlong` and `nAcross`, 1 to
    * 256: new ones are none (mass 0), those that stay keep what they are unless the plates change. Without hulls nAlong
-   * and nAcross mean nothing. Errors: "errorValue"; "errorMemory"; "errorUnsupported" in a build without hulls. Each
-   * output may be null.
+   * and nAcross mean nothing. Errors: "errorValue"; "errorMemory".
    */
   get hulls(): { count: number; nAlong: number; nAcross: number };
   set hulls(value: { count?: number; nAlong?: number; nAcross?: number });

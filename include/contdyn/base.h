@@ -36,7 +36,7 @@ enum {
     CD_ERROR_SIZE = 6,        /* a size that cannot be represented in memory */
     CD_ERROR_MEMORY = 7,      /* the allocator returned null */
     CD_ERROR_DISABLED = 8,    /* the field is not switched on: see cd_*_enable_field */
-    CD_ERROR_UNSUPPORTED = 9, /* a combination this object or this build cannot do */
+    CD_ERROR_UNSUPPORTED = 9, /* what this object cannot do, or what was left out of this build: see cd_build_info */
     CD_ERROR_DIVERGED = 10,   /* the state left the finite range during a step, or has not come back to it */
     CD_ERROR_FORMAT = 11,     /* the bytes to load are damaged, or of another version or kind */
     CD_ERROR_MISMATCH = 12,   /* the two objects, or the object and the bytes, differ in shape or precision */
@@ -103,8 +103,8 @@ enum {
 typedef int32_t cd_node;
 enum {
     CD_NODE_FREE = 0,
-    CD_NODE_PINNED = 1, /* infinite mass, at rest */
-    CD_NODE_DRIVEN = 2, /* infinite mass, moves with the velocity written to it */
+    CD_NODE_PINNED = 1,  /* infinite mass, at rest */
+    CD_NODE_DRIVEN = 2,  /* infinite mass, moves with the velocity written to it */
     CD_NODE_MATCHED = 3, /* border nodes only: free, with the impedance sqrt(stiffness mass) that sends no echo back */
     CD_NODE_POSED = 4    /* infinite mass; each call of cd_*_step moves it to where CD_TARGET is, evenly, and there it
                             stays until CD_TARGET is written again. Without that field as CD_NODE_DRIVEN: it stands
@@ -207,7 +207,8 @@ CD_API uint32_t cd_version(void);
 /* The same as text, "0.2.0". A static string. */
 CD_API const char* cd_version_string(void);
 
-/* Compiler, target and what was left out of this build, in one line. A static string. */
+/* Compiler, target, and which objects, features, precisions and kernels this build has, in one line: options of the
+ * build leave parts out, and what asks for one that is not there says CD_ERROR_UNSUPPORTED. A static string. */
 CD_API const char* cd_build_info(void);
 
 #ifdef __cplusplus

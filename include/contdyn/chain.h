@@ -152,8 +152,8 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
  * its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
  * switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little
  * every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
- * spring, in a build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness
- * would weld all springs or two held nodes. */
+ * spring, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all springs or
+ * two held nodes. */
 CD_API cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
 
@@ -270,8 +270,8 @@ CD_API cd_status cd_chain_get_bed(const cd_chain* chain, size_t index, size_t* o
  * CD_ERROR_UNSUPPORTED until it is set again. origin may be null: a collider that is CD_SHAPE_CALLBACK stays as it is
  * and gets this callback; count and friction mean nothing then.
  * Errors: CD_ERROR_NULL too, for a table without a function; CD_ERROR_MEMORY. */
-CD_API cd_status cd_chain_set_callback(cd_chain* chain, size_t index, const cd_distance* distance,
-                                       const double* origin, size_t count, double friction);
+CD_API cd_status cd_chain_set_callback(cd_chain* chain, size_t index, const cd_distance* distance, const double* origin,
+                                       size_t count, double friction);
 
 /* Makes a collider CD_SHAPE_NONE, at rest: nothing touches it. */
 CD_API cd_status cd_chain_remove_collider(cd_chain* chain, size_t index);
@@ -330,10 +330,10 @@ CD_API cd_status cd_chain_disable_field(cd_chain* chain, cd_field field);
  * rounded once, to the precision of the side that is narrower. Never allocates.
  * Errors: CD_ERROR_ENUM, CD_ERROR_DISABLED, CD_ERROR_RANGE; write: CD_ERROR_VALUE, with the first bad index, and
  * CD_ERROR_UNSUPPORTED for CD_STRAIN. */
-CD_API cd_status cd_chain_write_f32(cd_chain* chain, cd_field field, size_t first_strand, size_t strands,
-                                    size_t first, size_t n, const float* values, size_t count);
-CD_API cd_status cd_chain_write_f64(cd_chain* chain, cd_field field, size_t first_strand, size_t strands,
-                                    size_t first, size_t n, const double* values, size_t count);
+CD_API cd_status cd_chain_write_f32(cd_chain* chain, cd_field field, size_t first_strand, size_t strands, size_t first,
+                                    size_t n, const float* values, size_t count);
+CD_API cd_status cd_chain_write_f64(cd_chain* chain, cd_field field, size_t first_strand, size_t strands, size_t first,
+                                    size_t n, const double* values, size_t count);
 CD_API cd_status cd_chain_read_f32(const cd_chain* chain, cd_field field, size_t first_strand, size_t strands,
                                    size_t first, size_t n, float* out_values, size_t count);
 CD_API cd_status cd_chain_read_f64(const cd_chain* chain, cd_field field, size_t first_strand, size_t strands,

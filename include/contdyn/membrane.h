@@ -106,8 +106,7 @@ CD_API cd_status cd_membrane_get_tolerance(const cd_membrane* membrane, double* 
 /* What the last call of cd_membrane_step did with CD_SOLVER_COUPLED: the most iterations that a solve took, and the
  * largest residual it ended with, as a fraction of the one it started from: INFINITY where its square is. 0 and 0 if
  * there was no such solve. Each output may be null. */
-CD_API cd_status cd_membrane_get_convergence(const cd_membrane* membrane, size_t* out_iterations,
-                                             double* out_residual);
+CD_API cd_status cd_membrane_get_convergence(const cd_membrane* membrane, size_t* out_iterations, double* out_residual);
 
 /* Spreads a step over the caller's threads. Null turns it off. Errors: CD_ERROR_NULL for a table without run. */
 CD_API cd_status cd_membrane_set_parallel(cd_membrane* membrane, const cd_parallel* parallel);
@@ -208,8 +207,7 @@ CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_
 /* Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
  * is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
  * lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
- * CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without
- * cloth. */
+ * CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions. */
 CD_API cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, double along_v);
 CD_API cd_status cd_membrane_get_rest_length(const cd_membrane* membrane, double* out_along_u, double* out_along_v);
 

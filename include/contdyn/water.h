@@ -297,8 +297,7 @@ CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double ra
 
 /* How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along` and `n_across`, 1 to
  * 256: new ones are none (mass 0), those that stay keep what they are unless the plates change. Without hulls n_along
- * and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls. Each
- * output may be null. */
+ * and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. Each output may be null. */
 CD_API cd_status cd_water_set_hulls(cd_water* water, size_t count, size_t n_along, size_t n_across);
 CD_API cd_status cd_water_get_hulls(const cd_water* water, size_t* out_count, size_t* out_n_along,
                                     size_t* out_n_across);

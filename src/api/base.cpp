@@ -101,6 +101,25 @@ const char* cd_build_info(void) {
 #if CD_WITH_HULL
                        " hulls"
 #endif
+                       ", features:"
+#if CD_WITH_BEND
+                       " bend"
+#endif
+#if CD_WITH_CONTACT
+                       " contact"
+#endif
+#if CD_WITH_COUPLED
+                       " coupled"
+#endif
+#if CD_WITH_ADVECTED
+                       " advected"
+#endif
+#if CD_WITH_DRAW
+                       " draw"
+#endif
+#if CD_WITH_SAVE
+                       " save"
+#endif
                        ", precisions:"
 #if CD_WITH_FLOAT32
                        " float32"

@@ -117,8 +117,6 @@ static cd_status can_lose_lengths(const char* function, const Chain& c) {
 cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
     CD_OPEN(chain, c);
     if (length != 0) CD_CHECK(in_range(__func__, "length", length, kLeastMass, kMost));
-    if (length > 0 && !CD_WITH_ROPE)
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "length is %g, but ropes are left out of this build", length);
     if (length > 0 && !can_have_lengths(c))
         return fail(CD_ERROR_UNSUPPORTED, __func__,
                     "length is %g, but the chain has %zu springs and %zu components: a rope needs a spring and 1 to 3 "

@@ -6,6 +6,10 @@
 
 namespace cd {
 
+inline cd_status can_draw(const char* function) {
+    return CD_WITH_DRAW ? CD_OK : fail(CD_ERROR_UNSUPPORTED, function, "drawing is left out of this build");
+}
+
 // Floats of a vertex; an offset of SIZE_MAX leaves them out, but for the first ones of a layout.
 struct VertexAttribute {
     const char* name;
@@ -34,6 +38,11 @@ inline cd_status has_room(const char* function, size_t size, size_t vertices, si
     if (multiply(vertices, stride, needed) && size >= needed) return CD_OK;
     return fail(CD_ERROR_RANGE, function, "size is %zu, must be at least that of %zu vertices of stride %zu", size,
                 vertices, stride);
+}
+
+inline cd_status has_bytes(const char* function, const void* buffer, size_t size, size_t needed) {
+    if (size < needed) return fail(CD_ERROR_RANGE, function, "size is %zu, must be at least %zu", size, needed);
+    return needed > 0 ? not_null(function, "buffer", buffer) : CD_OK;
 }
 
 inline cd_status can_index(const char* function, size_t index_size, size_t vertices) {

@@ -128,6 +128,9 @@ cd_status cd_membrane_set_ring(cd_membrane* membrane, int32_t along_u, int32_t a
                 return fail(CD_ERROR_UNSUPPORTED, __func__, "%s is 1, but edge %d is matched", names[d],
                             int(edge_of(d, at_last)));
     }
+    MembraneFeatures closed = features(m);
+    for (Direction d : {kU, kV}) closed.ring[d] = wanted[d] != 0;
+    CD_CHECK(shared::are_built(__func__, closed));
     return set_ring(m, along_u != 0, along_v != 0) ? CD_OK : fail(CD_ERROR_MEMORY, __func__, "no memory");
 }
 

@@ -34,7 +34,13 @@ template <class N> cd_status tell(const char* function, const char* name, N* out
     return CD_OK;
 }
 
+template <class F> cd_status are_built(const char* function, const F& wanted) {
+    const char* const part = left_out(wanted);
+    return part ? fail(CD_ERROR_UNSUPPORTED, function, "%s left out of this build", part) : CD_OK;
+}
+
 template <class X, class F> cd_status change_features(const char* function, X& x, const F& wanted) {
+    CD_CHECK(are_built(function, wanted));
     return set_features(x, wanted) ? CD_OK : fail(CD_ERROR_MEMORY, function, "no memory");
 }
 
@@ -80,13 +86,13 @@ inline cd_status set_parallel(const char* function, Object& o, const cd_parallel
     return CD_OK;
 }
 
-inline cd_status set_kernels(const char* function, Object& o, cd_kernels kernels) {
+template <class Table> cd_status set_kernels(const char* function, const Table*& of_object, cd_kernels kernels) {
     CD_CHECK(is_enum(function, "kernels", kernels, CD_KERNELS_AVX512));
-    const Kernels* const wanted = kernels_of(kernels);
+    const Table* const wanted = kernels_of<Table>(kernels);
     if (!wanted)
         return fail(CD_ERROR_UNSUPPORTED, function, "kernels is %d, %s: not in this build, or not for this processor",
                     int(kernels), cd_kernels_name(kernels));
-    o.kernels = wanted;
+    of_object = wanted;
     return CD_OK;
 }
 
@@ -150,6 +156,7 @@ template <class X> cd_status switch_field(const char* function, X& x, cd_field f
     auto wanted = features(x);
     switch_body(&wanted, field, on);
     switch_own(wanted, field, on);
+    CD_CHECK(are_built(function, wanted));
     return set_features(x, wanted) ? CD_OK : fail(CD_ERROR_MEMORY, function, "no memory for %s", field_name(field));
 }
 
@@ -314,20 +321,36 @@ template <class X> cd_status get_momentum(const char* function, const X& x, doub
 
 // ---- keeping --------------------------------------------------------------------------------------------------------
 
+inline cd_status can_save(const char* function) {
+    return CD_WITH_SAVE ? CD_OK : fail(CD_ERROR_UNSUPPORTED, function, "saved states are left out of this build");
+}
+
+template <class X> cd_status tell_save_size(const char* function, const X& x, size_t* out_size) {
+    CD_CHECK(not_null(function, "out_size", out_size));
+    CD_CHECK(can_save(function));
+    if constexpr (CD_WITH_SAVE) *out_size = save_size(x);
+    return CD_OK;
+}
+
 template <class X>
 cd_status write_saved(const char* function, const X& x, void* buffer, size_t size, size_t* out_written) {
     CD_CHECK(not_null(function, "buffer", buffer));
     CD_CHECK(not_null(function, "out_written", out_written));
-    const size_t needed = save_size(x);
-    if (size < needed) return fail(CD_ERROR_RANGE, function, "size is %zu, must be at least %zu", size, needed);
-    save(x, static_cast<unsigned char*>(buffer));
-    *out_written = needed;
+    CD_CHECK(can_save(function));
+    if constexpr (CD_WITH_SAVE) {
+        const size_t needed = save_size(x);
+        if (size < needed) return fail(CD_ERROR_RANGE, function, "size is %zu, must be at least %zu", size, needed);
+        save(x, static_cast<unsigned char*>(buffer));
+        *out_written = needed;
+    }
     return CD_OK;
 }
 
 template <class X> cd_status load_saved(const char* function, X& x, const void* bytes, size_t size) {
     CD_CHECK(not_null(function, "bytes", bytes));
-    return load(function, x, static_cast<const unsigned char*>(bytes), size);
+    CD_CHECK(can_save(function));
+    if constexpr (CD_WITH_SAVE) return load(function, x, static_cast<const unsigned char*>(bytes), size);
+    return CD_OK;
 }
 
 template <class X, class Handle> cd_status copy_state(const char* function, X& x, const Handle* source) {
@@ -364,7 +387,7 @@ template <class X, class Handle> cd_status copy_state(const char* function, X& x
                 shared::set_parameter(__func__, x, "lambda", lambda, x.lambda, 0, 1))                               \
     CD_GETTER(object, get_lambda, double, out_lambda, x.lambda)                                                     \
     CD_FUNCTION(object, , set_parallel, (const cd_parallel* parallel), shared::set_parallel(__func__, x, parallel)) \
-    CD_FUNCTION(object, , set_kernels, (cd_kernels kernels), shared::set_kernels(__func__, x, kernels))             \
+    CD_FUNCTION(object, , set_kernels, (cd_kernels kernels), shared::set_kernels(__func__, x.kernels, kernels))     \
     CD_GETTER(object, get_kernels, cd_kernels, out_kernels, x.kernels->set)                                         \
     CD_FUNCTION(object, , enable_field, (cd_field field), shared::enable_field(__func__, x, field))                 \
     CD_FUNCTION(object, , disable_field, (cd_field field), shared::disable_field(__func__, x, field))               \
@@ -374,7 +397,7 @@ template <class X, class Handle> cd_status copy_state(const char* function, X& x
     CD_GETTER(object, get_factorizations, uint64_t, out_count, x.factorizations)                                    \
     CD_GETTER(object, get_memory, size_t, out_bytes, x.memory.bytes)                                                \
     CD_GETTER(object, hash, uint64_t, out_hash, hash(x))                                                            \
-    CD_GETTER(object, save_size, size_t, out_size, save_size(x))                                                    \
+    CD_FUNCTION(object, const, save_size, (size_t * out_size), shared::tell_save_size(__func__, x, out_size))       \
     CD_FUNCTION(object, const, save, (void* buffer, size_t size, size_t* out_written),                              \
                 shared::write_saved(__func__, x, buffer, size, out_written))                                        \
     CD_FUNCTION(object, , load, (const void* bytes, size_t size), shared::load_saved(__func__, x, bytes, size))     \

@@ -70,8 +70,6 @@ cd_status cd_water_set_hulls(cd_water* water, size_t count, size_t n_along, size
         return fail(CD_ERROR_VALUE, __func__, "n_along is %zu, must be 1 to %zu", n_along, kMostPlates);
     if (count > 0 && (n_across < 1 || n_across > kMostPlates))
         return fail(CD_ERROR_VALUE, __func__, "n_across is %zu, must be 1 to %zu", n_across, kMostPlates);
-    if (count > 0 && !CD_WITH_HULL)
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "count is %zu, but hulls are left out of this build", count);
     WaterFeatures wanted = features(w);
     wanted.hulls = count > 0 ? HullShape{count, n_along, n_across} : HullShape{};
     return shared::change_features(__func__, w, wanted);
@@ -228,11 +226,11 @@ cd_status cd_water_set_hull_force(cd_water* water, size_t index, const double* f
     return CD_OK;
 }
 
-#define CD_HULL_NUMBERS(name, out, from)                                                                   \
+#define CD_HULL_NUMBERS(name, out, from)                                                                 \
     cd_status cd_water_get_hull_##name(const cd_water* water, size_t index, double* out, size_t count) { \
-        CD_OPEN(water, w);                                                                                 \
-        CD_CHECK(is_hull(__func__, w, index));                                                             \
-        return give(__func__, #out, out, count, hull(w, index).from, kWays);                               \
+        CD_OPEN(water, w);                                                                               \
+        CD_CHECK(is_hull(__func__, w, index));                                                           \
+        return give(__func__, #out, out, count, hull(w, index).from, kWays);                             \
     }
 CD_HULL_NUMBERS(velocity, out_velocity, velocity)
 CD_HULL_NUMBERS(force, out_force, force)

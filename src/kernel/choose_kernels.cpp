@@ -8,18 +8,7 @@
 
 namespace cd {
 
-namespace plain {
-extern const Kernels kernels;
-}
-
 #if CD_WITH_AVX2 || CD_WITH_AVX512
-namespace avx2 {
-extern const Kernels kernels;
-}
-namespace avx512 {
-extern const Kernels kernels;
-}
-
 namespace {
 
 struct Processor {
@@ -50,21 +39,10 @@ uint32_t runnable_kernels() {
     return sets;
 }
 
-const Kernels* kernels_of(cd_kernels set) {
-    if ((runnable_kernels() >> set & 1) == 0) return nullptr;
-#if CD_WITH_AVX2
-    if (set == CD_KERNELS_AVX2) return &avx2::kernels;
-#endif
-#if CD_WITH_AVX512
-    if (set == CD_KERNELS_AVX512) return &avx512::kernels;
-#endif
-    return &plain::kernels;
-}
-
-const Kernels& best_kernels() {
+cd_kernels fastest_kernels() {
     cd_kernels set = CD_KERNELS_PLAIN;
     for (uint32_t faster = runnable_kernels() >> 1; faster > 0; faster >>= 1) ++set;
-    return *kernels_of(set);
+    return set;
 }
 
 } // namespace cd

@@ -90,8 +90,8 @@ template <class Law, class Node> void sum_springs(const Grid& grid, const Law& l
         const size_t here = row * grid.pitch, below = grid.below(row) * grid.pitch;
         for (ptrdiff_t u = -kBefore; u < columns; u += kLanes) {
             const size_t at = here + size_t(u), under = below + size_t(u);
-            const V self = V::load(x, at), right = V::load(x, at + 1),
-                                 down = V::load(x, under), across = V::load(x, under + 1);
+            const V self = V::load(x, at), right = V::load(x, at + 1), down = V::load(x, under),
+                    across = V::load(x, under + 1);
             const V way[kClothSprings] = {right - self, down - self, across - self, down - right};
             for (int number = 0; number < kClothSprings; ++number)
                 law.template force<kLanes>(number, at, way[number], keeps).store(force[number], size_t(u));
@@ -107,9 +107,8 @@ template <class Law, class Node> void sum_springs(const Grid& grid, const Law& l
         look(row, true);
         for (ptrdiff_t u = 0; u < columns; u += kLanes) {
             const auto of = [&](ClothSpring number, ptrdiff_t i) { return V::load(force[number], size_t(i)); };
-            const V starting =
-                                     of(kAlongU, u) + of(kAlongV, u) + of(kDiagonal, u) + of(kCounterDiagonal, u - 1),
-                                 ending = of(kAlongU, u - 1) + V::load(carried, size_t(u));
+            const V starting = of(kAlongU, u) + of(kAlongV, u) + of(kDiagonal, u) + of(kCounterDiagonal, u - 1),
+                    ending = of(kAlongU, u - 1) + V::load(carried, size_t(u));
             node(row * grid.pitch + size_t(u), starting - ending);
             carry(u);
         }
@@ -122,11 +121,10 @@ void cloth_residual(const Grid& grid, const ClothSprings& springs, const ClothMa
                     const double* const* y, double* const* r, bool curves, double* scratch, size_t first,
                     size_t count) {
     using L = Lanes<kLanes>;
-    sum_springs(grid, Pull{springs, matrix, with.h, with.dt, curves}, y, scratch, first, count,
-                [&](size_t at, V pull) {
-                    const V own = times<kLanes>(matrix.ground, at, V::load(with.w, at));
-                    (L::load(matrix.moves + at) * ((V::load(with.rhs, at) - own) + pull)).store(r, at);
-                });
+    sum_springs(grid, Pull{springs, matrix, with.h, with.dt, curves}, y, scratch, first, count, [&](size_t at, V pull) {
+        const V own = times<kLanes>(matrix.ground, at, V::load(with.w, at));
+        (L::load(matrix.moves + at) * ((V::load(with.rhs, at) - own) + pull)).store(r, at);
+    });
 }
 
 void cloth_unfold(const Grid& grid, const ClothSprings& springs, double h, const double* const* y, double* const* out,
@@ -222,7 +220,7 @@ void cloth_blocks(const Grid& grid, const ClothMatrix& matrix, double* const* ou
                              {kCounterDiagonal, over}};
             L alike{};
             for (const auto& t : touching) alike = alike + L::load(matrix.spring[t.number].plane[0] + t.at);
-            if (matrix.twist) {
+            if (CD_WITH_BEND && matrix.twist) {
                 const auto number = [&](const double* plane, size_t i) { return L::load(plane + i); };
                 alike = alike + ((number(matrix.bend[0], at - 1) + number(matrix.bend[0], at + 1)) +
                                  (number(matrix.bend[1], over) + number(matrix.bend[1], below + u)));

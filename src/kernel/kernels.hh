@@ -1,4 +1,5 @@
-// The kernels, compiled once per instruction set, as tables of functions. All give the same bits.
+// The kernels, compiled once per instruction set, as tables of functions: one for each kind of object, so that a
+// program that makes only chains is linked with their kernels alone. All sets give the same bits.
 #pragma once
 
 #include "contdyn/base.h"
@@ -15,7 +16,8 @@
 
 namespace cd {
 
-struct LineKernels {
+struct ChainKernels {
+    cd_kernels set;
     decltype(&CD_ISA::spring_sweep) spring_sweep;
     decltype(&CD_ISA::rod_sweep) rod_sweep;
     decltype(&CD_ISA::rod_step) rod_step;
@@ -24,6 +26,7 @@ struct LineKernels {
     decltype(&CD_ISA::drift) drift;
     decltype(&CD_ISA::segment_sweep) segment_sweep;
     decltype(&CD_ISA::segment_rod_step) segment_rod_step;
+    decltype(&CD_ISA::rope_step) rope_step;
 };
 
 struct SheetKernels {
@@ -64,27 +67,60 @@ struct ClothKernels {
     decltype(&CD_ISA::cloth_solve) solve;
 };
 
+struct MembraneKernels {
+    cd_kernels set;
+    decltype(&CD_ISA::rod_sweep) rod_sweep;
+    decltype(&CD_ISA::advance) advance;
+    SheetKernels sheet;
+    ClothKernels cloth;
+};
+
 struct WaterKernels {
+    cd_kernels set;
     decltype(&CD_ISA::sweep_water) sweep;
     decltype(&CD_ISA::carry_across) carry_across;
 };
 
-struct Kernels {
-    cd_kernels set;
-    LineKernels line;
-    decltype(&CD_ISA::rope_step) rope_step;
-    SheetKernels sheet;
-    ClothKernels cloth;
-    WaterKernels water;
-};
-
-// What the public function of that name tells.
+// What the public function of that name tells, and the fastest of them.
 uint32_t runnable_kernels();
+cd_kernels fastest_kernels();
 
-// A table; null for one that is not among them.
-const Kernels* kernels_of(cd_kernels set);
+// A kind's table of that set; null for one that is not among the runnable ones.
+template <class Table> const Table* kernels_of(cd_kernels set);
+template <class Table> const Table& best_kernels() { return *kernels_of<Table>(fastest_kernels()); }
 
-// The fastest of them.
-const Kernels& best_kernels();
+#if CD_WITH_AVX2
+#define CD_OF_AVX2(table) &avx2::table
+#else
+#define CD_OF_AVX2(table) nullptr
+#endif
+#if CD_WITH_AVX512
+#define CD_OF_AVX512(table) &avx512::table
+#else
+#define CD_OF_AVX512(table) nullptr
+#endif
+
+#define CD_TABLES(Table, table)                                                                \
+    namespace plain {                                                                          \
+    extern const Table table;                                                                  \
+    }                                                                                          \
+    namespace avx2 {                                                                           \
+    extern const Table table;                                                                  \
+    }                                                                                          \
+    namespace avx512 {                                                                         \
+    extern const Table table;                                                                  \
+    }                                                                                          \
+    template <> inline const Table* kernels_of<Table>(cd_kernels set) {                        \
+        const Table* const tables[] = {&plain::table, CD_OF_AVX2(table), CD_OF_AVX512(table)}; \
+        return (runnable_kernels() >> set & 1) != 0 ? tables[set] : nullptr;                   \
+    }
+
+CD_TABLES(ChainKernels, chain_kernels)
+CD_TABLES(MembraneKernels, membrane_kernels)
+CD_TABLES(WaterKernels, water_kernels)
+
+#undef CD_OF_AVX2
+#undef CD_OF_AVX512
+#undef CD_TABLES
 
 } // namespace cd

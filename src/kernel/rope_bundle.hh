@@ -73,7 +73,7 @@ template <int N> struct RopeBundle {
     struct Joint {
         L stiffness, ratio; // of the joint, per velocity; rest length of the link over that of the one before
         M stiff, reach;     // the joint's impulse is wished - stiff (phi / m + reach psi)
-        V wished, impulse; // impulse: of the last elimination
+        V wished, impulse;  // impulse: of the last elimination
         M across;
         Resisted pulled[4]; // by the link: its transverse stiffness along x, y, z, and along itself
         V by_link[4];
@@ -268,7 +268,8 @@ template <int N> struct RopeBundle {
 
     // ---- what it touches, in rope_contact.hh ------------------------------------------------------------------------
 
-    bool has_contacts() const { return stage.collider_count > 0; }
+    bool has_contacts() const { return CD_WITH_CONTACT && stage.collider_count > 0; }
+    bool has_callbacks() const { return CD_WITH_CONTACT && stage.callback_count > 0; }
     static V velocity_of(const Collider& c) {
         return {L::splat(c.velocity[0]), L::splat(c.velocity[1]), L::splat(c.velocity[2])};
     }
@@ -374,7 +375,7 @@ template <int N> struct RopeBundle {
         }
         Seen in(L strands) const {
             const auto there = [&](L a) { return select(strands, a, L{}); };
-            return {there(error), there(probe), there(pushed), there(gained),
+            return {there(error), there(probe), there(pushed),  there(gained),
                     there(worth), there(slack), there(lengths), rounding};
         }
     };
@@ -456,7 +457,7 @@ template <int N> struct RopeBundle {
 
     // ---- rods, in rope_rod.hh ---------------------------------------------------------------------------------------
 
-    bool is_rod() const { return stage.bends; }
+    bool is_rod() const { return CD_WITH_BEND && stage.bends; }
     void begin_joints();
     void look_at_joints(Seen& seen) const;
     __attribute__((noinline)) void join(size_t i, Hung& hung);

@@ -24,7 +24,7 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
     Seen seen;
     for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, barrier, interior, seen);
     if (is_rod()) look_at_joints(seen);
-    if (stage.callback_count > 0) {
+    if (has_callbacks()) {
         if (iteration == 0) ask_all(true);
         ask_all(false);
     }

@@ -39,6 +39,8 @@ struct GeneralSheet {
     const double* spring[2];       // of the spring that starts at a node along u and along v
     const double *bend[2], *twist; // null: no bend. Of a node along u and v, of the cell that starts at a node
     double* moment[3];             // scratch for bend
+
+    bool bends() const { return CD_WITH_BEND && twist; }
 };
 
 // What acts on a sheet beside its springs.

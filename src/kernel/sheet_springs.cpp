@@ -52,7 +52,7 @@ struct Puller {
         using L = Lanes<N>;
         const size_t here = general.row + u;
         L sum = L::load(out + here) + general.springs<N>(u);
-        if (general.sheet.twist) sum = sum + general.bends<N>(grid, r, u);
+        if (general.sheet.bends()) sum = sum + general.bends<N>(grid, r, u);
         select(L::load(general.sheet.mass + here), sum, L{}).store(out + here);
     }
 };
@@ -73,7 +73,7 @@ struct Applier {
         L sum = own - general.springs<N>(u);
         L energy = select(mass, own * z, L{}) + (L::load(sheet.spring[0] + here) * (right * right) +
                                                  L::load(sheet.spring[1] + here) * (below * below));
-        if (sheet.twist) {
+        if (sheet.bends()) {
             sum = sum - general.bends<N>(grid, r, u);
             energy = energy + (L::load(sheet.moment[0] + here) * turn_u<N>(x, u) +
                                L::load(sheet.moment[1] + here) * turn_v<N>(x, u) +
@@ -117,7 +117,7 @@ struct Pair {
         sum = select(L::load(sheet.mass + here), sum, L{});
         sum = sum + L::load(sheet.spring[0] + here) * ((after<N>(p.here, u) - x) * (after<N>(q.here, u) - y));
         sum = sum + L::load(sheet.spring[1] + here) * ((at<N>(p.below, u) - x) * (at<N>(q.below, u) - y));
-        if (sheet.twist) {
+        if (sheet.bends()) {
             sum = sum + L::load(sheet.bend[0] + here) * (turn_u<N>(p, u) * turn_u<N>(q, u));
             sum = sum + L::load(sheet.bend[1] + here) * (turn_v<N>(p, u) * turn_v<N>(q, u));
             sum = sum + L::load(sheet.twist + here) * (twist<N>(p, u) * twist<N>(q, u));

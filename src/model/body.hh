@@ -62,7 +62,7 @@ template <class X> bool all_finite(const X& x) {
 constexpr size_t kMostColliders = 4096;
 constexpr size_t kColliderNumbers = sizeof(Collider) / sizeof(double);
 
-inline size_t collider_count(const Body& b) { return b.colliders.count / kColliderNumbers; }
+inline size_t collider_count(const Body& b) { return CD_WITH_CONTACT ? b.colliders.count / kColliderNumbers : 0; }
 inline Collider& collider(const Body& b, size_t index) { return reinterpret_cast<Collider*>(b.colliders.data)[index]; }
 
 // A bed among a body's beds.
@@ -159,6 +159,13 @@ struct BodyFeatures {
     bool node_mass, force, target, bend, air, wind;
     ColliderSizes colliders;
 };
+
+// What of these features this build leaves out, or null. Every object adds its own.
+inline const char* left_out(const BodyFeatures& f) {
+    if (!CD_WITH_BEND && f.bend) return "bend is";
+    if (!CD_WITH_CONTACT && f.colliders.count > 0) return "colliders are";
+    return nullptr;
+}
 
 // The memory that such features change.
 struct BodyChanges {

@@ -37,8 +37,6 @@ Joint joint_of(const Chain& c, size_t strand, size_t node) {
     return {bend, mean / length_of(c, left), mean / length_of(c, right)};
 }
 
-bool has_bend(const Chain& c) { return c.node_bend || c.bend > 0; }
-
 // sqrt(stiffness mass) of a matched end, 0 of every other node [N s/m]; ropes have none.
 static double impedance(const Chain& c, size_t node) {
     if (c.pin[node] != CD_NODE_MATCHED || c.springs == 0 || has_lengths(c)) return 0;
@@ -160,7 +158,7 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
                        const cd_allocator& allocator, Chain*& out) {
     Chain shape{};
     shape.memory.allocator = allocator;
-    shape.kernels = &best_kernels();
+    shape.kernels = &best_kernels<ChainKernels>();
     shape.strands = strands;
     shape.springs = springs;
     shape.components = components;

@@ -34,6 +34,8 @@ struct ChainSettings {
 // Shared by the strands: all but the fields of strand, node and component. In ropes every strand has its own pins,
 // masses, stiffnesses, lengths and attachments too: see own_strands.
 struct Chain : Body, ChainSettings {
+    const ChainKernels* kernels;
+
     // shape
     size_t strands, springs;
     size_t lines, pitch; // lines: strands * components, side by side; pitch: numbers from one node to the next
@@ -75,7 +77,7 @@ inline size_t place(const Chain& c, size_t strand, size_t node, size_t component
 }
 inline size_t springs_in_all(const Chain& c) { return c.springs + size_t(c.ring); }
 
-inline bool can_have_lengths(const Chain& c) { return CD_WITH_ROPE && c.springs > 0 && c.components <= 3; }
+inline bool can_have_lengths(const Chain& c) { return c.springs > 0 && c.components <= 3; }
 inline bool has_lengths(const Chain& c) { return CD_WITH_ROPE && c.rope.length > 0; }
 
 // How many strands have fields per node and spring of their own; and where in such a field the number of a node or
@@ -115,7 +117,7 @@ inline double strength_of(const Chain& c, size_t at) {
 inline bool can_break(const Chain& c) { return c.spring_strength || c.rope.breaks(); }
 double bend_of(const Chain& c, size_t node, size_t at); // 0 at the ends of an open chain
 inline double bend_of(const Chain& c, size_t node) { return bend_of(c, node, node); }
-bool has_bend(const Chain& c);
+inline bool has_bend(const Chain& c) { return CD_WITH_BEND && (c.node_bend || c.bend > 0); }
 // The bend energy at a node is stiffness / 2 |right d_right - left d_left|^2, d the vectors of the springs beside it.
 struct Joint {
     double stiffness, left, right;
@@ -137,6 +139,12 @@ struct Features : BodyFeatures {
     bool spring_stiffness, node_bend, ring, length, spring_length, spring_strength;
 };
 Features features(const Chain& c);
+inline const char* left_out(const Features& f) {
+    if (!CD_WITH_ROPE && f.length) return "ropes are";
+    if (!CD_WITH_BEND && f.ring) return "rings are";
+    return left_out(
+        BodyFeatures{f.method, f.node_mass, f.force, f.target, f.bend || f.node_bend, f.air, f.wind, f.colliders});
+}
 
 // Takes the memory that the features need and releases what they do not; new fields are filled with uniform values.
 // False for want of memory: nothing has changed.

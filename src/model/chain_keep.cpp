@@ -153,11 +153,13 @@ struct ChainKeep {
 } // namespace
 
 uint64_t hash(const Chain& c) { return hash_object<ChainKeep>(c); }
+#if CD_WITH_SAVE
 size_t save_size(const Chain& c) { return saved_size<ChainKeep>(c); }
 void save(const Chain& c, unsigned char* out) { save_object<ChainKeep>(c, out); }
 cd_status load(const char* function, Chain& c, const unsigned char* bytes, size_t size) {
     return load_object<ChainKeep>(function, c, bytes, size);
 }
+#endif
 cd_status copy(const char* function, Chain& c, const Chain& source) {
     return copy_object<ChainKeep>(function, c, source);
 }

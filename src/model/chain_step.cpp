@@ -17,7 +17,7 @@ namespace cd {
 
 namespace {
 
-bool is_rod(const Chain& c) { return has_bend(c) || c.ring; }
+bool is_rod(const Chain& c) { return CD_WITH_BEND && (has_bend(c) || c.ring); }
 
 // The system of one stage, for the solvers to factor.
 struct StageSystem {
@@ -162,7 +162,7 @@ struct SpringStep {
     // Welds keep their nodes together but for what is too small to be kept.
     bool operator()(size_t first, size_t count) const {
         const bool finite = stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
-            return chain.kernels->line.spring_sweep(lines, coefficients, stage, start, row, keep, first, count);
+            return chain.kernels->spring_sweep(lines, coefficients, stage, start, row, keep, first, count);
         });
         if (chain.has_welds) merge_velocities(chain, first, count);
         return finite;
@@ -192,7 +192,7 @@ struct SegmentStep {
     }
     bool operator()(size_t, size_t) const {
         return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
-            return chain.kernels->line.segment_sweep(lines, coefficients, stage, start, row, keep);
+            return chain.kernels->segment_sweep(lines, coefficients, stage, start, row, keep);
         });
     }
 };
@@ -241,7 +241,7 @@ struct RodStep {
     }
     // The solve keeps welds to rounding; their nodes then share what they have, to the bit.
     bool operator()(size_t first, size_t count) const {
-        const LineKernels& kernels = chain.kernels->line;
+        const ChainKernels& kernels = *chain.kernels;
         double* const slope = chain.scratch.data + size_t(stages.count) * chain.nodes * chain.pitch;
         const bool finite = stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
             if (!chain.ring) return kernels.rod_step(lines, coefficients, stage, start, row, slope, keep, first, count);
@@ -284,8 +284,8 @@ struct SegmentRodStep {
         const size_t row = chain.nodes * chain.pitch;
         double *const slope = chain.scratch.data + size_t(stages.count) * row, *const hold = slope + row;
         return stages.run(chain, [&](const Stage& stage, const Start& start, double* value, bool keep) {
-            return chain.kernels->line.segment_rod_step(lines, coefficients, stage, start, chain.closure, value, slope,
-                                                        hold, keep);
+            return chain.kernels->segment_rod_step(lines, coefficients, stage, start, chain.closure, value, slope, hold,
+                                                   keep);
         });
     }
 };
@@ -323,7 +323,7 @@ struct ExplicitStep {
     }
     // Welds take up any force without a tension of their own: the nodes they join share what they get.
     bool operator()(size_t first, size_t count) const {
-        const LineKernels& kernels = chain.kernels->line;
+        const ChainKernels& kernels = *chain.kernels;
         bool finite = kernels.explicit_sweep(lines, coefficients, dt, gravity, carrier, first, count);
         if (chain.has_welds) merge_velocities(chain, first, count);
         if (carrier == Carrier::kNothing) finite &= kernels.drift(lines, dt, first, count);
@@ -378,8 +378,10 @@ uint64_t step_lines(Chain& c, double dt, size_t count) {
         c.of_change = of_change({c, stage_share(c, dt)});
     }
     const bool rod = is_rod(c), segments = takes_segments(c, rod) && !c.has_welds;
-    if (rod && segments) return run(c, SegmentRodStep(c, dt, refactor), count);
-    if (rod) return run(c, RodStep(c, dt, refactor), count);
+    if constexpr (CD_WITH_BEND) {
+        if (rod && segments) return run(c, SegmentRodStep(c, dt, refactor), count);
+        if (rod) return run(c, RodStep(c, dt, refactor), count);
+    }
     if (segments) return run(c, SegmentStep(c, dt, refactor), count);
     return run(c, SpringStep(c, dt, refactor), count);
 }

@@ -111,8 +111,10 @@ cd_status load_object(const char* function, typename K::Object& x, const unsigne
     K::walk_settings(reader, settings);
     if (!reader.whole || !K::valid(x, settings) || !K::check_fields(reader, x, settings))
         return fail(CD_ERROR_FORMAT, function, "a number in these %zu bytes is not valid", size);
-    if (!set_features(x, taken_over(x, K::features_of(settings))))
-        return fail(CD_ERROR_MEMORY, function, "no memory for the saved fields");
+    const auto wanted = taken_over(x, K::features_of(settings));
+    if (const char* const part = left_out(wanted))
+        return fail(CD_ERROR_UNSUPPORTED, function, "%s in these bytes, but left out of this build", part);
+    if (!set_features(x, wanted)) return fail(CD_ERROR_MEMORY, function, "no memory for the saved fields");
     K::apply(x, settings);
     walk_fields(reader, x);
     forget_callbacks(x);

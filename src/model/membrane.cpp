@@ -116,14 +116,14 @@ double length_of(const Membrane& m, Direction d, size_t u, size_t v) {
 double bend_of(const Membrane& m, Direction d, size_t u, size_t v) {
     const Node n{{u, v}};
     const size_t i = n.at[d];
-    if (!(m.bend > 0) || !has_both(m, d, i) || !present(m, n) || !present(m, n.moved(d, before(m, d, i))) ||
+    if (!has_bend(m) || !has_both(m, d, i) || !present(m, n) || !present(m, n.moved(d, before(m, d, i))) ||
         !present(m, n.moved(d, after(m, d, i))))
         return 0;
     return uniform_bend(m, d) * line_weight(m, other(d), n.at[other(d)]);
 }
 
 double twist_of(const Membrane& m, size_t u, size_t v) {
-    if (!(m.bend > 0) || !has_next(m, kU, u) || !has_next(m, kV, v)) return 0;
+    if (!has_bend(m) || !has_next(m, kU, u) || !has_next(m, kV, v)) return 0;
     const size_t next_u = after(m, kU, u), next_v = after(m, kV, v);
     const bool whole = present(m, u, v) && present(m, next_u, v) && present(m, u, next_v) && present(m, next_u, next_v);
     return whole ? uniform_twist(m) : 0;
@@ -137,9 +137,9 @@ double drag_of(const Membrane& m, size_t u, size_t v) {
 
 MembraneFeatures features(const Membrane& m) {
     MembraneFeatures f{};
-    static_cast<BodyFeatures&>(f) = {m.method,   bool(m.node_mass), bool(m.force),
-                                     bool(m.target), m.bend > 0,    m.cloth.resists(),
-                                     bool(m.wind),   collider_sizes(m, collider_count(m))};
+    static_cast<BodyFeatures&>(f) = {
+        m.method,    bool(m.node_mass), bool(m.force), bool(m.target),
+        has_bend(m), m.cloth.resists(), bool(m.wind),  collider_sizes(m, collider_count(m))};
     for (Direction d : {kU, kV}) {
         f.spring_stiffness[d] = bool(m.spring_stiffness[d]);
         f.spring_length[d] = bool(m.spring_length[d]);
@@ -254,7 +254,7 @@ cd_status create_membrane(const char* function, size_t nu, size_t nv, size_t com
                           const cd_allocator& allocator, Membrane*& out) {
     Membrane shape{};
     shape.memory.allocator = allocator;
-    shape.kernels = &best_kernels();
+    shape.kernels = &best_kernels<MembraneKernels>();
     shape.springs[kU] = nu;
     shape.springs[kV] = nv;
     shape.components = components;

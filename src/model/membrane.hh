@@ -32,6 +32,8 @@ struct MembraneSettings {
 };
 
 struct Membrane : Body, MembraneSettings {
+    const MembraneKernels* kernels;
+
     // shape. A number of component k at node (u, v) lies at k * plane + v * pitch + u of its array; fields of doubles
     // and bytes lie densely, at v * columns + u.
     size_t springs[2]; // nu, nv
@@ -97,9 +99,8 @@ size_t inside_matched(const Membrane& m, Direction d, size_t i);
 
 // The weight of an edge line: 1/2 at the two ends of direction d under CD_MASS_HALF_ENDS, 1 elsewhere.
 double line_weight(const Membrane& m, Direction d, size_t i);
-inline bool can_have_lengths(const Membrane& m) {
-    return CD_WITH_CLOTH && m.components == 3 && m.springs[kU] > 0 && m.springs[kV] > 0;
-}
+inline bool can_have_lengths(const Membrane& m) { return m.components == 3 && m.springs[kU] > 0 && m.springs[kV] > 0; }
+inline bool has_bend(const Membrane& m) { return CD_WITH_BEND && m.bend > 0; }
 inline bool has_lengths(const Membrane& m) { return CD_WITH_CLOTH && m.cloth.length[kU] > 0; }
 
 // The uniform values for weight 1: mass of a node, stiffness of a spring and bend at a node along d, twist of a cell.
@@ -133,6 +134,12 @@ inline double tie_of(const Membrane& m, size_t u, size_t v) { return tie_of(m, n
 cd_status create_membrane(const char* function, size_t nu, size_t nv, size_t components, cd_precision precision,
                           const cd_allocator& allocator, Membrane*& out);
 MembraneFeatures features(const Membrane& m);
+inline const char* left_out(const MembraneFeatures& f) {
+    if (!CD_WITH_CLOTH && f.cloth) return "cloth is";
+    if (!CD_WITH_BEND && (f.ring[kU] || f.ring[kV])) return "rings are";
+    if (!CD_WITH_COUPLED && f.solver == CD_SOLVER_COUPLED) return "the coupled solver is";
+    return left_out(static_cast<const BodyFeatures&>(f));
+}
 // Takes the memory that the features need and releases what they do not; new fields are filled with uniform values.
 // False for want of memory: nothing has changed.
 bool set_features(Membrane& m, const MembraneFeatures& wanted);

@@ -45,7 +45,7 @@ struct ClothWork {
 
     ClothWork(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, Carver& scratch);
     bool has_blocks() const { return own[3] != nullptr; }
-    bool has_bend() const { return twist != nullptr; }
+    bool has_bend() const { return CD_WITH_BEND && twist; }
     ClothSprings springs() const;
     ClothMatrix matrix(double* const* with_ground) const;
     size_t place(size_t u, size_t v) const { return v * grid.pitch + u; }
@@ -60,7 +60,8 @@ void prepare(const Membrane& m, ClothWork& w, double h, double dt);
 void add_air(const Membrane& m, ClothWork& w, double h);
 // The most contacts of a node in one step: with the nearest colliders.
 constexpr size_t kMostTouched = 3;
-size_t most_contacts(size_t colliders);
+inline size_t most_contacts(size_t colliders) { return colliders < kMostTouched ? colliders : kMostTouched; }
+// These are there in builds with colliders only.
 // Finds what nodes may touch in a step of dt that begins at the time `now`; tells how many contacts there are.
 size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt);
 // Friction goes by the pushes of the velocities w from here on.

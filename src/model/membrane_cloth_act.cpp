@@ -60,6 +60,8 @@ void add_air(const Membrane& m, ClothWork& w, double h) {
         }
 }
 
+#if CD_WITH_CONTACT
+
 // ---- contacts -------------------------------------------------------------------------------------------------------
 
 namespace {
@@ -97,12 +99,6 @@ double push_of(const ClothContact& c, Vector3 velocity, double inverse_dt) {
 }
 Vector3 normal_of(const ClothContact& c) { return {{c.normal[0], c.normal[1], c.normal[2]}}; }
 Vector3 collider_velocity(const ClothContact& c) { return {{c.velocity[0], c.velocity[1], c.velocity[2]}}; }
-
-} // namespace
-
-size_t most_contacts(size_t colliders) { return colliders < kMostTouched ? colliders : kMostTouched; }
-
-namespace {
 
 // What the callback of a collider tells of all nodes: their gaps, and normals of three components each.
 struct Answers {
@@ -200,5 +196,7 @@ void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* con
         for (int k = 0; k < 3; ++k) velocity[k][at] += (then - now) * normal[k];
     }
 }
+
+#endif
 
 } // namespace cd

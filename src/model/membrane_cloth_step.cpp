@@ -90,7 +90,8 @@ struct ClothStep {
             for (int k = 0; k < 6; ++k)
                 memcpy(w.ground[k] - kBefore, w.own[k] - kBefore,
                        (w.grid.pitch * w.grid.rows + 2 * kBefore) * sizeof(double));
-        add_contacts(w, contacts, dt, velocity, w.residual, curves && contacts > 0 ? w.ground : nullptr);
+        if (CD_WITH_CONTACT)
+            add_contacts(w, contacts, dt, velocity, w.residual, curves && contacts > 0 ? w.ground : nullptr);
     }
 
     // image = matrix p
@@ -206,7 +207,7 @@ struct ClothStep {
         uint64_t most = m.cloth.newton;
         double start = 0;
         for (uint64_t i = 0; i < most; ++i) {
-            take_pushes(w, contacts, dt);
+            if (CD_WITH_CONTACT) take_pushes(w, contacts, dt);
             find_residual(w.w, true);
             const double size = dot(w.residual, w.residual);
             if (i == 0) start = size;
@@ -254,7 +255,7 @@ struct ClothStep {
     // nothing beside the rest, is what all of it is added to.
     void scale() const {
         double mean[3];
-        take_pushes(w, contacts, dt);
+        if (CD_WITH_CONTACT) take_pushes(w, contacts, dt);
         share_momentum(mean);
         double* const* const way = w.direction;
         for (int k = 0; k < 3; ++k)
@@ -300,7 +301,7 @@ struct ClothStep {
         if (!w.has_blocks()) return;
         for (int k = 0; k < 6; ++k) each_place([&](size_t at) { w.own[k][at] = k < 3 ? w.inertia[at] : 0; });
         if (m.cloth.along > 0 || m.cloth.across > 0) add_air(m, w, h);
-        contacts = find_contacts(m, w, now, dt);
+        if (CD_WITH_CONTACT) contacts = find_contacts(m, w, now, dt);
     }
     template <class T> void load() const {
         for (size_t k = 0; k < 3; ++k)
@@ -318,7 +319,7 @@ struct ClothStep {
         const double share = 1 / m.lambda; // v1 = v0 + (w - v0) / lambda
         if (share != 1) combine(1 - share, w.trial, share, w.w);
         else copy(w.w, w.trial);
-        settle_contacts(w, contacts, dt, w.trial);
+        if (CD_WITH_CONTACT) settle_contacts(w, contacts, dt, w.trial);
         combine(1, w.from, dt, w.w);
         return by_precision(m, [&](auto zero) { return store<decltype(zero)>(); });
     }

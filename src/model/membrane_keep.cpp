@@ -138,11 +138,13 @@ struct MembraneKeep {
 } // namespace
 
 uint64_t hash(const Membrane& m) { return hash_object<MembraneKeep>(m); }
+#if CD_WITH_SAVE
 size_t save_size(const Membrane& m) { return saved_size<MembraneKeep>(m); }
 void save(const Membrane& m, unsigned char* out) { save_object<MembraneKeep>(m, out); }
 cd_status load(const char* function, Membrane& m, const unsigned char* bytes, size_t size) {
     return load_object<MembraneKeep>(function, m, bytes, size);
 }
+#endif
 cd_status copy(const char* function, Membrane& m, const Membrane& source) {
     return copy_object<MembraneKeep>(function, m, source);
 }

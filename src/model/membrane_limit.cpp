@@ -26,7 +26,7 @@ struct Bound {
         const size_t above = before(m, kV, v), below = after(m, kV, v);
         double sum = spring(stiffness_of(m, kU, u, v), right, v) + spring(stiffness_of(m, kU, left, v), left, v) +
                      spring(stiffness_of(m, kV, u, v), u, below) + spring(stiffness_of(m, kV, u, above), u, above);
-        if (!(m.bend > 0)) return sum;
+        if (!has_bend(m)) return sum;
         sum += 8 * bend_of(m, kU, u, v) + 4 * bend_of(m, kU, left, v) + 4 * bend_of(m, kU, right, v);
         sum += 8 * bend_of(m, kV, u, v) + 4 * bend_of(m, kV, u, above) + 4 * bend_of(m, kV, u, below);
         for (size_t cell_u : {left, u})

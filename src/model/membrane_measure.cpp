@@ -37,7 +37,7 @@ template <class T> struct Measure {
         if (!has_lengths(m))
             sum = stiffness_of(m, kU, i, j) * squares([&](size_t k) { return right(k) - here(k); }) +
                   stiffness_of(m, kV, i, j) * squares([&](size_t k) { return below(k) - here(k); });
-        if (!has_lengths(m) && m.bend > 0) {
+        if (!has_lengths(m) && has_bend(m)) {
             const size_t last_i = before(m, kU, i), last_j = before(m, kV, j);
             const auto curve = [&](auto ahead, size_t u, size_t w, size_t k) {
                 return (ahead(k) - here(k)) - (here(k) - at(x, u, w, k));

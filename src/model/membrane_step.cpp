@@ -195,7 +195,7 @@ struct Stepper {
     // How the solver moves the nodes, from w.residual.
     SheetMove solve(double overshoot, double move) {
         SheetMove by{1 + overshoot, move, 1, {w.residual}, {1}, 1};
-        if (w.coupled) solve_together(by);
+        if (CD_WITH_COUPLED && w.coupled) solve_together(by);
         else if (m.separable) alternate();
         else alternate_nearest(by);
         return by;
@@ -212,7 +212,7 @@ struct Stepper {
 
     // plane = S_d plane, nearly; with bend the product of two factors.
     void solve_lines(Direction d, double* plane) const {
-        for (int f = 0; f < (w.bends ? 2 : 1); ++f) {
+        for (int f = 0; f < w.factors(); ++f) {
             const LineFactors factors = w.line[f][d].factors();
             double* const lines = d == kU ? w.turned_plane : plane;
             const Grid& grid = d == kU ? w.turned : w.grid;

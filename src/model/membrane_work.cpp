@@ -28,10 +28,10 @@ constexpr size_t kBandRows = 24, kStripColumns = 128, kPart = 1 << 12;
 
 Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, Carver& scratch)
     : implicit(!steps_explicitly(f.method, m.lambda)),
-      coupled(!is_explicit(f.method) && f.solver == CD_SOLVER_COUPLED),
+      coupled(CD_WITH_COUPLED && !is_explicit(f.method) && f.solver == CD_SOLVER_COUPLED),
       general(coupled || f.bend || f.node_mass || f.spring_stiffness[kU] || f.spring_stiffness[kV] || f.pin || f.mask ||
               f.target),
-      bends(f.bend),
+      bends(CD_WITH_BEND && f.bend),
       uniform(!general),
       swept(uniform && !f.ring[kU] && !f.ring[kV]),
       bands(m.rows, m.columns, kBandRows, kPart),
@@ -84,7 +84,7 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
     const bool lines_differ = solves && !coupled && general && !edges_only(m, f);
     one = plane(coefficients, lines_differ || coupled);
     if (lines_differ || coupled) parts = SheetParts(m, grid, coefficients, scratch);
-    for (int factor = 0; factor < (bends ? 2 : 1) && lines_differ; ++factor) {
+    for (int factor = 0; factor < factors() && lines_differ; ++factor) {
         line[factor][kU] = LineRows(coefficients, turned, f.ring[kU]);
         line[factor][kV] = LineRows(coefficients, grid, f.ring[kV]);
     }
@@ -97,14 +97,16 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
     answer[0] = plane(scratch, lines_differ || coupled);
     answer[1] = plane(scratch, lines_differ);
     answer[2] = plane(scratch, lines_differ);
-    if (!coupled) return;
-    gradient = GradientPlanes(system, scratch);
-    if (edges_only(m, f) && !bends && !f.ring[kU] && !f.ring[kV]) {
-        preconditioner.lines.carve(grid, coefficients, scratch);
-        for (Direction d : {kU, kV}) preconditioner.lines.inverse_mass[d] = rows[d].inverse_mass;
+    if constexpr (CD_WITH_COUPLED) {
+        if (!coupled) return;
+        gradient = GradientPlanes(system, scratch);
+        if (edges_only(m, f) && !bends && !f.ring[kU] && !f.ring[kV]) {
+            preconditioner.lines.carve(grid, coefficients, scratch);
+            for (Direction d : {kU, kV}) preconditioner.lines.inverse_mass[d] = rows[d].inverse_mass;
+        }
+        preconditioner.first.carve(system, bends, coefficients, scratch);
+        if (bends) preconditioner.second.carve(system, bends, coefficients, scratch);
     }
-    preconditioner.first.carve(system, bends, coefficients, scratch);
-    if (bends) preconditioner.second.carve(system, bends, coefficients, scratch);
 }
 
 SheetParts::SheetParts(const Membrane& m, const Grid& grid, Carver& coefficients, Carver& scratch)
@@ -173,7 +175,7 @@ bool separates(const Membrane& m, uint8_t* const* holds) {
         if (m.attach_stiffness[i] > 0 || m.attach_damping[i] > 0) return false;
     if (!whole_lines(m, holds)) return false;
     for (Direction d : {kU, kV})
-        if (m.bend > 0 && is_wide(m) && !m.ring[d] && !(holds[d][0] && holds[d][nodes_along(m, d) - 1])) return false;
+        if (has_bend(m) && is_wide(m) && !m.ring[d] && !(holds[d][0] && holds[d][nodes_along(m, d) - 1])) return false;
     return true;
 }
 
@@ -194,7 +196,7 @@ void prepare_rows(const Membrane& m, Work& w, double h, double sigma, uint8_t* c
         }
         for (double* row : {w.rows[d].before, w.rows[d].after, w.rows[d].gain, w.rows[d].inverse_mass, w.rows[d].drag})
             for (size_t i = n; i % 8 != 0; ++i) row[i] = 0; // beyond the sheet
-        if (w.implicit) w.shared[d].factor(line, m.bend > 0);
+        if (w.implicit) w.shared[d].factor(line, has_bend(m));
     }
 }
 
@@ -250,7 +252,7 @@ double mean_mass(const Membrane& m, const Work& w) {
 void prepare_lines(const Membrane& m, Work& w, double sigma) {
     const double mass = mean_mass(m, w);
     const auto ground = [&](size_t v, size_t u) { return factor_ground(w, u, v); };
-    for (int f = 0; f < (w.bends ? 2 : 1); ++f) {
+    for (int f = 0; f < w.factors(); ++f) {
         const auto spring = [&](Direction d, size_t v, size_t u) {
             return w.bends ? factor_spring(m, sigma, mass, d, f, u, v) : w.spring[d][v * w.grid.pitch + u];
         };
@@ -288,7 +290,7 @@ void prepare_shifts(const Membrane& m, Work& w, double h, double sigma, uint8_t*
 void prepare_multigrid(const Membrane& m, Work& w, double sigma) {
     const double mass = mean_mass(m, w);
     Multigrid* const hierarchies[2] = {&w.preconditioner.first, &w.preconditioner.second};
-    for (int f = 0; f < (w.bends ? 2 : 1); ++f) {
+    for (int f = 0; f < w.factors(); ++f) {
         const MultigridLevel& first = hierarchies[f]->level[0];
         for (size_t v = 0; v < m.rows && w.bends; ++v)
             for (size_t u = 0; u < m.columns; ++u) {
@@ -329,7 +331,7 @@ void prepare(Membrane& m, Work& w, double dt) {
             for (size_t u = 0; u < m.columns; ++u)
                 w.inverse[v * w.grid.pitch + u] *= w.rows[kU].gain[u] * w.rows[kV].gain[v];
     if (w.implicit && !w.coupled && !m.separable) prepare_lines(m, w, sigma);
-    if (w.implicit && w.coupled) {
+    if (CD_WITH_COUPLED && w.implicit && w.coupled) {
         ShiftedLines& lines = w.preconditioner.lines;
         if (lines.shift) lines.shift[0] = 0;
         if (lines.shift && m.separable) prepare_shifts(m, w, h, sigma, holds);

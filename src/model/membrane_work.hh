@@ -32,6 +32,8 @@ struct SheetParts {
 
 struct Work {
     bool implicit, coupled, general, bends;
+    // Of the system with bend there are two, each of springs.
+    int factors() const { return CD_WITH_BEND && bends ? 2 : 1; }
     // Uniform sheets without bend, coupled or not at all: explicit steps are one pass over memory, implicit stages two,
     // unless there are rings (kernel/sheet_explicit.cpp, sheet_sweep.cpp).
     bool uniform, swept;

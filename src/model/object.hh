@@ -49,7 +49,6 @@ struct Object {
     uint64_t tag; // which kind of object this is, and that it lives
     Memory memory;
     cd_parallel parallel;
-    const Kernels* kernels;
     cd_precision precision;
     bool diverged;
 

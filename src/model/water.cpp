@@ -165,7 +165,7 @@ cd_status create_water(const char* function, size_t nx, size_t ny, double dx, do
                        const cd_allocator& allocator, Water*& out) {
     Water shape{};
     shape.memory.allocator = allocator;
-    shape.kernels = &best_kernels();
+    shape.kernels = &best_kernels<WaterKernels>();
     shape.cells[kX] = nx;
     shape.cells[kY] = ny;
     shape.size[kX] = dx;

@@ -42,6 +42,8 @@ struct HullShape {
 };
 
 struct Water : Object, WaterSettings {
+    const WaterKernels* kernels;
+
     // shape. A number of cell or face (i, j) lies at j * pitch + i of its array, which has a row and a column more than
     // there are cells: faces need them. Bytes lie densely, at j * (cells[kX] + 1) + i.
     size_t cells[2], pitch, plane;
@@ -134,6 +136,11 @@ WaterFeatures features(const Water& w);
 // Takes the memory that the features need and releases what they do not; new masks are 1, all else is 0. False for want
 // of memory: nothing has changed.
 bool set_features(Water& w, const WaterFeatures& wanted);
+inline const char* left_out(const WaterFeatures& f) {
+    if (!CD_WITH_HULL && f.hulls.count > 0) return "hulls are";
+    if (!CD_WITH_ADVECTED && f.momentum == CD_MOMENTUM_ADVECTED) return "advected momentum is";
+    return nullptr;
+}
 // Sets what is at a side, and at the opposite one where one of them is or was periodic.
 void set_side(Water& w, cd_side side, const WaterSide& wanted);
 // Depth, velocities, time, account and the axis to sweep first back to 0.

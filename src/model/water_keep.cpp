@@ -156,7 +156,7 @@ struct WaterKeep {
     static bool valid_hulls(const Settings& s) {
         if ((s.fields & kHullBit) == 0) return true;
         const auto within = [](size_t size, size_t most) { return size >= 1 && size <= most; };
-        return CD_WITH_HULL && within(s.hulls.count, kMostHulls) && within(s.hulls.along, kMostPlates) &&
+        return within(s.hulls.count, kMostHulls) && within(s.hulls.along, kMostPlates) &&
                within(s.hulls.across, kMostPlates);
     }
     static bool valid_side(const WaterSide& side) {
@@ -192,11 +192,13 @@ struct WaterKeep {
 } // namespace
 
 uint64_t hash(const Water& w) { return hash_object<WaterKeep>(w); }
+#if CD_WITH_SAVE
 size_t save_size(const Water& w) { return saved_size<WaterKeep>(w); }
 void save(const Water& w, unsigned char* out) { save_object<WaterKeep>(w, out); }
 cd_status load(const char* function, Water& w, const unsigned char* bytes, size_t size) {
     return load_object<WaterKeep>(function, w, bytes, size);
 }
+#endif
 cd_status copy(const char* function, Water& w, const Water& source) {
     return copy_object<WaterKeep>(function, w, source);
 }

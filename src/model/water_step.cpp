@@ -39,7 +39,7 @@ struct WaterWork {
         task = scratch.numbers(size);
         tally = scratch.numbers(lines);
         const bool has_lines_beside = w.cells[kX] > 1 && w.cells[kY] > 1;
-        if (f.momentum == CD_MOMENTUM_ADVECTED && has_lines_beside)
+        if (CD_WITH_ADVECTED && f.momentum == CD_MOMENTUM_ADVECTED && has_lines_beside)
             moved = scratch.numbers(w.plane * number_size(w) / sizeof(double) + 1);
         if (f.hulls.count == 0) return;
         for (double** plane : {&hulls.load, &hulls.stiff, &hulls.own[0], &hulls.own[1]})
@@ -74,7 +74,7 @@ struct Stepper {
     double done = 0; // steps made in this call
     bool finite = true;
 
-    const WaterKernels& kernels() const { return w.kernels->water; }
+    const WaterKernels& kernels() const { return *w.kernels; }
     StateNumbers moved() const { return {work.moved, w.precision == CD_FLOAT64}; }
     size_t stride(Axis a) const { return a == kX ? 1 : w.pitch; }
     size_t byte_stride(Axis a) const { return a == kX ? 1 : w.cells[kX] + 1; }
@@ -125,7 +125,7 @@ struct Stepper {
             return kernels().sweep(along, lines, place, first, count);
         });
         count_up(lines.lines);
-        if (work.moved) carry(a);
+        if (CD_WITH_ADVECTED && work.moved) carry(a);
     }
 
     WaterSweep sweep_along(Axis a) const {

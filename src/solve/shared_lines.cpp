@@ -18,9 +18,9 @@ SharedLines::SharedLines(size_t nodes_, bool bend, bool ring_, Carver& carve)
     closure = ring ? reinterpret_cast<RingClosure*>(carve.numbers(sizeof(RingClosure) / sizeof(double))) : nullptr;
 }
 
-void SharedLines::solve(const Kernels& kernels, const cd_parallel& parallel, const Grid& grid, double* plane,
+void SharedLines::solve(const MembraneKernels& kernels, const cd_parallel& parallel, const Grid& grid, double* plane,
                         double* slope) const {
-    if (!is_rod)
+    if (!CD_WITH_BEND || !is_rod)
         return in_parts(parallel, grid.columns, grid.rows, [&](size_t first, size_t count) {
             kernels.sheet.filter_lines(grid, carry, pull, plane, first, count);
         });
@@ -31,8 +31,8 @@ void SharedLines::solve(const Kernels& kernels, const cd_parallel& parallel, con
                             rod.bend, nullptr,   none,     gains,     pin};
     const Stage still{};
     in_parts(parallel, grid.columns, grid.rows, [&](size_t first, size_t count) {
-        kernels.line.rod_sweep(lines, c, still, {}, plane, slope, first, count);
-        if (ring) kernels.line.advance(lines, still, {}, *closure, plane, true, first, count);
+        kernels.rod_sweep(lines, c, still, {}, plane, slope, first, count);
+        if (ring) kernels.advance(lines, still, {}, *closure, plane, true, first, count);
     });
 }
 

@@ -41,7 +41,7 @@ struct SharedLines {
 
     // plane: in, what each node would do alone; out, the answer. Lines run down the columns of grid. slope: scratch of
     // a rod's, a plane.
-    void solve(const Kernels& kernels, const cd_parallel& parallel, const Grid& grid, double* plane,
+    void solve(const MembraneKernels& kernels, const cd_parallel& parallel, const Grid& grid, double* plane,
                double* slope) const;
 };
 

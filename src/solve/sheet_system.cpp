@@ -10,7 +10,7 @@ void SheetSystem::wrap(double* plane) const {
 }
 
 void SheetSystem::bend(const double* plane) const {
-    if (!sheet.twist) return;
+    if (!sheet.bends()) return;
     rows([&](size_t first, size_t count) { kernels->moments(grid, sheet, plane, first, count); });
     for (double* moment : sheet.moment) wrap(moment);
 }
@@ -67,8 +67,7 @@ void SheetSystem::turn_back(const double* from, double* to) const {
     columns([&](size_t first, size_t count) { kernels->transpose(turned, from, to, grid.pitch, first, count); });
 }
 
-void SheetSystem::project(double* const* planes, int n, const double* rhs, const double* taken,
-                          double* factors) const {
+void SheetSystem::project(double* const* planes, int n, const double* rhs, const double* taken, double* factors) const {
     for (int k = 0; k < n; ++k) wrap(planes[k]);
     rows([&](size_t first, size_t count) { kernels->energies(grid, sheet, planes, n, sums, first, count); });
     double g[kMostDirections][kMostDirections] = {}, c[kMostDirections] = {};

@@ -184,6 +184,18 @@ selftest_fma() {
     refuses 'no code' data.a
 }
 
+selftest_apart() {
+    rope='int rope_length(void) { return 1; } int x_rope_make(void) { return rope_length(); }'
+    pond='int x_pond_make(void) { return 2; }'
+    "$CC" -x c -c -o rope.o - <<<"$rope"
+    "$CC" -x c -c -o pond.o - <<<"$pond"
+    ar rc good.a rope.o pond.o
+    accepts good.a x rope pond
+    archive bad <<<"$rope $pond"
+    refuses 'rope alone has of a pond' bad.a x rope pond
+    refuses 'no function of a boat' good.a x rope boat
+}
+
 selftest_layers() {
     mkdir -p src/{base,kernel,solve,model,api} # each example adds to the one before
     echo '#include "contdyn/base.h"' >src/base/status.hh

@@ -84,7 +84,7 @@ RULES = {
     "half of the momentum goes with old velocities": (
         "water/carry.hh", "const Lanes<N> e = 0.5 *", "const Lanes<N> e = 0.0 *", ["physics_water_dams", "physics_water_thacker"]),
     "dry faces take the speed of what comes": (
-        "water/velocity.hh", "sweep.advected ? near : none", "none", ["physics_water_thacker", "physics_water_dams"]),
+        "water/velocity.hh", "sweep.advected() ? near : none", "none", ["physics_water_thacker", "physics_water_dams"]),
     "slopes across": (
         "water/across.cpp", "return smaller(q, positive(given - q)) * half_slope(through, u);", "return 0.0 * q;",
         ["physics_water_thacker", "physics_water_momentum"]),

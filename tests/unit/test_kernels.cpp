@@ -39,11 +39,12 @@ template <class T> struct State {
     cd::Lines lines() { return {kNodes, kLines, 3, numbers(position[0]), numbers(velocity[0]), {}, {}}; }
 };
 
+const cd::ChainKernels& chains_of(cd_kernels set) { return *cd::kernels_of<cd::ChainKernels>(set); }
+
 // Steps of every kind through one set of kernels.
-template <class T> void step_all(const cd::Kernels& set, State<T>& state) {
+template <class T> void step_all(const cd::ChainKernels& kernels, State<T>& state) {
     static double rows[12][kNodes], y[kNodes][kLines], slope[kNodes][kLines];
     static unsigned char pin[kNodes];
-    const cd::LineKernels& kernels = set.line;
     const Line line;
     for (size_t i = 0; i < kNodes; ++i)
         rows[0][i] = 0.01 * double(i), rows[10][i] = i > 0 && i + 1 < kNodes, rows[11][i] = 0.02;
@@ -72,7 +73,7 @@ template <class T> void step_all(const cd::Kernels& set, State<T>& state) {
 }
 
 // Long lines in segments, with and without what else acts: one to four of them.
-template <class T> void step_segments(const cd::Kernels& set, State<T>& state) {
+template <class T> void step_segments(const cd::ChainKernels& kernels, State<T>& state) {
     static double rows[5][kNodes * kLines], y[kNodes * kLines], reply[cd::kSegments], pass[cd::kSegments];
     static double rod[11][kNodes * kLines], slope[kNodes * kLines], hold[kNodes * kLines];
     static cd::RodSegment segment[cd::kSegments];
@@ -89,18 +90,19 @@ template <class T> void step_segments(const cd::Kernels& set, State<T>& state) {
             const cd::SegmentCoefficients c{
                 rows[0], rows[1], rows[2], rows[3], reply, pass, {rows[4], nullptr, drag, nullptr}};
             const cd::Stage stage{7, 1, 0.1, {1, -2, 3}, 0};
-            assert_true(set.line.segment_sweep(all, c, stage, {}, y, false));
+            assert_true(kernels.segment_sweep(all, c, stage, {}, y, false));
             const cd::SegmentRodCoefficients r{rod[0],  rod[1], rod[2], rod[3],
                                                rod[4],  rod[5], rod[6], {rod[7], rod[8], rod[9], rod[10]},
                                                segment, c.gains};
-            assert_true(set.line.segment_rod_step(all, r, stage, {}, {}, y, slope, hold, false));
+            assert_true(kernels.segment_rod_step(all, r, stage, {}, {}, y, slope, hold, false));
         }
     }
 }
 
 // Explicit steps of `count` like lines side by side. One alone takes its nodes side by side, and so do up to four of
 // which all springs and nodes are alike.
-template <class T> void step_explicitly(const cd::Kernels& set, T* x, T* v, size_t count, bool uniform = false) {
+template <class T>
+void step_explicitly(const cd::ChainKernels& kernels, T* x, T* v, size_t count, bool uniform = false) {
     double stiffness[kNodes], inertia[kNodes], weight[kNodes];
     for (size_t i = 0; i < kNodes; ++i) {
         const bool end = i == 0 || i + 1 == kNodes;
@@ -112,20 +114,20 @@ template <class T> void step_explicitly(const cd::Kernels& set, T* x, T* v, size
     const cd::ExplicitCoefficients c{stiffness, nullptr, inertia, gains, 0, false, uniform};
     const double gravity[4] = {-0.3, -0.3, -0.3, -0.3};
     for (int step = 0; step < 20; ++step)
-        assert_true(set.line.explicit_sweep({kNodes, count, count < 4 ? count : 4, numbers(x), numbers(v), {}, {}}, c,
-                                            0.1, gravity, cd::Carrier::kNewVelocity, 0, count));
+        assert_true(kernels.explicit_sweep({kNodes, count, count < 4 ? count : 4, numbers(x), numbers(v), {}, {}}, c,
+                                           0.1, gravity, cd::Carrier::kNewVelocity, 0, count));
 }
 
 template <class T> void check_sets() {
     static State<T> plain(1);
     plain = State<T>(1);
-    step_all(*cd::kernels_of(CD_KERNELS_PLAIN), plain);
-    step_segments(*cd::kernels_of(CD_KERNELS_PLAIN), plain);
+    step_all(chains_of(CD_KERNELS_PLAIN), plain);
+    step_segments(chains_of(CD_KERNELS_PLAIN), plain);
     FOR_RUNNABLE(set) {
         static State<T> state(1);
         state = State<T>(1);
-        step_all(*cd::kernels_of(set), state);
-        step_segments(*cd::kernels_of(set), state);
+        step_all(chains_of(set), state);
+        step_segments(chains_of(set), state);
         if (memcmp(&state, &plain, sizeof plain) != 0) fail_msg("%s differs", cd_kernels_name(set));
     }
 }
@@ -145,8 +147,8 @@ template <class T> void check_alone() {
             v[i] = start.velocity[i][0];
             for (size_t j = 0; j < 3; ++j) x3[i][j] = x[i], v3[i][j] = v[i];
         }
-        step_explicitly<T>(*cd::kernels_of(set), x, v, 1);
-        step_explicitly<T>(*cd::kernels_of(set), x3[0], v3[0], 3);
+        step_explicitly<T>(chains_of(set), x, v, 1);
+        step_explicitly<T>(chains_of(set), x3[0], v3[0], 3);
         for (size_t i = 0; i < kNodes; ++i)
             for (size_t j = 0; j < 3; ++j) assert_true(x3[i][j] == x[i] && v3[i][j] == v[i]);
 
@@ -159,11 +161,11 @@ template <class T> void check_alone() {
             }
         };
         fill(x6[0], v6[0], 6);
-        step_explicitly<T>(*cd::kernels_of(set), x6[0], v6[0], 6, true);
+        step_explicitly<T>(chains_of(set), x6[0], v6[0], 6, true);
         for (size_t lines = 1; lines <= 4; ++lines) {
             T few_x[kNodes * 4], few_v[kNodes * 4];
             fill(few_x, few_v, lines);
-            step_explicitly<T>(*cd::kernels_of(set), few_x, few_v, lines, true);
+            step_explicitly<T>(chains_of(set), few_x, few_v, lines, true);
             for (size_t m = 0; m < kNodes * lines; ++m)
                 assert_true(few_x[m] == x6[m / lines][m % lines] && few_v[m] == v6[m / lines][m % lines]);
         }

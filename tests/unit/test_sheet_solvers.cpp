@@ -64,7 +64,7 @@ struct Sheet {
         for (double*& s : spring) s = plane();
         for (double*& b : bend) b = o.bend ? plane() : nullptr;
         twist = o.bend ? plane() : nullptr;
-        system.kernels = &cd::best_kernels().sheet;
+        system.kernels = &cd::best_kernels<cd::MembraneKernels>().sheet;
         system.parallel = &parallel;
         system.ring[0] = o.ring_u;
         system.ring[1] = o.ring_v;
@@ -371,7 +371,7 @@ void shared_lines_are_solved_as_dense_elimination_does(void**) {
                     plane[i * grid.pitch + u] = wish;
                     b[u].push_back(i == 2 ? 0 : wish * line.ground(i));
                 }
-            shared.solve(cd::best_kernels(), {}, grid, plane, slope);
+            shared.solve(cd::best_kernels<cd::MembraneKernels>(), {}, grid, plane, slope);
             for (size_t u = 0; u < grid.columns; ++u) {
                 Vector got;
                 for (size_t i = 0; i < line.nodes; ++i) got.push_back(plane[i * grid.pitch + u]);

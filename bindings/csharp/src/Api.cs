@@ -28,7 +28,7 @@ namespace Contdyn
         ErrorMemory = 7,
         /// <summary>the field is not switched on: see cd_*_enable_field</summary>
         ErrorDisabled = 8,
-        /// <summary>a combination this object or this build cannot do</summary>
+        /// <summary>what this object cannot do, or what was left out of this build: see cd_build_info</summary>
         ErrorUnsupported = 9,
         /// <summary>the state left the finite range during a step, or has not come back to it</summary>
         ErrorDiverged = 10,
@@ -400,7 +400,9 @@ namespace Contdyn
             return Native.Text(Native.cd_version_string());
         }
 
-        /// <summary>Compiler, target and what was left out of this build, in one line. A static string.</summary>
+        /// <summary>Compiler, target, and which objects, features, precisions and kernels this build has, in one line:
+        /// options of the build leave parts out, and what asks for one that is not there says CD_ERROR_UNSUPPORTED. A
+        /// static string.</summary>
         public static string BuildInfo()
         {
             return Native.Text(Native.cd_build_info());
@@ -890,9 +892,8 @@ namespace Contdyn
         /// are individuals: each has its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first
         /// those that they shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and
         /// colliders too. Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE;
-        /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring, in a build without ropes, and for 0
-        /// where strands differ in what they would share, or an infinite stiffness would weld all springs or two held
-        /// nodes.</summary>
+        /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring, and for 0 where strands differ in what
+        /// they would share, or an infinite stiffness would weld all springs or two held nodes.</summary>
         public double RestLength
         {
             get
@@ -2669,7 +2670,7 @@ namespace Contdyn
         /// are 0 or neither is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making
         /// cloth of a membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders
         /// too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along
-        /// both directions, and in a build without cloth.</summary>
+        /// both directions.</summary>
         public void SetRestLength(double alongU, double alongV)
         {
             Changed();
@@ -2680,7 +2681,7 @@ namespace Contdyn
         /// are 0 or neither is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making
         /// cloth of a membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders
         /// too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along
-        /// both directions, and in a build without cloth.</summary>
+        /// both directions.</summary>
         public MembraneRestLength GetRestLength()
         {
             double outAlongU;
@@ -4545,8 +4546,8 @@ namespace Contdyn
 
         /// <summary>How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along`
         /// and `n_across`, 1 to 256: new ones are none (mass 0), those that stay keep what they are unless the plates
-        /// change. Without hulls n_along and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
-        /// CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null.</summary>
+        /// change. Without hulls n_along and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. Each
+        /// output may be null.</summary>
         public void SetHulls(long count, long nAlong, long nAcross)
         {
             Changed();
@@ -4557,8 +4558,8 @@ namespace Contdyn
 
         /// <summary>How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along`
         /// and `n_across`, 1 to 256: new ones are none (mass 0), those that stay keep what they are unless the plates
-        /// change. Without hulls n_along and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
-        /// CD_ERROR_UNSUPPORTED in a build without hulls. Each output may be null.</summary>
+        /// change. Without hulls n_along and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. Each
+        /// output may be null.</summary>
         public WaterHulls GetHulls()
         {
             UIntPtr outCount;

@@ -397,7 +397,7 @@ api["status"] = support.enumeration("cd_status", {
   ["error_memory"] = 7,
   -- the field is not switched on: see cd_*_enable_field
   ["error_disabled"] = 8,
-  -- a combination this object or this build cannot do
+  -- what this object cannot do, or what was left out of this build: see cd_build_info
   ["error_unsupported"] = 9,
   -- the state left the finite range during a step, or has not come back to it
   ["error_diverged"] = 10,
@@ -657,7 +657,8 @@ function api.version_string()
   return ffi.string(lib.cd_version_string())
 end
 
--- Compiler, target and what was left out of this build, in one line. A static string.
+-- Compiler, target, and which objects, features, precisions and kernels this build has, in one line: options of the
+-- build leave parts out, and what asks for one that is not there says CD_ERROR_UNSUPPORTED. A static string.
 function api.build_info()
   return ffi.string(lib.cd_build_info())
 end
@@ -967,8 +968,8 @@ end
 -- its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
 -- switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little
 -- every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
--- spring, in a build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness
--- would weld all springs or two held nodes.
+-- spring, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all springs or
+-- two held nodes.
 function Chain:set_rest_length(length)
   local where = "cd_chain_set_rest_length"
   length = number_in(length, where, "length")
@@ -981,8 +982,8 @@ end
 -- its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
 -- switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little
 -- every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
--- spring, in a build without ropes, and for 0 where strands differ in what they would share, or an infinite stiffness
--- would weld all springs or two held nodes.
+-- spring, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all springs or
+-- two held nodes.
 function Chain:get_rest_length()
   local where = "cd_chain_get_rest_length"
   local out_length = double_1()
@@ -2109,8 +2110,7 @@ end
 -- Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
 -- is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
 -- lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
--- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without
--- cloth.
+-- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions.
 function Membrane:set_rest_length(along_u, along_v)
   local where = "cd_membrane_set_rest_length"
   along_u = number_in(along_u, where, "along_u")
@@ -2122,8 +2122,7 @@ end
 -- Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
 -- is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
 -- lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
--- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without
--- cloth.
+-- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions.
 function Membrane:get_rest_length()
   local where = "cd_membrane_get_rest_length"
   local out_along_u = double_1()
@@ -3316,8 +3315,7 @@ end
 
 -- How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along` and `n_across`, 1 to
 -- 256: new ones are none (mass 0), those that stay keep what they are unless the plates change. Without hulls n_along
--- and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls.
--- Each output may be null.
+-- and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. Each output may be null.
 function Water:set_hulls(count, n_along, n_across)
   local where = "cd_water_set_hulls"
   count = integer_in(count, where, "count")
@@ -3329,8 +3327,7 @@ end
 
 -- How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along` and `n_across`, 1 to
 -- 256: new ones are none (mass 0), those that stay keep what they are unless the plates change. Without hulls n_along
--- and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build without hulls.
--- Each output may be null.
+-- and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. Each output may be null.
 function Water:get_hulls()
   local where = "cd_water_get_hulls"
   local out_count = size_t_1()

@@ -27,7 +27,7 @@ class Status(IntEnum):
     ERROR_MEMORY = 7
     #: the field is not switched on: see enable_field
     ERROR_DISABLED = 8
-    #: a combination this object or this build cannot do
+    #: what this object cannot do, or what was left out of this build: see cd_build_info
     ERROR_UNSUPPORTED = 9
     #: the state left the finite range during a step, or has not come back to it
     ERROR_DIVERGED = 10

@@ -24,7 +24,7 @@ pub enum Status {
     ErrorMemory = 7,
     /// the field is not switched on: see cd_\*_enable_field
     ErrorDisabled = 8,
-    /// a combination this object or this build cannot do
+    /// what this object cannot do, or what was left out of this build: see cd_build_info
     ErrorUnsupported = 9,
     /// the state left the finite range during a step, or has not come back to it
     ErrorDiverged = 10,
@@ -526,7 +526,8 @@ pub fn version_string() -> String {
     unsafe { string_of(sys::cd_version_string()) }
 }
 
-/// Compiler, target and what was left out of this build, in one line. A static string.
+/// Compiler, target, and which objects, features, precisions and kernels this build has, in one line: options of
+/// the build leave parts out, and what asks for one that is not there says CD_ERROR_UNSUPPORTED. A static string.
 pub fn build_info() -> String {
     unsafe { string_of(sys::cd_build_info()) }
 }
@@ -946,8 +947,8 @@ impl Chain {
     /// each has its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they
     /// shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in
     /// or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED
-    /// with 4 components or no spring, in a build without ropes, and for 0 where strands differ in what they would
-    /// share, or an infinite stiffness would weld all springs or two held nodes.
+    /// with 4 components or no spring, and for 0 where strands differ in what they would share, or an infinite
+    /// stiffness would weld all springs or two held nodes.
     pub fn set_rest_length(&mut self, length: f64) -> Result<()> {
         check(unsafe { sys::cd_chain_set_rest_length(self.as_ptr(), length) })
     }
@@ -957,8 +958,8 @@ impl Chain {
     /// each has its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they
     /// shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in
     /// or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED
-    /// with 4 components or no spring, in a build without ropes, and for 0 where strands differ in what they would
-    /// share, or an infinite stiffness would weld all springs or two held nodes.
+    /// with 4 components or no spring, and for 0 where strands differ in what they would share, or an infinite
+    /// stiffness would weld all springs or two held nodes.
     pub fn get_rest_length(&self) -> Result<f64> {
         let mut out_length = 0.0;
         check(unsafe { sys::cd_chain_get_rest_length(self.as_ptr(), &mut out_length) })?;
@@ -2108,8 +2109,7 @@ impl Membrane {
     /// Rest lengths of the sheet along u and along v \[m\], 0 or in \[1e-60, 1e60\]; default 0: no cloth. Both are 0 or
     /// neither is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a
     /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors:
-    /// CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions,
-    /// and in a build without cloth.
+    /// CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions.
     pub fn set_rest_length(&mut self, along_u: f64, along_v: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_rest_length(self.as_ptr(), along_u, along_v) })
     }
@@ -2117,8 +2117,7 @@ impl Membrane {
     /// Rest lengths of the sheet along u and along v \[m\], 0 or in \[1e-60, 1e60\]; default 0: no cloth. Both are 0 or
     /// neither is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a
     /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors:
-    /// CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions,
-    /// and in a build without cloth.
+    /// CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions.
     pub fn get_rest_length(&self) -> Result<MembraneRestLength> {
         let mut out_along_u = 0.0;
         let mut out_along_v = 0.0;
@@ -3268,16 +3267,14 @@ impl Water {
 
     /// How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along` and `n_across`,
     /// 1 to 256: new ones are none (mass 0), those that stay keep what they are unless the plates change. Without hulls
-    /// n_along and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build
-    /// without hulls. Each output may be null.
+    /// n_along and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. Each output may be null.
     pub fn set_hulls(&mut self, count: usize, n_along: usize, n_across: usize) -> Result<()> {
         check(unsafe { sys::cd_water_set_hulls(self.as_ptr(), count, n_along, n_across) })
     }
 
     /// How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along` and `n_across`,
     /// 1 to 256: new ones are none (mass 0), those that stay keep what they are unless the plates change. Without hulls
-    /// n_along and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED in a build
-    /// without hulls. Each output may be null.
+    /// n_along and n_across mean nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. Each output may be null.
     pub fn get_hulls(&self) -> Result<WaterHulls> {
         let mut out_count = 0;
         let mut out_n_along = 0;

@@ -88,7 +88,7 @@ template <int N> struct WaterLine {
 
     FaceLanes<N> side[2] = {}; // the faces at the ends
     L side_depth[2] = {};      // of what crosses them
-    L held_back{}, limited{}; // see WaterTally
+    L held_back{}, limited{};  // see WaterTally
     // Of the energy bound (velocity.hh): > 0 in lines it counts for; the share of what faces gain that others take;
     // the share of the square of velocities that is kept.
     L rough{}, bounds{}, taken{}, keeps{};
@@ -150,7 +150,7 @@ template <int N> struct WaterLine {
         if (any_positive(-least)) limit(-least);
         if (kind.any_long) balance(kind);
         end_velocities(kind);
-        if (sweep.advected) carry(kind);
+        if (sweep.advected()) carry(kind);
         else set_velocities(kind);
     }
 };

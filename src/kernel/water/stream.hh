@@ -58,7 +58,7 @@ template <int N> struct StreamAcceleration {
     } before; // by the cell before the next face
 
     StreamAcceleration(const WaterLine<N>& line, const StepKind<N>& kind) : stream{line, kind} {
-        if (line.sweep.advected && line.n > 1) before = through(line.ring ? line.n - 1 : 0);
+        if (line.sweep.advected() && line.n > 1) before = through(line.ring ? line.n - 1 : 0);
     }
     L flow(size_t face) const {
         const WaterLine<N>& line = stream.line;

@@ -65,7 +65,7 @@ template <int N> __attribute__((always_inline)) inline FaceLanes<N> WaterLine<N>
     const L s = sweep.implicit ? run * (answer * depth) : none;
     const L of_right = !sweep.implicit ? select(k, half, k - half) : select(k, smaller(half, s), k - larger(half, -s));
     L through = depth * speed;
-    if (sweep.advected) through = through + advected;
+    if (sweep.advected()) through = through + advected;
     const L of_left = k - of_right;
     L s_left = s, s_right = s;
     if (pressed()) s_left = s + s * stiff[left(i)], s_right = s + s * stiff[i]; // a hull's head answers too
@@ -84,7 +84,7 @@ template <int N> FaceLanes<N> WaterLine<N>::end_face(size_t i, const StepKind<N>
     if (end.kind == End::kWall) return {none, none, none, none, none};
     const size_t inside = at_last ? n - 1 : 0, next = n == 1 ? n - i : at_last ? n - 1 : 1;
     const double outward = at_last ? 1 : -1, critical = critical_depth(end.discharge, sweep.gravity);
-    const SideWaves waves{sweep.gravity, sweep.advected};
+    const SideWaves waves{sweep.gravity, sweep.advected()};
     double d[N], b[N], u[N], discharge[N], slope[N], half_cell[N];
     depth[inside].store(d), bed[inside].store(b), (outward * velocity[next]).store(u);
     for (int k = 0; k < N; ++k) {
@@ -127,7 +127,7 @@ template <int N> void WaterLine<N>::solve_surface(StepKind<N> kind) {
     };
     if (!ring) eliminate(0, side[0] = end_face(0, kind));
     for (size_t i = here.first_face(); i < here.n; ++i) {
-        const FaceLanes<N> face = here.inner_face(i, kind, here.sweep.advected ? streams.next(i) : none);
+        const FaceLanes<N> face = here.inner_face(i, kind, here.sweep.advected() ? streams.next(i) : none);
         if (i > 0) eliminate(i, face);
         else set_out(0, first = face);
     }

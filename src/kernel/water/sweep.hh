@@ -28,11 +28,12 @@ struct WaterSweep {
     bool implicit;        // fluxes answer to the surface of the step's end
     double gravity;       // [m/s^2]
     double drag, manning; // drag [1/s]; gravity times manning^2
-    bool advected;        // momentum
+    bool is_advected;     // momentum
     WaterEnd end[2];
 
     bool ring() const { return end[0].kind == End::kRing; }
     bool closed() const { return ring() || (end[0].kind == End::kWall && end[1].kind == End::kWall); }
+    bool advected() const { return CD_WITH_ADVECTED && is_advected; }
     bool rubs() const { return drag > 0 || manning > 0; }
 };
 

@@ -100,7 +100,7 @@ template <int N> void WaterLine<N>::follow_water(L moves) {
         const L speed_behind = !at_end ? velocity[i + 1] : ring ? first_speed : none;
         const L both = 0.5 * (speed_before + speed_behind);
         const L near = select(before, select(behind, both, speed_before), select(behind, speed_behind, none));
-        velocity.put(i, select(select(here, none, moves), sweep.advected ? near : none, u));
+        velocity.put(i, select(select(here, none, moves), sweep.advected() ? near : none, u));
         before = here, speed_before = u, here = behind;
     }
     if (ring) velocity.put(n, velocity[0]);
