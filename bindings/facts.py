@@ -48,8 +48,9 @@ def of_subject(doc):
         found["unit"], at = unit["unit"], unit.end()
     interval = re.compile(r",? ?" + RANGE).match(doc, at) if unit else None
     interval = RANGE_AND_DEFAULT.search(doc) or interval
-    if not interval:  # further on in the sentence
-        interval = re.compile(rf", {RANGE}").search(sentence, at)
+    if not interval:  # further on in the sentence, or what it ends in
+        interval = (re.compile(rf", {RANGE}").search(sentence, at)
+                    or re.compile(rf": {RANGE}").match(doc, len(sentence)))
     if interval:
         found["range"] = interval["range"]
     default = ANY_DEFAULT.search(doc)
@@ -355,7 +356,7 @@ class Errors:
 
     def of_section(self, own):
         """What the section says of all, of setters, or of all that set; and what an earlier comment in it says of all
-        below."""
+        below. Getters have but errors of index and length of it."""
         docs = [doc for doc in self.facts.section_docs(self.function) if doc != self.function["doc"]]
         for f in self.facts.like(self.function):
             if f and f["object"] != self.function["object"]:
@@ -363,6 +364,8 @@ class Errors:
         for doc in docs:
             _, whose, rows = of_errors(doc)
             for code, when in rows:
+                if self.function["short"].startswith("get_") and code != "CD_ERROR_RANGE":
+                    continue
                 if whose == "Errors of all" or whose == "Errors here and below" or (
                         when.startswith("here and below ")) or not self.is_const and (
                         whose == "Errors of all that set" or
