@@ -194,7 +194,7 @@ class Calls:
         check(name in statuses and name in self.codes,
               f"{self.name}: {what} is out of the range, but gives {name}; described: {sorted(self.codes)}")
         shown = "%g" % number if isinstance(number, float) else str(number)
-        check(status == OK or re.search(rf"(?<!\w){words}(?!\w)", message) and shown in message.split(self.name)[1],
+        check(status == OK or re.search(rf"(?<!\w){words}(?!\w)", message) and shown in message.partition(self.name)[2],
               f"{self.name}: {what} is refused by a message that does not name it: {message}")
         check(not self.wrote, f"{self.name}: {what} is refused, but an output has been written")
         check(told(self.library, self.kind, handle, "hash") == before, f"{self.name}: {what} is refused, but the state "
