@@ -30,8 +30,8 @@ for part in "${all[@]}"; do
     ROPE) dropped 'RopeBundle<[0-9]*>' ;;
     CLOTH) dropped 'cloth_[a-z_]*' ;;
     HULL) dropped 'cd::[a-z]*_hulls(cd::Water[^)]*)' ;;
-    BEND) dropped '[a-z0-9]*::\(rod_[a-z]*\|segment_rod_step\|advance\|moments\|cloth_bend\)(' ;;
-    CONTACT) dropped '\(RopeBundle<[0-9]*>::touch\|cd::find_contacts\|cd::gap_to_bed\)(' ;;
+    BEND) dropped '[a-z0-9]*::\(rod_[a-z]*\|segment_rod_step\)(' ;;
+    CONTACT) dropped 'cd::\(find_contacts\|take_pushes\|add_contacts\|settle_contacts\)(' ;;
     COUPLED) dropped 'cd::\(solve_coupled\|Multigrid::[a-z]*\|ShiftedLines::[a-z]*\)(' ;;
     ADVECTED) dropped '[a-z0-9]*::carry_across(' ;;
     DRAW) dropped 'cd::\(write_vertices\|write_indices\|index_count\)(' ;;

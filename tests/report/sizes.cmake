@@ -33,7 +33,8 @@ set(variants
   "membrane alone|CHAIN+WATER"
   "water alone|CHAIN+MEMBRANE"
   "chain alone in float32 with plain kernels|MEMBRANE+WATER+FLOAT64+AVX2+AVX512"
-  "chain alone in float32 with plain kernels and no ropes|MEMBRANE+WATER+FLOAT64+AVX2+AVX512+ROPE|342216")
+  "chain alone in float32 with plain kernels and no ropes|MEMBRANE+WATER+FLOAT64+AVX2+AVX512+ROPE|342216"
+  "chain alone likewise and no bend and saved states|MEMBRANE+WATER+FLOAT64+AVX2+AVX512+ROPE+BEND+SAVE|202936")
 
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 set(page 4096)
