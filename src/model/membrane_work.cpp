@@ -264,6 +264,8 @@ void prepare_lines(const Membrane& m, Work& w, double sigma) {
     }
 }
 
+#if CD_WITH_COUPLED
+
 // A line of a separable sheet with half of the drag, the other direction having the other half, and a shift.
 struct ShiftedLine : UniformLine {
     double shift;
@@ -303,6 +305,15 @@ void prepare_multigrid(const Membrane& m, Work& w, double sigma) {
     }
 }
 
+void prepare_preconditioner(const Membrane& m, Work& w, double h, double sigma, uint8_t* const* holds) {
+    ShiftedLines& lines = w.preconditioner.lines;
+    if (lines.shift) lines.shift[0] = 0;
+    if (lines.shift && m.separable) prepare_shifts(m, w, h, sigma, holds);
+    if (!lines.ready()) prepare_multigrid(m, w, sigma);
+}
+
+#endif
+
 // The largest diagonal entry of the system, and whether it is larger than the least mass.
 void measure(Membrane& m, const Work& w) {
     double lightest = INFINITY;
@@ -331,12 +342,9 @@ void prepare(Membrane& m, Work& w, double dt) {
             for (size_t u = 0; u < m.columns; ++u)
                 w.inverse[v * w.grid.pitch + u] *= w.rows[kU].gain[u] * w.rows[kV].gain[v];
     if (w.implicit && !w.coupled && !m.separable) prepare_lines(m, w, sigma);
-    if (CD_WITH_COUPLED && w.implicit && w.coupled) {
-        ShiftedLines& lines = w.preconditioner.lines;
-        if (lines.shift) lines.shift[0] = 0;
-        if (lines.shift && m.separable) prepare_shifts(m, w, h, sigma, holds);
-        if (!lines.ready()) prepare_multigrid(m, w, sigma);
-    }
+#if CD_WITH_COUPLED
+    if (w.implicit && w.coupled) prepare_preconditioner(m, w, h, sigma, holds);
+#endif
     m.whole = false;
     if (w.implicit && (w.coupled || !m.separable)) {
         measure(m, w);
