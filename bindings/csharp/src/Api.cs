@@ -162,6 +162,8 @@ namespace Contdyn
         TensionV = 30,
         StrainU = 31,
         StrainV = 32,
+        BreakingStrainU = 33,
+        BreakingStrainV = 34,
     }
 
     /// <summary>The two ends of a chain.</summary>
@@ -2249,6 +2251,8 @@ namespace Contdyn
             { Field.Mask, new FieldRow(new[] { 1, 1, 0, 2, 1, 0 }, false, false) },
             { Field.RestLengthU, new FieldRow(new[] { 1, 0, 1, 2, 1, 0 }, false, false) },
             { Field.RestLengthV, new FieldRow(new[] { 1, 1, 0, 2, 0, 2 }, false, false) },
+            { Field.BreakingStrainU, new FieldRow(new[] { 1, 0, 1, 2, 1, 0 }, false, false) },
+            { Field.BreakingStrainV, new FieldRow(new[] { 1, 1, 0, 2, 0, 2 }, false, false) },
             { Field.Wind, new FieldRow(new[] { 1, 1, 0, 2, 1, 0 }, true, false) },
             { Field.TensionU, new FieldRow(new[] { 1, 0, 1, 2, 1, 0 }, false, false) },
             { Field.TensionV, new FieldRow(new[] { 1, 1, 0, 2, 0, 2 }, false, false) },
@@ -2667,9 +2671,9 @@ namespace Contdyn
 
         /// <summary>Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in
         /// [1e-60, 1e60]. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a
-        /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too.
-        /// Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both
-        /// directions, and in a build without cloth.</summary>
+        /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and breaking strain, air, wind and
+        /// colliders too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and
+        /// springs along both directions, and in a build without cloth.</summary>
         public void SetRestLength(double alongU, double alongV)
         {
             Changed();
@@ -2678,9 +2682,9 @@ namespace Contdyn
 
         /// <summary>Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in
         /// [1e-60, 1e60]. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a
-        /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too.
-        /// Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both
-        /// directions, and in a build without cloth.</summary>
+        /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and breaking strain, air, wind and
+        /// colliders too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and
+        /// springs along both directions, and in a build without cloth.</summary>
         public MembraneRestLength GetRestLength()
         {
             double outAlongU;
@@ -2725,6 +2729,40 @@ namespace Contdyn
                 Changed();
                 Check(Native.cd_membrane_set_compression(Handle, rate));
             }
+        }
+
+        /// <summary>The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60
+        /// to 1e60, or INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each
+        /// spring: a seam is a line of springs that tear at less. A step ends by cutting springs that are strained
+        /// beyond it, each row and each column of springs in one place at the most: the spring whose strain is the
+        /// largest multiple of its breaking strain, those that follow beside it, row after row, as long as they are
+        /// beyond theirs too, and so on with the rows that are left. So a tear runs on from its ends, and what is
+        /// jerked parts without falling to pieces. A cut spring's stiffness becomes 0, and no energy comes of it. Mend
+        /// it by writing CD_STIFFNESS_U or _V, which finite breaking strains switch on and keep on. Errors:
+        /// CD_ERROR_MEMORY too.</summary>
+        public double BreakingStrain
+        {
+            get
+            {
+                double outStrain;
+                Check(Native.cd_membrane_get_breaking_strain(Handle, &outStrain));
+                return outStrain;
+            }
+            set
+            {
+                var strain = value;
+                Changed();
+                Check(Native.cd_membrane_set_breaking_strain(Handle, strain));
+            }
+        }
+
+        /// <summary>How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness
+        /// became 0.</summary>
+        public long GetBroken()
+        {
+            UIntPtr outSprings;
+            Check(Native.cd_membrane_get_broken(Handle, &outSprings));
+            return (long)outSprings;
         }
 
         /// <summary>How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients
@@ -3167,8 +3205,9 @@ namespace Contdyn
         }
 
         /// <summary>Switches a field on, filled with the present uniform values (force 0, target the present position,
-        /// mask 1, pin what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here
-        /// and below CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is none.</summary>
+        /// mask 1, pin what the edges say). CD_BREAKING_STRAIN_U and _V switch CD_STIFFNESS_U and _V on too. On
+        /// already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below CD_ERROR_UNSUPPORTED for
+        /// the fields of cloth of a membrane that is none.</summary>
         public void EnableField(Field field)
         {
             Changed();
@@ -3177,7 +3216,7 @@ namespace Contdyn
 
         /// <summary>Switches a field off and releases its memory: uniform values again, no forces, all attachments
         /// loosened, all nodes there, none held but on edges. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position,
-        /// velocity, tension and strain.</summary>
+        /// velocity, tension and strain, and for the stiffness of springs that may tear.</summary>
         public void DisableField(Field field)
         {
             Changed();

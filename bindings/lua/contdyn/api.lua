@@ -179,6 +179,9 @@ cd_status cd_membrane_set_shear(cd_membrane* membrane, double stiffness);
 cd_status cd_membrane_get_shear(const cd_membrane* membrane, double* out_stiffness);
 cd_status cd_membrane_set_compression(cd_membrane* membrane, double rate);
 cd_status cd_membrane_get_compression(const cd_membrane* membrane, double* out_rate);
+cd_status cd_membrane_set_breaking_strain(cd_membrane* membrane, double strain);
+cd_status cd_membrane_get_breaking_strain(const cd_membrane* membrane, double* out_strain);
+cd_status cd_membrane_get_broken(const cd_membrane* membrane, size_t* out_springs);
 cd_status cd_membrane_set_effort(cd_membrane* membrane, size_t newton, size_t gradient);
 cd_status cd_membrane_get_effort(const cd_membrane* membrane, size_t* out_newton, size_t* out_gradient);
 cd_status cd_membrane_set_air(cd_membrane* membrane, double along, double across);
@@ -521,6 +524,8 @@ api["field"] = support.enumeration("cd_field", {
   ["tension_v"] = 30,
   ["strain_u"] = 31,
   ["strain_v"] = 32,
+  ["breaking_strain_u"] = 33,
+  ["breaking_strain_v"] = 34,
 })
 
 -- The two ends of a chain.
@@ -1734,6 +1739,8 @@ Membrane._fields = {
   [10] = {1, 1, 0, 2, 1, 0, false, false},
   [27] = {1, 0, 1, 2, 1, 0, false, false},
   [28] = {1, 1, 0, 2, 0, 2, false, false},
+  [33] = {1, 0, 1, 2, 1, 0, false, false},
+  [34] = {1, 1, 0, 2, 0, 2, false, false},
   [24] = {1, 1, 0, 2, 1, 0, true, false},
   [29] = {1, 0, 1, 2, 1, 0, false, false},
   [30] = {1, 1, 0, 2, 0, 2, false, false},
@@ -2100,8 +2107,9 @@ end
 
 -- Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in [1e-60, 1e60]. Per
 -- spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets lambda to 1.
--- Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
--- CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without cloth.
+-- Length 0 switches the fields of cloth off, and breaking strain, air, wind and colliders too. Errors: CD_ERROR_VALUE;
+-- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without
+-- cloth.
 function Membrane:set_rest_length(along_u, along_v)
   local where = "cd_membrane_set_rest_length"
   along_u = number_in(along_u, where, "along_u")
@@ -2112,8 +2120,9 @@ end
 
 -- Rest lengths of the sheet along u and along v [m], both 0, the default: no cloth, or both in [1e-60, 1e60]. Per
 -- spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets lambda to 1.
--- Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
--- CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without cloth.
+-- Length 0 switches the fields of cloth off, and breaking strain, air, wind and colliders too. Errors: CD_ERROR_VALUE;
+-- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build without
+-- cloth.
 function Membrane:get_rest_length()
   local where = "cd_membrane_get_rest_length"
   local out_along_u = double_1()
@@ -2160,6 +2169,44 @@ function Membrane:get_compression()
   local out_rate = double_1()
   check(lib.cd_membrane_get_compression(handle_of(self), out_rate))
   return tonumber(out_rate[0])
+end
+
+-- The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60 to 1e60, or
+-- INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each spring: a seam is a
+-- line of springs that tear at less. A step ends by cutting springs that are strained beyond it, each row and each
+-- column of springs in one place at the most: the spring whose strain is the largest multiple of its breaking strain,
+-- those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the rows that are
+-- left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut spring's stiffness
+-- becomes 0, and no energy comes of it. Mend it by writing CD_STIFFNESS_U or _V, which finite breaking strains switch
+-- on and keep on. Errors: CD_ERROR_MEMORY too.
+function Membrane:set_breaking_strain(strain)
+  local where = "cd_membrane_set_breaking_strain"
+  strain = number_in(strain, where, "strain")
+  self._version = self._version + 1
+  check(lib.cd_membrane_set_breaking_strain(handle_of(self), strain))
+end
+
+-- The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60 to 1e60, or
+-- INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each spring: a seam is a
+-- line of springs that tear at less. A step ends by cutting springs that are strained beyond it, each row and each
+-- column of springs in one place at the most: the spring whose strain is the largest multiple of its breaking strain,
+-- those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the rows that are
+-- left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut spring's stiffness
+-- becomes 0, and no energy comes of it. Mend it by writing CD_STIFFNESS_U or _V, which finite breaking strains switch
+-- on and keep on. Errors: CD_ERROR_MEMORY too.
+function Membrane:get_breaking_strain()
+  local where = "cd_membrane_get_breaking_strain"
+  local out_strain = double_1()
+  check(lib.cd_membrane_get_breaking_strain(handle_of(self), out_strain))
+  return tonumber(out_strain[0])
+end
+
+-- How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness became 0.
+function Membrane:get_broken()
+  local where = "cd_membrane_get_broken"
+  local out_springs = size_t_1()
+  check(lib.cd_membrane_get_broken(handle_of(self), out_springs))
+  return tonumber(out_springs[0])
 end
 
 -- How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
@@ -2427,8 +2474,9 @@ function Membrane:get_thickness()
 end
 
 -- Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin what
--- the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below
--- CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is none.
+-- the edges say). CD_BREAKING_STRAIN_U and _V switch CD_STIFFNESS_U and _V on too. On already: nothing happens. Errors:
+-- CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is
+-- none.
 function Membrane:enable_field(field)
   local where = "cd_membrane_enable_field"
   field = enum_in("cd_field", field, where, "field")
@@ -2438,7 +2486,7 @@ end
 
 -- Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened, all nodes
 -- there, none held but on edges. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position, velocity, tension and
--- strain.
+-- strain, and for the stiffness of springs that may tear.
 function Membrane:disable_field(field)
   local where = "cd_membrane_disable_field"
   field = enum_in("cd_field", field, where, "field")

@@ -292,11 +292,13 @@ pub enum Field {
     TensionV = 30,
     StrainU = 31,
     StrainV = 32,
+    BreakingStrainU = 33,
+    BreakingStrainV = 34,
 }
 
 impl Field {
     /// Every one of them.
-    pub const ALL: [Field; 33] = [
+    pub const ALL: [Field; 35] = [
         Field::Position,
         Field::Velocity,
         Field::Force,
@@ -330,6 +332,8 @@ impl Field {
         Field::TensionV,
         Field::StrainU,
         Field::StrainV,
+        Field::BreakingStrainU,
+        Field::BreakingStrainV,
     ];
 
     /// The one with C's value.
@@ -1727,7 +1731,7 @@ impl Membrane {
     }
 
     fn whole(&self, field: Field) -> Result<Whole> {
-        const ROWS: [FieldRow; 16] = [
+        const ROWS: [FieldRow; 18] = [
             FieldRow { field: Field::Position, extents: [1, 1, 0, 2, 1, 0], components: true, one_but_in_ropes: false },
             FieldRow { field: Field::Velocity, extents: [1, 1, 0, 2, 1, 0], components: true, one_but_in_ropes: false },
             FieldRow { field: Field::Force, extents: [1, 1, 0, 2, 1, 0], components: true, one_but_in_ropes: false },
@@ -1742,6 +1746,10 @@ impl Membrane {
             FieldRow { field: Field::RestLengthU, extents: [1, 0, 1, 2, 1, 0], components: false,
                 one_but_in_ropes: false },
             FieldRow { field: Field::RestLengthV, extents: [1, 1, 0, 2, 0, 2], components: false,
+                one_but_in_ropes: false },
+            FieldRow { field: Field::BreakingStrainU, extents: [1, 0, 1, 2, 1, 0], components: false,
+                one_but_in_ropes: false },
+            FieldRow { field: Field::BreakingStrainV, extents: [1, 1, 0, 2, 0, 2], components: false,
                 one_but_in_ropes: false },
             FieldRow { field: Field::Wind, extents: [1, 1, 0, 2, 1, 0], components: true, one_but_in_ropes: false },
             FieldRow { field: Field::TensionU, extents: [1, 0, 1, 2, 1, 0], components: false,
@@ -2100,18 +2108,18 @@ impl Membrane {
 
     /// Rest lengths of the sheet along u and along v \[m\], both 0, the default: no cloth, or both in \[1e-60, 1e60\].
     /// Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
-    /// lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
-    /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build
-    /// without cloth.
+    /// lambda to 1. Length 0 switches the fields of cloth off, and breaking strain, air, wind and colliders too.
+    /// Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both
+    /// directions, and in a build without cloth.
     pub fn set_rest_length(&mut self, along_u: f64, along_v: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_rest_length(self.as_ptr(), along_u, along_v) })
     }
 
     /// Rest lengths of the sheet along u and along v \[m\], both 0, the default: no cloth, or both in \[1e-60, 1e60\].
     /// Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
-    /// lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
-    /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions, and in a build
-    /// without cloth.
+    /// lambda to 1. Length 0 switches the fields of cloth off, and breaking strain, air, wind and colliders too.
+    /// Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both
+    /// directions, and in a build without cloth.
     pub fn get_rest_length(&self) -> Result<MembraneRestLength> {
         let mut out_along_u = 0.0;
         let mut out_along_v = 0.0;
@@ -2152,6 +2160,39 @@ impl Membrane {
         let mut out_rate = 0.0;
         check(unsafe { sys::cd_membrane_get_compression(self.as_ptr(), &mut out_rate) })?;
         Ok(out_rate)
+    }
+
+    /// The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60 to 1e60, or
+    /// INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each spring: a seam is
+    /// a line of springs that tear at less. A step ends by cutting springs that are strained beyond it, each row and
+    /// each column of springs in one place at the most: the spring whose strain is the largest multiple of its breaking
+    /// strain, those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the
+    /// rows that are left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut
+    /// spring's stiffness becomes 0, and no energy comes of it. Mend it by writing CD_STIFFNESS_U or _V, which finite
+    /// breaking strains switch on and keep on. Errors: CD_ERROR_MEMORY too.
+    pub fn set_breaking_strain(&mut self, strain: f64) -> Result<()> {
+        check(unsafe { sys::cd_membrane_set_breaking_strain(self.as_ptr(), strain) })
+    }
+
+    /// The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60 to 1e60, or
+    /// INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each spring: a seam is
+    /// a line of springs that tear at less. A step ends by cutting springs that are strained beyond it, each row and
+    /// each column of springs in one place at the most: the spring whose strain is the largest multiple of its breaking
+    /// strain, those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the
+    /// rows that are left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut
+    /// spring's stiffness becomes 0, and no energy comes of it. Mend it by writing CD_STIFFNESS_U or _V, which finite
+    /// breaking strains switch on and keep on. Errors: CD_ERROR_MEMORY too.
+    pub fn get_breaking_strain(&self) -> Result<f64> {
+        let mut out_strain = 0.0;
+        check(unsafe { sys::cd_membrane_get_breaking_strain(self.as_ptr(), &mut out_strain) })?;
+        Ok(out_strain)
+    }
+
+    /// How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness became 0.
+    pub fn get_broken(&self) -> Result<usize> {
+        let mut out_springs = 0;
+        check(unsafe { sys::cd_membrane_get_broken(self.as_ptr(), &mut out_springs) })?;
+        Ok(out_springs)
     }
 
     /// How much a step may do: Newton iterations, 1 to 1000, default 2, and those of conjugate gradients in each, 1 to
@@ -2386,15 +2427,16 @@ impl Membrane {
     }
 
     /// Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin
-    /// what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below
-    /// CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is none.
+    /// what the edges say). CD_BREAKING_STRAIN_U and _V switch CD_STIFFNESS_U and _V on too. On already: nothing
+    /// happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; here and below CD_ERROR_UNSUPPORTED for the fields of cloth of
+    /// a membrane that is none.
     pub fn enable_field(&mut self, field: Field) -> Result<()> {
         check(unsafe { sys::cd_membrane_enable_field(self.as_ptr(), field as i32) })
     }
 
     /// Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened, all
     /// nodes there, none held but on edges. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position, velocity, tension
-    /// and strain.
+    /// and strain, and for the stiffness of springs that may tear.
     pub fn disable_field(&mut self, field: Field) -> Result<()> {
         check(unsafe { sys::cd_membrane_disable_field(self.as_ptr(), field as i32) })
     }
