@@ -1295,7 +1295,8 @@ export class Membrane extends Handle {
    * those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the rows that are
    * left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut spring's stiffness
    * becomes 0, and no energy comes of it. Mend it by writing "stiffnessU" or _V, which finite breaking strains switch
-   * on and keep on. Errors: "errorMemory" too.
+   * on and keep on. A cell of cloth without two of its springs or more is open: it is not drawn, it has no volume, and
+   * air and pressure go through it. Errors: "errorMemory" too.
    */
   get breakingStrain(): number;
   set breakingStrain(value: number);
@@ -1598,9 +1599,8 @@ export class Membrane extends Handle {
   /**
    * Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's normal, each cell
    * the
-   * mean of its two triangulations, cells with an absent node left out. Of a drum-head whose rim lies in a plane
-   * through
-   * the origin it is the volume under it; of a closed surface, what it encloses. 3 components only.
+   * mean of its two triangulations, cells with an absent node or torn open left out. Of a drum-head whose rim lies in a
+   * plane through the origin it is the volume under it; of a closed surface, what it encloses. 3 components only.
    * Errors: "errorUnsupported".
    */
   get volume(): number;
@@ -1635,19 +1635,21 @@ export class Membrane extends Handle {
     null): void;
 
   /**
-   * How many indices writeIndices writes now: 6 per cell of four nodes that are there, 3 per cell of which
-   * three are there. Cells that close a ring are among them, but not of 1 component: they would reach back across the
-   * unit square.
+   * How many indices writeIndices writes now: 6 per cell of four nodes that are there, of cloth 0 if it is
+   * torn open, 3 per cell of which three are there. Cells that close a ring are among them, but not of 1 component:
+   * they
+   * would reach back across the unit square.
    */
   get indexCount(): number;
 
   /**
-   * Writes the triangles as vertex numbers of indexSize 2 or 4 bytes (unsigned, the machine's byte order), counter-
-   * clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size` is that
-   * of
-   * the buffer in bytes. The numbers change with "mask" and ring only. 65535 with 2 bytes and 2^32 - 1
-   * with 4, which graphics cards may take for a restart, are never written. Errors: "errorValue" for another
-   * indexSize; "errorRange" if size is too small; "errorUnsupported" for more than 65535 or 2^32 - 1 nodes.
+   * Writes the triangles as vertex numbers of indexSize 2 or 4 bytes (unsigned, the machine's byte order),
+   * counter-clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size`
+   * is
+   * that of the buffer in bytes. The numbers change with "mask", ring and what is cut of cloth only.
+   * 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never written. Errors:
+   * "errorValue" for another indexSize; "errorRange" if size is too small; "errorUnsupported" for more than 65535
+   * or 2^32 - 1 nodes.
    */
   writeIndices(buffer: ArrayBuffer | ArrayBufferView, indexSize: number): void;
 

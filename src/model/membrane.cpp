@@ -117,6 +117,14 @@ double breaking_strain_of(const Membrane& m, Direction d, size_t u, size_t v) {
     return m.breaking_strain[d] ? m.breaking_strain[d][node_at(m, u, v)] : m.cloth.breaking_strain;
 }
 
+bool lacks_two_springs(const Membrane& m, size_t u, size_t v) {
+    const auto is_cut = [&](Direction d, size_t i, size_t j) {
+        return m.spring_stiffness[d] && !(m.spring_stiffness[d][node_at(m, i, j)] > 0);
+    };
+    const size_t next_u = after(m, kU, u), next_v = after(m, kV, v);
+    return is_cut(kU, u, v) + is_cut(kU, u, next_v) + is_cut(kV, u, v) + is_cut(kV, next_u, v) >= 2;
+}
+
 double bend_of(const Membrane& m, Direction d, size_t u, size_t v) {
     const Node n{{u, v}};
     const size_t i = n.at[d];

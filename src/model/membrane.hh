@@ -18,7 +18,7 @@ struct ClothSettings : AirSettings {
     double length[2] = {};              // [m], of the sheet; 0: springs have none
     double shear = 0, compression = 10; // [N/m], [1/s^2]
     uint64_t newton = 2, gradient = 20;
-    double thickness = 0;              // [m]
+    double thickness = 0; // [m]
     double breaking_strain = INFINITY;
 };
 
@@ -125,6 +125,11 @@ double length_of(const Membrane& m, Direction d, size_t u, size_t v);
 double breaking_strain_of(const Membrane& m, Direction d, size_t u, size_t v);
 inline bool can_tear(const Membrane& m, Direction d) {
     return m.breaking_strain[d] || m.cloth.breaking_strain < INFINITY;
+}
+// Whether the cell of four nodes that starts at a node is torn open: of cloth, if two of its springs or more are cut.
+bool lacks_two_springs(const Membrane& m, size_t u, size_t v);
+inline bool is_open(const Membrane& m, size_t u, size_t v) {
+    return (m.spring_stiffness[kU] || m.spring_stiffness[kV]) && has_lengths(m) && lacks_two_springs(m, u, v);
 }
 // The bend along d at a node, 0 unless it and its two neighbours along d are there; the twist of the cell that starts
 // at a node, 0 unless its four nodes are there.

@@ -5,6 +5,9 @@ namespace cd {
 
 namespace {
 
+// The square of what a spring is strained by, over that at which it tears, from which on it is looked at closely.
+constexpr double kNear = 1 - 1e-6;
+
 // The springs along one direction.
 struct Tear {
     Membrane& m;
@@ -34,15 +37,35 @@ struct Tear {
         return torn;
     }
 
-    size_t all() const {
-        const size_t lines = nodes_along(m, other(d));
-        for (size_t line = 0; line < lines; ++line) {
-            double &most = worst[line * stride] = 1, &at = place[line * stride] = 0;
-            for (size_t i = 0; i < springs_along(m, d); ++i) {
+    // Of each line what run() and all() go by. To see that a spring is far from tearing takes no root and no division.
+    template <class T> void find_worst() const {
+        for (size_t line = 0; line < nodes_along(m, other(d)); ++line) worst[line * stride] = 1;
+        const T* const x = numbers<T>(m.position);
+        const size_t columns = d == kU ? springs_along(m, kU) : m.columns,
+                     rows = d == kV ? springs_along(m, kV) : m.rows;
+        const double length = uniform_length(m, d);
+        for (size_t v = 0; v < rows; ++v)
+            for (size_t u = 0; u < columns; ++u) {
+                const size_t at = node_at(m, u, v), i = d == kU ? u : v, line = d == kU ? v : u;
+                const double rest = m.spring_length[d] ? m.spring_length[d][at] : length;
+                const double strain = m.breaking_strain[d] ? m.breaking_strain[d][at] : m.cloth.breaking_strain;
+                const T* const from = x + cd::place(m, u, v, 0);
+                const T* const to = d == kU ? from + after(m, kU, u) - u : x + cd::place(m, u, after(m, kV, v), 0);
+                double square = 0;
+                for (size_t k = 0; k < 3; ++k) {
+                    const double way = double(to[k * m.plane]) - double(from[k * m.plane]);
+                    square += way * way;
+                }
+                const double reach = rest * (1 + strain);
+                if (!(square > kNear * (reach * reach))) continue;
                 const double now = load(i, line);
-                if (now > most) most = now, at = double(i);
+                if (now > worst[line * stride]) worst[line * stride] = now, place[line * stride] = double(i);
             }
-        }
+    }
+
+    size_t all() const {
+        by_precision(m, [&](auto zero) { find_worst<decltype(zero)>(); });
+        const size_t lines = nodes_along(m, other(d));
         size_t torn = 0;
         for (;;) {
             size_t first = 0;

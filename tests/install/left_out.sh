@@ -53,6 +53,7 @@ int main(void) {
     if (cd_membrane_set_rest_length(membrane, 0, 0)) return 3;
     if (cd_membrane_get_rest_length(membrane, &along_u, &along_v) || along_u != 0 || along_v != 0) return 4;
     if (cd_membrane_set_shear(membrane, 1) != CD_ERROR_UNSUPPORTED) return 5;
+    if (cd_membrane_set_breaking_strain(membrane, 1) != CD_ERROR_UNSUPPORTED) return 6;
     return cd_membrane_step(membrane, 0.1, 2);
 }
 END

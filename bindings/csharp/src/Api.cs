@@ -2738,8 +2738,9 @@ namespace Contdyn
         /// largest multiple of its breaking strain, those that follow beside it, row after row, as long as they are
         /// beyond theirs too, and so on with the rows that are left. So a tear runs on from its ends, and what is
         /// jerked parts without falling to pieces. A cut spring's stiffness becomes 0, and no energy comes of it. Mend
-        /// it by writing CD_STIFFNESS_U or _V, which finite breaking strains switch on and keep on. Errors:
-        /// CD_ERROR_MEMORY too.</summary>
+        /// it by writing CD_STIFFNESS_U or _V, which finite breaking strains switch on and keep on. A cell of cloth
+        /// without two of its springs or more is open: it is not drawn, it has no volume, and air and pressure go
+        /// through it. Errors: CD_ERROR_MEMORY too.</summary>
         public double BreakingStrain
         {
             get
@@ -3603,9 +3604,9 @@ namespace Contdyn
         }
 
         /// <summary>Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's
-        /// normal, each cell the mean of its two triangulations, cells with an absent node left out. Of a drum-head
-        /// whose rim lies in a plane through the origin it is the volume under it; of a closed surface, what it
-        /// encloses. 3 components only. Errors: CD_ERROR_UNSUPPORTED.</summary>
+        /// normal, each cell the mean of its two triangulations, cells with an absent node or torn open left out. Of a
+        /// drum-head whose rim lies in a plane through the origin it is the volume under it; of a closed surface, what
+        /// it encloses. 3 components only. Errors: CD_ERROR_UNSUPPORTED.</summary>
         public double GetVolume()
         {
             double outVolume;
@@ -3704,9 +3705,9 @@ namespace Contdyn
                 "cd_membrane_write_vertices", "normal_offset")));
         }
 
-        /// <summary>How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, 3
-        /// per cell of which three are there. Cells that close a ring are among them, but not of 1 component: they
-        /// would reach back across the unit square.</summary>
+        /// <summary>How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, of
+        /// cloth 0 if it is torn open, 3 per cell of which three are there. Cells that close a ring are among them, but
+        /// not of 1 component: they would reach back across the unit square.</summary>
         public long GetIndexCount()
         {
             UIntPtr outCount;
@@ -3715,10 +3716,10 @@ namespace Contdyn
         }
 
         /// <summary>Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte
-        /// order), counter- clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1,
-        /// v + 1). `size` is that of the buffer in bytes. The numbers change with CD_MASK and cd_membrane_set_ring
-        /// only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never
-        /// written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
+        /// order), counter-clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v
+        /// + 1). `size` is that of the buffer in bytes. The numbers change with CD_MASK, cd_membrane_set_ring and what
+        /// is cut of cloth only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart,
+        /// are never written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
         /// CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes.</summary>
         public void WriteIndices<T>(T[] buffer, long indexSize) where T : struct
         {
@@ -3728,10 +3729,10 @@ namespace Contdyn
 
 #if CONTDYN_SPANS
         /// <summary>Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte
-        /// order), counter- clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1,
-        /// v + 1). `size` is that of the buffer in bytes. The numbers change with CD_MASK and cd_membrane_set_ring
-        /// only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never
-        /// written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
+        /// order), counter-clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v
+        /// + 1). `size` is that of the buffer in bytes. The numbers change with CD_MASK, cd_membrane_set_ring and what
+        /// is cut of cloth only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart,
+        /// are never written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
         /// CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes.</summary>
         public void WriteIndices(Span<byte> buffer, long indexSize)
         {
