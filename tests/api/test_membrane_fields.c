@@ -22,6 +22,8 @@ enum { OF_ALL = COUNT(fields) - 5 }; /* the rest are of cloth */
 
 static void give_lengths_for(cd_membrane* m, cd_field field) {
     if (field > CD_MASK) ok(cd_membrane_set_rest_length(m, 1, 0.5));
+    if (field == CD_BREAKING_STRAIN_U) ok(cd_membrane_enable_field(m, CD_STIFFNESS_U)); /* which it needs */
+    if (field == CD_BREAKING_STRAIN_V) ok(cd_membrane_enable_field(m, CD_STIFFNESS_V));
 }
 
 static cd_membrane* membrane_with(cd_precision precision, cd_field field) {

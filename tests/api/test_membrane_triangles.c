@@ -227,7 +227,7 @@ static void open_cells_of_cloth_have_no_triangles(void** state) {
         assert_int_equal(before, 2 * columns * rows);
         for (cd_field field = CD_STIFFNESS_U; field <= CD_STIFFNESS_V; ++field) ok(cd_membrane_enable_field(m, field));
         uint64_t seed = 1 + (uint64_t)rings;
-        for (int cuts = 0; cuts < 60; ++cuts) {
+        for (int cuts = 0; cuts < 100; ++cuts) {
             const cd_field field = scene_noise(&seed) > 0 ? CD_STIFFNESS_U : CD_STIFFNESS_V;
             const struct cloth_extent all = cloth_extent(m, field);
             const size_t at = (size_t)((0.5 + 0.4999 * scene_noise(&seed)) * (double)all.count);

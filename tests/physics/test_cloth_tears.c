@@ -333,6 +333,7 @@ static cd_membrane* curved(cd_precision precision, size_t first, size_t rows) {
     ok(cd_membrane_set_rest_length(m, 0.1 * WIDE, 0.1 * (double)(rows - 1)));
     ok(cd_membrane_set_mass(m, (WIDE + 1) * (double)rows / 8));
     ok(cd_membrane_set_stiffness(m, 10 * (double)rows, 10 * (WIDE + 1) / (double)(rows - 1)));
+    ok(cd_membrane_set_compression(m, 0));
     ok(cd_membrane_set_pressure(m, 20));
     ok(cd_membrane_set_air(m, 0.5, 5));
     ok(cd_membrane_set_wind(m, wind, 3));
