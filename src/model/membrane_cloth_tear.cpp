@@ -5,14 +5,15 @@ namespace cd {
 
 namespace {
 
-// The square of what a spring is strained by, over that at which it tears, from which on it is looked at closely.
+// A spring is looked at closely once the square of its length is this part of that at which it tears.
 constexpr double kNear = 1 - 1e-6;
 
 // The springs along one direction.
 struct Tear {
     Membrane& m;
     Direction d;
-    // Of each line, a `stride` apart: the largest load of its springs, or 0 once it is cut; and which spring bears it.
+    // Of each line, a `stride` apart: the largest load of its springs if beyond 1, else 1, and 0 once it is cut; and
+    // which spring bears it.
     double *worst, *place;
     size_t stride;
 
@@ -33,7 +34,11 @@ struct Tear {
         size_t torn = 1;
         cut(line);
         for (size_t at = after(m, across, line); goes_on(at); at = after(m, across, at)) cut(at), ++torn;
-        for (size_t at = line; (at > 0 || m.ring[across]) && goes_on(at = before(m, across, at));) cut(at), ++torn;
+        for (size_t at = line; at > 0 || m.ring[across];) {
+            at = before(m, across, at);
+            if (!goes_on(at)) break;
+            cut(at), ++torn;
+        }
         return torn;
     }
 
