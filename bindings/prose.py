@@ -131,6 +131,7 @@ UNITS = {
     ("cd_chain", "out_velocity"): "m/s",
     ("cd_chain", "out_radius"): "m",
     ("cd_chain", "out_friction"): "1",
+    ("cd_membrane", "strain"): "1",
     ("cd_membrane", "u"): "1",
     ("cd_membrane", "v"): "1",
     ("cd_membrane", "radius"): "1",

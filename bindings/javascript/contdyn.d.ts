@@ -220,6 +220,8 @@ export const Field: {
   readonly tensionV: 30;
   readonly strainU: 31;
   readonly strainV: 32;
+  readonly breakingStrainU: 33;
+  readonly breakingStrainV: 34;
 };
 export type Field = keyof typeof Field;
 
@@ -970,29 +972,32 @@ export class Chain extends Handle {
 /**
  * The fields of a Membrane.
  *
- *  field            per           unit    values
- *  "position"      node          m       finite
- *  "velocity"      node          m/s     finite; of a pinned or absent node only 0
- *  "force"         node          N       finite; acts until it is overwritten
- *  "target"        node          m       finite; where attach pulls to, and where "posed" goes
- *  "mass"          node          kg      > 0
- *  "stiffnessU"   spring        N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u + 1, v)
- *  "stiffnessV"   spring        N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u, v + 1)
- *  "pin"           node          -       any Node but "matched"; whole edges need it not, see
+ *  field                per       unit    values
+ *  "position"          node      m       finite
+ *  "velocity"          node      m/s     finite; of a pinned or absent node only 0
+ *  "force"             node      N       finite; acts until it is overwritten
+ *  "target"            node      m       finite; where attach pulls to, and where "posed" goes
+ *  "mass"              node      kg      > 0
+ *  "stiffnessU"       spring    N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u + 1, v)
+ *  "stiffnessV"       spring    N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u, v + 1)
+ *  "pin"               node      -       any Node but "matched"; whole edges need it not, see
  *                                         setEdge
- *  "mask"          node          -       1: there; 0: absent, with all that touches it: it stands still where it is
+ *  "mask"              node      -       1: there; 0: absent, with all that touches it: it stands still where it is
  *                                         and counts for nothing
- *  "restLengthU" spring        m       1e-60 to 1e60; of cloth only, as are all that follow
- *  "restLengthV" spring        m       likewise
- *  "wind"          node          m/s     finite
- *  "tensionU", _V spring        N       to read only: what the spring pulls by now, less than 0 where it pushes
- *  "strainU", _V  spring        -       to read only: length now over rest length, less 1; -1 and more
+ *  "restLengthU"     spring    m       1e-60 to 1e60; of cloth only, as are all that follow
+ *  "restLengthV"     spring    m       likewise
+ *  "breakingStrainU" spring    -       1e-60 to 1e60, or Infinity
+ *  "breakingStrainV" spring    -       likewise
+ *  "wind"              node      m/s     finite
+ *  "tensionU", _V     spring    N       to read only: what the spring pulls by now, less than 0 where it pushes
+ *  "strainU", _V      spring    -       to read only: length now over rest length, less 1; -1 and more
  * Position and velocity are always there, tension and strain in cloth. The others cost memory and time only once they
  * are switched on; "mass", the stiffnesses, "target", "pin" and "mask" make a sheet that is no cloth one whose
  * lines differ, with factors for each of them.
  */
 export type MembraneField = "position" | "velocity" | "force" | "target" | "mass" | "stiffnessU" | "stiffnessV" | "pin"
-  | "mask" | "restLengthU" | "restLengthV" | "wind" | "tensionU" | "tensionV" | "strainU" | "strainV";
+  | "mask" | "restLengthU" | "restLengthV" | "breakingStrainU" | "breakingStrainV" | "wind" | "tensionU" | "tensionV" |
+  "strainU" | "strainV";
 
 /** Part of a field; what is left out is all the rest. */
 export interface MembraneRange {
@@ -1025,6 +1030,7 @@ export interface MembraneOptions {
   restLength?: { alongU?: number; alongV?: number };
   shear?: number;
   compression?: number;
+  breakingStrain?: number;
   effort?: { newton?: number; gradient?: number };
   air?: { along?: number; across?: number };
   wind?: Numbers;
@@ -1269,8 +1275,8 @@ export class Membrane extends Handle {
    * Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or
    * neither
    * is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
-   * lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: "errorValue";
-   * "errorMemory"; "errorUnsupported" without 3 components and springs along both directions.
+   * lambda to 1. Length 0 switches the fields of cloth off, and breaking strain, air, wind and colliders too. Errors:
+   * "errorValue"; "errorMemory"; "errorUnsupported" without 3 components and springs along both directions.
    */
   get restLength(): { alongU: number; alongV: number };
   set restLength(value: { alongU?: number; alongV?: number });
@@ -1291,6 +1297,23 @@ export class Membrane extends Handle {
    */
   get compression(): number;
   set compression(value: number);
+
+  /**
+   * The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60 to 1e60, or
+   * Infinity, the default: springs hold. The fields "breakingStrainU" and _V have one for each spring: a seam is a
+   * line of springs that tear at less. A step ends by cutting springs that are strained beyond it, each row and each
+   * column of springs in one place at the most: the spring whose strain is the largest multiple of its breaking strain,
+   * those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the rows that are
+   * left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut spring's stiffness
+   * becomes 0, and no energy comes of it. Mend it by writing "stiffnessU" or _V, which finite breaking strains switch
+   * on and keep on. A cell of cloth without two of its springs or more is open: it is not drawn, it has no volume, and
+   * air and pressure go through it. Errors: "errorMemory" too.
+   */
+  get breakingStrain(): number;
+  set breakingStrain(value: number);
+
+  /** How many springs tore in the last call of step that made steps: those whose stiffness became 0. */
+  get broken(): number;
 
   /**
    * How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of
@@ -1431,16 +1454,16 @@ export class Membrane extends Handle {
 
   /**
    * Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin
-   * what the edges say). On already: nothing happens. Errors: "errorEnum", "errorMemory"; "errorDiverged" for
-   * "target" where the state is not finite; here and below "errorUnsupported" for the fields of cloth of a membrane
-   * that is none.
+   * what the edges say). "breakingStrainU" and _V switch "stiffnessU" and _V on too. On already: nothing happens.
+   * Errors: "errorEnum", "errorMemory"; "errorDiverged" for "target" where the state is not finite; here and below
+   * "errorUnsupported" for the fields of cloth of a membrane that is none.
    */
   enableField(field: Field): void;
 
   /**
    * Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened, all nodes
    * there, none held but on edges. Errors: "errorEnum"; "errorUnsupported" for position, velocity,
-   * tension and strain.
+   * tension and strain, and for the stiffness of springs that may tear.
    */
   disableField(field: Field): void;
 
@@ -1592,9 +1615,8 @@ export class Membrane extends Handle {
   /**
    * Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's normal, each cell
    * the
-   * mean of its two triangulations, cells with an absent node left out. Of a drum-head whose rim lies in a plane
-   * through
-   * the origin it is the volume under it; of a closed surface, what it encloses. 3 components only.
+   * mean of its two triangulations, cells with an absent node or torn open left out. Of a drum-head whose rim lies in a
+   * plane through the origin it is the volume under it; of a closed surface, what it encloses. 3 components only.
    * Errors: "errorUnsupported".
    */
   get volume(): number;
@@ -1629,19 +1651,21 @@ export class Membrane extends Handle {
     null): void;
 
   /**
-   * How many indices writeIndices writes now: 6 per cell of four nodes that are there, 3 per cell of which
-   * three are there. Cells that close a ring are among them, but not of 1 component: they would reach back across the
-   * unit square.
+   * How many indices writeIndices writes now: 6 per cell of four nodes that are there, of cloth 0 if it is
+   * torn open, 3 per cell of which three are there. Cells that close a ring are among them, but not of 1 component:
+   * they
+   * would reach back across the unit square.
    */
   get indexCount(): number;
 
   /**
-   * Writes the triangles as vertex numbers of indexSize 2 or 4 bytes (unsigned, the machine's byte order), counter-
-   * clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size` is that
-   * of
-   * the buffer in bytes. The numbers change with "mask" and ring only. 65535 with 2 bytes and 2^32 - 1
-   * with 4, which graphics cards may take for a restart, are never written. Errors: "errorValue" for another
-   * indexSize; "errorRange" if size is too small; "errorUnsupported" for more than 65535 or 2^32 - 1 nodes.
+   * Writes the triangles as vertex numbers of indexSize 2 or 4 bytes (unsigned, the machine's byte order),
+   * counter-clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size`
+   * is
+   * that of the buffer in bytes. The numbers change with "mask", ring and what is cut of cloth only.
+   * 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never written. Errors:
+   * "errorValue" for another indexSize; "errorRange" if size is too small; "errorUnsupported" for more than 65535
+   * or 2^32 - 1 nodes.
    */
   writeIndices(buffer: ArrayBuffer | ArrayBufferView, indexSize: number): void;
 

@@ -105,6 +105,8 @@ export const Field = enumeration({
   tensionV: 30,
   strainU: 31,
   strainV: 32,
+  breakingStrainU: 33,
+  breakingStrainV: 34,
 });
 
 export const End = enumeration({
@@ -933,6 +935,20 @@ export class Membrane extends Handle {
     check(wasm.cd_membrane_set_compression(addressOf(this, Membrane), number(rate, "rate")));
   }
 
+  get breakingStrain() {
+    check(wasm.cd_membrane_get_breaking_strain(addressOf(this, Membrane), result(0)));
+    return real(0);
+  }
+
+  set breakingStrain(strain) {
+    check(wasm.cd_membrane_set_breaking_strain(addressOf(this, Membrane), number(strain, "strain")));
+  }
+
+  get broken() {
+    check(wasm.cd_membrane_get_broken(addressOf(this, Membrane), result(0)));
+    return whole(0);
+  }
+
   get effort() {
     check(wasm.cd_membrane_get_effort(addressOf(this, Membrane), result(0), result(1)));
     return {
@@ -1305,6 +1321,8 @@ const kMembrane = {
     mask: { per: ["node"] },
     restLengthU: { per: ["spring"] },
     restLengthV: { per: ["spring"] },
+    breakingStrainU: { per: ["spring"] },
+    breakingStrainV: { per: ["spring"] },
     wind: { per: ["node"], components: true },
     tensionU: { per: ["spring"] },
     tensionV: { per: ["spring"] },

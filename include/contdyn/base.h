@@ -150,7 +150,9 @@ enum {
     CD_TENSION_U = 29,
     CD_TENSION_V = 30,
     CD_STRAIN_U = 31,
-    CD_STRAIN_V = 32
+    CD_STRAIN_V = 32,
+    CD_BREAKING_STRAIN_U = 33,
+    CD_BREAKING_STRAIN_V = 34
 };
 
 /* ---- callbacks ------------------------------------------------------------------------------------------------- */

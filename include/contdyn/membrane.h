@@ -206,8 +206,8 @@ CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_
 
 /* Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
  * is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
- * lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
- * CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions. */
+ * lambda to 1. Length 0 switches the fields of cloth off, and breaking strain, air, wind and colliders too. Errors:
+ * CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions. */
 CD_API cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, double along_v);
 CD_API cd_status cd_membrane_get_rest_length(const cd_membrane* membrane, double* out_along_u, double* out_along_v);
 
@@ -222,6 +222,21 @@ CD_API cd_status cd_membrane_get_shear(const cd_membrane* membrane, double* out_
  * It damps turning a little: raise it for stiffer folds, 0 for none. */
 CD_API cd_status cd_membrane_set_compression(cd_membrane* membrane, double rate);
 CD_API cd_status cd_membrane_get_compression(const cd_membrane* membrane, double* out_rate);
+
+/* The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60 to 1e60, or
+ * INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each spring: a seam is a
+ * line of springs that tear at less. A step ends by cutting springs that are strained beyond it, each row and each
+ * column of springs in one place at the most: the spring whose strain is the largest multiple of its breaking strain,
+ * those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the rows that are
+ * left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut spring's stiffness
+ * becomes 0, and no energy comes of it. Mend it by writing CD_STIFFNESS_U or _V, which finite breaking strains switch
+ * on and keep on. A cell of cloth without two of its springs or more is open: it is not drawn, it has no volume, and
+ * air and pressure go through it. Errors: CD_ERROR_MEMORY too. */
+CD_API cd_status cd_membrane_set_breaking_strain(cd_membrane* membrane, double strain);
+CD_API cd_status cd_membrane_get_breaking_strain(const cd_membrane* membrane, double* out_strain);
+
+/* How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness became 0. */
+CD_API cd_status cd_membrane_get_broken(const cd_membrane* membrane, size_t* out_springs);
 
 /* How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of conjugate
  * gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and
@@ -286,36 +301,38 @@ CD_API cd_status cd_membrane_set_thickness(cd_membrane* membrane, double distanc
 CD_API cd_status cd_membrane_get_thickness(const cd_membrane* membrane, double* out_distance);
 
 /* ---- fields -------------------------------------------------------------------------------------------------------
- *  field            per           unit    values
- *  CD_POSITION      node          m       finite
- *  CD_VELOCITY      node          m/s     finite; of a pinned or absent node only 0
- *  CD_FORCE         node          N       finite; acts until it is overwritten
- *  CD_TARGET        node          m       finite; where cd_membrane_attach pulls to, and where CD_NODE_POSED goes
- *  CD_MASS          node          kg      > 0
- *  CD_STIFFNESS_U   spring        N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u + 1, v)
- *  CD_STIFFNESS_V   spring        N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u, v + 1)
- *  CD_PIN           node          -       any cd_node but CD_NODE_MATCHED; whole edges need it not, see
+ *  field                per       unit    values
+ *  CD_POSITION          node      m       finite
+ *  CD_VELOCITY          node      m/s     finite; of a pinned or absent node only 0
+ *  CD_FORCE             node      N       finite; acts until it is overwritten
+ *  CD_TARGET            node      m       finite; where cd_membrane_attach pulls to, and where CD_NODE_POSED goes
+ *  CD_MASS              node      kg      > 0
+ *  CD_STIFFNESS_U       spring    N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u + 1, v)
+ *  CD_STIFFNESS_V       spring    N/m     >= 0; 0: cut. Spring (u, v) joins node (u, v) to (u, v + 1)
+ *  CD_PIN               node      -       any cd_node but CD_NODE_MATCHED; whole edges need it not, see
  *                                         cd_membrane_set_edge
- *  CD_MASK          node          -       1: there; 0: absent, with all that touches it: it stands still where it is
+ *  CD_MASK              node      -       1: there; 0: absent, with all that touches it: it stands still where it is
  *                                         and counts for nothing
- *  CD_REST_LENGTH_U spring        m       1e-60 to 1e60; of cloth only, as are all that follow
- *  CD_REST_LENGTH_V spring        m       likewise
- *  CD_WIND          node          m/s     finite
- *  CD_TENSION_U, _V spring        N       to read only: what the spring pulls by now, less than 0 where it pushes
- *  CD_STRAIN_U, _V  spring        -       to read only: length now over rest length, less 1; -1 and more
+ *  CD_REST_LENGTH_U     spring    m       1e-60 to 1e60; of cloth only, as are all that follow
+ *  CD_REST_LENGTH_V     spring    m       likewise
+ *  CD_BREAKING_STRAIN_U spring    -       1e-60 to 1e60, or INFINITY
+ *  CD_BREAKING_STRAIN_V spring    -       likewise
+ *  CD_WIND              node      m/s     finite
+ *  CD_TENSION_U, _V     spring    N       to read only: what the spring pulls by now, less than 0 where it pushes
+ *  CD_STRAIN_U, _V      spring    -       to read only: length now over rest length, less 1; -1 and more
  * Position and velocity are always there, tension and strain in cloth. The others cost memory and time only once they
  * are switched on; CD_MASS, the stiffnesses, CD_TARGET, CD_PIN and CD_MASK make a sheet that is no cloth one whose
  * lines differ, with factors for each of them. */
 
 /* Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin
- * what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; CD_ERROR_DIVERGED for
- * CD_TARGET where the state is not finite; here and below CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane
- * that is none. */
+ * what the edges say). CD_BREAKING_STRAIN_U and _V switch CD_STIFFNESS_U and _V on too. On already: nothing happens.
+ * Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; CD_ERROR_DIVERGED for CD_TARGET where the state is not finite; here and below
+ * CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is none. */
 CD_API cd_status cd_membrane_enable_field(cd_membrane* membrane, cd_field field);
 
 /* Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened, all nodes
  * there, none held but on edges. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position, velocity,
- * tension and strain. */
+ * tension and strain, and for the stiffness of springs that may tear. */
 CD_API cd_status cd_membrane_disable_field(cd_membrane* membrane, cd_field field);
 
 /* Writes or reads values[v][u][component], dense, of the rectangle of nodes (or springs) [first_u, first_u + n_u) x
@@ -405,8 +422,8 @@ CD_API cd_status cd_membrane_get_energy(const cd_membrane* membrane, double* out
 CD_API cd_status cd_membrane_get_momentum(const cd_membrane* membrane, double* out_momentum, size_t count);
 
 /* Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's normal, each cell the
- * mean of its two triangulations, cells with an absent node left out. Of a drum-head whose rim lies in a plane through
- * the origin it is the volume under it; of a closed surface, what it encloses. 3 components only.
+ * mean of its two triangulations, cells with an absent node or torn open left out. Of a drum-head whose rim lies in a
+ * plane through the origin it is the volume under it; of a closed surface, what it encloses. 3 components only.
  * Errors: CD_ERROR_UNSUPPORTED. */
 CD_API cd_status cd_membrane_get_volume(const cd_membrane* membrane, double* out_volume);
 
@@ -435,16 +452,17 @@ CD_API cd_status cd_membrane_hash(const cd_membrane* membrane, uint64_t* out_has
 CD_API cd_status cd_membrane_write_vertices(const cd_membrane* membrane, void* buffer, size_t size, size_t stride,
                                             size_t position_offset, size_t normal_offset);
 
-/* How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, 3 per cell of which
- * three are there. Cells that close a ring are among them, but not of 1 component: they would reach back across the
- * unit square. */
+/* How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, of cloth 0 if it is
+ * torn open, 3 per cell of which three are there. Cells that close a ring are among them, but not of 1 component: they
+ * would reach back across the unit square. */
 CD_API cd_status cd_membrane_get_index_count(const cd_membrane* membrane, size_t* out_count);
 
-/* Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte order), counter-
- * clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size` is that of
- * the buffer in bytes. The numbers change with CD_MASK and cd_membrane_set_ring only. 65535 with 2 bytes and 2^32 - 1
- * with 4, which graphics cards may take for a restart, are never written. Errors: CD_ERROR_VALUE for another
- * index_size; CD_ERROR_RANGE if size is too small; CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes. */
+/* Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte order),
+ * counter-clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size` is
+ * that of the buffer in bytes. The numbers change with CD_MASK, cd_membrane_set_ring and what is cut of cloth only.
+ * 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never written. Errors:
+ * CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small; CD_ERROR_UNSUPPORTED for more than 65535
+ * or 2^32 - 1 nodes. */
 CD_API cd_status cd_membrane_write_indices(const cd_membrane* membrane, void* buffer, size_t size, size_t index_size);
 
 /* ---- keeping ----------------------------------------------------------------------------------------------------- */

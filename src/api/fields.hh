@@ -14,7 +14,8 @@ inline const char* field_name(cd_field field) {
         "CD_FORCE_X",   "CD_FORCE_Y",  "CD_WALL_X",      "CD_WALL_Y",        "CD_REST_LENGTH",   "CD_TENSION",
         "CD_WIND",      "CD_STRENGTH", "CD_STRAIN",      "CD_REST_LENGTH_U", "CD_REST_LENGTH_V", "CD_TENSION_U",
         "CD_TENSION_V", "CD_STRAIN_U", "CD_STRAIN_V"};
-    return names[field];
+    static const char* const breaking[] = {"CD_BREAKING_STRAIN_U", "CD_BREAKING_STRAIN_V"};
+    return field < CD_BREAKING_STRAIN_U ? names[field] : breaking[field - CD_BREAKING_STRAIN_U];
 }
 
 // What numbers a field takes, in words.
@@ -25,7 +26,9 @@ inline const char* field_takes(cd_field field) {
     case CD_REST_LENGTH_U:
     case CD_REST_LENGTH_V: return "numbers from 1e-60 to 1e60";
     case CD_TENSION: return "finite numbers";
-    case CD_STRENGTH: return "numbers from 1e-60 to 1e60, or infinity";
+    case CD_STRENGTH:
+    case CD_BREAKING_STRAIN_U:
+    case CD_BREAKING_STRAIN_V: return "numbers from 1e-60 to 1e60, or infinity";
     case CD_STIFFNESS: return "0 to 1e60, or infinity";
     case CD_BEND:
     case CD_STIFFNESS_U:
@@ -97,7 +100,7 @@ inline cd_status is_place(const char* function, const double* at, size_t j, size
 }
 
 inline cd_status can_write(const char* function, cd_field field) {
-    if (field != CD_STRAIN && field < CD_TENSION_U) return CD_OK;
+    if (field != CD_STRAIN && (field < CD_TENSION_U || field > CD_STRAIN_V)) return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, is to be read only", int(field), field_name(field));
 }
 

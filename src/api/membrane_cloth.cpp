@@ -8,6 +8,8 @@ using namespace cd;
 
 CD_GETTER(membrane, get_shear, double, out_stiffness, x.cloth.shear)
 CD_GETTER(membrane, get_compression, double, out_rate, x.cloth.compression)
+CD_GETTER(membrane, get_breaking_strain, double, out_strain, x.cloth.breaking_strain)
+CD_GETTER(membrane, get_broken, size_t, out_springs, x.broken)
 
 cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, double along_v) {
     CD_OPEN(membrane, m);
@@ -21,7 +23,9 @@ cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, dou
                     along_u, m.springs[kU], m.springs[kV], m.components);
     MembraneFeatures wanted = features(m);
     wanted.cloth = cloth;
-    if (!cloth) wanted.spring_length[kU] = wanted.spring_length[kV] = wanted.air = wanted.wind = false;
+    for (Direction d : {kU, kV})
+        if (!cloth) wanted.spring_length[d] = wanted.breaking_strain[d] = false;
+    if (!cloth) wanted.air = wanted.wind = false;
     if (!cloth) wanted.colliders = {};
     CD_CHECK(shared::change_features(__func__, m, wanted));
     if (cloth && !has_lengths(m)) m.lambda = 1;
@@ -58,6 +62,19 @@ cd_status cd_membrane_set_compression(cd_membrane* membrane, double rate) {
     CD_CHECK(is_cloth(__func__, m, "only cloth crumples"));
     m.cloth.compression = rate + 0.0; // not -0
     m.prepared_dt = 0;
+    return CD_OK;
+}
+
+cd_status cd_membrane_set_breaking_strain(cd_membrane* membrane, double strain) {
+    CD_OPEN(membrane, m);
+    if (!(isinf(strain) && strain > 0)) CD_CHECK(in_range(__func__, "strain", strain, kLeastMass, kMost));
+    CD_CHECK(is_cloth(__func__, m, "only cloth tears"));
+    MembraneFeatures wanted = features(m);
+    for (Direction d : {kU, kV}) wanted.spring_stiffness[d] |= strain < INFINITY;
+    CD_CHECK(shared::change_features(__func__, m, wanted));
+    m.cloth.breaking_strain = strain;
+    fill_uniform(m, CD_BREAKING_STRAIN_U);
+    fill_uniform(m, CD_BREAKING_STRAIN_V);
     return CD_OK;
 }
 

@@ -9,7 +9,11 @@ namespace {
 const Array<double>& doubles_of(const Membrane& m, cd_field field) {
     const Direction d = is_along(field, kU) ? kU : kV;
     const bool length = field == CD_REST_LENGTH_U || field == CD_REST_LENGTH_V;
-    return field == CD_MASS ? m.node_mass : length ? m.spring_length[d] : m.spring_stiffness[d];
+    const bool breaks = field == CD_BREAKING_STRAIN_U || field == CD_BREAKING_STRAIN_V;
+    return field == CD_MASS ? m.node_mass
+           : length         ? m.spring_length[d]
+           : breaks         ? m.breaking_strain[d]
+                            : m.spring_stiffness[d];
 }
 const Array<uint8_t>& bytes_of(const Membrane& m, cd_field field) { return field == CD_PIN ? m.pin : m.mask; }
 bool is_bytes(cd_field field) { return field == CD_PIN || field == CD_MASK; }

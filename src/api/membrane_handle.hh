@@ -13,7 +13,7 @@ template <> struct Behind<cd_membrane> {
 };
 
 inline bool is_of_cloth(cd_field field) {
-    return field == CD_WIND || (field >= CD_REST_LENGTH_U && field <= CD_STRAIN_V);
+    return field == CD_WIND || (field >= CD_REST_LENGTH_U && field <= CD_BREAKING_STRAIN_V);
 }
 inline bool needs_length(const Membrane&, cd_field field) { return is_of_cloth(field); }
 // What cloth tells of its springs, and keeps nowhere.
@@ -21,13 +21,12 @@ inline bool is_tension(cd_field field) { return field == CD_TENSION_U || field =
 inline bool is_strain(cd_field field) { return field == CD_STRAIN_U || field == CD_STRAIN_V; }
 // Whether a field has numbers of the springs along a direction.
 inline bool is_along(cd_field field, Direction d) {
-    return d == kU
-               ? field == CD_STIFFNESS_U || field == CD_REST_LENGTH_U || field == CD_TENSION_U || field == CD_STRAIN_U
-               : field == CD_STIFFNESS_V || field == CD_REST_LENGTH_V || field == CD_TENSION_V || field == CD_STRAIN_V;
+    if (field == CD_STIFFNESS_U || field == CD_STIFFNESS_V) return field == (d == kU ? CD_STIFFNESS_U : CD_STIFFNESS_V);
+    return field >= CD_REST_LENGTH_U && (field - CD_REST_LENGTH_U) % 2 == int(d); // they come in pairs
 }
 inline cd_status is_field(const char* function, const Membrane&, cd_field field) {
     if (!is_of_cloth(field) && (field < 0 || field > CD_MASK))
-        return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 10, 24 or 27 to 32", int(field));
+        return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 10, 24 or 27 to 34", int(field));
     if (field != CD_STIFFNESS && field != CD_BEND) return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, is none of a membrane's%s", int(field),
                 field_name(field), field == CD_STIFFNESS ? ": it has CD_STIFFNESS_U and CD_STIFFNESS_V" : "");
@@ -42,6 +41,8 @@ inline void switch_own(MembraneFeatures& wanted, cd_field field, bool on) {
     if (field == CD_MASK) wanted.mask = on;
     if (field == CD_REST_LENGTH_U) wanted.spring_length[kU] = on;
     if (field == CD_REST_LENGTH_V) wanted.spring_length[kV] = on;
+    if (field == CD_BREAKING_STRAIN_U) wanted.breaking_strain[kU] = on, wanted.spring_stiffness[kU] |= on;
+    if (field == CD_BREAKING_STRAIN_V) wanted.breaking_strain[kV] = on, wanted.spring_stiffness[kV] |= on;
     if (field == CD_WIND) wanted.wind = on;
 }
 inline cd_status is_cloth(const char* function, const Membrane& m, const char* only) {
@@ -58,5 +59,13 @@ inline cd_status has_collider(const char* function, const Membrane& m, size_t in
 }
 inline AirSettings& air_of(Membrane& m) { return m.cloth; }
 inline const AirSettings& air_of(const Membrane& m) { return m.cloth; }
+namespace shared {
+inline cd_status disable_field(const char* function, Membrane& m, cd_field field) {
+    const bool tears = (field == CD_STIFFNESS_U && can_tear(m, kU)) || (field == CD_STIFFNESS_V && can_tear(m, kV));
+    if (!tears) return disable_field<Membrane>(function, m, field);
+    return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s: springs that may tear need it", int(field),
+                field_name(field));
+}
+} // namespace shared
 
 } // namespace cd

@@ -113,6 +113,18 @@ double length_of(const Membrane& m, Direction d, size_t u, size_t v) {
     return own ? m.spring_length[d][node_at(m, u, v)] : uniform_length(m, d);
 }
 
+double breaking_strain_of(const Membrane& m, Direction d, size_t u, size_t v) {
+    return m.breaking_strain[d] ? m.breaking_strain[d][node_at(m, u, v)] : m.cloth.breaking_strain;
+}
+
+bool lacks_two_springs(const Membrane& m, size_t u, size_t v) {
+    const auto is_cut = [&](Direction d, size_t i, size_t j) {
+        return m.spring_stiffness[d] && !(m.spring_stiffness[d][node_at(m, i, j)] > 0);
+    };
+    const size_t next_u = after(m, kU, u), next_v = after(m, kV, v);
+    return is_cut(kU, u, v) + is_cut(kU, u, next_v) + is_cut(kV, u, v) + is_cut(kV, next_u, v) >= 2;
+}
+
 double bend_of(const Membrane& m, Direction d, size_t u, size_t v) {
     const Node n{{u, v}};
     const size_t i = n.at[d];
@@ -143,6 +155,7 @@ MembraneFeatures features(const Membrane& m) {
     for (Direction d : {kU, kV}) {
         f.spring_stiffness[d] = bool(m.spring_stiffness[d]);
         f.spring_length[d] = bool(m.spring_length[d]);
+        f.breaking_strain[d] = bool(m.breaking_strain[d]);
         f.ring[d] = m.ring[d] != 0;
     }
     f.pin = bool(m.pin);
@@ -162,11 +175,14 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
     Change<double> along_v{m.spring_stiffness[kV], wanted.spring_stiffness[kV] ? m.nodes : 0};
     Change<double> length_u{m.spring_length[kU], wanted.spring_length[kU] ? m.nodes : 0};
     Change<double> length_v{m.spring_length[kV], wanted.spring_length[kV] ? m.nodes : 0};
+    Change<double> breaking_u{m.breaking_strain[kU], wanted.breaking_strain[kU] ? m.nodes : 0};
+    Change<double> breaking_v{m.breaking_strain[kV], wanted.breaking_strain[kV] ? m.nodes : 0};
     Change<double> pressed{m.pressed, wanted.pressure ? m.components * m.plane : 0};
     Change<uint8_t> pin{m.pin, wanted.pin ? m.nodes : 0}, mask{m.mask, wanted.mask ? m.nodes : 0};
 
     const auto all = [&](auto f) {
-        return body.all(f) && f(along_u) && f(along_v) && f(length_u) && f(length_v) && f(pressed) && f(pin) && f(mask);
+        return body.all(f) && f(along_u) && f(along_v) && f(length_u) && f(length_v) && f(breaking_u) &&
+               f(breaking_v) && f(pressed) && f(pin) && f(mask);
     };
     const bool same_ring = wanted.ring[kU] == (m.ring[kU] != 0) && wanted.ring[kV] == (m.ring[kV] != 0);
     const bool same_edges = memcmp(wanted.edge, m.edge, sizeof m.edge) == 0, same_pin = pin.keep();
@@ -183,6 +199,8 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
     if (along_v.is_new()) fill_uniform(m, CD_STIFFNESS_V);
     if (length_u.is_new()) fill_uniform(m, CD_REST_LENGTH_U);
     if (length_v.is_new()) fill_uniform(m, CD_REST_LENGTH_V);
+    if (breaking_u.is_new()) fill_uniform(m, CD_BREAKING_STRAIN_U);
+    if (breaking_v.is_new()) fill_uniform(m, CD_BREAKING_STRAIN_V);
     if (body.wind.is_new()) fill_uniform(m, CD_WIND);
     if (mask.is_new()) memset(m.mask.data, 1, m.mask.bytes());
     for (size_t i = 0; pin.is_new() && i < m.nodes; ++i)
@@ -206,6 +224,10 @@ void fill_uniform(Membrane& m, cd_field field) {
                 m.spring_length[kU][i] = has_next(m, kU, u) ? uniform_length(m, kU) : 0;
             if (field == CD_REST_LENGTH_V && m.spring_length[kV])
                 m.spring_length[kV][i] = has_next(m, kV, v) ? uniform_length(m, kV) : 0;
+            if (field == CD_BREAKING_STRAIN_U && m.breaking_strain[kU])
+                m.breaking_strain[kU][i] = has_next(m, kU, u) ? m.cloth.breaking_strain : 0;
+            if (field == CD_BREAKING_STRAIN_V && m.breaking_strain[kV])
+                m.breaking_strain[kV][i] = has_next(m, kV, v) ? m.cloth.breaking_strain : 0;
             for (size_t k = 0; k < m.components && field == CD_WIND && m.wind; ++k)
                 set_number(m, m.wind, place(m, u, v, k), m.cloth.wind[k]);
         }
@@ -243,7 +265,8 @@ bool set_ring(Membrane& m, bool along_u, bool along_v) {
     wanted.ring[kU] = along_u;
     wanted.ring[kV] = along_v;
     if (!set_features(m, wanted)) return false;
-    for (cd_field field : {CD_MASS, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_REST_LENGTH_U, CD_REST_LENGTH_V})
+    for (cd_field field : {CD_MASS, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_REST_LENGTH_U, CD_REST_LENGTH_V,
+                           CD_BREAKING_STRAIN_U, CD_BREAKING_STRAIN_V})
         fill_uniform(m, field);
     return true;
 }

@@ -19,6 +19,7 @@ struct ClothSettings : AirSettings {
     double shear = 0, compression = 10; // [N/m], [1/s^2]
     uint64_t newton = 2, gradient = 20;
     double thickness = 0; // [m]
+    double breaking_strain = INFINITY;
 };
 
 struct MembraneSettings {
@@ -41,11 +42,11 @@ struct Membrane : Body, MembraneSettings {
 
     // fields of its own: a number per node (0 at the last node of a line without a ring); mask per node. pin is empty
     // where only edges hold nodes.
-    Array<double> spring_stiffness[2], spring_length[2];
+    Array<double> spring_stiffness[2], spring_length[2], breaking_strain[2];
     Array<uint8_t> mask;
 
-    // what the last call of step did: see cd_membrane_get_convergence
-    size_t iterations;
+    // what the last call of step did: see cd_membrane_get_convergence and cd_membrane_get_broken
+    size_t iterations, broken;
     double residual;
 
     // what steps need, none of it state: see membrane_step.cpp
@@ -58,9 +59,9 @@ struct Membrane : Body, MembraneSettings {
     // f(array, array of another membrane...) for each field, in the order in which they are kept; and for every array.
     template <class F, class... M> static void each_field(F f, M&... m) {
         f(m.pin...), f(m.mask...), f(m.node_mass...), f(m.spring_stiffness[kU]...), f(m.spring_stiffness[kV]...);
-        f(m.spring_length[kU]...), f(m.spring_length[kV]...), f(m.attach_stiffness...), f(m.attach_damping...);
-        f(m.position...), f(m.velocity...), f(m.force...), f(m.target...), f(m.wind...);
-        f(m.colliders...), f(m.beds...);
+        f(m.spring_length[kU]...), f(m.spring_length[kV]...), f(m.breaking_strain[kU]...), f(m.breaking_strain[kV]...);
+        f(m.attach_stiffness...), f(m.attach_damping...), f(m.position...), f(m.velocity...), f(m.force...);
+        f(m.target...), f(m.wind...), f(m.colliders...), f(m.beds...);
     }
     template <class F> static void each_array(F f, Membrane& m) {
         each_field(f, m);
@@ -71,7 +72,7 @@ struct Membrane : Body, MembraneSettings {
 constexpr uint64_t kMembraneTag = 0x314272626d4d6443; // "CdMmbrB1"
 
 struct MembraneFeatures : BodyFeatures {
-    bool spring_stiffness[2], spring_length[2], pin, mask, ring[2], pressure, cloth;
+    bool spring_stiffness[2], spring_length[2], breaking_strain[2], pin, mask, ring[2], pressure, cloth;
     cd_solver solver;
     cd_node edge[4];
 };
@@ -121,6 +122,16 @@ double mass_of(const Membrane& m, size_t u, size_t v);
 double stiffness_of(const Membrane& m, Direction d, size_t u, size_t v);
 // The rest length of that spring, in cloth; that of any other where there is none.
 double length_of(const Membrane& m, Direction d, size_t u, size_t v);
+// The strain at which that spring tears; and whether any along d may.
+double breaking_strain_of(const Membrane& m, Direction d, size_t u, size_t v);
+inline bool can_tear(const Membrane& m, Direction d) {
+    return m.breaking_strain[d] || m.cloth.breaking_strain < INFINITY;
+}
+// Whether the cell of four nodes that starts at a node is torn open: of cloth, if two of its springs or more are cut.
+bool lacks_two_springs(const Membrane& m, size_t u, size_t v);
+inline bool is_open(const Membrane& m, size_t u, size_t v) {
+    return (m.spring_stiffness[kU] || m.spring_stiffness[kV]) && has_lengths(m) && lacks_two_springs(m, u, v);
+}
 // The bend along d at a node, 0 unless it and its two neighbours along d are there; the twist of the cell that starts
 // at a node, 0 unless its four nodes are there.
 double bend_of(const Membrane& m, Direction d, size_t u, size_t v);
@@ -180,7 +191,7 @@ double stable_dt(const Membrane& m); // membrane_limit.cpp
 const char* what_cloth_lacks(const Membrane& m);
 // As needs_of, with lengths.
 bool cloth_needs_of(const Membrane& m, const MembraneFeatures& f, MembraneNeeds& out);
-// As step_membrane, but for the clock; leaves `iterations` and `residual`.
+// As step_membrane, but for the clock; leaves `iterations`, `residual` and `broken`.
 MembraneOutcome step_cloth(Membrane& m, double dt, size_t count);
 // The energy of springs, shear and bend, but not of attachments.
 double cloth_elastic(const Membrane& m);

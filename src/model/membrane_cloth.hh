@@ -54,6 +54,9 @@ struct ClothWork {
 // Makes the coefficients for steps of dt whose impulses are those of h.
 void prepare(const Membrane& m, ClothWork& w, double h, double dt);
 
+// Cuts springs that are beyond their breaking strain (membrane_cloth_tear.cpp); tells how many.
+size_t tear_springs(Membrane& m, ClothWork& w);
+
 // ---- what surrounds cloth (membrane_cloth_act.cpp) ----
 
 // Adds the air to ground and right side for a step of impulses h.

@@ -39,7 +39,7 @@ void add_air(const Membrane& m, ClothWork& w, double h) {
             const struct { size_t u, v; } corner[4] = {{u, v}, {next_u, v}, {u, next_v}, {next_u, next_v}};
             bool whole = true;
             for (const auto& at : corner) whole &= present(m, at.u, at.v);
-            if (!whole) continue;
+            if (!whole || is_open(m, u, v)) continue;
             const auto x = [&](int k) { return vector_at(w.from, w.place(corner[k].u, corner[k].v)); };
             const Vector3 a = x(3) - x(0), b = x(2) - x(1);
             const Vector3 twice = {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};

@@ -358,22 +358,23 @@ struct ClothStep {
 } // namespace
 
 MembraneOutcome step_cloth(Membrane& m, double dt, size_t count) {
-    const bool anew = must_prepare(m, dt);
     Carver coefficients{m.coefficients.data}, scratch{m.scratch.data};
     ClothWork work(m, features(m), coefficients, scratch);
     const double h = m.lambda * dt;
-    if (anew) prepare(m, work, h, dt);
     ClothStep step{m, work, dt, h};
     m.iterations = 0;
     m.residual = 0;
+    const bool tears = can_tear(m, kU) || can_tear(m, kV);
     uint64_t bad = 0;
     for (size_t s = 0; s < count; ++s) {
+        if (must_prepare(m, dt)) prepare(m, work, h, dt);
         Clock clock = m.clock;
         clock.advance(dt, s);
         const bool finite = step.step(clock.time());
         if (step.iterations > m.iterations) m.iterations = step.iterations;
         if (!(step.left <= m.residual)) m.residual = isnan(step.left) ? INFINITY : step.left;
         if (!finite && bad == 0) bad = m.clock.steps + s + 1;
+        if (tears && finite) m.broken += tear_springs(m, work);
     }
     if (bad) {
         stop_nodes(m);

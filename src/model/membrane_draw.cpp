@@ -87,7 +87,7 @@ template <class T> struct Drawer {
         int corners = 0;
         for (const Node& n : {Node{{i, j}}, Node{{i + 1, j}}, Node{{i + 1, j + 1}}, Node{{i, j + 1}}})
             if (is_there(n)) corner[corners++] = position(n) * scale.before;
-        if (corners < 3) return;
+        if (corners < 3 || (corners == 4 && is_open(m, line(kU, {{i, j}}), line(kV, {{i, j}})))) return;
         area.add_product((corner[2] - corner[0]) * scale.after,
                          (corner[corners == 4 ? 3 : 0] - corner[1]) * scale.after);
     }
@@ -104,11 +104,14 @@ template <class T> struct Drawer {
     }
     Vector normal(const Node& n) const { return is_there(n) ? normal(n, around(n, kAsTheyAre)) : Vector{}; }
 
-    // Whether `count` nodes from (u, v) on have all their cells inside the sheet, and no absent node near.
+    // Whether `count` nodes from (u, v) on have all their cells inside the sheet, none of them open, and no absent node
+    // near.
     bool is_plain(size_t u, size_t v, size_t count) const {
         if (u == 0 || v == 0 || u + count >= m.columns || v + 1 >= m.rows) return false;
         for (size_t row = v - 1; m.mask && row <= v + 1; ++row)
             if (memchr(m.mask.data + node_at(m, u - 1, row), 0, count + 2)) return false;
+        for (size_t i = u - 1; i < u + count; ++i)
+            if (is_open(m, i, v - 1) || is_open(m, i, v)) return false;
         return true;
     }
     // What around() finds for them, in loops that compilers turn into vector instructions.
@@ -175,6 +178,13 @@ auto is_there(const Membrane& m) {
     return [&m](size_t node) { return !m.mask || m.mask[node] != 0; };
 }
 
+// See each_cell: a cell's first corner is the node at which it starts.
+auto is_drawn(const Membrane& m) {
+    return [&m](const size_t* corner, int corners) {
+        return corners < 4 || !is_open(m, corner[0] % m.columns, corner[0] / m.columns);
+    };
+}
+
 } // namespace
 
 void write_vertices(const Membrane& m, unsigned char* out, const VertexFormat& format) {
@@ -183,11 +193,12 @@ void write_vertices(const Membrane& m, unsigned char* out, const VertexFormat& f
 
 size_t index_count(const Membrane& m) {
     const DrawnLattice lattice = drawn(m);
-    return m.mask ? index_count(lattice, is_there(m)) : 6 * lattice.cells[kU] * lattice.cells[kV];
+    const bool whole = !m.mask && (!has_lengths(m) || (!m.spring_stiffness[kU] && !m.spring_stiffness[kV]));
+    return whole ? 6 * lattice.cells[kU] * lattice.cells[kV] : index_count(lattice, is_there(m), is_drawn(m));
 }
 
 void write_indices(const Membrane& m, unsigned char* out, size_t index_size) {
-    write_indices(drawn(m), is_there(m), out, index_size);
+    write_indices(drawn(m), is_there(m), out, index_size, is_drawn(m));
 }
 
 } // namespace cd

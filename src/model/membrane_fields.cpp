@@ -10,6 +10,8 @@ bool valid_number(const Membrane& m, cd_field field, size_t u, size_t v, double 
     case CD_REST_LENGTH_V: return valid_mass(value);
     case CD_STIFFNESS_U:
     case CD_STIFFNESS_V: return valid_parameter(value);
+    case CD_BREAKING_STRAIN_U:
+    case CD_BREAKING_STRAIN_V: return valid_mass(value) || (isinf(value) && value > 0);
     case CD_PIN: return is_kind(value);
     case CD_MASK: return value == 0 || value == 1;
     case CD_VELOCITY:

@@ -9,8 +9,11 @@ namespace {
 struct MembraneKeep {
     using Object = Membrane;
     using Settings = KeptSettings<MembraneSettings>;
-    // Among the bits of fields: the settings of cloth follow, and how much of what it touches are beds and callbacks.
-    static constexpr uint32_t kOfCloth = 1u << 31, kOfShapes = 1u << 30;
+    // Among the bits of fields: the settings of cloth follow, how much of what it touches are beds and callbacks, and
+    // the strain at which it tears.
+    static constexpr uint32_t kOfCloth = 1u << 31, kOfShapes = 1u << 30, kOfBreaking = 1u << 29;
+    // CD_BREAKING_STRAIN_U and _V are beyond the bits, and stand where fields of ropes alone would.
+    static constexpr uint32_t kBreaking[2] = {1u << CD_STRENGTH, 1u << CD_STRAIN};
     static constexpr Kind kind = {2, "membrane", {"springs along u", "along v"}};
 
     static Shape shape_of(const Membrane& m) { return {{m.springs[kU], m.springs[kV]}, m.components, m.precision}; }
@@ -23,10 +26,15 @@ struct MembraneKeep {
         if (m.mask) s.fields |= 1u << CD_MASK;
         if (m.spring_length[kU]) s.fields |= 1u << CD_REST_LENGTH_U;
         if (m.spring_length[kV]) s.fields |= 1u << CD_REST_LENGTH_V;
+        for (Direction d : {kU, kV})
+            if (m.breaking_strain[d]) s.fields |= kBreaking[d];
         if (has_lengths(m)) s.fields |= kOfCloth;
+        if (m.cloth.breaking_strain < INFINITY) s.fields |= kOfBreaking;
         if (s.has_shapes()) s.fields |= kOfShapes;
         return s;
     }
+
+    static bool tears(const Settings& s, Direction d) { return (s.fields & kBreaking[d]) != 0; }
 
     static void apply(Membrane& m, const Settings& s) {
         static_cast<BodySettings&>(m) = s.body;
@@ -43,7 +51,7 @@ struct MembraneKeep {
         f.spring_length[kU] = s.on(CD_REST_LENGTH_U);
         f.spring_length[kV] = s.on(CD_REST_LENGTH_V);
         f.cloth = (s.fields & kOfCloth) != 0;
-        for (Direction d : {kU, kV}) f.ring[d] = s.own.ring[d] != 0;
+        for (Direction d : {kU, kV}) f.ring[d] = s.own.ring[d] != 0, f.breaking_strain[d] = tears(s, d);
         f.pressure = s.own.pressure != 0;
         f.solver = s.own.solver;
         memcpy(f.edge, s.own.edge, sizeof f.edge);
@@ -58,6 +66,7 @@ struct MembraneKeep {
         walk(w, cloth.newton), walk(w, cloth.gradient), walk_air(w, cloth);
         walk(w, s.colliders), walk(w, cloth.thickness);
         if (s.fields & kOfShapes) walk(w, s.beds), walk(w, s.callbacks);
+        if (s.fields & kOfBreaking) walk(w, cloth.breaking_strain);
     }
     template <class W> static void walk_choices(W& w, MembraneSettings& s) {
         walk(w, s.solver), walk(w, s.ring[kU]), walk(w, s.ring[kV]);
@@ -76,7 +85,14 @@ struct MembraneKeep {
                valid_parameter(cloth.shear) && valid_parameter(cloth.compression) && cloth.newton >= 1 &&
                cloth.newton <= kMostNewton && cloth.gradient >= 1 && cloth.gradient <= kMostGradient &&
                valid_air(m, cloth) && valid_contacts(s, cloth.thickness) &&
-               s.has_shapes() == ((s.fields & kOfShapes) != 0);
+               s.has_shapes() == ((s.fields & kOfShapes) != 0) && valid_breaking(s);
+    }
+    // What may tear has stiffnesses of its own.
+    static bool valid_breaking(const Settings& s) {
+        const double strain = s.own.cloth.breaking_strain;
+        const bool told = (s.fields & kOfBreaking) != 0;
+        return (told ? valid_mass(strain) : isinf(strain) && strain > 0) &&
+               (!(told || tears(s, kU)) || s.on(CD_STIFFNESS_U)) && (!(told || tears(s, kV)) || s.on(CD_STIFFNESS_V));
     }
 
     static bool valid(const Membrane& m, const Settings& s) {
@@ -87,6 +103,7 @@ struct MembraneKeep {
         const bool is_cloth = (s.fields & kOfCloth) != 0;
         if (is_cloth) optional |= kOfCloth | kOfShapes | 1u << CD_WIND;
         if (is_cloth) optional |= 1u << CD_REST_LENGTH_U | 1u << CD_REST_LENGTH_V;
+        if (is_cloth) optional |= kOfBreaking | kBreaking[kU] | kBreaking[kV];
         bool good = valid_body(s) && (s.fields & ~optional) == 0 && (!is_cloth || valid_cloth(m, s));
         good &= own.solver == CD_SOLVER_ALTERNATING || own.solver == CD_SOLVER_COUPLED;
         good &= own.tolerance >= kLeastTolerance && own.tolerance <= kMostTolerance && own.most_iterations >= 1;
@@ -110,17 +127,19 @@ struct MembraneKeep {
         const SavedNumbers mask = s.on(CD_MASK) ? check.here<uint8_t>() : SavedNumbers{};
         if (s.on(CD_MASK)) check.numbers<uint8_t>(n, [](double there, size_t) { return there <= 1; });
         if (s.on(CD_MASS)) check.numbers<double>(n, valid_shared_mass);
-        const auto of_springs = [&](cd_field field, Direction d, auto is_valid) {
-            if (!s.on(field)) return;
+        const auto of_springs = [&](bool on, Direction d, auto is_valid) {
+            if (!on) return;
             check.numbers<double>(n, [&](double k, size_t i) {
                 const size_t along = d == kU ? i % m.columns : i / m.columns;
                 return along < m.springs[d] + size_t(s.own.ring[d]) ? is_valid(k, i) : k == 0;
             });
         };
-        of_springs(CD_STIFFNESS_U, kU, valid_shared);
-        of_springs(CD_STIFFNESS_V, kV, valid_shared);
-        of_springs(CD_REST_LENGTH_U, kU, valid_shared_mass);
-        of_springs(CD_REST_LENGTH_V, kV, valid_shared_mass);
+        of_springs(s.on(CD_STIFFNESS_U), kU, valid_shared);
+        of_springs(s.on(CD_STIFFNESS_V), kV, valid_shared);
+        of_springs(s.on(CD_REST_LENGTH_U), kU, valid_shared_mass);
+        of_springs(s.on(CD_REST_LENGTH_V), kV, valid_shared_mass);
+        for (Direction d : {kU, kV})
+            of_springs(tears(s, d), d, [](double t, size_t) { return valid_mass(t) || (isinf(t) && t > 0); });
         const SavedNumbers velocity = check_ties_and_state(check, m, layout_of(m), s, m.nodes);
         if (!check_surroundings(check, m, layout_of(m), s)) return false;
         bool good = true;

@@ -84,7 +84,7 @@ template <class T> struct Measure {
             for (size_t i = 0; i < springs_along(m, kU); ++i) {
                 const size_t next_i = after(m, kU, i), next_j = after(m, kV, j);
                 if (!present(m, i, j) || !present(m, next_i, j) || !present(m, next_i, next_j) ||
-                    !present(m, i, next_j))
+                    !present(m, i, next_j) || is_open(m, i, j))
                     continue;
                 const Vector a = node(i, j), b = node(next_i, j), c = node(next_i, next_j), d = node(i, next_j);
                 sum.add((wedge(a, b, c) + wedge(a, c, d) + wedge(a, b, d) + wedge(b, c, d)) / 12);

@@ -41,6 +41,7 @@ template <class T> struct Presser {
         step(kU, by_u, c[0], c[1]);
         step(kV, by_v, c[0], c[1]);
         if (!present(m, b[0], b[1]) || !present(m, c[0], c[1]) || !present(m, d[0], d[1])) return;
+        if (is_open(m, by_u > 0 ? u : before(m, kU, u), by_v > 0 ? v : before(m, kV, v))) return;
         const Vector a = place(u, v), pb = place(b[0], b[1]), pc = place(c[0], c[1]), pd = place(d[0], d[1]);
         sum = sum + (cross(pc - a, pd - pb) / 2 + cross(pb - a, pd - a) / 2) / 6;
     }

@@ -335,6 +335,7 @@ static MembraneOutcome make_steps(Membrane& m, double dt, size_t count) {
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
     pose_nodes(m, dt * double(count));
     m.bad_answer = {};
+    m.broken = 0;
     const MembraneOutcome outcome = make_steps(m, dt, count);
     m.clock.advance(dt, count);
     m.diverged = outcome.diverged_at != 0;

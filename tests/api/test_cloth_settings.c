@@ -55,6 +55,9 @@ static void getters_tell_what_was_set(void** state) {
         ok(cd_membrane_set_thickness(m, 0.0625));
         ok(cd_membrane_get_thickness(m, &a));
         assert_true(a == 0.0625);
+        ok(cd_membrane_set_breaking_strain(m, 0.375));
+        ok(cd_membrane_get_breaking_strain(m, &a));
+        assert_true(a == 0.375);
         cd_membrane_destroy(m);
     }
 }
@@ -98,16 +101,23 @@ static void lengths_in_a_ring_are_dealt_out_to_one_spring_more(void** state) {
     (void)state;
     cd_membrane* m = flat(CD_FLOAT64);
     for (cd_field field = CD_REST_LENGTH_U; field <= CD_REST_LENGTH_V; ++field) ok(cd_membrane_enable_field(m, field));
+    for (cd_field field = CD_BREAKING_STRAIN_U; field <= CD_BREAKING_STRAIN_V; ++field)
+        ok(cd_membrane_enable_field(m, field));
+    ok(cd_membrane_set_breaking_strain(m, 8));
+    sheet_set(m, CD_BREAKING_STRAIN_U, 0, 0, 5);
     ok(cd_membrane_set_rest_length(m, 21, 10));
     ok(cd_membrane_set_ring(m, 1, 1));
     for (size_t v = 0; v < ROWS; ++v)
-        for (size_t u = 0; u < COLUMNS; ++u)
+        for (size_t u = 0; u < COLUMNS; ++u) {
             assert_true(sheet_get(m, CD_REST_LENGTH_U, u, v) == 3 && sheet_get(m, CD_REST_LENGTH_V, u, v) == 2);
+            assert_true(sheet_get(m, CD_BREAKING_STRAIN_U, u, v) == 8 && sheet_get(m, CD_BREAKING_STRAIN_V, u, v) == 8);
+        }
     assert_int_equal(cloth_extent(m, CD_STRAIN_U).columns, COLUMNS);
     double strain[NODES];
     cloth_read(m, CD_STRAIN_U, strain);
     cloth_read(m, CD_STRAIN_V, strain);
     sheet_set(m, CD_REST_LENGTH_U, NU, 2, 7);
+    sheet_set(m, CD_BREAKING_STRAIN_U, NU, 2, 7);
     const uint64_t closed = hash_of(m);
     ok(cd_membrane_set_ring(m, 0, 1));
     for (size_t u = 0; u < NU; ++u) assert_true(sheet_get(m, CD_REST_LENGTH_U, u, 2) == 3.5);
@@ -116,6 +126,9 @@ static void lengths_in_a_ring_are_dealt_out_to_one_spring_more(void** state) {
     cd_membrane* never = flat(CD_FLOAT64); /* what the closing spring was given is forgotten */
     for (cd_field field = CD_REST_LENGTH_U; field <= CD_REST_LENGTH_V; ++field)
         ok(cd_membrane_enable_field(never, field));
+    for (cd_field field = CD_BREAKING_STRAIN_U; field <= CD_BREAKING_STRAIN_V; ++field)
+        ok(cd_membrane_enable_field(never, field));
+    ok(cd_membrane_set_breaking_strain(never, 8));
     ok(cd_membrane_set_rest_length(never, 21, 10));
     ok(cd_membrane_set_ring(never, 0, 1));
     assert_int_equal(hash_of(m), hash_of(never));
@@ -177,8 +190,13 @@ static void without_lengths_all_of_cloth_is_as_in_a_new_membrane(void** state) {
             ok(cd_membrane_enable_field(m, CD_WIND));
             ok(cd_membrane_enable_field(m, CD_REST_LENGTH_U));
             ok(cd_membrane_enable_field(m, CD_REST_LENGTH_V));
+            ok(cd_membrane_set_breaking_strain(m, 1e-3));
+            ok(cd_membrane_enable_field(m, CD_BREAKING_STRAIN_U));
+            ok(cd_membrane_enable_field(m, CD_BREAKING_STRAIN_V));
             ok(cd_membrane_set_rest_length(m, 0, -0.0));
             cloth_assert_defaults(m);
+            ok(cd_membrane_disable_field(m, CD_STIFFNESS_U));
+            ok(cd_membrane_disable_field(m, CD_STIFFNESS_V));
             ok(cd_membrane_set_lambda(m, 0.5));
             assert_int_equal(hash_of(m), hash_of(never));
             ok(cd_membrane_get_memory(m, &bytes[0]));
@@ -321,7 +339,7 @@ static void what_is_set_acts_in_the_next_step(void** state) {
     cd_membrane *m = cloth(NU, NV, 3, CD_FLOAT64), *fresh = cloth(NU, NV, 3, CD_FLOAT64);
     const double gust[3] = {0, 3, -1};
     cloth_lengths(m);
-    for (int change = 0; change < 9; ++change) {
+    for (int change = 0; change < 12; ++change) {
         ok(cd_membrane_step(m, 0.01, 1));
         if (change == 0) ok(cd_membrane_set_shear(m, 40));
         if (change == 1) ok(cd_membrane_set_compression(m, 50));
@@ -332,6 +350,9 @@ static void what_is_set_acts_in_the_next_step(void** state) {
         if (change == 6) ok(cd_membrane_set_colliders(m, 2));
         if (change == 7) sheet_set(m, CD_REST_LENGTH_V, 2, 2, 0.0625);
         if (change == 8) ok(cd_membrane_set_rest_length(m, 0.5, 0.375));
+        if (change == 9) sheet_set(m, CD_BREAKING_STRAIN_V, 4, 1, 1e-3);
+        if (change == 10) ok(cd_membrane_set_breaking_strain(m, 1e-3));
+        if (change == 11) ok(cd_membrane_set_stiffness(m, 300, 200)); /* mends them */
         ok(cd_membrane_copy_state(fresh, m));
         ok(cd_membrane_step(m, 0.01, 1));
         ok(cd_membrane_step(fresh, 0.01, 1));

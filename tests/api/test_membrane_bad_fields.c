@@ -67,14 +67,15 @@ static int tear_down(void** state) {
 static void no_number_is_taken_for_a_field(void** state) {
     (void)state;
     static const cd_field none[] = {-1, 11, 12, 13, 14, 15, 16, 17, 18, 19,        20,       21,
-                                    22, 23, 25, 26, 33, 34, 76, 77, 88, INT32_MAX, INT32_MIN};
+                                    22, 23, 25, 26, 35, 36, 76, 77, 88, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < COUNT(none); ++i)
-        refuses_field(none[i], CD_ERROR_ENUM, text_of("field|%d|must be 0 to 10, 24 or 27 to 32", none[i]));
+        refuses_field(none[i], CD_ERROR_ENUM, text_of("field|%d|must be 0 to 10, 24 or 27 to 34", none[i]));
 }
 
-static const cd_field of_cloth[] = {CD_WIND,      CD_REST_LENGTH_U, CD_REST_LENGTH_V, CD_TENSION_U,
-                                    CD_TENSION_V, CD_STRAIN_U,      CD_STRAIN_V};
-enum { SWITCHED = 3 }; /* of them; what cloth tells is always on, and to be read only */
+static const cd_field of_cloth[] = {CD_BREAKING_STRAIN_U, CD_BREAKING_STRAIN_V, CD_WIND,
+                                    CD_REST_LENGTH_U,     CD_REST_LENGTH_V,     CD_TENSION_U,
+                                    CD_TENSION_V,         CD_STRAIN_U,          CD_STRAIN_V};
+enum { SWITCHED = 5 }; /* of them; what cloth tells is always on, and to be read only */
 
 static void only_cloth_has_the_fields_of_cloth(void** state) {
     (void)state;
@@ -139,7 +140,7 @@ static void no_rectangle_beyond_the_end_is_taken(void** state) {
     static const cd_field fields[] = {CD_POSITION,      CD_VELOCITY,      CD_FORCE,       CD_TARGET,   CD_MASS,
                                       CD_PIN,           CD_STIFFNESS_U,   CD_STIFFNESS_V, CD_MASK,     CD_REST_LENGTH_U,
                                       CD_REST_LENGTH_V, CD_TENSION_U,     CD_TENSION_V,   CD_STRAIN_U, CD_STRAIN_V,
-                                      CD_WIND};
+                                      CD_WIND,          CD_BREAKING_STRAIN_U, CD_BREAKING_STRAIN_V};
     const size_t most = SIZE_MAX;
     for (size_t i = 0; i < 2 * COUNT(fields); ++i) {
         const cd_field f = fields[i / 2];
@@ -147,8 +148,10 @@ static void no_rectangle_beyond_the_end_is_taken(void** state) {
         if (b == m && f > CD_MASK) continue;
         const struct cloth_extent all = cloth_extent(b, f);
         const size_t c = all.components, columns = all.columns, rows = all.rows;
-        const bool along_u = f == CD_STIFFNESS_U || f == CD_REST_LENGTH_U || f == CD_TENSION_U || f == CD_STRAIN_U;
-        const bool along_v = f == CD_STIFFNESS_V || f == CD_REST_LENGTH_V || f == CD_TENSION_V || f == CD_STRAIN_V;
+        const bool along_u = f == CD_STIFFNESS_U || f == CD_REST_LENGTH_U || f == CD_TENSION_U || f == CD_STRAIN_U ||
+                             f == CD_BREAKING_STRAIN_U;
+        const bool along_v = f == CD_STIFFNESS_V || f == CD_REST_LENGTH_V || f == CD_TENSION_V || f == CD_STRAIN_V ||
+                             f == CD_BREAKING_STRAIN_V;
         assert_int_equal(columns, along_u ? NU : COLUMNS);
         assert_int_equal(rows, along_v ? NV : ROWS);
         const char* first_u = "first_u";
@@ -215,6 +218,9 @@ static const struct {
     {CD_REST_LENGTH_U, -0.5, "-0.5"},   {CD_REST_LENGTH_U, 1e61, "1e+61"},     {CD_REST_LENGTH_U, 1e-61, "1e-61"},
     {CD_REST_LENGTH_V, NAN, "nan"},     {CD_REST_LENGTH_V, -INFINITY, "-inf"}, {CD_REST_LENGTH_V, 0, "0"},
     {CD_REST_LENGTH_V, -0.5, "-0.5"},   {CD_REST_LENGTH_V, 1e61, "1e+61"},     {CD_REST_LENGTH_V, 1e-61, "1e-61"},
+    {CD_BREAKING_STRAIN_U, NAN, "nan"}, {CD_BREAKING_STRAIN_U, 0, "0"},        {CD_BREAKING_STRAIN_U, 1e61, "1e+61"},
+    {CD_BREAKING_STRAIN_U, 1e-61, "1e-61"}, {CD_BREAKING_STRAIN_V, -0.5, "-0.5"},
+    {CD_BREAKING_STRAIN_V, -INFINITY, "-inf"},
     {CD_WIND, NAN, "nan"},              {CD_WIND, INFINITY, "inf"},            {CD_WIND, -INFINITY, "-inf"},
 };
 

@@ -6,6 +6,7 @@
 #include "cloth.h"
 #include "heap.h"
 #include "refusals.h"
+#include "sheet.h"
 
 enum { NU = 7, NV = 5, COMPONENTS = 3 };
 
@@ -32,6 +33,39 @@ static cd_status read_winds(const cd_membrane* c, double* winds) {
 }
 #define BODY membrane
 #include "bad_surroundings.h"
+
+static void only_cloth_tears_where_it_has_stiffnesses(void** state) {
+    (void)state;
+    double strain = 0;
+    cd_membrane* c = new_body();
+    refuses(c, cd_membrane_set_breaking_strain(c, 1), CD_ERROR_UNSUPPORTED, "tears|rest length");
+    refuses(c, cd_membrane_set_breaking_strain(c, INFINITY), CD_ERROR_UNSUPPORTED, "tears|rest length");
+    set_lengths(c, 1);
+    ok(cd_membrane_set_breaking_strain(c, INFINITY)); /* holds, and switches nothing on */
+    refuses(c, cd_membrane_read_f64(c, CD_STIFFNESS_U, 0, 0, 1, 1, out.number, 1), CD_ERROR_DISABLED, "field|8");
+    ok(cd_membrane_enable_field(c, CD_BREAKING_STRAIN_V)); /* of one direction only */
+    assert_true(sheet_get(c, CD_STIFFNESS_V, 3, 1) > 0 && isinf(sheet_get(c, CD_BREAKING_STRAIN_V, 3, 1)));
+    refuses(c, cd_membrane_read_f64(c, CD_STIFFNESS_U, 0, 0, 1, 1, out.number, 1), CD_ERROR_DISABLED, "field|8");
+    refuses(c, cd_membrane_disable_field(c, CD_STIFFNESS_V), CD_ERROR_UNSUPPORTED, "CD_STIFFNESS_V|tear");
+    ok(cd_membrane_disable_field(c, CD_STIFFNESS_U));
+    ok(cd_membrane_set_breaking_strain(c, 1e60));
+    ok(cd_membrane_set_breaking_strain(c, 1e-60));
+    ok(cd_membrane_enable_field(c, CD_BREAKING_STRAIN_U));
+    assert_true(sheet_get(c, CD_BREAKING_STRAIN_U, 2, 2) == 1e-60 && sheet_get(c, CD_BREAKING_STRAIN_V, 3, 1) == 1e-60);
+    sheet_set(c, CD_BREAKING_STRAIN_U, 2, 2, INFINITY);
+    ok(cd_membrane_set_breaking_strain(c, 5)); /* writes both fields anew */
+    assert_true(sheet_get(c, CD_BREAKING_STRAIN_U, 2, 2) == 5);
+    ok(cd_membrane_disable_field(c, CD_BREAKING_STRAIN_U));
+    ok(cd_membrane_disable_field(c, CD_BREAKING_STRAIN_V));
+    refuses(c, cd_membrane_disable_field(c, CD_STIFFNESS_U), CD_ERROR_UNSUPPORTED, "CD_STIFFNESS_U|tear");
+    set_lengths(c, 0); /* switches all of it off */
+    ok(cd_membrane_disable_field(c, CD_STIFFNESS_U));
+    ok(cd_membrane_disable_field(c, CD_STIFFNESS_V));
+    set_lengths(c, 1);
+    ok(cd_membrane_get_breaking_strain(c, &strain));
+    assert_true(isinf(strain));
+    cd_membrane_destroy(c);
+}
 
 /* Whether it is cloth or not: what is out of range is so whoever asks. */
 static void no_cloth_takes_numbers_outside_their_range(void** state) {
@@ -139,6 +173,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         SURROUNDINGS_TESTS,
         cmocka_unit_test(no_cloth_takes_numbers_outside_their_range),
+        cmocka_unit_test(only_cloth_tears_where_it_has_stiffnesses),
         cmocka_unit_test(an_impulse_too_strong_for_the_precision_changes_nothing),
         cmocka_unit_test(no_time_is_too_short_for_no_steps),
         cmocka_unit_test(no_more_places_are_sampled_than_fit_in_memory),

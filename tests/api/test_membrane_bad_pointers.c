@@ -82,6 +82,9 @@ static void only_a_living_membrane_is_taken_for_one(void** state) {
     refuses_handles(cd_membrane_get_shear, out.number);
     refuses_handles(cd_membrane_set_compression, 1.0);
     refuses_handles(cd_membrane_get_compression, out.number);
+    refuses_handles(cd_membrane_set_breaking_strain, 1.0);
+    refuses_handles(cd_membrane_get_breaking_strain, out.number);
+    refuses_handles(cd_membrane_get_broken, out.size);
     refuses_handles(cd_membrane_set_effort, 1, 1);
     refuses_handles(cd_membrane_get_effort, &out.size[0], &out.size[1]);
     refuses_handles(cd_membrane_set_air, 1.0, 1.0);
@@ -184,6 +187,8 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(m, cd_membrane_get_rest_length(m, out.number, NULL), CD_ERROR_NULL, "out_along_v");
     refuses(m, cd_membrane_get_shear(m, NULL), CD_ERROR_NULL, "out_stiffness");
     refuses(m, cd_membrane_get_compression(m, NULL), CD_ERROR_NULL, "out_rate");
+    refuses(m, cd_membrane_get_breaking_strain(m, NULL), CD_ERROR_NULL, "out_strain");
+    refuses(m, cd_membrane_get_broken(m, NULL), CD_ERROR_NULL, "out_springs");
     refuses(m, cd_membrane_get_effort(m, NULL, out.size), CD_ERROR_NULL, "out_newton");
     refuses(m, cd_membrane_get_effort(m, out.size, NULL), CD_ERROR_NULL, "out_gradient");
     refuses(m, cd_membrane_get_air(m, NULL, out.number), CD_ERROR_NULL, "out_along");

@@ -16,11 +16,14 @@ static const struct field {
 } fields[] = {{CD_POSITION, true, false},  {CD_VELOCITY, true, false},   {CD_FORCE, true, true},
               {CD_TARGET, true, true},     {CD_MASS, false, true},       {CD_STIFFNESS_U, false, true},
               {CD_STIFFNESS_V, false, true}, {CD_PIN, false, true},      {CD_MASK, false, true},
-              {CD_REST_LENGTH_U, false, true}, {CD_REST_LENGTH_V, false, true}, {CD_WIND, true, true}};
-enum { OF_ALL = COUNT(fields) - 3 }; /* the rest are of cloth */
+              {CD_REST_LENGTH_U, false, true}, {CD_REST_LENGTH_V, false, true}, {CD_WIND, true, true},
+              {CD_BREAKING_STRAIN_U, false, true}, {CD_BREAKING_STRAIN_V, false, true}};
+enum { OF_ALL = COUNT(fields) - 5 }; /* the rest are of cloth */
 
 static void give_lengths_for(cd_membrane* m, cd_field field) {
     if (field > CD_MASK) ok(cd_membrane_set_rest_length(m, 1, 0.5));
+    if (field == CD_BREAKING_STRAIN_U) ok(cd_membrane_enable_field(m, CD_STIFFNESS_U)); /* which it needs */
+    if (field == CD_BREAKING_STRAIN_V) ok(cd_membrane_enable_field(m, CD_STIFFNESS_V));
 }
 
 static cd_membrane* membrane_with(cd_precision precision, cd_field field) {
@@ -36,7 +39,7 @@ static void fill(cd_field field, double* values, size_t count, uint64_t seed) {
         const double noise = scene_noise(&seed);
         values[i] = noise * 1e3;
         if (field == CD_MASS || field == CD_STIFFNESS_U || field == CD_STIFFNESS_V || field == CD_REST_LENGTH_U ||
-            field == CD_REST_LENGTH_V)
+            field == CD_REST_LENGTH_V || field == CD_BREAKING_STRAIN_U || field == CD_BREAKING_STRAIN_V)
             values[i] = fabs(noise) + 1e-3;
         if (field == CD_PIN) values[i] = noise > 0 ? CD_NODE_DRIVEN : CD_NODE_FREE;
         if (field == CD_MASK) values[i] = noise > 0;

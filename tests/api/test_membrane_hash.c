@@ -1,4 +1,5 @@
 /* A membrane's hash sees every parameter, every number of every field and the clock, and nothing else. */
+#include <math.h>
 #include <string.h>
 
 #include "check.h"
@@ -50,7 +51,10 @@ static void ring_u(cd_membrane* m) {
 }
 static void no_force(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_FORCE)); }
 static void no_mass(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_MASS)); }
-static void no_along_u(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_STIFFNESS_U)); }
+static void no_along_u(cd_membrane* m) {
+    (void)cd_membrane_disable_field(m, CD_BREAKING_STRAIN_U); /* of cloth */
+    ok(cd_membrane_disable_field(m, CD_STIFFNESS_U));
+}
 static void no_along_v(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_STIFFNESS_V)); }
 static void no_target(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_TARGET)); }
 static void no_pin(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_PIN)); }
@@ -99,6 +103,12 @@ static void no_length_v(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_RES
 static void shear(cd_membrane* m) { ok(cd_membrane_set_shear(m, 151)); }
 static void no_shear(cd_membrane* m) { ok(cd_membrane_set_shear(m, 0)); }
 static void compression(cd_membrane* m) { ok(cd_membrane_set_compression(m, 7)); }
+static void breaking(cd_membrane* m) { ok(cd_membrane_set_breaking_strain(m, 3)); }
+static void breaking_later(cd_membrane* m) { ok(cd_membrane_set_breaking_strain(m, 4)); }
+static void breaking_u(cd_membrane* m) { sheet_set(m, CD_BREAKING_STRAIN_U, 2, 2, INFINITY); }
+static void breaking_v(cd_membrane* m) { sheet_set(m, CD_BREAKING_STRAIN_V, 2, 2, INFINITY); }
+static void no_breaking_u(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_BREAKING_STRAIN_U)); }
+static void no_breaking_v(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_BREAKING_STRAIN_V)); }
 static void newton(cd_membrane* m) { ok(cd_membrane_set_effort(m, 4, 11)); }
 static void gradient(cd_membrane* m) { ok(cd_membrane_set_effort(m, 3, 12)); }
 static void air_along(cd_membrane* m) { ok(cd_membrane_set_air(m, 0.06, 0.75)); }
@@ -127,12 +137,13 @@ static void ball_moves(cd_membrane* m) { ok(cd_membrane_set_collider_velocity(m,
 static void ball_falls(cd_membrane* m) { ok(cd_membrane_set_collider_velocity(m, 1, pull[1], COMPONENTS)); }
 
 static void (*const cloth_changes[])(cd_membrane*) = {
-    lambda_1,    length_u,     length_v,      no_length,     no_length_u, no_length_v,  shear,         no_shear,
-    compression, newton,       gradient,      air_along,     air_across,  wind_0,       wind_2,        no_winds,
-    thickness,   no_colliders, collider_less, collider_more, no_plane,    plane,        plane_turned,  plane_rough,
-    capsule,     capsule_back, capsule_thick, plane_moves,   ball_moves,  ball_falls,   mass,          bend,
-    pressure,    ring_v,       no_force,      no_along_u,    no_pin,      no_mask,      tie_stiffness, impulse,
-    step,        two_steps,    reset,         bed,           bed_turned,  bed_smaller,  bed_longer};
+    lambda_1,    length_u,     length_v,       no_length,     no_length_u,  no_length_v, shear,         no_shear,
+    compression, newton,       gradient,       air_along,     air_across,   wind_0,      wind_2,        no_winds,
+    thickness,   no_colliders, collider_less,  collider_more, no_plane,     plane,       plane_turned,  plane_rough,
+    capsule,     capsule_back, capsule_thick,  plane_moves,   ball_moves,   ball_falls,  mass,          bend,
+    pressure,    ring_v,       no_force,       no_along_u,    no_pin,       no_mask,     tie_stiffness, impulse,
+    step,        two_steps,    reset,          bed,           bed_turned,   bed_smaller, bed_longer,    breaking,
+    breaking_u,  breaking_v,   breaking_later, no_breaking_u, no_breaking_v};
 
 static void every_change_of_cloth_gives_another_hash(void** state) {
     (void)state;
@@ -158,9 +169,10 @@ static void every_number_of_every_field_is_in_the_hash(void** state) {
         cloth_write(m, CD_PIN, free); /* all may move */
         sheet_set(m, CD_MASK, 1, 3, 1);
         const uint64_t before = hash_of(m);
-        for (cd_field field = CD_POSITION; field <= CD_REST_LENGTH_V; ++field) {
+        for (cd_field field = CD_POSITION; field <= CD_BREAKING_STRAIN_V; ++field) {
             if (field == CD_STIFFNESS || field == CD_BEND || (field > CD_MASK && i < 2)) continue;
             if (field > CD_MASK && field != CD_WIND && field < CD_REST_LENGTH_U) continue;
+            if (field >= CD_TENSION_U && field <= CD_STRAIN_V) continue;
             const size_t count = cloth_extent(m, field).count;
             cloth_read(m, field, values);
             for (size_t at = 0; at < count && field != CD_MASK; ++at) {

@@ -49,7 +49,8 @@ static void assert_same_in_all_that_can_be_read(const cd_membrane* a, const cd_m
     static cd_status (*const numbers[])(const cd_membrane*, double*) = {
         cd_membrane_get_lambda,   cd_membrane_get_mass, cd_membrane_get_bend,   cd_membrane_get_drag,
         cd_membrane_get_pressure, cd_membrane_get_time, cd_membrane_get_volume, cd_membrane_get_stiffness_damping,
-        cd_membrane_get_shear,    cd_membrane_get_compression, cd_membrane_get_thickness, cd_membrane_stable_dt};
+        cd_membrane_get_shear,    cd_membrane_get_compression, cd_membrane_get_thickness, cd_membrane_stable_dt,
+        cd_membrane_get_breaking_strain};
     static cd_status (*const enums[])(const cd_membrane*, int32_t*) = {cd_membrane_get_method, cd_membrane_get_solver,
                                                                        cd_membrane_get_mass_rule};
     const cd_membrane* const both[2] = {a, b};
@@ -97,7 +98,7 @@ static void assert_same_in_all_that_can_be_read(const cd_membrane* a, const cd_m
         assert_int_equal(shape[0], shape[1]);
         assert_same_bits(x[0], x[1], COUNT(x[0]));
     }
-    for (cd_field field = CD_POSITION; field <= CD_STRAIN_V; ++field) {
+    for (cd_field field = CD_POSITION; field <= CD_BREAKING_STRAIN_V; ++field) {
         double x[2][ALL];
         cd_status status[2];
         const struct cloth_extent e = cloth_extent(a, field);
@@ -243,12 +244,12 @@ static void what_was_saved_can_be_loaded_at_the_ends_of_every_range(void** state
 static void what_is_set_for_cloth_is_kept_at_the_ends_of_every_range(void** state) {
     (void)state;
     static const struct {
-        double along_u, along_v, each, shear, compression, along, across, thickness;
+        double along_u, along_v, each, shear, compression, along, across, thickness, breaking;
         size_t newton, gradient, colliders;
-    } kept[] = {{1e-60, 1e60, 1e-60, 0, 0, 1e60, 0, 1e60, 1, 10000, 0},
-                {1e60, 1e-60, 1e60, 1e60, 1e60, 0, 1e60, 0, 1000, 1, 4096},
-                {1e-60, 1e-60, 0, 5e-324, 5e-324, 5e-324, 0, 5e-324, 1, 1, 1},
-                {1e60, 1e60, 0, 0, 5, 0, 0, 0, 2, 14, 2}};
+    } kept[] = {{1e-60, 1e60, 1e-60, 0, 0, 1e60, 0, 1e60, INFINITY, 1, 10000, 0},
+                {1e60, 1e-60, 1e60, 1e60, 1e60, 0, 1e60, 0, 1e60, 1000, 1, 4096},
+                {1e-60, 1e-60, 0, 5e-324, 5e-324, 5e-324, 0, 5e-324, 1e-60, 1, 1, 1},
+                {1e60, 1e60, 0, 0, 5, 0, 0, 0, INFINITY, 2, 14, 2}};
     const double far[3] = {1e60, -1e60, 1e60}, near[3] = {-1e60, 5e-324, -0.0}, wind[3] = {1e30, -1e30, 5e-324};
     for (size_t i = 0; i < COUNT(kept); ++i) {
         cd_membrane* m = cloth(NU, NV, COMPONENTS, CD_FLOAT32);
@@ -259,6 +260,7 @@ static void what_is_set_for_cloth_is_kept_at_the_ends_of_every_range(void** stat
         ok(cd_membrane_set_rest_length(m, kept[i].along_u, kept[i].along_v));
         ok(cd_membrane_set_shear(m, kept[i].shear));
         ok(cd_membrane_set_compression(m, kept[i].compression));
+        ok(cd_membrane_set_breaking_strain(m, kept[i].breaking));
         ok(cd_membrane_set_effort(m, kept[i].newton, kept[i].gradient));
         ok(cd_membrane_set_air(m, kept[i].along, kept[i].across));
         ok(cd_membrane_set_wind(m, wind, 3));
@@ -267,8 +269,9 @@ static void what_is_set_for_cloth_is_kept_at_the_ends_of_every_range(void** stat
         if (i % 2) ok(cd_membrane_set_plane(m, 0, far, near, 3, 1e60));
         if (i % 2) ok(cd_membrane_set_capsule(m, kept[i].colliders - 1, far, near, 3, i == 1 ? 1e60 : 1e-60, 0));
         if (i % 2) ok(cd_membrane_set_collider_velocity(m, 0, near, 3));
-        for (cd_field field = CD_WIND; field <= CD_REST_LENGTH_V && kept[i].each > 0; ++field) {
+        for (cd_field field = CD_WIND; field <= CD_BREAKING_STRAIN_V && kept[i].each > 0; ++field) {
             if (field != CD_WIND && field < CD_REST_LENGTH_U) continue;
+            if (field >= CD_TENSION_U && field <= CD_STRAIN_V) continue;
             ok(cd_membrane_enable_field(m, field));
             if (field != CD_WIND) ok(cd_membrane_write_f64(m, field, NU - 1, NV - 1, 1, 1, &kept[i].each, 1));
         }
@@ -300,7 +303,15 @@ static void cloth_takes_no_bytes_where_there_is_none(void** state) {
     ok(cd_membrane_set_colliders(m, 3));
     ok(cd_membrane_save_size(m, &after));
     assert_int_equal(after, during + 3 * 13 * sizeof(double));
-    for (cd_field field = CD_REST_LENGTH_U; field <= CD_STRAIN_V; ++field) ok(cd_membrane_enable_field(m, field));
+    ok(cd_membrane_set_colliders(m, 0));
+    ok(cd_membrane_set_breaking_strain(m, INFINITY)); /* is none */
+    ok(cd_membrane_save_size(m, &after));
+    assert_int_equal(after, during);
+    ok(cd_membrane_set_breaking_strain(m, 1));
+    ok(cd_membrane_save_size(m, &after));
+    assert_int_equal(after, during + (1 + 2 * NODES) * sizeof(double)); /* and the stiffnesses */
+    for (cd_field field = CD_REST_LENGTH_U; field <= CD_BREAKING_STRAIN_V; ++field)
+        ok(cd_membrane_enable_field(m, field));
     ok(cd_membrane_enable_field(m, CD_WIND));
     cloth_meet(m);
     ok(cd_membrane_set_shear(m, 1));
@@ -308,6 +319,7 @@ static void cloth_takes_no_bytes_where_there_is_none(void** state) {
     ok(cd_membrane_set_effort(m, 1, 1));
     ok(cd_membrane_set_air(m, 1, 1));
     ok(cd_membrane_set_rest_length(m, -0.0, 0)); /* is 0 */
+    ok(cd_membrane_disable_field(m, CD_STIFFNESS_U)), ok(cd_membrane_disable_field(m, CD_STIFFNESS_V));
     ok(cd_membrane_set_lambda(m, 0.5));
     ok(cd_membrane_save_size(m, &after));
     ok(cd_membrane_get_memory(m, &bytes[1]));

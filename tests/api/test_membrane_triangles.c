@@ -215,6 +215,48 @@ static void triangles_stay_while_the_sheet_moves(void** state) {
     cd_membrane_destroy(m);
 }
 
+/* Of cloth: what has lost two of its springs is open, whatever the way that the tear runs. */
+static void open_cells_of_cloth_have_no_triangles(void** state) {
+    (void)state;
+    for (int rings = 0; rings < 4; ++rings) {
+        cd_membrane* m = ring_cloth(7, 6, 3, rings & 1, rings >> 1);
+        ok(cd_membrane_set_rest_length(m, 1, 1));
+        draw(m);
+        const size_t before = triangles, columns = cloth_extent(m, CD_STIFFNESS_U).columns;
+        const size_t rows = cloth_extent(m, CD_STIFFNESS_V).rows;
+        assert_int_equal(before, 2 * columns * rows);
+        for (cd_field field = CD_STIFFNESS_U; field <= CD_STIFFNESS_V; ++field) ok(cd_membrane_enable_field(m, field));
+        uint64_t seed = 1 + (uint64_t)rings;
+        for (int cuts = 0; cuts < 100; ++cuts) {
+            const cd_field field = scene_noise(&seed) > 0 ? CD_STIFFNESS_U : CD_STIFFNESS_V;
+            const struct cloth_extent all = cloth_extent(m, field);
+            const size_t at = (size_t)((0.5 + 0.4999 * scene_noise(&seed)) * (double)all.count);
+            sheet_set(m, field, at % all.columns, at / all.columns, 0);
+            draw(m);
+            size_t expected = 0;
+            for (size_t v = 0; v < rows; ++v)
+                for (size_t u = 0; u < columns; ++u) {
+                    const size_t next_u = (u + 1) % 8, next_v = (v + 1) % 7;
+                    const int left = (sheet_get(m, CD_STIFFNESS_U, u, v) > 0) +
+                                     (sheet_get(m, CD_STIFFNESS_U, u, next_v) > 0) +
+                                     (sheet_get(m, CD_STIFFNESS_V, u, v) > 0) +
+                                     (sheet_get(m, CD_STIFFNESS_V, next_u, v) > 0);
+                    if (left <= 2) continue;
+                    const uint32_t first[3] = {(uint32_t)(v * 8 + u), (uint32_t)(v * 8 + next_u),
+                                               (uint32_t)(next_v * 8 + next_u)};
+                    assert_memory_equal(triangle[expected], first, sizeof first);
+                    expected += 2;
+                }
+            assert_int_equal(triangles, expected);
+        }
+        assert_true(triangles < before / 2);
+        ok(cd_membrane_set_rest_length(m, 0, 0)); /* no cloth: as ever */
+        draw(m);
+        assert_int_equal(triangles, before);
+        cd_membrane_destroy(m);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(triangles_meet_edge_to_edge),
@@ -224,6 +266,7 @@ int main(void) {
         cmocka_unit_test(a_torus_is_closed_and_faces_outwards),
         cmocka_unit_test(both_widths_hold_the_same_numbers),
         cmocka_unit_test(triangles_stay_while_the_sheet_moves),
+        cmocka_unit_test(open_cells_of_cloth_have_no_triangles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

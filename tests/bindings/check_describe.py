@@ -22,7 +22,7 @@ BROKEN = [
     ("chain.h", "/* ---- measuring ---", "/* ---- Measuring, 2 ---"),
     ("chain.h", "size_t strand, const double* rotation", "size_t strand, const double* turn"),
     ("membrane.h", "cd_membrane_sample(", "cd_membrane_probe("),
-    ("membrane.h", "CD_STIFFNESS_U   spring        N/m ", "CD_STIFFNESS_U   spring       N/m  "),
+    ("membrane.h", "CD_STIFFNESS_U       spring    N/m ", "CD_STIFFNESS_U       spring   N/m  "),
     ("membrane.h", "CD_STRAIN_U, _V ", "CD_STRAIN_U, _W "),
     ("membrane.h", "CD_STRAIN_U, _V ", "CD_STRAIN_U     "),
     ("membrane.h", "const double* point, const double* normal", "const double* place, const double* normal"),

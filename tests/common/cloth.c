@@ -1,5 +1,6 @@
 #include "cloth.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "check.h"
@@ -24,9 +25,11 @@ struct cloth_extent cloth_extent(const cd_membrane* membrane, cd_field field) {
     ok(cd_membrane_get_shape(membrane, &nu, &nv, &components, NULL));
     ok(cd_membrane_get_ring(membrane, &ring[0], &ring[1]));
     struct cloth_extent extent = {nu + 1, nv + 1, 1, 0};
-    if (field == CD_STIFFNESS_U || field == CD_REST_LENGTH_U || field == CD_TENSION_U || field == CD_STRAIN_U)
+    if (field == CD_STIFFNESS_U || field == CD_REST_LENGTH_U || field == CD_TENSION_U || field == CD_STRAIN_U ||
+        field == CD_BREAKING_STRAIN_U)
         extent.columns = nu + (size_t)ring[0];
-    if (field == CD_STIFFNESS_V || field == CD_REST_LENGTH_V || field == CD_TENSION_V || field == CD_STRAIN_V)
+    if (field == CD_STIFFNESS_V || field == CD_REST_LENGTH_V || field == CD_TENSION_V || field == CD_STRAIN_V ||
+        field == CD_BREAKING_STRAIN_V)
         extent.rows = nv + (size_t)ring[1];
     if (field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET || field == CD_WIND)
         extent.components = components;
@@ -245,7 +248,8 @@ void cloth_meet(cd_membrane* membrane) {
 
 void cloth_assert_defaults(const cd_membrane* membrane) {
     double length[2] = {-1, -1}, shear = -1, rate = -1, air[2] = {-1, -1}, wind[4] = {-1, -1, -1, -1}, thickness = -1;
-    size_t components, newton = 0, gradient = 0, colliders = 9;
+    double breaking = -1;
+    size_t components, newton = 0, gradient = 0, colliders = 9, broken = 9;
     ok(cd_membrane_get_shape(membrane, NULL, NULL, &components, NULL));
     ok(cd_membrane_get_rest_length(membrane, &length[0], &length[1]));
     ok(cd_membrane_get_shear(membrane, &shear));
@@ -255,8 +259,11 @@ void cloth_assert_defaults(const cd_membrane* membrane) {
     ok(cd_membrane_get_wind(membrane, wind, components));
     ok(cd_membrane_get_colliders(membrane, &colliders));
     ok(cd_membrane_get_thickness(membrane, &thickness));
+    ok(cd_membrane_get_breaking_strain(membrane, &breaking));
+    ok(cd_membrane_get_broken(membrane, &broken));
     assert_true(length[0] == 0 && length[1] == 0 && shear == 0 && rate == 10 && newton == 2 && gradient == 20);
     assert_true(air[0] == 0 && air[1] == 0 && colliders == 0 && thickness == 0);
+    assert_true(isinf(breaking) && breaking > 0 && broken == 0);
     for (size_t k = 0; k < components; ++k) assert_true(wind[k] == 0);
 }
 
@@ -296,6 +303,8 @@ static void all_of_cloth(cd_membrane* membrane) {
     vary(membrane, CD_STIFFNESS_V, 300, 20);
     vary(membrane, CD_REST_LENGTH_U, 0.1, 21);
     vary(membrane, CD_REST_LENGTH_V, 0.09, 22);
+    vary(membrane, CD_BREAKING_STRAIN_U, 1, 25); /* some tear in the first steps */
+    vary(membrane, CD_BREAKING_STRAIN_V, 1, 26);
     push(membrane, 0.2, 23);
     ok(cd_membrane_enable_field(membrane, CD_PIN));
     sheet_set(membrane, CD_PIN, 2, 3, CD_NODE_PINNED);

@@ -60,5 +60,5 @@
 {9, 0, 1, {0xa4ef117df485c60e, 0x3aa02685528d926d}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xb0aa63d2596dfa77}}, /* everything, tube */
 {10, 0, 0, {0x1e8276c80c157d2f, 0x5882769cb8229713}}, /* sail */
-{11, 0, 0, {0x3ad497ed8467b412, 0xbb5d466ff04b5bc0}}, /* lengths */
-{12, 0, 0, {0x5c8f0be388ac8e43, 0x9b11c1673341f262}}, /* lengths, tube */
+{11, 0, 0, {0x1db817c121151461, 0x9c543d1b6f605bfa}}, /* lengths */
+{12, 0, 0, {0x15093751113cb4cb, 0x361a219ce5e547b4}}, /* lengths, tube */

@@ -35,11 +35,13 @@ struct MembraneScene {
         case CD_STIFFNESS_U:
         case CD_REST_LENGTH_U:
         case CD_TENSION_U:
-        case CD_STRAIN_U: return {rows, columns - 1 + size_t(u), 1};
+        case CD_STRAIN_U:
+        case CD_BREAKING_STRAIN_U: return {rows, columns - 1 + size_t(u), 1};
         case CD_STIFFNESS_V:
         case CD_REST_LENGTH_V:
         case CD_TENSION_V:
-        case CD_STRAIN_V: return {rows - 1 + size_t(v), columns, 1};
+        case CD_STRAIN_V:
+        case CD_BREAKING_STRAIN_V: return {rows - 1 + size_t(v), columns, 1};
         default: return {rows, columns, field == CD_MASS || field == CD_PIN || field == CD_MASK ? 1 : components};
         }
     }
@@ -72,6 +74,7 @@ struct MembraneScene {
         return along_u > 0;
     }
     void become_cloth(Handle* membrane, Random& random, Returned& returned) const;
+    void may_tear(Handle* membrane, Random& random, Returned& returned) const;
     void act_on_cloth(Handle* membrane, Random& random, Returned& returned) const;
     void act(Handle* membrane, Random& random, Returned& returned) const;
     double pick_dt(const Handle* membrane, Random& random, Returned& returned) const {
@@ -82,7 +85,9 @@ struct MembraneScene {
     void set_callbacks(Handle* membrane) const { set_callbacks_again<ClothThings>(membrane, components); }
     void measure(const Handle* membrane, Returned& returned) const {
         double k = 0, e = 0, g = 0, residual = 0;
-        size_t iterations = 0;
+        size_t iterations = 0, broken = 0;
+        returned += cd_membrane_get_broken(membrane, &broken);
+        returned += double(broken);
         returned += cd_membrane_get_energy(membrane, &k, &e, &g);
         returned += cd_membrane_get_convergence(membrane, &iterations, &residual);
         returned += k, returned += e, returned += g, returned += residual, returned += double(iterations);
@@ -109,9 +114,26 @@ inline void MembraneScene::become_cloth(Handle* membrane, Random& random, Return
     returned += cd_membrane_set_lambda(membrane, random.any_of({0.5, 0.75, 1, 1}));
 }
 
+// Springs tear at some strain, all at the same or each at its own, or hold.
+inline void MembraneScene::may_tear(Handle* membrane, Random& random, Returned& returned) const {
+    const auto strain = [&] { return random.chance(0.2) ? double(INFINITY) : random.decades(-2, 1); };
+    if (random.chance(0.5)) {
+        returned += cd_membrane_set_breaking_strain(membrane, strain());
+        return;
+    }
+    const cd_field field = random.chance(0.5) ? CD_BREAKING_STRAIN_U : CD_BREAKING_STRAIN_V;
+    if (random.chance(0.3)) {
+        returned += cd_membrane_disable_field(membrane, field);
+        return;
+    }
+    returned += cd_membrane_enable_field(membrane, field);
+    write_part(*this, membrane, field, random, returned, strain);
+}
+
 // What only cloth has.
 inline void MembraneScene::act_on_cloth(Handle* membrane, Random& random, Returned& returned) const {
-    switch (random.below(14)) {
+    switch (random.below(17)) {
+    case 14: return may_tear(membrane, random, returned);
     case 0:
     case 1:
     case 2: return become_cloth(membrane, random, returned);

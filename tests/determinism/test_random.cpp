@@ -110,7 +110,7 @@ void print_difference(const Scene& scene, const Variant<Handle>& a, const Varian
     print_error("    %s, and\n    %s:\n", a.text().c_str(), b.text().c_str());
     if (a.stepped != b.stepped)
         print_error("    the step gives %s and %s\n", cd_status_name(a.stepped), cd_status_name(b.stepped));
-    for (cd_field field = CD_POSITION; field <= CD_STRAIN_V; ++field) {
+    for (cd_field field = CD_POSITION; field <= CD_BREAKING_STRAIN_V; ++field) {
         std::vector<double> x, y;
         if (scene.read(a.object, field, x) != CD_OK || scene.read(b.object, field, y) != CD_OK) continue;
         for (size_t i = 0; i < x.size(); ++i)

@@ -214,6 +214,14 @@ static void sheared(cd_membrane* m) {
 static void uncrumpled(cd_membrane* m) {
     if (is_cloth(m)) ok(cd_membrane_set_compression(m, 300));
 }
+static void torn(cd_membrane* m) {
+    if (is_cloth(m)) ok(cd_membrane_set_breaking_strain(m, 0.05));
+}
+static void seamed(cd_membrane* m) {
+    if (!is_cloth(m)) return;
+    ok(cd_membrane_enable_field(m, CD_BREAKING_STRAIN_V));
+    sheet_set(m, CD_BREAKING_STRAIN_V, 3, 2, 1e-3);
+}
 static void laboured(cd_membrane* m) {
     if (is_cloth(m)) ok(cd_membrane_set_effort(m, 5, 40));
 }
@@ -232,9 +240,10 @@ static void slower(cd_membrane* m) { ok(cd_membrane_set_lambda(m, 0.75)); }
 static void posed(cd_membrane* m) { ok(cd_membrane_set_edge(m, CD_EDGE_U_LAST, CD_NODE_POSED)); }
 static void tied_down(cd_membrane* m) { ok(cd_membrane_attach(m, 4, 2, 30, 1, NULL, 3)); }
 static void blown_up(cd_membrane* m) { ok(cd_membrane_set_pressure(m, 0.5)); }
-static change* const cloth_changes[] = {nothing, shorter,    no_cloth, own_cloth_lengths, sheared, uncrumpled, laboured,
-                                        blown_at, surrounded, alone,   slower,      posed,   tied_down,  blown_up,
-                                        plate,   tube,       torus,    masses,      springs, pins,       hole};
+static change* const cloth_changes[] = {torn,    seamed,     nothing,   shorter,  no_cloth,   own_cloth_lengths,
+                                        sheared, uncrumpled, laboured,  blown_at, surrounded, alone,
+                                        slower,  posed,      tied_down, blown_up, plate,      tube,
+                                        torus,   masses,     springs,   pins,     hole};
 
 static cd_membrane* flat_cloth(void) {
     cd_membrane* m = cloth(COLUMNS - 1, ROWS - 1, 3, CD_FLOAT64);

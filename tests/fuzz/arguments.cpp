@@ -62,6 +62,8 @@ static double pick_value(cd_field field, double size, bool at_rest) {
     case CD_REST_LENGTH:
     case CD_REST_LENGTH_U:
     case CD_REST_LENGTH_V: return decades(-3, 0);
+    case CD_BREAKING_STRAIN_U:
+    case CD_BREAKING_STRAIN_V: return chance(0.3) ? double(INFINITY) : decades(-2, 2);
     case CD_STRENGTH: return chance(0.3) ? double(INFINITY) : decades(-1, 5);
     case CD_TENSION: return at_rest ? 0 : chance(0.9) ? decades(-2, 3) : uniform(-size, size);
     case CD_VELOCITY:

@@ -24,7 +24,7 @@ Part pick_part(const Extent& whole);
 // Numbers for a field. `moderate` becomes false where wild ones are among them.
 Doubles pick_values(cd_field field, size_t count, bool& moderate);
 
-constexpr cd_field kLastField = CD_STRAIN_V;
+constexpr cd_field kLastField = CD_BREAKING_STRAIN_V;
 const double kHuge = 1e300; // where a number may be as large as it likes
 
 } // namespace fuzz

@@ -44,10 +44,12 @@ bool Membrane::extent(cd_field field, Extent& out) const {
     case CD_WIND: out = {nv + 1, nu + 1, components}; return has_lengths();
     case CD_REST_LENGTH_U:
     case CD_TENSION_U:
-    case CD_STRAIN_U: out = {nv + 1, nu + rings().u, 1}; return has_lengths();
+    case CD_STRAIN_U:
+    case CD_BREAKING_STRAIN_U: out = {nv + 1, nu + rings().u, 1}; return has_lengths();
     case CD_REST_LENGTH_V:
     case CD_TENSION_V:
-    case CD_STRAIN_V: out = {nv + rings().v, nu + 1, 1}; return has_lengths();
+    case CD_STRAIN_V:
+    case CD_BREAKING_STRAIN_V: out = {nv + rings().v, nu + 1, 1}; return has_lengths();
     default: return false;
     }
 }
@@ -160,7 +162,7 @@ bool Membrane::keeps_its_energy() const {
 // ---- setters -------------------------------------------------------------------------------------------------------
 
 void Membrane::act_by_kind() {
-    switch (below(has_lengths() || likes_lengths ? 61 : 33)) {
+    switch (below(has_lengths() || likes_lengths ? 62 : 33)) {
     case 0: set_number("set_mass", cd_membrane_set_mass, pick_number(-2, 3), {1e-3, 1e4}); break;
     case 1:
     case 2: set_stiffness(); break;
@@ -226,6 +228,7 @@ void Membrane::act_by_kind() {
     case 57: get_bed(); break;
     case 58:
     case 59: set_callback(); break;
+    case 60: set_breaking_strain(); break;
     default: get_parameter();
     }
 }

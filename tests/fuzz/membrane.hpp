@@ -78,6 +78,7 @@ private:
     void set_rest_length();
     void set_shear();
     void set_compression();
+    void set_breaking_strain();
     void set_effort();
     void set_air();
     void set_wind();

@@ -73,6 +73,16 @@ void Membrane::set_compression() {
     set_number("set_compression", cd_membrane_set_compression, chance(0.3) ? 0 : pick_number(-1, 4), {0, 1e6});
 }
 
+void Membrane::set_breaking_strain() {
+    const double strain = chance(0.4) ? double(INFINITY) : pick_number(-3, 2);
+    const cd_status status = both(text("set_breaking_strain %.17g", strain), 0, [&](cd_membrane* membrane, int) {
+        return cd_membrane_set_breaking_strain(membrane, strain);
+    });
+    if (status == CD_OK && !has_lengths()) problem("set_breaking_strain: no cloth, but it is taken");
+    if (status == CD_OK && strain < HUGE_VAL && (all_of(CD_STIFFNESS_U).empty() || all_of(CD_STIFFNESS_V).empty()))
+        problem("set_breaking_strain: springs may tear, but have no stiffness of their own");
+}
+
 void Membrane::set_effort() {
     const size_t newton = chance(run.bad) ? wild_size(3) : 1 + below(4);
     const size_t gradient = chance(run.bad) ? wild_size(3) : 1 + below(25);
@@ -113,7 +123,9 @@ void Membrane::set_wind() {
 void Membrane::get_of_cloth() {
     double pair[2][4] = {};
     size_t effort[2][2] = {};
-    switch (below(8)) {
+    switch (below(10)) {
+    case 8: get("get_breaking_strain", cd_membrane_get_breaking_strain); break;
+    case 9: get("get_broken", cd_membrane_get_broken); break;
     case 0: get("get_shear", cd_membrane_get_shear); break;
     case 1: get("get_compression", cd_membrane_get_compression); break;
     case 2: get("get_thickness", cd_membrane_get_thickness); break;

@@ -62,6 +62,9 @@ static cd_status smaller_bed(cd_membrane* m) {
 static cd_status callback(cd_membrane* m) { return cd_membrane_set_callback(m, 0, &nothing_near, target, COMPONENTS, 0); }
 static cd_status no_ball(cd_membrane* m) { return cd_membrane_remove_collider(m, 0); }
 static cd_status shear(cd_membrane* m) { return cd_membrane_set_shear(m, 50); }
+static cd_status tears(cd_membrane* m) { return cd_membrane_set_breaking_strain(m, 9); }
+static cd_status tears_u(cd_membrane* m) { return cd_membrane_enable_field(m, CD_BREAKING_STRAIN_U); }
+static cd_status no_tears_v(cd_membrane* m) { return cd_membrane_disable_field(m, CD_BREAKING_STRAIN_V); }
 static cd_status no_mass(cd_membrane* m) { return cd_membrane_disable_field(m, CD_MASS); }
 static cd_status no_pins(cd_membrane* m) { return cd_membrane_disable_field(m, CD_PIN); }
 static cd_status attach(cd_membrane* m) { return cd_membrane_attach(m, 2, 2, 5, 1, target, COMPONENTS); }
@@ -97,7 +100,8 @@ static const struct call {
              {"set_colliders 1", one_collider, 0}, {"set_colliders 6", colliders, 0},
              {"set_colliders 0", no_colliders, 0}, {"set_capsule", ball, 0},
              {"set_bed", bed, 0},              {"set_bed, smaller", smaller_bed, 0},
-             {"set_callback", callback, 0},
+             {"set_callback", callback, 0},    {"set_breaking_strain", tears, 0},
+             {"enable breaking strain u", tears_u, 0}, {"disable breaking strain v", no_tears_v, 0},
              {"remove_collider", no_ball, 0},  {"set_shear", shear, 1},
              {"step", step, 1},                {"reset", reset, 1},
              {"impulse", impulse, 1}};
@@ -296,6 +300,10 @@ static void the_memory_told_is_the_memory_held(void** state) {
                 }
             }
             for (int on = 1; on >= 0; --on) {
+                for (cd_field field = CD_BREAKING_STRAIN_U; has_lengths && field <= CD_BREAKING_STRAIN_V; ++field) {
+                    ok(on ? cd_membrane_enable_field(m, field) : cd_membrane_disable_field(m, field));
+                    assert_accounts_for(m, &heap);
+                }
                 for (cd_field field = CD_FORCE; field <= (has_lengths ? CD_REST_LENGTH_V : CD_MASK); ++field) {
                     if (field == CD_STIFFNESS || field == CD_BEND) continue;
                     if (field > CD_MASK && field != CD_WIND && field < CD_REST_LENGTH_U) continue;

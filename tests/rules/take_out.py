@@ -18,6 +18,7 @@ KERNELS = "src/kernel/"
 CLOTH = "../model/membrane_cloth.cpp"
 CLOTH_STEP = "../model/membrane_cloth_step.cpp"
 CLOTH_ACT = "../model/membrane_cloth_act.cpp"
+CLOTH_TEAR = "../model/membrane_cloth_tear.cpp"
 HULL = "../model/water_hull.hh"
 HULL_PLATES = "../model/water_hull_plates.hh"
 HULL_STEP = "../model/water_hull_step.cpp"
@@ -264,6 +265,16 @@ RULES = {
         CLOTH_ACT, "kContactStiffness = 1e4,", "kContactStiffness = 1e2,", ["physics_cloth_contact"]),
     "and stick below a speed": (
         CLOTH_ACT, "kStickSpeed = 1e-3;", "kStickSpeed = 1e-1;", ["physics_cloth_contact"]),
+    "a line of cloth's springs tears in one place of a step": (
+        CLOTH_TEAR, "if (now > worst[line * stride]) worst[line * stride] = now, place[line * stride] = double(i);",
+        "if (now > 1) m.spring_stiffness[d][at] = 0;", ["physics_cloth_tears"]),
+    "beside a tear rather than where it is most overstrained": (
+        CLOTH_TEAR, "worst[at * stride] > 1 && load(i, at) > 1", "false", ["physics_cloth_tears"]),
+    "by multiples of what each spring bears": (
+        CLOTH_TEAR, " / breaking_strain_of(m, d, u, v)", " - breaking_strain_of(m, d, u, v) + 1",
+        ["physics_cloth_tears"]),
+    "wind goes through what is torn open": (
+        CLOTH_ACT, "!whole || is_open(m, u, v)", "!whole", ["physics_cloth_tears"]),
 }
 
 

@@ -223,6 +223,7 @@ struct ClothCalls : MembraneCalls {
         ok(cd_membrane_set_shear(membrane, 2));
         ok(cd_membrane_set_compression(membrane, 3));
         ok(cd_membrane_set_effort(membrane, 3, 7));
+        ok(cd_membrane_set_breaking_strain(membrane, 1e9));
         ok(cd_membrane_set_air(membrane, 0.25, 2));
         ok(cd_membrane_set_wind(membrane, there, 3));
         ok(cd_membrane_set_thickness(membrane, 0.125));
@@ -231,7 +232,8 @@ struct ClothCalls : MembraneCalls {
         ok(cd_membrane_set_capsule(membrane, 1, there, up, 3, 0.25, 1));
         ok(cd_membrane_set_collider_velocity(membrane, 1, there, 3));
         ok(cd_membrane_set_bed(membrane, 2, there, 3, 3, 2, 0.5, 1, heights, 6, 0.25));
-        for (cd_field field : {CD_MASS, CD_STIFFNESS_U, CD_REST_LENGTH_U, CD_REST_LENGTH_V, CD_WIND, CD_PIN, CD_MASK})
+        for (cd_field field : {CD_MASS, CD_REST_LENGTH_U, CD_REST_LENGTH_V, CD_BREAKING_STRAIN_U, CD_BREAKING_STRAIN_V,
+                               CD_WIND, CD_PIN, CD_MASK})
             ok(cd_membrane_enable_field(membrane, field));
         ok(cd_membrane_set_gravity(membrane, there, 3));
         ok(cd_membrane_set_edge(membrane, CD_EDGE_V_FIRST, CD_NODE_PINNED));
@@ -240,7 +242,7 @@ struct ClothCalls : MembraneCalls {
     }
     // What only cloth has is there all together or not at all, and in the ranges of the header.
     static bool is_possible(const Handle* membrane) {
-        double length[2], shear, rate, air[2], wind[3], thickness, v[36], time;
+        double length[2], shear, rate, air[2], wind[3], thickness, v[36], time, strain;
         size_t newton, gradient, count;
         ok(cd_membrane_get_rest_length(membrane, &length[0], &length[1]));
         ok(cd_membrane_get_shear(membrane, &shear));
@@ -251,9 +253,10 @@ struct ClothCalls : MembraneCalls {
         ok(cd_membrane_get_thickness(membrane, &thickness));
         ok(cd_membrane_get_colliders(membrane, &count));
         ok(cd_membrane_get_time(membrane, &time));
+        ok(cd_membrane_get_breaking_strain(membrane, &strain));
         if (length[0] == 0)
             return length[1] == 0 && shear == 0 && air[0] == 0 && air[1] == 0 && thickness == 0 && count == 0 &&
-                   wind[0] == 0 && wind[1] == 0 && wind[2] == 0 &&
+                   wind[0] == 0 && wind[1] == 0 && wind[2] == 0 && std::isinf(strain) &&
                    cd_membrane_read_f64(membrane, CD_WIND, 0, 0, 4, 3, v, 36) == CD_ERROR_UNSUPPORTED;
         bool good = newton >= 1 && newton <= 1000 && gradient >= 1 && gradient <= 10000 && std::isfinite(time);
         for (double l : length) good &= l >= 1e-60 && l <= 1e60;
@@ -265,6 +268,20 @@ struct ClothCalls : MembraneCalls {
             for (size_t i = 0; i < 9; ++i) good &= v[i] > 0 && std::isfinite(v[i]);
         if (cd_membrane_read_f64(membrane, CD_REST_LENGTH_V, 0, 0, 4, 2, v, 8) == CD_OK)
             for (size_t i = 0; i < 8; ++i) good &= v[i] > 0 && std::isfinite(v[i]);
+        // What may tear has stiffnesses of its own.
+        good &= strain >= 1e-60 && (strain <= 1e60 || std::isinf(strain));
+        for (bool along_v : {false, true}) {
+            const auto read = [&](cd_field u, cd_field of_v, size_t& springs) {
+                springs = along_v ? 8 : 9;
+                return cd_membrane_read_f64(membrane, along_v ? of_v : u, 0, 0, along_v ? 4 : 3, along_v ? 2 : 3, v,
+                                            springs);
+            };
+            size_t springs;
+            const bool stiff = read(CD_STIFFNESS_U, CD_STIFFNESS_V, springs) == CD_OK;
+            const bool tears = read(CD_BREAKING_STRAIN_U, CD_BREAKING_STRAIN_V, springs) == CD_OK;
+            for (size_t i = 0; tears && i < springs; ++i) good &= v[i] >= 1e-60 && (v[i] <= 1e60 || std::isinf(v[i]));
+            good &= stiff || (!tears && std::isinf(strain));
+        }
         return good && colliders_are_possible<cd_membrane_get_collider, cd_membrane_get_bed, 3>(membrane, count);
     }
 };

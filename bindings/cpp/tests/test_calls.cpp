@@ -301,6 +301,7 @@ void cloth() {
     CHECK(GET(sheet.get_effort()).newton > 0 && GET(sheet.get_effort()).gradient > 0);
     OK(sheet.set_effort(8, 60));
     CHECK(GET(sheet.get_effort()).newton == 8 && GET(sheet.get_effort()).gradient == 60);
+    CHECK(std::isinf(GET(sheet.get_breaking_strain())) && GET(sheet.get_broken()) == 0);
     OK(sheet.set_gravity({0, 0, -10}));
     OK(sheet.set_edge(edge::v_first, node::pinned));
     OK(sheet.step(1 / 60.0, 120));
@@ -318,6 +319,15 @@ void cloth() {
     CHECK(GET(sheet.read_f64(field::rest_length_u)) == std::vector<double>(16, 0.25));
     OK(sheet.write_f64(field::rest_length_v, 4, 2, 1, 1, {0.5}));
     CHECK(GET(sheet.read_f64(field::rest_length_v)).back() == 0.5);
+
+    OK(sheet.set_breaking_strain(0.5));
+    CHECK(GET(sheet.get_breaking_strain()) == 0.5);
+    OK(sheet.enable_field(field::breaking_strain_u));
+    CHECK(GET(sheet.read_f64(field::breaking_strain_u)) == std::vector<double>(16, 0.5));
+    OK(sheet.enable_field(field::breaking_strain_v));
+    OK(sheet.write_f64(field::breaking_strain_v, 0, 1, 5, 1, {1e-4, 1e-4, 1e-4, 1e-4, 1e-4}));
+    OK(sheet.step(1 / 60.0, 2));
+    CHECK(GET(sheet.get_broken()) == 5 && GET(sheet.read_f64(field::stiffness_v))[7] == 0); // of a row
 
     OK(sheet.set_air(0.25, 2));
     CHECK(GET(sheet.get_air()).along == 0.25 && GET(sheet.get_air()).across == 2);

@@ -105,7 +105,7 @@ void whole_fields() {
     OK(cloth.set_rest_length(1, 1));
     OK(cloth.set_ring(true, false));
     for (field f : {field::rest_length_u, field::rest_length_v, field::wind, field::tension_u, field::tension_v,
-                    field::strain_u, field::strain_v}) {
+                    field::strain_u, field::strain_v, field::breaking_strain_u, field::breaking_strain_v}) {
         OK(cloth.enable_field(f));
         CHECK(GET(cloth.read_f64(f)).size() == GET(cloth.get_size(f)));
     }

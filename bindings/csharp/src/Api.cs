@@ -162,6 +162,8 @@ namespace Contdyn
         TensionV = 30,
         StrainU = 31,
         StrainV = 32,
+        BreakingStrainU = 33,
+        BreakingStrainV = 34,
     }
 
     /// <summary>The two ends of a chain.</summary>
@@ -2250,6 +2252,8 @@ namespace Contdyn
             { Field.Mask, new FieldRow(new[] { 1, 1, 0, 2, 1, 0 }, false, false) },
             { Field.RestLengthU, new FieldRow(new[] { 1, 0, 1, 2, 1, 0 }, false, false) },
             { Field.RestLengthV, new FieldRow(new[] { 1, 1, 0, 2, 0, 2 }, false, false) },
+            { Field.BreakingStrainU, new FieldRow(new[] { 1, 0, 1, 2, 1, 0 }, false, false) },
+            { Field.BreakingStrainV, new FieldRow(new[] { 1, 1, 0, 2, 0, 2 }, false, false) },
             { Field.Wind, new FieldRow(new[] { 1, 1, 0, 2, 1, 0 }, true, false) },
             { Field.TensionU, new FieldRow(new[] { 1, 0, 1, 2, 1, 0 }, false, false) },
             { Field.TensionV, new FieldRow(new[] { 1, 1, 0, 2, 0, 2 }, false, false) },
@@ -2668,9 +2672,9 @@ namespace Contdyn
 
         /// <summary>Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both
         /// are 0 or neither is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making
-        /// cloth of a membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders
-        /// too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along
-        /// both directions.</summary>
+        /// cloth of a membrane sets lambda to 1. Length 0 switches the fields of cloth off, and breaking strain, air,
+        /// wind and colliders too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components
+        /// and springs along both directions.</summary>
         public void SetRestLength(double alongU, double alongV)
         {
             Changed();
@@ -2679,9 +2683,9 @@ namespace Contdyn
 
         /// <summary>Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both
         /// are 0 or neither is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making
-        /// cloth of a membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders
-        /// too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along
-        /// both directions.</summary>
+        /// cloth of a membrane sets lambda to 1. Length 0 switches the fields of cloth off, and breaking strain, air,
+        /// wind and colliders too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components
+        /// and springs along both directions.</summary>
         public MembraneRestLength GetRestLength()
         {
             double outAlongU;
@@ -2726,6 +2730,41 @@ namespace Contdyn
                 Changed();
                 Check(Native.cd_membrane_set_compression(Handle, rate));
             }
+        }
+
+        /// <summary>The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60
+        /// to 1e60, or INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each
+        /// spring: a seam is a line of springs that tear at less. A step ends by cutting springs that are strained
+        /// beyond it, each row and each column of springs in one place at the most: the spring whose strain is the
+        /// largest multiple of its breaking strain, those that follow beside it, row after row, as long as they are
+        /// beyond theirs too, and so on with the rows that are left. So a tear runs on from its ends, and what is
+        /// jerked parts without falling to pieces. A cut spring's stiffness becomes 0, and no energy comes of it. Mend
+        /// it by writing CD_STIFFNESS_U or _V, which finite breaking strains switch on and keep on. A cell of cloth
+        /// without two of its springs or more is open: it is not drawn, it has no volume, and air and pressure go
+        /// through it. Errors: CD_ERROR_MEMORY too.</summary>
+        public double BreakingStrain
+        {
+            get
+            {
+                double outStrain;
+                Check(Native.cd_membrane_get_breaking_strain(Handle, &outStrain));
+                return outStrain;
+            }
+            set
+            {
+                var strain = value;
+                Changed();
+                Check(Native.cd_membrane_set_breaking_strain(Handle, strain));
+            }
+        }
+
+        /// <summary>How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness
+        /// became 0.</summary>
+        public long GetBroken()
+        {
+            UIntPtr outSprings;
+            Check(Native.cd_membrane_get_broken(Handle, &outSprings));
+            return (long)outSprings;
         }
 
         /// <summary>How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each
@@ -3168,9 +3207,10 @@ namespace Contdyn
         }
 
         /// <summary>Switches a field on, filled with the present uniform values (force 0, target the present position,
-        /// mask 1, pin what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY;
-        /// CD_ERROR_DIVERGED for CD_TARGET where the state is not finite; here and below CD_ERROR_UNSUPPORTED for the
-        /// fields of cloth of a membrane that is none.</summary>
+        /// mask 1, pin what the edges say). CD_BREAKING_STRAIN_U and _V switch CD_STIFFNESS_U and _V on too. On
+        /// already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; CD_ERROR_DIVERGED for CD_TARGET where the
+        /// state is not finite; here and below CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is
+        /// none.</summary>
         public void EnableField(Field field)
         {
             Changed();
@@ -3179,7 +3219,7 @@ namespace Contdyn
 
         /// <summary>Switches a field off and releases its memory: uniform values again, no forces, all attachments
         /// loosened, all nodes there, none held but on edges. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position,
-        /// velocity, tension and strain.</summary>
+        /// velocity, tension and strain, and for the stiffness of springs that may tear.</summary>
         public void DisableField(Field field)
         {
             Changed();
@@ -3568,9 +3608,9 @@ namespace Contdyn
         }
 
         /// <summary>Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's
-        /// normal, each cell the mean of its two triangulations, cells with an absent node left out. Of a drum-head
-        /// whose rim lies in a plane through the origin it is the volume under it; of a closed surface, what it
-        /// encloses. 3 components only. Errors: CD_ERROR_UNSUPPORTED.</summary>
+        /// normal, each cell the mean of its two triangulations, cells with an absent node or torn open left out. Of a
+        /// drum-head whose rim lies in a plane through the origin it is the volume under it; of a closed surface, what
+        /// it encloses. 3 components only. Errors: CD_ERROR_UNSUPPORTED.</summary>
         public double GetVolume()
         {
             double outVolume;
@@ -3669,9 +3709,9 @@ namespace Contdyn
                 "cd_membrane_write_vertices", "normal_offset")));
         }
 
-        /// <summary>How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, 3
-        /// per cell of which three are there. Cells that close a ring are among them, but not of 1 component: they
-        /// would reach back across the unit square.</summary>
+        /// <summary>How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, of
+        /// cloth 0 if it is torn open, 3 per cell of which three are there. Cells that close a ring are among them, but
+        /// not of 1 component: they would reach back across the unit square.</summary>
         public long GetIndexCount()
         {
             UIntPtr outCount;
@@ -3680,10 +3720,10 @@ namespace Contdyn
         }
 
         /// <summary>Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte
-        /// order), counter- clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1,
-        /// v + 1). `size` is that of the buffer in bytes. The numbers change with CD_MASK and cd_membrane_set_ring
-        /// only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never
-        /// written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
+        /// order), counter-clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v
+        /// + 1). `size` is that of the buffer in bytes. The numbers change with CD_MASK, cd_membrane_set_ring and what
+        /// is cut of cloth only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart,
+        /// are never written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
         /// CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes.</summary>
         public void WriteIndices<T>(T[] buffer, long indexSize) where T : struct
         {
@@ -3693,10 +3733,10 @@ namespace Contdyn
 
 #if CONTDYN_SPANS
         /// <summary>Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte
-        /// order), counter- clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1,
-        /// v + 1). `size` is that of the buffer in bytes. The numbers change with CD_MASK and cd_membrane_set_ring
-        /// only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never
-        /// written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
+        /// order), counter-clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v
+        /// + 1). `size` is that of the buffer in bytes. The numbers change with CD_MASK, cd_membrane_set_ring and what
+        /// is cut of cloth only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart,
+        /// are never written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
         /// CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes.</summary>
         public void WriteIndices(Span<byte> buffer, long indexSize)
         {

@@ -437,6 +437,15 @@ namespace Contdyn
         internal static extern int cd_membrane_get_compression(MembraneHandle membrane, double* outRate);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_set_breaking_strain(MembraneHandle membrane, double strain);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_get_breaking_strain(MembraneHandle membrane, double* outStrain);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_get_broken(MembraneHandle membrane, UIntPtr* outSprings);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_membrane_set_effort(MembraneHandle membrane, UIntPtr newton, UIntPtr gradient);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

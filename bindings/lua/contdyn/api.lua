@@ -179,6 +179,9 @@ cd_status cd_membrane_set_shear(cd_membrane* membrane, double stiffness);
 cd_status cd_membrane_get_shear(const cd_membrane* membrane, double* out_stiffness);
 cd_status cd_membrane_set_compression(cd_membrane* membrane, double rate);
 cd_status cd_membrane_get_compression(const cd_membrane* membrane, double* out_rate);
+cd_status cd_membrane_set_breaking_strain(cd_membrane* membrane, double strain);
+cd_status cd_membrane_get_breaking_strain(const cd_membrane* membrane, double* out_strain);
+cd_status cd_membrane_get_broken(const cd_membrane* membrane, size_t* out_springs);
 cd_status cd_membrane_set_effort(cd_membrane* membrane, size_t newton, size_t gradient);
 cd_status cd_membrane_get_effort(const cd_membrane* membrane, size_t* out_newton, size_t* out_gradient);
 cd_status cd_membrane_set_air(cd_membrane* membrane, double along, double across);
@@ -521,6 +524,8 @@ api["field"] = support.enumeration("cd_field", {
   ["tension_v"] = 30,
   ["strain_u"] = 31,
   ["strain_v"] = 32,
+  ["breaking_strain_u"] = 33,
+  ["breaking_strain_v"] = 34,
 })
 
 -- The two ends of a chain.
@@ -1741,6 +1746,8 @@ Membrane._fields = {
   [10] = {1, 1, 0, 2, 1, 0, false, false},
   [27] = {1, 0, 1, 2, 1, 0, false, false},
   [28] = {1, 1, 0, 2, 0, 2, false, false},
+  [33] = {1, 0, 1, 2, 1, 0, false, false},
+  [34] = {1, 1, 0, 2, 0, 2, false, false},
   [24] = {1, 1, 0, 2, 1, 0, true, false},
   [29] = {1, 0, 1, 2, 1, 0, false, false},
   [30] = {1, 1, 0, 2, 0, 2, false, false},
@@ -2109,8 +2116,8 @@ end
 
 -- Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
 -- is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
--- lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
--- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions.
+-- lambda to 1. Length 0 switches the fields of cloth off, and breaking strain, air, wind and colliders too. Errors:
+-- CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions.
 function Membrane:set_rest_length(along_u, along_v)
   local where = "cd_membrane_set_rest_length"
   along_u = number_in(along_u, where, "along_u")
@@ -2121,8 +2128,8 @@ end
 
 -- Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
 -- is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
--- lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors: CD_ERROR_VALUE;
--- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions.
+-- lambda to 1. Length 0 switches the fields of cloth off, and breaking strain, air, wind and colliders too. Errors:
+-- CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions.
 function Membrane:get_rest_length()
   local where = "cd_membrane_get_rest_length"
   local out_along_u = double_1()
@@ -2169,6 +2176,46 @@ function Membrane:get_compression()
   local out_rate = double_1()
   check(lib.cd_membrane_get_compression(handle_of(self), out_rate))
   return tonumber(out_rate[0])
+end
+
+-- The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60 to 1e60, or
+-- INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each spring: a seam is a
+-- line of springs that tear at less. A step ends by cutting springs that are strained beyond it, each row and each
+-- column of springs in one place at the most: the spring whose strain is the largest multiple of its breaking strain,
+-- those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the rows that are
+-- left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut spring's stiffness
+-- becomes 0, and no energy comes of it. Mend it by writing CD_STIFFNESS_U or _V, which finite breaking strains switch
+-- on and keep on. A cell of cloth without two of its springs or more is open: it is not drawn, it has no volume, and
+-- air and pressure go through it. Errors: CD_ERROR_MEMORY too.
+function Membrane:set_breaking_strain(strain)
+  local where = "cd_membrane_set_breaking_strain"
+  strain = number_in(strain, where, "strain")
+  self._version = self._version + 1
+  check(lib.cd_membrane_set_breaking_strain(handle_of(self), strain))
+end
+
+-- The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60 to 1e60, or
+-- INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each spring: a seam is a
+-- line of springs that tear at less. A step ends by cutting springs that are strained beyond it, each row and each
+-- column of springs in one place at the most: the spring whose strain is the largest multiple of its breaking strain,
+-- those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the rows that are
+-- left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut spring's stiffness
+-- becomes 0, and no energy comes of it. Mend it by writing CD_STIFFNESS_U or _V, which finite breaking strains switch
+-- on and keep on. A cell of cloth without two of its springs or more is open: it is not drawn, it has no volume, and
+-- air and pressure go through it. Errors: CD_ERROR_MEMORY too.
+function Membrane:get_breaking_strain()
+  local where = "cd_membrane_get_breaking_strain"
+  local out_strain = double_1()
+  check(lib.cd_membrane_get_breaking_strain(handle_of(self), out_strain))
+  return tonumber(out_strain[0])
+end
+
+-- How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness became 0.
+function Membrane:get_broken()
+  local where = "cd_membrane_get_broken"
+  local out_springs = size_t_1()
+  check(lib.cd_membrane_get_broken(handle_of(self), out_springs))
+  return tonumber(out_springs[0])
 end
 
 -- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of conjugate
@@ -2438,9 +2485,9 @@ function Membrane:get_thickness()
 end
 
 -- Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin what
--- the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; CD_ERROR_DIVERGED for CD_TARGET
--- where the state is not finite; here and below CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is
--- none.
+-- the edges say). CD_BREAKING_STRAIN_U and _V switch CD_STIFFNESS_U and _V on too. On already: nothing happens. Errors:
+-- CD_ERROR_ENUM, CD_ERROR_MEMORY; CD_ERROR_DIVERGED for CD_TARGET where the state is not finite; here and below
+-- CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is none.
 function Membrane:enable_field(field)
   local where = "cd_membrane_enable_field"
   field = enum_in("cd_field", field, where, "field")
@@ -2450,7 +2497,7 @@ end
 
 -- Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened, all nodes
 -- there, none held but on edges. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position, velocity, tension and
--- strain.
+-- strain, and for the stiffness of springs that may tear.
 function Membrane:disable_field(field)
   local where = "cd_membrane_disable_field"
   field = enum_in("cd_field", field, where, "field")
@@ -2693,8 +2740,8 @@ function Membrane:get_momentum(out_momentum)
 end
 
 -- Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's normal, each cell the
--- mean of its two triangulations, cells with an absent node left out. Of a drum-head whose rim lies in a plane through
--- the origin it is the volume under it; of a closed surface, what it encloses. 3 components only. Errors:
+-- mean of its two triangulations, cells with an absent node or torn open left out. Of a drum-head whose rim lies in a
+-- plane through the origin it is the volume under it; of a closed surface, what it encloses. 3 components only. Errors:
 -- CD_ERROR_UNSUPPORTED.
 function Membrane:get_volume()
   local where = "cd_membrane_get_volume"
@@ -2751,9 +2798,9 @@ function Membrane:write_vertices(buffer, stride, position_offset, normal_offset)
   check(lib.cd_membrane_write_vertices(handle_of(self), p_buffer, size, stride, position_offset, normal_offset))
 end
 
--- How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, 3 per cell of which
--- three are there. Cells that close a ring are among them, but not of 1 component: they would reach back across the
--- unit square.
+-- How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, of cloth 0 if it is
+-- torn open, 3 per cell of which three are there. Cells that close a ring are among them, but not of 1 component: they
+-- would reach back across the unit square.
 function Membrane:get_index_count()
   local where = "cd_membrane_get_index_count"
   local out_count = size_t_1()
@@ -2761,11 +2808,12 @@ function Membrane:get_index_count()
   return tonumber(out_count[0])
 end
 
--- Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte order), counter-
--- clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size` is that of
--- the buffer in bytes. The numbers change with CD_MASK and cd_membrane_set_ring only. 65535 with 2 bytes and 2^32 - 1
--- with 4, which graphics cards may take for a restart, are never written. Errors: CD_ERROR_VALUE for another
--- index_size; CD_ERROR_RANGE if size is too small; CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes.
+-- Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte order),
+-- counter-clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size` is
+-- that of the buffer in bytes. The numbers change with CD_MASK, cd_membrane_set_ring and what is cut of cloth only.
+-- 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never written. Errors:
+-- CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small; CD_ERROR_UNSUPPORTED for more than 65535
+-- or 2^32 - 1 nodes.
 function Membrane:write_indices(buffer, index_size)
   local where = "cd_membrane_write_indices"
   local p_buffer, n_buffer = bytes_out(buffer, nil, where, "buffer")

@@ -438,6 +438,17 @@ return {
     {name = "cd_membrane_get_compression", call = function(o, other, saved)
       return o:get_compression()
     end},
+    {name = "cd_membrane_set_breaking_strain", call = function(o, other, saved)
+      return o:set_breaking_strain(1)
+    end, told = function(o)
+      return {o:get_breaking_strain()}, {1}
+    end},
+    {name = "cd_membrane_get_breaking_strain", call = function(o, other, saved)
+      return o:get_breaking_strain()
+    end},
+    {name = "cd_membrane_get_broken", call = function(o, other, saved)
+      return o:get_broken()
+    end},
     {name = "cd_membrane_set_effort", call = function(o, other, saved)
       return o:set_effort(1, 1)
     end, told = function(o)

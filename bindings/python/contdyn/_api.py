@@ -159,6 +159,8 @@ class Field(IntEnum):
     TENSION_V = 30
     STRAIN_U = 31
     STRAIN_V = 32
+    BREAKING_STRAIN_U = 33
+    BREAKING_STRAIN_V = 34
 
 
 class End(IntEnum):
@@ -265,6 +267,8 @@ FIELDS: Dict[str, Dict[int, FieldInfo]] = {
         Field.MASK: FieldInfo(("node",), False, False, False, False, False, False),
         Field.REST_LENGTH_U: FieldInfo(("spring",), False, False, False, True, False, False),
         Field.REST_LENGTH_V: FieldInfo(("spring",), False, False, False, True, False, False),
+        Field.BREAKING_STRAIN_U: FieldInfo(("spring",), False, False, False, True, False, False),
+        Field.BREAKING_STRAIN_V: FieldInfo(("spring",), False, False, False, True, False, False),
         Field.WIND: FieldInfo(("node",), True, False, False, True, False, False),
         Field.TENSION_U: FieldInfo(("spring",), False, True, False, True, False, True),
         Field.TENSION_V: FieldInfo(("spring",), False, True, False, True, False, True),
@@ -500,6 +504,9 @@ FUNCTIONS: Dict[str, str] = {
     "cd_membrane_get_shear": "status: membrane handle, out_stiffness double*",
     "cd_membrane_set_compression": "status: membrane handle, rate double",
     "cd_membrane_get_compression": "status: membrane handle, out_rate double*",
+    "cd_membrane_set_breaking_strain": "status: membrane handle, strain double",
+    "cd_membrane_get_breaking_strain": "status: membrane handle, out_strain double*",
+    "cd_membrane_get_broken": "status: membrane handle, out_springs size*",
     "cd_membrane_set_effort": "status: membrane handle, newton size, gradient size",
     "cd_membrane_get_effort": "status: membrane handle, out_newton size*, out_gradient size*",
     "cd_membrane_set_air": "status: membrane handle, along double, across double",

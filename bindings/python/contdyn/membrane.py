@@ -54,8 +54,8 @@ class Ring(NamedTuple):
     along_v: bool
 
 
-_OF_SPRINGS_U = (Field.STIFFNESS_U, Field.REST_LENGTH_U, Field.TENSION_U, Field.STRAIN_U)
-_OF_SPRINGS_V = (Field.STIFFNESS_V, Field.REST_LENGTH_V, Field.TENSION_V, Field.STRAIN_V)
+_OF_SPRINGS_U = (Field.STIFFNESS_U, Field.REST_LENGTH_U, Field.BREAKING_STRAIN_U, Field.TENSION_U, Field.STRAIN_U)
+_OF_SPRINGS_V = (Field.STIFFNESS_V, Field.REST_LENGTH_V, Field.BREAKING_STRAIN_V, Field.TENSION_V, Field.STRAIN_V)
 
 
 class Membrane(Body, Sheet, kind="membrane"):
@@ -63,7 +63,7 @@ class Membrane(Body, Sheet, kind="membrane"):
 
     Arrays have v first: those of positions, velocities, forces and targets the shape (nv + 1, nu + 1, components), of
     masses, pins and masks (nv + 1, nu + 1), of stiffnesses along u (nv + 1, nu), along v (nv, nu + 1), and so of rest
-    lengths, tensions and strains; in a ring there are as many springs as nodes.
+    lengths, breaking strains, tensions and strains; in a ring there are as many springs as nodes.
 
     Rest length is zero, unless rest_length makes cloth of the membrane: a free sheet draws together, and one stretched
     evenly is held by its edges. A new membrane lies with every node at the origin, at rest and free, mass 1, stiffness
@@ -113,12 +113,18 @@ class Membrane(Body, Sheet, kind="membrane"):
                     "springs pull along themselves once they are longer than their length, and it steps by "
                     "Method.IMPLICIT with lambda in [1/2, 1], 1 once it is made cloth, without matched edge and "
                     "stiffness damping. It has the fields Field.TENSION_U, TENSION_V, STRAIN_U and STRAIN_V, which "
-                    "are read only, and, to be switched on, Field.REST_LENGTH_U, REST_LENGTH_V and WIND; it may have "
-                    "air, wind and colliders.")
+                    "are read only, and, to be switched on, Field.REST_LENGTH_U, REST_LENGTH_V, BREAKING_STRAIN_U, "
+                    "BREAKING_STRAIN_V and WIND; it may have air, wind and colliders, and its springs may tear.")
     shear = Setting(float, "Shear stiffness of cloth [N/m], >= 0, of a spring along each diagonal of every cell; "
                            "default 0.")
     compression = Setting(float, "What keeps cloth from crumpling within its own plane [1/s^2], >= 0: springs that are "
                                  "shorter than their length push a little.")
+    breaking_strain = Setting(float, "The strain, length over rest length less 1, at which a spring of cloth tears; "
+                                     "default math.inf: none does. A step cuts each row and each column of springs in "
+                                     "one place at the most. Field.BREAKING_STRAIN_U and BREAKING_STRAIN_V have one "
+                                     "for each spring, of a seam a lower one; writing Field.STIFFNESS_U or STIFFNESS_V "
+                                     "mends a spring.")
+    broken = Reading(int, "How many springs tore in the last call of step.")
     effort = SettingOfSeveral(Effort, "How many iterations a step of cloth may do: (newton, gradient). Where little is "
                                       "gained it takes a few more of the former and fewer of the latter.")
 

@@ -108,7 +108,8 @@ class Reading(unittest.TestCase):
         cloth.rest_length = 1, 1
         for field, shape in ((Field.REST_LENGTH_U, (4, 4)), (Field.REST_LENGTH_V, (3, 5)), (Field.WIND, (4, 5, 3)),
                              (Field.TENSION_U, (4, 4)), (Field.TENSION_V, (3, 5)), (Field.STRAIN_U, (4, 4)),
-                             (Field.STRAIN_V, (3, 5))):
+                             (Field.STRAIN_V, (3, 5)), (Field.BREAKING_STRAIN_U, (4, 4)),
+                             (Field.BREAKING_STRAIN_V, (3, 5))):
             cloth.enable_field(field)
             self.assertEqual(cloth.read(field).shape, shape)
         cloth.ring = True, False

@@ -29,7 +29,7 @@ class Everyone(unittest.TestCase):
             Membrane: {**body, "stiffness": (3.0, 4.0), "ring": (True, False), "solver": Solver.COUPLED,
                        "tolerance": (1e-4, 7), "pressure": 0.5, "rest_length": (2.0, 3.0), "shear": 100.0,
                        "compression": 3.25, "effort": (3, 20), "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0),
-                       "colliders": 3, "thickness": 0.25},
+                       "colliders": 3, "thickness": 0.25, "breaking_strain": 0.5},
             Water: {"momentum": Momentum.ADVECTED, "first": 1, "gravity": 1.5, "density": 900.0, "manning": 0.03,
                     "bed_rule": BedRule.KEEPS_SURFACE},
         }
@@ -37,7 +37,8 @@ class Everyone(unittest.TestCase):
             for name, value in {**shared, **own[kind]}.items():
                 with self.subTest(kind.__name__, parameter=name):
                     made = make(kind)
-                    if name in ("air", "wind", "strength", "colliders", "thickness", "shear", "compression", "effort"):
+                    if name in ("air", "wind", "strength", "colliders", "thickness", "shear", "compression", "effort",
+                                "breaking_strain"):
                         lengthen(made)  # only ropes and cloth have it
                     self.assertNotEqual(getattr(made, name), value)
                     setattr(made, name, value)
@@ -398,6 +399,24 @@ class Membranes(unittest.TestCase):
         copy = Membrane(4, 3, 3)
         copy.load(cloth.save())
         self.assertEqual((copy.hash(), copy.rest_length, copy.effort), (cloth.hash(), (1, 0.75), (8, 60)))
+
+    def test_cloth_tears_along_its_seam(self):
+        cloth = Membrane(4, 3, 3)
+        cloth.position = [[[u / 4, 0, -v / 4] for u in range(5)] for v in range(4)]
+        cloth.rest_length, cloth.stiffness, cloth.gravity = (1, 0.75), (1e4, 1e4), (0, 0, -10)
+        cloth.set_edge(Edge.V_FIRST, Node.PINNED)
+        cloth.breaking_strain = 0.5
+        for field, shape in ((Field.BREAKING_STRAIN_U, (4, 4)), (Field.BREAKING_STRAIN_V, (3, 5))):
+            cloth.enable_field(field)
+            self.assertEqual(cloth.read(field).tolist(), [[0.5] * shape[1]] * shape[0])
+        cloth.write(Field.BREAKING_STRAIN_V, 1e-4, first_v=1, n_v=1)
+        cloth.step(1 / 60, 10)
+        self.assertEqual(cloth.broken, 5)
+        whole = cloth.read(Field.STIFFNESS_U).tolist()
+        self.assertEqual(cloth.read(Field.STIFFNESS_V).tolist(), [[6000] * 5, [0] * 5, [6000] * 5])
+        self.assertTrue(all(k > 0 for row in whole for k in row))
+        cloth.step(1 / 60)
+        self.assertEqual(cloth.broken, 0)
         cloth.rest_length = 0, 0
         with self.assertRaisesRegex(contdyn.UnsupportedError, "TENSION_U"):
             cloth.read(Field.TENSION_U)

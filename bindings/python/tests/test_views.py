@@ -167,6 +167,7 @@ class Lasting(unittest.TestCase):
                     lambda m: setattr(m, "rest_length", 0)],
             Membrane: [lambda m: m.attach(1, 1, 2, 3), lambda m: m.detach(1, 1), lambda m: setattr(m, "bend", 0.1),
                        lambda m: setattr(m, "rest_length", (9, 9)), lambda m: m.enable_field(Field.REST_LENGTH_U),
+                       lambda m: setattr(m, "breaking_strain", 9), lambda m: m.enable_field(Field.BREAKING_STRAIN_V),
                        lambda m: m.enable_field(Field.WIND), lambda m: setattr(m, "air", (1, 2)),
                        lambda m: setattr(m, "colliders", 2), lambda m: setattr(m, "ring", (False, True)),
                        lambda m: setattr(m, "rest_length", (0, 0)),

@@ -31,6 +31,8 @@ def use() -> float:
         along_u: float = drum.stiffness.along_u
     with Membrane(4, 4, 3) as cloth:
         cloth.rest_length, cloth.shear, cloth.effort = (1, 1), 100, (4, 20)
+        cloth.breaking_strain = 0.5
+        torn: int = cloth.broken
         cloth.air, cloth.wind, cloth.colliders = (0.1, 1), (0, 0, 2), 1
         cloth.set_capsule(0, (0, 0, 0), (0, 0, 1), 0.5)
         length: float = cloth.rest_length.along_u + cloth.get_collider(0).radius

@@ -292,11 +292,13 @@ pub enum Field {
     TensionV = 30,
     StrainU = 31,
     StrainV = 32,
+    BreakingStrainU = 33,
+    BreakingStrainV = 34,
 }
 
 impl Field {
     /// Every one of them.
-    pub const ALL: [Field; 33] = [
+    pub const ALL: [Field; 35] = [
         Field::Position,
         Field::Velocity,
         Field::Force,
@@ -330,6 +332,8 @@ impl Field {
         Field::TensionV,
         Field::StrainU,
         Field::StrainV,
+        Field::BreakingStrainU,
+        Field::BreakingStrainV,
     ];
 
     /// The one with C's value.
@@ -1733,7 +1737,7 @@ impl Membrane {
     }
 
     fn whole(&self, field: Field) -> Result<Whole> {
-        const ROWS: [FieldRow; 16] = [
+        const ROWS: [FieldRow; 18] = [
             FieldRow { field: Field::Position, extents: [1, 1, 0, 2, 1, 0], components: true, one_but_in_ropes: false },
             FieldRow { field: Field::Velocity, extents: [1, 1, 0, 2, 1, 0], components: true, one_but_in_ropes: false },
             FieldRow { field: Field::Force, extents: [1, 1, 0, 2, 1, 0], components: true, one_but_in_ropes: false },
@@ -1748,6 +1752,10 @@ impl Membrane {
             FieldRow { field: Field::RestLengthU, extents: [1, 0, 1, 2, 1, 0], components: false,
                 one_but_in_ropes: false },
             FieldRow { field: Field::RestLengthV, extents: [1, 1, 0, 2, 0, 2], components: false,
+                one_but_in_ropes: false },
+            FieldRow { field: Field::BreakingStrainU, extents: [1, 0, 1, 2, 1, 0], components: false,
+                one_but_in_ropes: false },
+            FieldRow { field: Field::BreakingStrainV, extents: [1, 1, 0, 2, 0, 2], components: false,
                 one_but_in_ropes: false },
             FieldRow { field: Field::Wind, extents: [1, 1, 0, 2, 1, 0], components: true, one_but_in_ropes: false },
             FieldRow { field: Field::TensionU, extents: [1, 0, 1, 2, 1, 0], components: false,
@@ -2108,16 +2116,18 @@ impl Membrane {
 
     /// Rest lengths of the sheet along u and along v \[m\], 0 or in \[1e-60, 1e60\]; default 0: no cloth. Both are 0 or
     /// neither is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a
-    /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors:
-    /// CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions.
+    /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and breaking strain, air, wind and
+    /// colliders too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs
+    /// along both directions.
     pub fn set_rest_length(&mut self, along_u: f64, along_v: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_rest_length(self.as_ptr(), along_u, along_v) })
     }
 
     /// Rest lengths of the sheet along u and along v \[m\], 0 or in \[1e-60, 1e60\]; default 0: no cloth. Both are 0 or
     /// neither is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a
-    /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and air, wind and colliders too. Errors:
-    /// CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs along both directions.
+    /// membrane sets lambda to 1. Length 0 switches the fields of cloth off, and breaking strain, air, wind and
+    /// colliders too. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED without 3 components and springs
+    /// along both directions.
     pub fn get_rest_length(&self) -> Result<MembraneRestLength> {
         let mut out_along_u = 0.0;
         let mut out_along_v = 0.0;
@@ -2158,6 +2168,41 @@ impl Membrane {
         let mut out_rate = 0.0;
         check(unsafe { sys::cd_membrane_get_compression(self.as_ptr(), &mut out_rate) })?;
         Ok(out_rate)
+    }
+
+    /// The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60 to 1e60, or
+    /// INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each spring: a seam is
+    /// a line of springs that tear at less. A step ends by cutting springs that are strained beyond it, each row and
+    /// each column of springs in one place at the most: the spring whose strain is the largest multiple of its breaking
+    /// strain, those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the
+    /// rows that are left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut
+    /// spring's stiffness becomes 0, and no energy comes of it. Mend it by writing CD_STIFFNESS_U or _V, which finite
+    /// breaking strains switch on and keep on. A cell of cloth without two of its springs or more is open: it is not
+    /// drawn, it has no volume, and air and pressure go through it. Errors: CD_ERROR_MEMORY too.
+    pub fn set_breaking_strain(&mut self, strain: f64) -> Result<()> {
+        check(unsafe { sys::cd_membrane_set_breaking_strain(self.as_ptr(), strain) })
+    }
+
+    /// The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60 to 1e60, or
+    /// INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each spring: a seam is
+    /// a line of springs that tear at less. A step ends by cutting springs that are strained beyond it, each row and
+    /// each column of springs in one place at the most: the spring whose strain is the largest multiple of its breaking
+    /// strain, those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the
+    /// rows that are left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut
+    /// spring's stiffness becomes 0, and no energy comes of it. Mend it by writing CD_STIFFNESS_U or _V, which finite
+    /// breaking strains switch on and keep on. A cell of cloth without two of its springs or more is open: it is not
+    /// drawn, it has no volume, and air and pressure go through it. Errors: CD_ERROR_MEMORY too.
+    pub fn get_breaking_strain(&self) -> Result<f64> {
+        let mut out_strain = 0.0;
+        check(unsafe { sys::cd_membrane_get_breaking_strain(self.as_ptr(), &mut out_strain) })?;
+        Ok(out_strain)
+    }
+
+    /// How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness became 0.
+    pub fn get_broken(&self) -> Result<usize> {
+        let mut out_springs = 0;
+        check(unsafe { sys::cd_membrane_get_broken(self.as_ptr(), &mut out_springs) })?;
+        Ok(out_springs)
     }
 
     /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of
@@ -2394,16 +2439,16 @@ impl Membrane {
     }
 
     /// Switches a field on, filled with the present uniform values (force 0, target the present position, mask 1, pin
-    /// what the edges say). On already: nothing happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; CD_ERROR_DIVERGED for
-    /// CD_TARGET where the state is not finite; here and below CD_ERROR_UNSUPPORTED for the fields of cloth of a
-    /// membrane that is none.
+    /// what the edges say). CD_BREAKING_STRAIN_U and _V switch CD_STIFFNESS_U and _V on too. On already: nothing
+    /// happens. Errors: CD_ERROR_ENUM, CD_ERROR_MEMORY; CD_ERROR_DIVERGED for CD_TARGET where the state is not finite;
+    /// here and below CD_ERROR_UNSUPPORTED for the fields of cloth of a membrane that is none.
     pub fn enable_field(&mut self, field: Field) -> Result<()> {
         check(unsafe { sys::cd_membrane_enable_field(self.as_ptr(), field as i32) })
     }
 
     /// Switches a field off and releases its memory: uniform values again, no forces, all attachments loosened, all
     /// nodes there, none held but on edges. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for position, velocity, tension
-    /// and strain.
+    /// and strain, and for the stiffness of springs that may tear.
     pub fn disable_field(&mut self, field: Field) -> Result<()> {
         check(unsafe { sys::cd_membrane_disable_field(self.as_ptr(), field as i32) })
     }
@@ -2592,9 +2637,9 @@ impl Membrane {
     }
 
     /// Volume between the sheet and the origin \[m^3\]: a third of the integral of x over the surface's normal, each
-    /// cell the mean of its two triangulations, cells with an absent node left out. Of a drum-head whose rim lies in a
-    /// plane through the origin it is the volume under it; of a closed surface, what it encloses. 3 components only.
-    /// Errors: CD_ERROR_UNSUPPORTED.
+    /// cell the mean of its two triangulations, cells with an absent node or torn open left out. Of a drum-head whose
+    /// rim lies in a plane through the origin it is the volume under it; of a closed surface, what it encloses. 3
+    /// components only. Errors: CD_ERROR_UNSUPPORTED.
     pub fn get_volume(&self) -> Result<f64> {
         let mut out_volume = 0.0;
         check(unsafe { sys::cd_membrane_get_volume(self.as_ptr(), &mut out_volume) })?;
@@ -2640,21 +2685,21 @@ impl Membrane {
             position_offset, normal_offset) })
     }
 
-    /// How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, 3 per cell of
-    /// which three are there. Cells that close a ring are among them, but not of 1 component: they would reach back
-    /// across the unit square.
+    /// How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, of cloth 0 if it
+    /// is torn open, 3 per cell of which three are there. Cells that close a ring are among them, but not of 1
+    /// component: they would reach back across the unit square.
     pub fn get_index_count(&self) -> Result<usize> {
         let mut out_count = 0;
         check(unsafe { sys::cd_membrane_get_index_count(self.as_ptr(), &mut out_count) })?;
         Ok(out_count)
     }
 
-    /// Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte order), counter-
-    /// clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size` is
-    /// that of the buffer in bytes. The numbers change with CD_MASK and cd_membrane_set_ring only. 65535 with 2 bytes
-    /// and 2^32 - 1 with 4, which graphics cards may take for a restart, are never written. Errors: CD_ERROR_VALUE for
-    /// another index_size; CD_ERROR_RANGE if size is too small; CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1
-    /// nodes.
+    /// Writes the triangles as vertex numbers of index_size 2 or 4 bytes (unsigned, the machine's byte order),
+    /// counter-clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1).
+    /// `size` is that of the buffer in bytes. The numbers change with CD_MASK, cd_membrane_set_ring and what is cut of
+    /// cloth only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never
+    /// written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
+    /// CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes.
     pub fn write_indices(&self, buffer: &mut [u8], index_size: usize) -> Result<()> {
         let size = buffer.len();
         check(unsafe { sys::cd_membrane_write_indices(self.as_ptr(), buffer.as_mut_ptr().cast(), size, index_size) })

@@ -94,6 +94,8 @@ pub const CD_TENSION_U: cd_field = 29;
 pub const CD_TENSION_V: cd_field = 30;
 pub const CD_STRAIN_U: cd_field = 31;
 pub const CD_STRAIN_V: cd_field = 32;
+pub const CD_BREAKING_STRAIN_U: cd_field = 33;
+pub const CD_BREAKING_STRAIN_V: cd_field = 34;
 
 pub type cd_end = i32;
 pub const CD_END_FIRST: cd_end = 0;
@@ -345,6 +347,9 @@ extern "C" {
     pub fn cd_membrane_get_shear(membrane: *const cd_membrane, out_stiffness: *mut f64) -> cd_status;
     pub fn cd_membrane_set_compression(membrane: *mut cd_membrane, rate: f64) -> cd_status;
     pub fn cd_membrane_get_compression(membrane: *const cd_membrane, out_rate: *mut f64) -> cd_status;
+    pub fn cd_membrane_set_breaking_strain(membrane: *mut cd_membrane, strain: f64) -> cd_status;
+    pub fn cd_membrane_get_breaking_strain(membrane: *const cd_membrane, out_strain: *mut f64) -> cd_status;
+    pub fn cd_membrane_get_broken(membrane: *const cd_membrane, out_springs: *mut usize) -> cd_status;
     pub fn cd_membrane_set_effort(membrane: *mut cd_membrane, newton: usize, gradient: usize) -> cd_status;
     pub fn cd_membrane_get_effort(membrane: *const cd_membrane, out_newton: *mut usize,
         out_gradient: *mut usize) -> cd_status;

@@ -134,7 +134,9 @@ enum class field : std::int32_t {
     tension_u = CD_TENSION_U,
     tension_v = CD_TENSION_V,
     strain_u = CD_STRAIN_U,
-    strain_v = CD_STRAIN_V
+    strain_v = CD_STRAIN_V,
+    breaking_strain_u = CD_BREAKING_STRAIN_U,
+    breaking_strain_v = CD_BREAKING_STRAIN_V
 };
 
 // The two ends of a chain.
@@ -941,6 +943,11 @@ public:
     outcome<> set_compression(double rate) { return call(cd_membrane_set_compression, rate); }
     outcome<double> get_compression() const { return value<double>(cd_membrane_get_compression); }
 
+    // The strain at which a spring tears, INFINITY: none does; how many did in the last call of step.
+    outcome<> set_breaking_strain(double strain) { return call(cd_membrane_set_breaking_strain, strain); }
+    outcome<double> get_breaking_strain() const { return value<double>(cd_membrane_get_breaking_strain); }
+    outcome<std::size_t> get_broken() const { return value<std::size_t>(cd_membrane_get_broken); }
+
     // How many iterations a step may do: Newton's, and of conjugate gradients in each of them.
     outcome<> set_effort(std::size_t newton, std::size_t gradient) {
         return call(cd_membrane_set_effort, newton, gradient);
@@ -1159,9 +1166,9 @@ private:
         const bool each =
             f == field::position || f == field::velocity || f == field::force || f == field::target || f == field::wind;
         const bool of_springs_u = f == field::stiffness_u || f == field::rest_length_u || f == field::tension_u ||
-                                  f == field::strain_u;
+                                  f == field::strain_u || f == field::breaking_strain_u;
         const bool of_springs_v = f == field::stiffness_v || f == field::rest_length_v || f == field::tension_v ||
-                                  f == field::strain_v;
+                                  f == field::strain_v || f == field::breaking_strain_v;
         const std::size_t n_u = nu + (!of_springs_u || ring_u != 0);
         const std::size_t n_v = nv + (!of_springs_v || ring_v != 0);
         return {s, {0, 0, n_u, n_v}, n_u * n_v * (each ? components : 1)};

@@ -514,7 +514,7 @@ pub fn make_membrane() -> Membrane {
     Membrane::new(4, 5, 3, Precision::Float64).unwrap()
 }
 
-pub const MEMBRANE: [Call<Membrane>; 88] = [
+pub const MEMBRANE: [Call<Membrane>; 91] = [
     Call {
         name: "cd_membrane_get_shape",
         may_fail: false,
@@ -759,6 +759,24 @@ pub const MEMBRANE: [Call<Membrane>; 88] = [
         name: "cd_membrane_get_compression",
         may_fail: false,
         call: |o, _other, _saved| o.get_compression().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_membrane_set_breaking_strain",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_breaking_strain(1.0).map(drop),
+        told: |o| o.get_breaking_strain().unwrap() == 1.0,
+    },
+    Call {
+        name: "cd_membrane_get_breaking_strain",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_breaking_strain().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_membrane_get_broken",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_broken().map(drop),
         told: |_| true,
     },
     Call {
