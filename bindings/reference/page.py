@@ -307,7 +307,7 @@ class Page:
             f"{self.json['version']}, and what its functions are called in other languages. "
             f"{len(self.json['functions'])} functions, "
             f"{len(self.json['enums'])} enumerations, {sum(len(o['fields']) for o in self.json['objects'])} fields. "
-            'Words in ranges are other parameters, what <code>get_shape</code> tells, or those below. '
-            '<span class="keyboard">Press <kbd>/</kbd> to search.</span></p><dl>' + "".join(
+            '<span class="keyboard">Press <kbd>/</kbd> to search.</span></p><details><summary>Words in ranges</summary>'
+            '<p>They are other parameters, what <code>get_shape</code> tells, or these:</p><dl>' + "".join(
                 f"<dt><code>{limit['name']}</code></dt><dd>{escape(limit['doc'])}</dd>"
-                for limit in self.json["limits"]) + "</dl></div>")
+                for limit in self.json["limits"]) + "</dl></details></div>")
