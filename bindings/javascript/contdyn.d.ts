@@ -1312,7 +1312,10 @@ export class Membrane extends Handle {
   get breakingStrain(): number;
   set breakingStrain(value: number);
 
-  /** How many springs tore in the last call of step that made steps: those whose stiffness became 0. */
+  /**
+   * How many springs tore in the last call of step that made steps: those whose stiffness became 0. Where
+   * there are any, writeIndices may write other triangles than before.
+   */
   get broken(): number;
 
   /**

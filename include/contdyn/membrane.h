@@ -235,7 +235,8 @@ CD_API cd_status cd_membrane_get_compression(const cd_membrane* membrane, double
 CD_API cd_status cd_membrane_set_breaking_strain(cd_membrane* membrane, double strain);
 CD_API cd_status cd_membrane_get_breaking_strain(const cd_membrane* membrane, double* out_strain);
 
-/* How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness became 0. */
+/* How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness became 0. Where
+ * there are any, cd_membrane_write_indices may write other triangles than before. */
 CD_API cd_status cd_membrane_get_broken(const cd_membrane* membrane, size_t* out_springs);
 
 /* How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of conjugate

@@ -2759,7 +2759,7 @@ namespace Contdyn
         }
 
         /// <summary>How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness
-        /// became 0.</summary>
+        /// became 0. Where there are any, cd_membrane_write_indices may write other triangles than before.</summary>
         public long GetBroken()
         {
             UIntPtr outSprings;

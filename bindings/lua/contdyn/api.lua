@@ -2210,7 +2210,8 @@ function Membrane:get_breaking_strain()
   return tonumber(out_strain[0])
 end
 
--- How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness became 0.
+-- How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness became 0. Where
+-- there are any, cd_membrane_write_indices may write other triangles than before.
 function Membrane:get_broken()
   local where = "cd_membrane_get_broken"
   local out_springs = size_t_1()

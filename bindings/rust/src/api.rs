@@ -2199,6 +2199,7 @@ impl Membrane {
     }
 
     /// How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness became 0.
+    /// Where there are any, cd_membrane_write_indices may write other triangles than before.
     pub fn get_broken(&self) -> Result<usize> {
         let mut out_springs = 0;
         check(unsafe { sys::cd_membrane_get_broken(self.as_ptr(), &mut out_springs) })?;
