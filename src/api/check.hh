@@ -20,6 +20,11 @@ inline cd_status not_null(const char* function, const char* name, const void* po
     return pointer ? CD_OK : fail(CD_ERROR_NULL, function, "%s is null", name);
 }
 
+// part: what this call asks for and the build leaves out, "bend is" or the like; null: nothing.
+inline cd_status is_built(const char* function, const char* part) {
+    return part ? fail(CD_ERROR_UNSUPPORTED, function, "%s left out of this build", part) : CD_OK;
+}
+
 inline cd_status in_range(const char* function, const char* name, double value, double least, double most) {
     if (value >= least && value <= most) return CD_OK;
     return fail(CD_ERROR_VALUE, function, "%s is %g, must be in [%g, %g]", name, value, least, most);

@@ -6,9 +6,7 @@
 
 namespace cd {
 
-inline cd_status can_draw(const char* function) {
-    return CD_WITH_DRAW ? CD_OK : fail(CD_ERROR_UNSUPPORTED, function, "drawing is left out of this build");
-}
+inline cd_status can_draw(const char* function) { return is_built(function, CD_WITH_DRAW ? nullptr : "drawing is"); }
 
 // Floats of a vertex; an offset of SIZE_MAX leaves them out, but for the first ones of a layout.
 struct VertexAttribute {

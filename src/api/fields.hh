@@ -7,15 +7,42 @@
 namespace cd {
 
 inline const char* field_name(cd_field field) {
-    static const char* const names[] = {
-        "CD_POSITION",  "CD_VELOCITY", "CD_FORCE",       "CD_MASS",          "CD_STIFFNESS",     "CD_BEND",
-        "CD_PIN",       "CD_TARGET",   "CD_STIFFNESS_U", "CD_STIFFNESS_V",   "CD_MASK",          "CD_DEPTH",
-        "CD_BED",       "CD_SURFACE",  "CD_VELOCITY_X",  "CD_VELOCITY_Y",    "CD_SOURCE",        "CD_PRESSURE",
-        "CD_FORCE_X",   "CD_FORCE_Y",  "CD_WALL_X",      "CD_WALL_Y",        "CD_REST_LENGTH",   "CD_TENSION",
-        "CD_WIND",      "CD_STRENGTH", "CD_STRAIN",      "CD_REST_LENGTH_U", "CD_REST_LENGTH_V", "CD_TENSION_U",
-        "CD_TENSION_V", "CD_STRAIN_U", "CD_STRAIN_V"};
-    static const char* const breaking[] = {"CD_BREAKING_STRAIN_U", "CD_BREAKING_STRAIN_V"};
-    return field < CD_BREAKING_STRAIN_U ? names[field] : breaking[field - CD_BREAKING_STRAIN_U];
+    static const char* const names[] = {"CD_POSITION",
+                                        "CD_VELOCITY",
+                                        "CD_FORCE",
+                                        "CD_MASS",
+                                        "CD_STIFFNESS",
+                                        "CD_BEND",
+                                        "CD_PIN",
+                                        "CD_TARGET",
+                                        "CD_STIFFNESS_U",
+                                        "CD_STIFFNESS_V",
+                                        "CD_MASK",
+                                        "CD_DEPTH",
+                                        "CD_BED",
+                                        "CD_SURFACE",
+                                        "CD_VELOCITY_X",
+                                        "CD_VELOCITY_Y",
+                                        "CD_SOURCE",
+                                        "CD_PRESSURE",
+                                        "CD_FORCE_X",
+                                        "CD_FORCE_Y",
+                                        "CD_WALL_X",
+                                        "CD_WALL_Y",
+                                        "CD_REST_LENGTH",
+                                        "CD_TENSION",
+                                        "CD_WIND",
+                                        "CD_STRENGTH",
+                                        "CD_STRAIN",
+                                        "CD_REST_LENGTH_U",
+                                        "CD_REST_LENGTH_V",
+                                        "CD_TENSION_U",
+                                        "CD_TENSION_V",
+                                        "CD_STRAIN_U",
+                                        "CD_STRAIN_V",
+                                        "CD_BREAKING_STRAIN_U",
+                                        "CD_BREAKING_STRAIN_V"};
+    return names[field];
 }
 
 // What numbers a field takes, in words.

@@ -130,7 +130,7 @@ cd_status cd_membrane_set_ring(cd_membrane* membrane, int32_t along_u, int32_t a
     }
     MembraneFeatures closed = features(m);
     for (Direction d : {kU, kV}) closed.ring[d] = wanted[d] != 0;
-    CD_CHECK(shared::are_built(__func__, closed));
+    CD_CHECK(is_built(__func__, left_out(closed)));
     return set_ring(m, along_u != 0, along_v != 0) ? CD_OK : fail(CD_ERROR_MEMORY, __func__, "no memory");
 }
 

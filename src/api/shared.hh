@@ -34,13 +34,8 @@ template <class N> cd_status tell(const char* function, const char* name, N* out
     return CD_OK;
 }
 
-template <class F> cd_status are_built(const char* function, const F& wanted) {
-    const char* const part = left_out(wanted);
-    return part ? fail(CD_ERROR_UNSUPPORTED, function, "%s left out of this build", part) : CD_OK;
-}
-
 template <class X, class F> cd_status change_features(const char* function, X& x, const F& wanted) {
-    CD_CHECK(are_built(function, wanted));
+    CD_CHECK(is_built(function, left_out(wanted)));
     return set_features(x, wanted) ? CD_OK : fail(CD_ERROR_MEMORY, function, "no memory");
 }
 
@@ -156,7 +151,7 @@ template <class X> cd_status switch_field(const char* function, X& x, cd_field f
     auto wanted = features(x);
     switch_body(&wanted, field, on);
     switch_own(wanted, field, on);
-    CD_CHECK(are_built(function, wanted));
+    CD_CHECK(is_built(function, left_out(wanted)));
     return set_features(x, wanted) ? CD_OK : fail(CD_ERROR_MEMORY, function, "no memory for %s", field_name(field));
 }
 
@@ -322,7 +317,7 @@ template <class X> cd_status get_momentum(const char* function, const X& x, doub
 // ---- keeping --------------------------------------------------------------------------------------------------------
 
 inline cd_status can_save(const char* function) {
-    return CD_WITH_SAVE ? CD_OK : fail(CD_ERROR_UNSUPPORTED, function, "saved states are left out of this build");
+    return is_built(function, CD_WITH_SAVE ? nullptr : "saved states are");
 }
 
 template <class X> cd_status tell_save_size(const char* function, const X& x, size_t* out_size) {

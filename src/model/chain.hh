@@ -142,8 +142,8 @@ Features features(const Chain& c);
 inline const char* left_out(const Features& f) {
     if (!CD_WITH_ROPE && f.length) return "ropes are";
     if (!CD_WITH_BEND && f.ring) return "rings are";
-    return left_out(
-        BodyFeatures{f.method, f.node_mass, f.force, f.target, f.bend || f.node_bend, f.air, f.wind, f.colliders});
+    if (!CD_WITH_BEND && f.node_bend) return "bend is";
+    return left_out(static_cast<const BodyFeatures&>(f));
 }
 
 // Takes the memory that the features need and releases what they do not; new fields are filled with uniform values.

@@ -85,7 +85,7 @@ static cd_status save_and_load(const struct object* to, const struct object* fro
 
 #define D(k) number_argument(call, k)
 #define Z(k) size_argument(call, k)
-#define I(k) (int32_t) number_argument(call, k)
+#define I(k) (int32_t)number_argument(call, k)
 #define E(type, k) enum_argument(call, k)
 #define P(k) arrays[k].null ? NULL : arrays[k].values
 #define A(k) P(k), arrays[k].count
@@ -97,8 +97,7 @@ static cd_status save_and_load(const struct object* to, const struct object* fro
 #define MEMBRANE_0(name) TRY(membrane, name, cd_membrane_##name(object->membrane))
 #define WATER(name, ...) TRY(water, name, cd_water_##name(object->water, __VA_ARGS__))
 #define WATER_0(name) TRY(water, name, cd_water_##name(object->water))
-#define TRY(kind, name, call_of_it) \
-    if (object->kind && strcmp(word, #name) == 0) return call_of_it;
+#define TRY(kind, name, call_of_it) if (object->kind && strcmp(word, #name) == 0) return call_of_it;
 
 enum { MOST_ARGUMENTS = 8 };
 
