@@ -43,6 +43,13 @@ void fail_unless_equal(unsigned long long a, unsigned long long b, int equal, co
     _fail(file, line);
 }
 
+void fail_unless_in_range(unsigned long long value, unsigned long long least, unsigned long long most, const char* file,
+                          int line) {
+    if (least <= value && value <= most) return;
+    printf("0x%llx should be from 0x%llx to 0x%llx\n", value, least, most);
+    _fail(file, line);
+}
+
 void fail_unless_same_text(const char* a, const char* b, const char* file, int line) {
     if (strcmp(a, b) == 0) return;
     printf("\"%s\" should be \"%s\"\n", a, b);

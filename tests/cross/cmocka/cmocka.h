@@ -25,6 +25,8 @@ int _cmocka_run_group_tests(const char* group, const struct CMUnitTest* tests, s
 void _fail(const char* file, int line);
 void fail_unless(int holds, const char* what, const char* file, int line);
 void fail_unless_equal(unsigned long long a, unsigned long long b, int equal, const char* file, int line);
+void fail_unless_in_range(unsigned long long value, unsigned long long least, unsigned long long most, const char* file,
+                          int line);
 void fail_unless_same_text(const char* a, const char* b, const char* file, int line);
 void fail_unless_same_bytes(const void* a, const void* b, size_t size, const char* file, int line);
 
@@ -51,6 +53,9 @@ void print_error(const char* format, ...);
     fail_unless_equal((unsigned long long)(a), (unsigned long long)(b), 1, __FILE__, __LINE__)
 #define assert_int_not_equal(a, b) \
     fail_unless_equal((unsigned long long)(a), (unsigned long long)(b), 0, __FILE__, __LINE__)
+#define assert_in_range(value, least, most)                                                                    \
+    fail_unless_in_range((unsigned long long)(value), (unsigned long long)(least), (unsigned long long)(most), \
+                         __FILE__, __LINE__)
 #define assert_string_equal(a, b) fail_unless_same_text(a, b, __FILE__, __LINE__)
 #define assert_memory_equal(a, b, size) fail_unless_same_bytes(a, b, size, __FILE__, __LINE__)
 
