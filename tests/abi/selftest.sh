@@ -252,6 +252,37 @@ int cd_f();'
     grep -q SKIPPED <<<"$said"
 }
 
+selftest_baseline() {
+    command -v abidw >/dev/null || exit 77
+    local good='#include <stddef.h>
+        typedef struct cd_table { void (*run)(void* user, size_t n); int size; } cd_table;
+        typedef int cd_a;
+        enum { CD_A = 1, CD_B = 2 };
+        CD_API int cd_one(const cd_table* table, cd_a a);
+        CD_API double cd_two(void);'
+    header a.h <<<"$good"
+    "$check" --update baseline include a.h
+    accepts baseline include a.h
+    header a.h <<<"$good"$'\n CD_API int cd_three(void);'
+    accepts baseline include a.h
+    header a.h <<<"${good/CD_B = 2/CD_B = 2, CD_C = 3}"
+    accepts baseline include a.h
+    header a.h <<<"${good/CD_B = 2/CD_B = 3}"
+    refuses CD_B baseline include a.h
+    header a.h <<<"${good/CD_B = 2/CD_C = 2}"
+    refuses CD_B baseline include a.h
+    header a.h <<<"${good/cd_a a/long a}"
+    refuses cd_one baseline include a.h
+    header a.h <<<"${good/CD_API double cd_two(void);/}"
+    refuses cd_two baseline include a.h
+    header a.h <<<"${good/double cd_two/float cd_two}"
+    refuses cd_two baseline include a.h
+    header a.h <<<"${good/int size;/int size, more;}"
+    refuses cd_table baseline include a.h
+    header a.h <<<"${good/void\* user, size_t n/size_t n, void* user}"
+    refuses cd_table baseline include a.h
+}
+
 selftest_equations() {
     mkdir src
     printf 'so that\n\n    a = b,    (1)\n    c = d (x)     (2)\n\nand (3)\n' >src/model.md

@@ -5,17 +5,14 @@
  *   conformance --update SCENES.TXT     writes the hashes that came out into the file
  *   conformance --left-out SCENES.TXT   for a library without some part: a scene ends where a call says
  *                                       CD_ERROR_UNSUPPORTED that should not. Fails, too, unless some scenes end so and
- *                                       some do not */
+ *                                       some do not
+ *   conformance --write STATES SCENES.TXT    writes the state after every statement, and after every single step, into a
+ *                                            file, and compares no hashes
+ *   conformance --compare STATES SCENES.TXT  fails at the first state that differs from another machine's in such a file,
+ *                                            or that cannot be loaded, and tells the step, the field and the place */
 #include <inttypes.h>
 
-#include "reader.h"
-
-/* One of three; the others are null. */
-struct object {
-    cd_chain* chain;
-    cd_membrane* membrane;
-    cd_water* water;
-};
+#include "states.h"
 
 static cd_status create_kind(const struct arguments* call, struct object* out) {
     const char* kind = call->statement->words[1];
@@ -63,20 +60,11 @@ static cd_status copy_state(const struct object* to, const struct object* from) 
 }
 
 static cd_status save_and_load(const struct object* to, const struct object* from) {
-    size_t size = 0, written = 0;
-    cd_status status = from->chain      ? cd_chain_save_size(from->chain, &size)
-                       : from->membrane ? cd_membrane_save_size(from->membrane, &size)
-                                        : cd_water_save_size(from->water, &size);
-    void* bytes = malloc(size);
-    if (status == CD_ERROR_UNSUPPORTED) return free(bytes), status;
-    if (status || !bytes) exit(1);
-    status = from->chain      ? cd_chain_save(from->chain, bytes, size, &written)
-             : from->membrane ? cd_membrane_save(from->membrane, bytes, size, &written)
-                              : cd_water_save(from->water, bytes, size, &written);
-    if (status || written != size) exit(1);
-    status = from->chain      ? cd_chain_load(to->chain, bytes, size)
-             : from->membrane ? cd_membrane_load(to->membrane, bytes, size)
-                              : cd_water_load(to->water, bytes, size);
+    size_t size;
+    char* bytes;
+    const cd_status saved = save(from, &bytes, &size);
+    if (saved) return saved;
+    const cd_status status = load(to, bytes, size);
     free(bytes);
     return status;
 }
@@ -136,6 +124,67 @@ static int hold(const struct statement* statement, cd_status got, cd_status want
     exit(1);
 }
 
+/* ---- states on another machine --------------------------------------------------------------------------------- */
+
+static FILE *written, *compared_with; /* at most one of them */
+
+static uint32_t read_count(void) {
+    unsigned char b[4];
+    if (fread(b, 1, sizeof b, compared_with) != sizeof b) exit((fprintf(stderr, "fewer states than here\n"), 1));
+    return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
+}
+
+/* Compares the bytes with the other machine's, which an object like this one must be able to load. */
+static void compare_state(const struct statement* statement, size_t step, const struct statement* made,
+                          cd_precision precision, const struct object* object, const char* bytes, size_t size) {
+    const struct arguments again = {made, 1, precision};
+    const uint32_t count = read_count();
+    char* others = (char*)malloc(count);
+    struct object there;
+    if (!others || fread(others, 1, count, compared_with) != count || create(&again, CD_KERNELS_PLAIN, &there)) exit(1);
+    const cd_status loaded = load(&there, others, count);
+    if (loaded || count != size || memcmp(bytes, others, size) != 0) {
+        fprintf(stderr, "line %zu, step %zu, float%d: ", statement->line, step, precision == CD_FLOAT64 ? 64 : 32);
+        if (loaded) fprintf(stderr, "the other machine's state: %s\n", cd_error_message());
+        else print_difference(object, &there, precision);
+        exit(1);
+    }
+    destroy(&there);
+    free(others);
+}
+
+static void keep_state(const struct statement* statement, size_t step, const struct statement* made,
+                       cd_precision precision, const struct object* object) {
+    size_t size;
+    char* bytes;
+    if (save(object, &bytes, &size)) exit((fprintf(stderr, "saving: %s\n", cd_error_message()), 1));
+    if (written) {
+        const unsigned char count[4] = {size & 255, size >> 8 & 255, size >> 16 & 255, size >> 24 & 255};
+        fwrite(count, 1, sizeof count, written);
+        fwrite(bytes, 1, size, written);
+    } else {
+        compare_state(statement, step, made, precision, object, bytes, size);
+    }
+    free(bytes);
+}
+
+/* A call that should succeed, and the states that it gives; of many steps each by itself. Whether the scene goes on. */
+static int perform_and_keep(const struct statement* statement, const struct statement* made, cd_precision precision,
+                            const struct object* object) {
+    static struct statement single;
+    const struct arguments call = {&single, 0, precision};
+    single = *statement;
+    for (size_t i = 0; i < single.count; ++i) single.words[i] = single.text + (statement->words[i] - statement->text);
+    const int steps = strcmp(single.words[0], "step") == 0;
+    const size_t times = steps ? strtoull(single.words[2], NULL, 10) : 1;
+    if (steps) strcpy(single.words[2], "1");
+    for (size_t k = 1; k <= times; ++k) {
+        if (!hold(statement, perform(object, &call), CD_OK)) return 0;
+        keep_state(statement, steps ? k : 0, made, precision, object);
+    }
+    return 1;
+}
+
 static uint64_t wanted_hash(const struct statement* statement, cd_precision precision) {
     if (statement->count != 3) fail_at(statement, "not two hashes", statement->words[0]);
     return strtoull(statement->words[precision == CD_FLOAT64 ? 2 : 1], NULL, 16);
@@ -167,6 +216,8 @@ static int play(const struct statement* statement, cd_precision precision, cd_ke
     } else if (strcmp(word, "refused") == 0) {
         call.first = 2;
         return hold(statement, perform(object, &call), enumerator_of(statement, statement->words[1]));
+    } else if (written || compared_with) {
+        return perform_and_keep(statement, made, precision, object);
     } else {
         return hold(statement, perform(object, &call), CD_OK);
     }
@@ -195,12 +246,13 @@ static void play_all(const char* text, cd_precision precision, cd_kernels kernel
             ended += !goes_on;
             continue;
         }
+        ++*compared;
+        if (written || compared_with) continue; /* nodes with targets go there in one call of step, not in each of many */
         if (number == MOST_HASHES) fail_at(&statement, "too many hashes", scene);
         const uint64_t hash = hash_of(&object);
         if (kernels == CD_KERNELS_PLAIN) hashes[number][precision] = hash;
         const uint64_t wanted = update ? hashes[number][precision] : wanted_hash(&statement, precision);
         ++number;
-        ++*compared;
         if (hash == wanted) continue;
         fprintf(stderr, "%s, line %zu, float%d, %s: 0x%016" PRIx64 ", not 0x%016" PRIx64 "\n", scene, statement.line,
                 precision == CD_FLOAT64 ? 64 : 32, cd_kernels_name(kernels), hash, wanted);
@@ -210,17 +262,22 @@ static void play_all(const char* text, cd_precision precision, cd_kernels kernel
 }
 
 int main(int count, char** arguments) {
-    const int update = count == 3 && strcmp(arguments[1], "--update") == 0;
-    parts_are_left_out = count == 3 && strcmp(arguments[1], "--left-out") == 0;
-    if (count != 2 + update + parts_are_left_out)
-        return fprintf(stderr, "conformance [--update | --left-out] SCENES.TXT\n"), 2;
+    const char* option = count > 2 ? arguments[1] : "";
+    const int update = strcmp(option, "--update") == 0, writes = strcmp(option, "--write") == 0,
+              compares = strcmp(option, "--compare") == 0;
+    parts_are_left_out = strcmp(option, "--left-out") == 0;
+    if (count != 2 + update + parts_are_left_out + 2 * (writes || compares))
+        return fprintf(stderr, "conformance [--update | --left-out | --write STATES | --compare STATES] SCENES.TXT\n"), 2;
+    if (writes && !(written = fopen(arguments[2], "wb"))) return perror(arguments[2]), 1;
+    if (compares && !(compared_with = fopen(arguments[2], "rb"))) return perror(arguments[2]), 1;
     const char* path = arguments[count - 1];
     char* text = read_text(path);
     size_t wrong = 0, compared = 0;
 
-    for (cd_kernels kernels = CD_KERNELS_PLAIN; cd_runnable_kernels() >> kernels; ++kernels)
+    const int all_kernels = written || compared_with ? 1 : cd_runnable_kernels();
+    for (cd_kernels kernels = CD_KERNELS_PLAIN; all_kernels >> kernels; ++kernels)
         for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
-            if (cd_runnable_kernels() >> kernels & 1) play_all(text, precision, kernels, update, &compared, &wrong);
+            if (all_kernels >> kernels & 1) play_all(text, precision, kernels, update, &compared, &wrong);
 
     if (update) {
         FILE* file = fopen(path, "wb");
@@ -238,8 +295,10 @@ int main(int count, char** arguments) {
         if (fclose(file)) return perror(path), 1;
     }
     free(text);
-    printf("%zu hashes %s, %zu wrong", compared, update ? "written" : "compared", wrong);
+    if (written && fclose(written)) return perror(arguments[2]), 1;
+    if (compared_with && fgetc(compared_with) != EOF) return fprintf(stderr, "more states than here\n"), 1;
+    printf("%zu hashes %s, %zu wrong", compared, update ? "written" : writes || compares ? "passed by" : "compared", wrong);
     if (parts_are_left_out) printf("; %zu of %zu scenes ended where a part is left out", ended, played);
-    puts("");
+    puts(writes ? "; all states written" : compares ? "; all states are the same" : "");
     return wrong || compared == 0 || (parts_are_left_out && (ended == 0 || ended == played));
 }
