@@ -126,11 +126,13 @@ class Method:
         self.thing, self.function = thing, function
         self.passed = {}
         room = next((p for p in function.arguments if p.role == "bytes" and not p.is_in), None)
+        self.static = "" if thing else "static "
         self.own_room = bool(room and f"{function.short}_size" in thing.by_short)
 
     def struct_name(self):
         short = self.function.short
-        return pascal(self.thing.name) + pascal(short[4:] if short.startswith("get_") else short)
+        owner = pascal(self.thing.name) if self.thing else ""
+        return owner + pascal(short[4:] if short.startswith("get_") else short)
 
     def returns(self):
         results = self.function.results
@@ -202,10 +204,10 @@ class Method:
             self.passed[p.name] = f"&{v}"
             kind = "IntPtr" if p.role == "address" else "int" if p.enum else NATIVE[p.base]
             yield f"{kind} {v};"
-        if not f.is_const:
+        if f.own and not f.is_const:
             yield "Changed();"
         values = ", ".join("Handle" if p.role == "self" else self.passed[p.name] for p in f.parameters)
-        yield f"Check(Native.{f.name}({values}));"
+        yield f"{'' if f.own else 'Native.'}Check(Native.{f.name}({values}));"
         for p in f.arguments:
             if p.role == "callbacks":
                 yield f'Handle.Keep("{p.name}", {variable(p.name)});'
@@ -226,7 +228,7 @@ class Method:
         f, arrays = self.function, [p for p in self.function.arguments if is_array(p)]
         generic = any(p.role == "bytes" for p in arrays) and form == "array"
         name = pascal(f.short) + ("<T>" if generic else "")
-        yield f"public {self.returns()} {name}({self.parameters(form)}){' where T : struct' if generic else ''}"
+        yield f"public {self.static}{self.returns()} {name}({self.parameters(form)}){' where T : struct' if generic else ''}"
         yield "{"
         indent = "    "
         for p in arrays:
@@ -258,7 +260,7 @@ class Method:
         name, arrays = pascal(f.short), any(is_array(p) for p in f.arguments)
         if not arrays:
             yield from doc(f.doc)
-            yield f"public {self.returns()} {name}({self.parameters('array')})"
+            yield f"public {self.static}{self.returns()} {name}({self.parameters('array')})"
         else:
             yield from doc(f.doc)
             yield from self.overload("array")
@@ -266,7 +268,7 @@ class Method:
             yield from doc(f.doc)
             yield from self.overload("span")
             yield "#endif"
-            yield f"private {self.returns()} {name}Core({self.parameters('pointer')})"
+            yield f"private {self.static}{self.returns()} {name}Core({self.parameters('pointer')})"
         yield "{"
         yield from ("    " + line for line in self.body())
         yield "}"
@@ -283,7 +285,8 @@ class Method:
 
     def struct(self):
         f, name = self.function, self.struct_name()
-        yield from doc(f"What {pascal(self.thing.name)}.{pascal(f.short)} tells.")
+        owner = pascal(self.thing.name) if self.thing else "Library"
+        yield from doc(f"What {owner}.{pascal(f.short)} tells.")
         yield f"public struct {name}"
         yield "{"
         yield from (f"    public readonly {value_type(p)} {pascal(p.word)};" for p in f.results)
@@ -544,10 +547,16 @@ def api_module(api):
     for struct in api.callbacks:
         lines += callback_struct(struct, api.enums)
     lines += doc("The library's functions that belong to no object.")
-    lines += ["public static class Library", "{"]
+    lines += ["public static unsafe class Library", "{"]
     lines += ["    /// <summary>C's SIZE_MAX, where a function gives it a meaning.</summary>",
               "    public const long SizeMax = -1;", ""]
+    structs = []
     for f in api.free:
+        if f.returns == "cd_status":
+            method = Method(None, f)
+            structs += method.struct()
+            lines += ("    " + line if line and not line.startswith("#") else line for line in method.text())
+            continue
         lines += ("    " + line for line in doc(f.doc))
         parameters = ", ".join(f"{value_type(p)} {variable(p.name)}" for p in f.arguments)
         values = ", ".join(f"(int){variable(p.name)}" if p.enum else variable(p.name) for p in f.arguments)
@@ -556,7 +565,7 @@ def api_module(api):
         lines += [f"    public static {'string' if text else PUBLIC[f.returns]} {pascal(f.short)}({parameters})",
                   "    {", f"        return {f'Native.Text({call})' if text else call};", "    }", ""]
     lines.pop()
-    lines += ["}", ""]
+    lines += ["}", "", *structs]
     for thing in api.objects:
         lines += an_object(api, thing)
     lines.pop()

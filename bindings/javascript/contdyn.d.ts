@@ -185,7 +185,10 @@ export const Shape: {
 };
 export type Shape = keyof typeof Shape;
 
-/** Per-node and per-spring data; which object has which is in its own header. */
+/**
+ * Per-node and per-spring data; which object has which is in its own header. One list, since what objects share has one
+ * meaning; and all are numbers, pins and masks too, so that one read and one write serve them.
+ */
 export const Field: {
   readonly position: 0;
   readonly velocity: 1;
@@ -224,6 +227,14 @@ export const Field: {
   readonly breakingStrainV: 34;
 };
 export type Field = keyof typeof Field;
+
+/** The kinds of objects. */
+export const Kind: {
+  readonly chain: 1;
+  readonly membrane: 2;
+  readonly water: 3;
+};
+export type Kind = keyof typeof Kind;
 
 /** The two ends of a chain. */
 export const End: {
@@ -294,9 +305,17 @@ export function statusName(status: Status): string;
 /**
  * Why the last failed call on this thread failed: the function, the argument, its value, what would be valid.
  * Empty before the first failure; successful calls leave it as it is. The string belongs to the library and stays
- * valid until the next failure on the same thread.
+ * valid until the next failure on the same thread. The library tells nothing else, and has no hook for messages.
  */
 export function errorMessage(): string;
+
+/**
+ * What save made these bytes of: the kind of object, and what its create function has to be given so that it loads
+ * them: of a chain strands and springs, of a membrane nu and nv, of water nx and ny; components, of water 1; and the
+ * precision. Water's dx and dy, allocators and callbacks may be others., and is left alone on
+ * failure. Errors: "errorFormat" for bytes that are damaged, cut short or of another version.
+ */
+export function savedShape(bytes: ArrayBuffer | ArrayBufferView): { kind: Kind; first: number; second: number; components: number; precision: Precision };
 
 /**
  * The kernels that this build has and this processor runs: the sum of 1 << k for each of them, k a Kernels. The
@@ -867,8 +886,8 @@ export class Chain extends Handle {
   // ---- time ---------------------------------------------------------------------------------------------------------
 
   /**
-   * Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
-   * count * strands * nodes * components.
+   * Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps.
+   * Never allocates. Time is proportional to count * strands * nodes * components.
    * Errors: "errorValue"; "errorDiverged" if a number leaves the finite range: all steps are made, the message gives
    * the first bad one, the chain can be read, and steps again after reset, a load, or once finite positions and
    * velocities have been written; of ropes "errorUnsupported" for what they can't have, "errorCallback" as
@@ -1571,8 +1590,8 @@ export class Membrane extends Handle {
   // ---- time ---------------------------------------------------------------------------------------------------------
 
   /**
-   * Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
-   * count * nodes * components, with "coupled" to the iterations too.
+   * Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps.
+   * Never allocates. Time is proportional to count * nodes * components, with "coupled" to the iterations too.
    * Errors: "errorValue"; "errorDiverged" if a number leaves the finite range: all steps are made, the message gives
    * the first bad one, the membrane can be read, and steps again after reset, a load, or once finite
    * positions and velocities have been written; "errorTolerance" if a coupled solve ended short of its tolerance: all
@@ -2220,8 +2239,8 @@ export class Water extends Handle {
   // ---- time ---------------------------------------------------------------------------------------------------------
 
   /**
-   * Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
-   * count * cells, and to the parts that steps are made in (see above).
+   * Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps.
+   * Never allocates. Time is proportional to count * cells, and to the parts that steps are made in (see above).
    * Errors: "errorValue"; "errorDiverged" if a number leaves the finite range: all steps are made, the message gives
    * the first bad one, the water can be read, and steps again after reset, a load, or once finite depths and
    * velocities have been written.

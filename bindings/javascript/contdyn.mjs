@@ -109,6 +109,12 @@ export const Field = enumeration({
   breakingStrainV: 34,
 });
 
+export const Kind = enumeration({
+  chain: 1,
+  membrane: 2,
+  water: 3,
+});
+
 export const End = enumeration({
   first: 0,
   last: 1,
@@ -153,6 +159,20 @@ export function statusName(status) {
 
 export function errorMessage() {
   return text(wasm.cd_error_message());
+}
+
+export function savedShape(bytes) {
+  begin();
+  const bytesAt = putBytes(bytes, "bytes");
+  const sizeOf = bytesAt.length;
+  check(wasm.cd_saved_shape(bytesAt.address, sizeOf, result(0), result(1), result(2), result(3), result(4)));
+  return {
+    kind: nameOf(Kind, integer(0)),
+    first: whole(1),
+    second: whole(2),
+    components: whole(3),
+    precision: nameOf(Precision, integer(4)),
+  };
 }
 
 export function runnableKernels() {

@@ -153,7 +153,7 @@ class Method:
             if p.role == "array" and not p.is_in:
                 results.append((p, f"array_result({variable(p.name)}, p_{p.name}, n_{p.name})"))
         results.sort(key=lambda pair: f.parameters.index(pair[0]))
-        if not f.is_const:
+        if f.own and not f.is_const:
             yield "self._version = self._version + 1"
         own = "handle_of(self)"
         values = [own if p.role == "self" else self.passed[p.name] for p in f.parameters]
@@ -181,7 +181,8 @@ class Method:
         f = self.function
         names = [variable(p.name) for p in taken(f)]
         yield from comment(f.doc, "-- ")
-        yield f"function {pascal(self.thing.name)}:{f.short}({', '.join(names)})"
+        owner = f"{pascal(self.thing.name)}:" if self.thing else "api."
+        yield f"function {owner}{f.short}({', '.join(names)})"
         yield from ("  " + line for line in self.body())
         yield "end"
         yield ""
@@ -202,6 +203,9 @@ def view(thing, function):
 
 
 def free_function(f):
+    if f.returns == "cd_status":
+        yield from Method(None, f).text()
+        return
     arguments = ", ".join(variable(p.name) for p in f.arguments)
     yield from comment(f.doc, "-- ")
     yield f"function api.{f.short}({arguments})"

@@ -162,7 +162,8 @@ class Method:
 
     def struct_name(self):
         short = self.function.short
-        return pascal(self.thing.name) + pascal(short[4:] if short.startswith("get_") else short)
+        owner = pascal(self.thing.name) if self.thing else ""
+        return owner + pascal(short[4:] if short.startswith("get_") else short)
 
     def value(self, p):
         v = variable(p.name)
@@ -212,8 +213,8 @@ class Method:
         yield from doc(f.doc)
         if f.has_callbacks:
             yield from safety()
-        own = "&self" if f.is_const else "&mut self"
-        parameters = ", ".join([own, *(f"{variable(p.name)}: {argument_type(p)}" for p in f.arguments)])
+        own = ["&self" if f.is_const else "&mut self"] if f.own else []
+        parameters = ", ".join([*own, *(f"{variable(p.name)}: {argument_type(p)}" for p in f.arguments)])
         unsafe = "unsafe " if f.has_callbacks else ""
         yield f"pub {unsafe}fn {variable(name)}({parameters}) -> Result<{self.out_type()}> {{"
         for line in self.body():
@@ -232,7 +233,8 @@ class Method:
 
     def struct(self):
         f = self.function
-        yield f"/// What [`{pascal(self.thing.name)}::{f.short}`] tells."
+        owner = f"{pascal(self.thing.name)}::" if self.thing else ""
+        yield f"/// What [`{owner}{f.short}`] tells."
         yield "#[derive(Clone, Copy, Debug, PartialEq)]"
         yield f"pub struct {self.struct_name()} {{"
         yield from (f"    pub {variable(p.word)}: {value_type(p)}," for p in f.results)
@@ -434,6 +436,11 @@ def enumeration(name, enum):
 
 
 def free_function(f):
+    if f.returns == "cd_status":
+        method = Method(None, None, f)
+        yield from method.struct()
+        yield from method.text()
+        return
     yield from doc(f.doc)
     parameters = ", ".join(f"{variable(p.name)}: {value_type(p)}" for p in f.arguments)
     values = ", ".join(f"{variable(p.name)} as i32" if p.enum else variable(p.name) for p in f.arguments)

@@ -10,6 +10,8 @@
  *   - Nothing here prints, aborts or throws. cd_*_destroy(NULL) does nothing.
  *   - Distinct objects may be used from different threads at once; one object from one thread at a time.
  *   - Quantities are in SI units, or in any other consistent set: the library never converts.
+ *   - Numbers that are no field's, such as places to sample, are double, whatever the object's precision.
+ *   - All is there since 0.2.0, unless its comment names another version. Before 1.0 none of it is promised.
  */
 #ifndef CONTDYN_BASE_H
 #define CONTDYN_BASE_H
@@ -49,7 +51,7 @@ CD_API const char* cd_status_name(cd_status status);
 
 /* Why the last failed call on this thread failed: the function, the argument, its value, what would be valid.
  * Empty before the first failure; successful calls leave it as it is. The string belongs to the library and stays
- * valid until the next failure on the same thread. */
+ * valid until the next failure on the same thread. The library tells nothing else, and has no hook for messages. */
 CD_API const char* cd_error_message(void);
 
 /* ---- enumerations shared by the objects -------------------------------------------------------------------------- */
@@ -115,7 +117,8 @@ enum {
 typedef int32_t cd_shape;
 enum { CD_SHAPE_NONE = 0, CD_SHAPE_PLANE = 1, CD_SHAPE_CAPSULE = 2, CD_SHAPE_BED = 3, CD_SHAPE_CALLBACK = 4 };
 
-/* Per-node and per-spring data; which object has which is in its own header. */
+/* Per-node and per-spring data; which object has which is in its own header. One list, since what objects share has one
+ * meaning; and all are numbers, pins and masks too, so that one read and one write serve them. */
 typedef int32_t cd_field;
 enum {
     CD_POSITION = 0,
@@ -157,6 +160,8 @@ enum {
 
 /* ---- callbacks ------------------------------------------------------------------------------------------------- */
 
+/* These tables stay as they are: what a later version asks of the caller will have a table of its own. */
+
 /* Memory from the caller. allocate returns `size` bytes aligned to `alignment` (a power of two, at most 64), or null;
  * release gets back what allocate gave, with the same size and alignment. Both are called only from inside a call on
  * the object, on the caller's thread, never from a step, a read or a write. Copied at create. */
@@ -186,6 +191,19 @@ typedef struct cd_distance {
     void (*distance)(void* user, double time, size_t count, size_t components, const double* positions,
                      double* out_distances, double* out_normals);
 } cd_distance;
+
+/* ---- saved states ------------------------------------------------------------------------------------------------ */
+
+/* The kinds of objects. */
+typedef int32_t cd_kind;
+enum { CD_KIND_CHAIN = 1, CD_KIND_MEMBRANE = 2, CD_KIND_WATER = 3 };
+
+/* What cd_*_save made these bytes of: the kind of object, and what its create function has to be given so that it loads
+ * them: of a chain strands and springs, of a membrane nu and nv, of water nx and ny; components, of water 1; and the
+ * precision. Water's dx and dy, allocators and callbacks may be others. Each output may be null, and is left alone on
+ * failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut short or of another version. */
+CD_API cd_status cd_saved_shape(const void* bytes, size_t size, cd_kind* out_kind, size_t* out_first,
+                                size_t* out_second, size_t* out_components, cd_precision* out_precision);
 
 /* ---- kernels ------------------------------------------------------------------------------------------------- */
 

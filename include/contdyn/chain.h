@@ -384,8 +384,8 @@ CD_API cd_status cd_chain_weld(cd_chain* chain, size_t strand, size_t spring);
 
 /* ---- time ------------------------------------------------------------------------------------------------------- */
 
-/* Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
- * count * strands * nodes * components.
+/* Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps.
+ * Never allocates. Time is proportional to count * strands * nodes * components.
  * Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives
  * the first bad one, the chain can be read, and steps again after cd_chain_reset, a load, or once finite positions and
  * velocities have been written; of ropes CD_ERROR_UNSUPPORTED for what they can't have, CD_ERROR_CALLBACK as

@@ -389,8 +389,8 @@ CD_API cd_status cd_membrane_get_attachment(const cd_membrane* membrane, size_t 
 
 /* ---- time ------------------------------------------------------------------------------------------------------- */
 
-/* Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
- * count * nodes * components, with CD_SOLVER_COUPLED to the iterations too.
+/* Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps.
+ * Never allocates. Time is proportional to count * nodes * components, with CD_SOLVER_COUPLED to the iterations too.
  * Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives
  * the first bad one, the membrane can be read, and steps again after cd_membrane_reset, a load, or once finite
  * positions and velocities have been written; CD_ERROR_TOLERANCE if a coupled solve ended short of its tolerance: all

@@ -363,8 +363,8 @@ CD_API cd_status cd_water_sample_heads(const cd_water* water, const double* at, 
 
 /* ---- time ------------------------------------------------------------------------------------------------------- */
 
-/* Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
- * count * cells, and to the parts that steps are made in (see above).
+/* Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps.
+ * Never allocates. Time is proportional to count * cells, and to the parts that steps are made in (see above).
  * Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives
  * the first bad one, the water can be read, and steps again after cd_water_reset, a load, or once finite depths and
  * velocities have been written. */

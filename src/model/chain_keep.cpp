@@ -13,7 +13,7 @@ struct ChainKeep {
     // much of that are beds and callbacks.
     static constexpr uint32_t kOfRopes = 1u << 31, kOfAir = 1u << 30, kOfStrength = 1u << 29, kOfContacts = 1u << 28;
     static constexpr uint32_t kOfShapes = 1u << 27;
-    static constexpr Kind kind = {1, "chain", {"strands", "springs"}};
+    static constexpr Kind kind = {CD_KIND_CHAIN, "chain", {"strands", "springs"}};
 
     static Shape shape_of(const Chain& c) { return {{c.strands, c.springs}, c.components, c.precision}; }
 

@@ -9,6 +9,7 @@ constexpr uint32_t kFormat = 1;
 
 static uint64_t checksum(const unsigned char* bytes, size_t size) {
     Hasher hasher;
+    hasher.word(size, 8);
     for (size_t i = 0; i < size; i += 8) {
         uint64_t word = 0;
         for (size_t k = 0; k < 8 && i + k < size; ++k) word |= uint64_t(bytes[i + k]) << (8 * k);
@@ -23,19 +24,35 @@ void write_header(const Kind& kind, unsigned char* bytes, size_t size) {
     walk(header, checksum(bytes + kHeader, size - kHeader));
 }
 
-cd_status read_header(const char* function, const Kind& kind, Reader& reader, size_t size) {
+static cd_status read_number(const char* function, Reader& reader, size_t size, uint32_t& number) {
     uint64_t magic = 0, sum = 0;
-    uint32_t format = 0, number = 0;
+    uint32_t format = 0;
     walk(reader, magic), walk(reader, format), walk(reader, number), walk(reader, sum);
     if (!reader.whole || magic != kMagic)
         return fail(CD_ERROR_FORMAT, function, "these %zu bytes are no saved state", size);
     if (format != kFormat)
         return fail(CD_ERROR_FORMAT, function, "format version is %u, this library reads %u", format, kFormat);
-    if (number != kind.number)
-        return fail(CD_ERROR_FORMAT, function, "kind of object is %u, a %s is %u", number, kind.name, kind.number);
     if (checksum(reader.from, size - kHeader) != sum)
         return fail(CD_ERROR_FORMAT, function, "the checksum of %zu bytes does not fit: damaged or cut short", size);
     return CD_OK;
+}
+
+cd_status read_header(const char* function, const Kind& kind, Reader& reader, size_t size) {
+    uint32_t number = 0;
+    if (const cd_status status = read_number(function, reader, size, number)) return status;
+    if (number != kind.number)
+        return fail(CD_ERROR_FORMAT, function, "kind of object is %u, a %s is %u", number, kind.name, kind.number);
+    return CD_OK;
+}
+
+cd_status read_shape(const char* function, const unsigned char* bytes, size_t size, uint32_t& number, Shape& shape) {
+    Reader reader{bytes, bytes + size};
+    if (const cd_status status = read_number(function, reader, size, number)) return status;
+    walk_shape(reader, shape);
+    bool good = reader.whole && number >= CD_KIND_CHAIN && number <= CD_KIND_WATER;
+    good &= shape.precision == CD_FLOAT32 || shape.precision == CD_FLOAT64;
+    good &= shape.sizes[0] <= SIZE_MAX && shape.sizes[1] <= SIZE_MAX && shape.components <= SIZE_MAX;
+    return good ? CD_OK : fail(CD_ERROR_FORMAT, function, "a number in these %zu bytes is not valid", size);
 }
 
 cd_status shapes_differ(const char* function, const Kind& kind, const char* source, const Shape& from,

@@ -1,7 +1,7 @@
 // How objects are kept: as bytes, as a hash, and as a copy of another. What an object consists of is listed once, in a
 // struct K that belongs to it (ChainKeep in model/chain_keep.cpp), and here is what is made of that list.
 //
-//   header   "contdyn" and a zero, format version, kind of object, checksum of the rest
+//   header   "contdyn" and a zero, format version, kind of object, checksum of the rest and its size
 //   shape    two sizes, components, precision
 //   settings parameters, clock, which fields follow
 //   fields   per node or spring in double, then per node and component in the object's precision
@@ -24,7 +24,7 @@
 namespace cd {
 
 struct Kind {
-    uint32_t number;
+    uint32_t number; // a cd_kind
     const char *name, *sizes[2]; // for messages
 };
 
@@ -43,6 +43,9 @@ constexpr size_t kHeader = 8 + 4 + 4 + 8;
 // Writes the header of saved bytes, of which all but the header is there; and reads it.
 void write_header(const Kind& kind, unsigned char* bytes, size_t size);
 cd_status read_header(const char* function, const Kind& kind, Reader& reader, size_t size);
+
+// The number of the kind of object that bytes were saved of, and its shape.
+cd_status read_shape(const char* function, const unsigned char* bytes, size_t size, uint32_t& number, Shape& shape);
 
 // Fails because the shape that comes from `source` is not the one here.
 cd_status shapes_differ(const char* function, const Kind& kind, const char* source, const Shape& from,

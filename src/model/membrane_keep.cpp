@@ -14,7 +14,7 @@ struct MembraneKeep {
     static constexpr uint32_t kOfCloth = 1u << 31, kOfShapes = 1u << 30, kOfBreaking = 1u << 29;
     // CD_BREAKING_STRAIN_U and _V are beyond the bits, and stand where fields of ropes alone would.
     static constexpr uint32_t kBreaking[2] = {1u << CD_STRENGTH, 1u << CD_STRAIN};
-    static constexpr Kind kind = {2, "membrane", {"springs along u", "along v"}};
+    static constexpr Kind kind = {CD_KIND_MEMBRANE, "membrane", {"springs along u", "along v"}};
 
     static Shape shape_of(const Membrane& m) { return {{m.springs[kU], m.springs[kV]}, m.components, m.precision}; }
 

@@ -106,7 +106,7 @@ template <class T> struct WaterCheck {
 struct WaterKeep {
     using Object = Water;
     using Settings = KeptWater;
-    static constexpr Kind kind = {3, "water", {"cells along x", "along y"}};
+    static constexpr Kind kind = {CD_KIND_WATER, "water", {"cells along x", "along y"}};
 
     static Shape shape_of(const Water& w) { return {{w.cells[kX], w.cells[kY]}, 1, w.precision}; }
 

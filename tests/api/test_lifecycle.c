@@ -157,13 +157,19 @@ static void a_single_node_falls_freely(void** state) {
     }
 }
 
-static void zero_steps_do_nothing(void** state) {
+static void no_steps_and_no_time_do_nothing(void** state) {
     (void)state;
     cd_chain* chain = scene_chain(2, 9, 3, CD_FLOAT64);
-    scene_rope(chain);
-    const uint64_t before = hash_of(chain);
+    const double target[3] = {1, 2, 3};
     uint64_t count;
+    scene_rope(chain);
+    ok(cd_chain_enable_field(chain, CD_TARGET));
+    ok(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_POSED));
+    ok(cd_chain_write_f64(chain, CD_TARGET, 0, 1, 0, 1, target, 3)); /* no pause goes there */
+    const uint64_t before = hash_of(chain);
     ok(cd_chain_step(chain, 0.1, 0));
+    ok(cd_chain_step(chain, 0, 5));
+    ok(cd_chain_step(chain, -0.0, 1));
     assert_int_equal(hash_of(chain), before);
     ok(cd_chain_get_factorizations(chain, &count));
     assert_int_equal(count, 0);
@@ -297,7 +303,7 @@ int main(void) {
         cmocka_unit_test(a_new_chain_has_the_defaults_of_the_header),
         cmocka_unit_test(a_new_chain_lies_at_rest_at_the_origin_and_holds_nothing_optional),
         cmocka_unit_test(a_single_node_falls_freely),
-        cmocka_unit_test(zero_steps_do_nothing),
+        cmocka_unit_test(no_steps_and_no_time_do_nothing),
         cmocka_unit_test(destroy_leaves_null_and_foreign_memory_alone),
         cmocka_unit_test(a_released_chain_is_refused_where_its_memory_can_still_be_read),
         cmocka_unit_test(the_allocator_is_copied_and_gets_everything_back),

@@ -169,12 +169,14 @@ static void time_counts_the_steps(void** state) {
     cd_membrane_destroy(m);
 }
 
-static void zero_steps_do_nothing(void** state) {
+static void no_steps_and_no_time_do_nothing(void** state) {
     (void)state;
     cd_membrane* m = cloth(6, 5, 3, CD_FLOAT64);
     cloth_curtain(m);
     const uint64_t before = hash_of(m);
     ok(cd_membrane_step(m, 0.1, 0));
+    ok(cd_membrane_step(m, 0, 5));
+    ok(cd_membrane_step(m, -0.0, 1));
     assert_int_equal(hash_of(m), before);
     assert_int_equal(count_of(cd_membrane_get_factorizations, m), 0);
     cd_membrane_destroy(m);
@@ -265,7 +267,7 @@ int main(void) {
         cmocka_unit_test(a_new_membrane_lies_at_rest_at_the_origin_and_holds_nothing_optional),
         cmocka_unit_test(getters_tell_what_was_set),
         cmocka_unit_test(time_counts_the_steps),
-        cmocka_unit_test(zero_steps_do_nothing),
+        cmocka_unit_test(no_steps_and_no_time_do_nothing),
         cmocka_unit_test(destroy_leaves_null_and_foreign_memory_alone),
         cmocka_unit_test(a_released_membrane_is_refused_where_its_memory_can_still_be_read),
         cmocka_unit_test(the_allocator_is_copied_and_gets_everything_back),

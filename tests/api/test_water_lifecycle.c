@@ -171,7 +171,7 @@ static void time_counts_the_steps_and_every_step_turns_the_sweeps_round(void** s
     cd_water_destroy(w);
 }
 
-static void zero_steps_do_nothing(void** state) {
+static void no_steps_and_no_time_do_nothing(void** state) {
     (void)state;
     for (size_t scene = 0; scene < POOLS; ++scene) {
         cd_water* w = pool_of(scene, 6, 5, CD_FLOAT64, 1);
@@ -180,6 +180,8 @@ static void zero_steps_do_nothing(void** state) {
         double volume[2];
         ok(cd_water_get_limited(w, &cells[0], &volume[0]));
         ok(cd_water_step(w, 0.1, 0));
+        ok(cd_water_step(w, 0, 5));
+        ok(cd_water_step(w, -0.0, 1));
         ok(cd_water_get_limited(w, &cells[1], &volume[1]));
         assert_int_equal(hash_of(w), before);
         assert_int_equal(count_of(cd_water_get_factorizations, w), solves);
@@ -263,7 +265,7 @@ int main(void) {
         cmocka_unit_test(getters_tell_what_was_set),
         cmocka_unit_test(the_momentum_sets_lambda_to_what_suits_it),
         cmocka_unit_test(time_counts_the_steps_and_every_step_turns_the_sweeps_round),
-        cmocka_unit_test(zero_steps_do_nothing),
+        cmocka_unit_test(no_steps_and_no_time_do_nothing),
         cmocka_unit_test(solves_are_counted_by_direction),
         cmocka_unit_test(destroy_leaves_null_and_foreign_memory_alone),
         cmocka_unit_test(a_released_water_is_refused_where_its_memory_can_still_be_read),

@@ -170,7 +170,7 @@ def check_facts(api):
             (("cd_chain_set_mass", "mass"), {"unit": "kg", "range": {"least": 1e-60, "most": 1e60}, "default": 1}),
             (("cd_chain_get_rest_length", "out_length"),
              {"unit": "m", "range": {"least": 1e-60, "most": 1e60, "values": [0]}, "default": 0}),
-            (("cd_chain_step", "dt"), {"unit": "s", "range": {"least": 1e-30, "most": 1e30}}),
+            (("cd_chain_step", "dt"), {"unit": "s", "range": {"least": 1e-30, "most": 1e30, "values": [0]}}),
             (("cd_membrane_attach", "damping"), {"unit": "N s/m", "range": {"least": 0, "most": 1e60}}),
             (("cd_membrane_set_plane", "index"), {"range": {"least": 0, "below": "colliders"}}),
             (("cd_water_set_manning", "manning"),

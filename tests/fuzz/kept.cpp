@@ -11,11 +11,15 @@ constexpr size_t kHeader = 24, kChecksum = 16;
 
 static uint64_t checksum(const Bytes& bytes) { // as src/model/keep.cpp has it
     uint64_t sum = 0xcbf29ce484222325;
+    const auto add = [&](uint64_t word) {
+        sum = (sum ^ word) * 0x9e3779b97f4a7c15;
+        sum ^= sum >> 29;
+    };
+    add(bytes.size() - kHeader);
     for (size_t i = kHeader; i < bytes.size(); i += 8) {
         uint64_t word = 0;
         for (size_t k = 0; k < 8 && i + k < bytes.size(); ++k) word |= uint64_t(bytes[i + k]) << (8 * k);
-        sum = (sum ^ word) * 0x9e3779b97f4a7c15;
-        sum ^= sum >> 29;
+        add(word);
     }
     return sum;
 }
@@ -165,6 +169,8 @@ template <class Api> void Kept<Api>::load_damaged() {
     const cd_status status =
         this->both(crafted ? "load of crafted bytes" : "load of damaged bytes", 0,
                    [&](Handle* handle, int) { return Api::load(handle, exact.get(), bytes.size()); });
+    const cd_status told = cd_saved_shape(exact.get(), bytes.size(), nullptr, nullptr, nullptr, nullptr, nullptr);
+    if (status == CD_OK && told != CD_OK) return problem("bytes that load tell no shape: %s", cd_status_name(told));
     if (status == CD_ERROR_MEMORY || bytes == whole || run.broken) return;
     if (status != CD_OK) {
         ++totals->bytes_refused;

@@ -73,7 +73,9 @@ class Check:
             types = ", ".join(p["type"] for p in function["parameters"])
             yield f"static_assert(std::is_same_v<decltype(&{function['name']}), {function['returns']} (*)({types})>);"
             if function["object"] is None:
-                yield f"contdyn::{function['short']}({', '.join('{}' for _ in function['parameters'])});"
+                types = filter(None, (self.parameter(None, p) for p in function["parameters"]))
+                values = ", ".join(f"std::declval<{t}>()" for t in types)
+                yield f"static_assert(sizeof(contdyn::{function['short']}({values})) > 0);"
             elif function["short"] not in ("create", "destroy"):
                 yield from self.method(function)
         for thing in self.api["objects"]:

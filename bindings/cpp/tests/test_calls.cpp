@@ -633,6 +633,10 @@ int main() {
     CHECK(std::strlen(build_info()) > 10 && std::string(error_message()).empty());
     CHECK(runnable_kernels().front() == kernels::plain && std::string(kernels_name(kernels::avx512)) == "AVX-512");
     CHECK(std::string(status_name(status::error_value)) == "CD_ERROR_VALUE");
+    const membrane sheet = GET(membrane::create(7, 4, 2, precision::float64));
+    const saved_object of = GET(saved_shape(GET(sheet.save())));
+    CHECK(of.kind == kind::membrane && of.first == 7 && of.second == 4 && of.components == 2);
+    CHECK(of.precision == precision::float64);
     chains();
     ropes();
     colliders();

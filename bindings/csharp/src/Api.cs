@@ -126,7 +126,9 @@ namespace Contdyn
         Callback = 4,
     }
 
-    /// <summary>Per-node and per-spring data; which object has which is in its own header.</summary>
+    /// <summary>Per-node and per-spring data; which object has which is in its own header. One list, since what
+    /// objects share has one meaning; and all are numbers, pins and masks too, so that one read and one write serve
+    /// them.</summary>
     public enum Field
     {
         Position = 0,
@@ -164,6 +166,14 @@ namespace Contdyn
         StrainV = 32,
         BreakingStrainU = 33,
         BreakingStrainV = 34,
+    }
+
+    /// <summary>The kinds of objects.</summary>
+    public enum Kind
+    {
+        Chain = 1,
+        Membrane = 2,
+        Water = 3,
     }
 
     /// <summary>The two ends of a chain.</summary>
@@ -354,7 +364,7 @@ namespace Contdyn
     }
 
     /// <summary>The library's functions that belong to no object.</summary>
-    public static class Library
+    public static unsafe class Library
     {
         /// <summary>C's SIZE_MAX, where a function gives it a meaning.</summary>
         public const long SizeMax = -1;
@@ -368,10 +378,49 @@ namespace Contdyn
 
         /// <summary>Why the last failed call on this thread failed: the function, the argument, its value, what would
         /// be valid. Empty before the first failure; successful calls leave it as it is. The string belongs to the
-        /// library and stays valid until the next failure on the same thread.</summary>
+        /// library and stays valid until the next failure on the same thread. The library tells nothing else, and has
+        /// no hook for messages.</summary>
         public static string ErrorMessage()
         {
             return Native.Text(Native.cd_error_message());
+        }
+
+        /// <summary>What cd_*_save made these bytes of: the kind of object, and what its create function has to be
+        /// given so that it loads them: of a chain strands and springs, of a membrane nu and nv, of water nx and ny;
+        /// components, of water 1; and the precision. Water's dx and dy, allocators and callbacks may be others. Each
+        /// output may be null, and is left alone on failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut
+        /// short or of another version.</summary>
+        public static SavedShape SavedShape<T>(T[] bytes) where T : struct
+        {
+            using (var bytesPinned = new Pinned<T>(bytes))
+                return SavedShapeCore(bytesPinned.Pointer, bytesPinned.Length);
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>What cd_*_save made these bytes of: the kind of object, and what its create function has to be
+        /// given so that it loads them: of a chain strands and springs, of a membrane nu and nv, of water nx and ny;
+        /// components, of water 1; and the precision. Water's dx and dy, allocators and callbacks may be others. Each
+        /// output may be null, and is left alone on failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut
+        /// short or of another version.</summary>
+        public static SavedShape SavedShape(ReadOnlySpan<byte> bytes)
+        {
+            fixed (byte* bytesPointer = &MemoryMarshal.GetReference(bytes))
+                return SavedShapeCore(bytes.Length == 0 ? null : bytesPointer, bytes.Length);
+        }
+
+#endif
+        private static SavedShape SavedShapeCore(void* bytes, long bytesLength)
+        {
+            long size = bytesLength;
+            int outKind;
+            UIntPtr outFirst;
+            UIntPtr outSecond;
+            UIntPtr outComponents;
+            int outPrecision;
+            Native.Check(Native.cd_saved_shape(bytes, Native.Size(size, "cd_saved_shape", "size"), &outKind, &outFirst,
+                &outSecond, &outComponents, &outPrecision));
+            return new SavedShape((Kind)outKind, (long)outFirst, (long)outSecond, (long)outComponents,
+                (Precision)outPrecision);
         }
 
         /// <summary>The kernels that this build has and this processor runs: the sum of 1 &lt;&lt; k for each of them,
@@ -408,6 +457,25 @@ namespace Contdyn
         public static string BuildInfo()
         {
             return Native.Text(Native.cd_build_info());
+        }
+    }
+
+    /// <summary>What Library.SavedShape tells.</summary>
+    public struct SavedShape
+    {
+        public readonly Kind Kind;
+        public readonly long First;
+        public readonly long Second;
+        public readonly long Components;
+        public readonly Precision Precision;
+
+        internal SavedShape(Kind kind, long first, long second, long components, Precision precision)
+        {
+            Kind = kind;
+            First = first;
+            Second = second;
+            Components = components;
+            Precision = precision;
         }
     }
 
@@ -1770,13 +1838,13 @@ namespace Contdyn
                 "cd_chain_weld", "spring")));
         }
 
-        /// <summary>Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is
-        /// proportional to count * strands * nodes * components. Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number
-        /// leaves the finite range: all steps are made, the message gives the first bad one, the chain can be read, and
-        /// steps again after cd_chain_reset, a load, or once finite positions and velocities have been written; of
-        /// ropes CD_ERROR_UNSUPPORTED for what they can't have, CD_ERROR_CALLBACK as cd_chain_set_callback says, and
-        /// CD_ERROR_TOLERANCE if a step ended short of its tolerance: all steps are made, and good to the error that
-        /// cd_chain_get_convergence tells.</summary>
+        /// <summary>Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps.
+        /// Never allocates. Time is proportional to count * strands * nodes * components. Errors: CD_ERROR_VALUE;
+        /// CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives the first bad
+        /// one, the chain can be read, and steps again after cd_chain_reset, a load, or once finite positions and
+        /// velocities have been written; of ropes CD_ERROR_UNSUPPORTED for what they can't have, CD_ERROR_CALLBACK as
+        /// cd_chain_set_callback says, and CD_ERROR_TOLERANCE if a step ended short of its tolerance: all steps are
+        /// made, and good to the error that cd_chain_get_convergence tells.</summary>
         public void Step(double dt, long count = 1)
         {
             Changed();
@@ -3520,12 +3588,13 @@ namespace Contdyn
             return new MembraneAttachment(outStiffness, outDamping);
         }
 
-        /// <summary>Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is
-        /// proportional to count * nodes * components, with CD_SOLVER_COUPLED to the iterations too. Errors:
-        /// CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives
-        /// the first bad one, the membrane can be read, and steps again after cd_membrane_reset, a load, or once finite
-        /// positions and velocities have been written; CD_ERROR_TOLERANCE if a coupled solve ended short of its
-        /// tolerance: all steps are made, and good to the residual that cd_membrane_get_convergence tells.</summary>
+        /// <summary>Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps.
+        /// Never allocates. Time is proportional to count * nodes * components, with CD_SOLVER_COUPLED to the
+        /// iterations too. Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are
+        /// made, the message gives the first bad one, the membrane can be read, and steps again after
+        /// cd_membrane_reset, a load, or once finite positions and velocities have been written; CD_ERROR_TOLERANCE if
+        /// a coupled solve ended short of its tolerance: all steps are made, and good to the residual that
+        /// cd_membrane_get_convergence tells.</summary>
         public void Step(double dt, long count = 1)
         {
             Changed();
@@ -4992,11 +5061,11 @@ namespace Contdyn
             Check(Native.cd_water_sample_heads(Handle, at, Native.Size(n, "cd_water_sample_heads", "n"), outHeads));
         }
 
-        /// <summary>Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is
-        /// proportional to count * cells, and to the parts that steps are made in (see above). Errors: CD_ERROR_VALUE;
-        /// CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives the first bad
-        /// one, the water can be read, and steps again after cd_water_reset, a load, or once finite depths and
-        /// velocities have been written.</summary>
+        /// <summary>Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps.
+        /// Never allocates. Time is proportional to count * cells, and to the parts that steps are made in (see above).
+        /// Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the
+        /// message gives the first bad one, the water can be read, and steps again after cd_water_reset, a load, or
+        /// once finite depths and velocities have been written.</summary>
         public void Step(double dt, long count = 1)
         {
             Changed();

@@ -15,6 +15,10 @@ namespace Contdyn
         internal static extern IntPtr cd_error_message();
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_saved_shape(void* bytes, UIntPtr size, int* outKind, UIntPtr* outFirst,
+            UIntPtr* outSecond, UIntPtr* outComponents, int* outPrecision);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern uint cd_runnable_kernels();
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -60,6 +60,11 @@ static class Functions
             Tests.Equal(Library.StatusName(Status.ErrorValue), "CD_ERROR_VALUE");
             Tests.Equal(Library.StatusName((Status)1000), "CD_ERROR_UNKNOWN");
             Tests.Equal(Library.KernelsName(Kernels.Avx512), "AVX-512");
+            using (var chain = new Chain(3, 4, 2))
+            {
+                SavedShape of = Library.SavedShape(chain.Save());
+                Tests.True(of.Kind == Kind.Chain && of.First == 3 && of.Second == 4 && of.Components == 2, "saved shape");
+            }
             Tests.Equal(Library.RunnableKernels() & 1, 1u);
             var version = Library.Version();
             Tests.Equal(Library.VersionString(),

@@ -79,6 +79,10 @@ test("the version is that of api.json and package.json", async () => {
   assert.equal(contdyn.version(), api.macros.reduce((sum, { value }) => sum * 1000 + value, 0));
   assert.match(contdyn.buildInfo(), /WebAssembly|wasm/i);
   assert.equal(contdyn.runnableKernels(), 1);
+  const water = new contdyn.Water({ nx: 5, ny: 3, dx: 1, dy: 1, precision: "float32" });
+  const shape = { kind: "water", first: 5, second: 3, components: 1, precision: "float32" };
+  assert.deepEqual(contdyn.savedShape(water.save()), shape);
+  water.dispose();
 });
 
 test("enumerations have api.json's names and values, and nothing inherited", () => {

@@ -13,6 +13,7 @@ typedef int32_t cd_kernels;
 typedef int32_t cd_node;
 typedef int32_t cd_shape;
 typedef int32_t cd_field;
+typedef int32_t cd_kind;
 typedef int32_t cd_end;
 typedef int32_t cd_edge;
 typedef int32_t cd_side;
@@ -30,6 +31,8 @@ typedef struct cd_distance { void* user; void (*distance)(void* user, double tim
     const double* positions, double* out_distances, double* out_normals); } cd_distance;
 const char* cd_status_name(cd_status status);
 const char* cd_error_message(void);
+cd_status cd_saved_shape(const void* bytes, size_t size, cd_kind* out_kind, size_t* out_first, size_t* out_second,
+    size_t* out_components, cd_precision* out_precision);
 uint32_t cd_runnable_kernels(void);
 const char* cd_kernels_name(cd_kernels kernels);
 uint32_t cd_version(void);
@@ -369,6 +372,7 @@ local values_of = support.values_of
 local cd_bed_rule_1 = ffi.typeof("cd_bed_rule[1]")
 local cd_border_1 = ffi.typeof("cd_border[1]")
 local cd_kernels_1 = ffi.typeof("cd_kernels[1]")
+local cd_kind_1 = ffi.typeof("cd_kind[1]")
 local cd_mass_rule_1 = ffi.typeof("cd_mass_rule[1]")
 local cd_method_1 = ffi.typeof("cd_method[1]")
 local cd_momentum_1 = ffi.typeof("cd_momentum[1]")
@@ -489,7 +493,8 @@ api["shape"] = support.enumeration("cd_shape", {
   ["callback"] = 4,
 })
 
--- Per-node and per-spring data; which object has which is in its own header.
+-- Per-node and per-spring data; which object has which is in its own header. One list, since what objects share has one
+-- meaning; and all are numbers, pins and masks too, so that one read and one write serve them.
 api["field"] = support.enumeration("cd_field", {
   ["position"] = 0,
   ["velocity"] = 1,
@@ -526,6 +531,13 @@ api["field"] = support.enumeration("cd_field", {
   ["strain_v"] = 32,
   ["breaking_strain_u"] = 33,
   ["breaking_strain_v"] = 34,
+})
+
+-- The kinds of objects.
+api["kind"] = support.enumeration("cd_kind", {
+  ["chain"] = 1,
+  ["membrane"] = 2,
+  ["water"] = 3,
 })
 
 -- The two ends of a chain.
@@ -635,9 +647,27 @@ end
 
 -- Why the last failed call on this thread failed: the function, the argument, its value, what would be valid. Empty
 -- before the first failure; successful calls leave it as it is. The string belongs to the library and stays valid until
--- the next failure on the same thread.
+-- the next failure on the same thread. The library tells nothing else, and has no hook for messages.
 function api.error_message()
   return ffi.string(lib.cd_error_message())
+end
+
+-- What cd_*_save made these bytes of: the kind of object, and what its create function has to be given so that it loads
+-- them: of a chain strands and springs, of a membrane nu and nv, of water nx and ny; components, of water 1; and the
+-- precision. Water's dx and dy, allocators and callbacks may be others. Each output may be null, and is left alone on
+-- failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut short or of another version.
+function api.saved_shape(bytes)
+  local where = "cd_saved_shape"
+  local p_bytes, n_bytes = bytes_in(bytes, where, "bytes")
+  local size = n_bytes
+  local out_kind = cd_kind_1()
+  local out_first = size_t_1()
+  local out_second = size_t_1()
+  local out_components = size_t_1()
+  local out_precision = cd_precision_1()
+  check(lib.cd_saved_shape(p_bytes, size, out_kind, out_first, out_second, out_components, out_precision))
+  return enum_out("cd_kind", out_kind[0]), tonumber(out_first[0]), tonumber(out_second[0]),
+      tonumber(out_components[0]), enum_out("cd_precision", out_precision[0])
 end
 
 -- The kernels that this build has and this processor runs: the sum of 1 << k for each of them, k a cd_kernels. The
@@ -1533,12 +1563,13 @@ function Chain:weld(strand, spring)
   check(lib.cd_chain_weld(handle_of(self), strand, spring))
 end
 
--- Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
--- count * strands * nodes * components. Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range:
--- all steps are made, the message gives the first bad one, the chain can be read, and steps again after cd_chain_reset,
--- a load, or once finite positions and velocities have been written; of ropes CD_ERROR_UNSUPPORTED for what they can't
--- have, CD_ERROR_CALLBACK as cd_chain_set_callback says, and CD_ERROR_TOLERANCE if a step ended short of its tolerance:
--- all steps are made, and good to the error that cd_chain_get_convergence tells.
+-- Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps. Never allocates.
+-- Time is proportional to count * strands * nodes * components. Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number
+-- leaves the finite range: all steps are made, the message gives the first bad one, the chain can be read, and steps
+-- again after cd_chain_reset, a load, or once finite positions and velocities have been written; of ropes
+-- CD_ERROR_UNSUPPORTED for what they can't have, CD_ERROR_CALLBACK as cd_chain_set_callback says, and
+-- CD_ERROR_TOLERANCE if a step ended short of its tolerance: all steps are made, and good to the error that
+-- cd_chain_get_convergence tells.
 function Chain:step(dt, count)
   local where = "cd_chain_step"
   dt = number_in(dt, where, "dt")
@@ -2669,12 +2700,12 @@ function Membrane:get_attachment(u, v)
   return tonumber(out_stiffness[0]), tonumber(out_damping[0])
 end
 
--- Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
--- count * nodes * components, with CD_SOLVER_COUPLED to the iterations too. Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED
--- if a number leaves the finite range: all steps are made, the message gives the first bad one, the membrane can be
--- read, and steps again after cd_membrane_reset, a load, or once finite positions and velocities have been written;
--- CD_ERROR_TOLERANCE if a coupled solve ended short of its tolerance: all steps are made, and good to the residual that
--- cd_membrane_get_convergence tells.
+-- Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps. Never allocates.
+-- Time is proportional to count * nodes * components, with CD_SOLVER_COUPLED to the iterations too. Errors:
+-- CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives the
+-- first bad one, the membrane can be read, and steps again after cd_membrane_reset, a load, or once finite positions
+-- and velocities have been written; CD_ERROR_TOLERANCE if a coupled solve ended short of its tolerance: all steps are
+-- made, and good to the residual that cd_membrane_get_convergence tells.
 function Membrane:step(dt, count)
   local where = "cd_membrane_step"
   dt = number_in(dt, where, "dt")
@@ -3593,10 +3624,11 @@ function Water:sample_heads(at, out_heads)
   return array_result(out_heads, p_out_heads, n_out_heads)
 end
 
--- Makes `count` steps of dt [s] each, in [1e-30, 1e30]. 0 steps do nothing. Never allocates. Time is proportional to
--- count * cells, and to the parts that steps are made in (see above). Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a
--- number leaves the finite range: all steps are made, the message gives the first bad one, the water can be read, and
--- steps again after cd_water_reset, a load, or once finite depths and velocities have been written.
+-- Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps. Never allocates.
+-- Time is proportional to count * cells, and to the parts that steps are made in (see above). Errors: CD_ERROR_VALUE;
+-- CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives the first bad one, the
+-- water can be read, and steps again after cd_water_reset, a load, or once finite depths and velocities have been
+-- written.
 function Water:step(dt, count)
   local where = "cd_water_step"
   dt = number_in(dt, where, "dt")

@@ -67,6 +67,8 @@ test("functions of no object", function()
   equal(contdyn.status_name(1000), "CD_ERROR_UNKNOWN")
   equal(contdyn.kernels_name("avx512"), "AVX-512")
   equal(bit.band(contdyn.runnable_kernels(), 1), 1)
+  local kind, first, second, components, precision = contdyn.saved_shape(contdyn.Membrane(4, 5, 2, "float64"):save())
+  equal(table.concat({kind, first, second, components, precision}, " "), "membrane 4 5 2 float64")
   local version = contdyn.version()
   equal(contdyn.version_string(), ("%d.%d.%d"):format(
     math.floor(version / 1000000), math.floor(version / 1000) % 1000, version % 1000))

@@ -14,10 +14,11 @@ get_ pairs are properties. A field of the state is an array that shows the objec
 copy; assigning to it writes it. Arrays are NumPy's where it is installed, else a View. Quantities are in SI units, or
 in any other consistent set.
 """
-from typing import Tuple
+from ctypes import byref, c_int32, c_size_t
+from typing import Any, NamedTuple, Tuple
 
 from . import _library
-from ._api import (BedRule, Border, Edge, End, Field, Kernels, MassRule, Method, Momentum, Node, Precision, Shape,
+from ._api import (BedRule, Border, Edge, End, Field, Kernels, Kind, MassRule, Method, Momentum, Node, Precision, Shape,
                    Side, Solver, Status)
 from ._arrays import Array, View
 from ._body import Attachment, Collider, Convergence, Energy, Resistance, Tolerance
@@ -35,12 +36,12 @@ __all__ = [
     "Account", "Allocator", "Array", "Attachment", "BedRule", "Border", "CallbackError", "Chain", "ChainShape",
     "Collider", "Convergence", "DisabledError", "Distance", "DivergedError", "Edge", "Effort", "End", "Energy",
     "Error", "Field", "FormatError", "HandleError", "Hull", "HullDrag", "HullPose", "HullWays", "Hulls",
-    "InvalidEnumError", "InvalidValueError", "Kernels", "Limited", "MassRule", "Membrane", "MembraneShape",
+    "InvalidEnumError", "InvalidValueError", "Kernels", "Kind", "Limited", "MassRule", "Membrane", "MembraneShape",
     "Method", "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Parallel", "Precision",
-    "RangeError", "Resistance", "RestLength", "Ring", "Sample", "Shape", "Side", "SideState", "SizeError", "Solver",
+    "RangeError", "Resistance", "RestLength", "Ring", "Sample", "SavedShape", "Shape", "Side", "SideState", "SizeError", "Solver",
     "Status", "Stiffness", "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices", "View", "Water",
     "WaterEnergy", "WaterShape", "WaterVertices", "build_info", "kernels_name", "library_path", "runnable_kernels",
-    "status_name", "version",
+    "saved_shape", "status_name", "version",
 ]
 
 
@@ -64,6 +65,27 @@ def runnable_kernels() -> Tuple[Kernels, ...]:
 def kernels_name(kernels: Kernels) -> str:
     """The instructions' name, such as "AVX-512"; of Kernels.PLAIN those that it was built with, such as "SSE2"."""
     return str(_library.library.cd_kernels_name(kernels).decode())
+
+
+class SavedShape(NamedTuple):
+    """What saved bytes are of: the kind of object, and what it was made with. Of a chain strands and springs, of a
+    membrane nu and nv, of water nx and ny; components, of water 1; and the precision."""
+
+    kind: Kind
+    first: int
+    second: int
+    components: int
+    precision: Precision
+
+
+def saved_shape(data: Any) -> SavedShape:
+    """What save() of an object gave these bytes of, so that one can be made to load them. FormatError: none."""
+    state = bytes(memoryview(data))
+    kind, first, second, components, precision = results = c_int32(), c_size_t(), c_size_t(), c_size_t(), c_int32()
+    status = _library.library.cd_saved_shape(state, len(state), *map(byref, results))
+    if status:
+        raise _library.failure(status)
+    return SavedShape(Kind(kind.value), first.value, second.value, components.value, Precision(precision.value))
 
 
 def status_name(status: int) -> str:

@@ -124,7 +124,8 @@ class Shape(IntEnum):
 
 
 class Field(IntEnum):
-    """Per-node and per-spring data; which object has which is in its own header."""
+    """Per-node and per-spring data; which object has which is in its own header. One list, since what objects share has
+    one meaning; and all are numbers, pins and masks too, so that one read and one write serve them."""
 
     POSITION = 0
     VELOCITY = 1
@@ -161,6 +162,14 @@ class Field(IntEnum):
     STRAIN_V = 32
     BREAKING_STRAIN_U = 33
     BREAKING_STRAIN_V = 34
+
+
+class Kind(IntEnum):
+    """The kinds of objects."""
+
+    CHAIN = 1
+    MEMBRANE = 2
+    WATER = 3
 
 
 class End(IntEnum):
@@ -356,6 +365,8 @@ TYPES: Dict[str, Any] = {
 FUNCTIONS: Dict[str, str] = {
     "cd_status_name": "text: status int",
     "cd_error_message": "text:",
+    "cd_saved_shape": ("status: bytes pointer, size size, out_kind int*, out_first size*, out_second size*, "
+                       "out_components size*, out_precision int*"),
     "cd_runnable_kernels": "uint:",
     "cd_kernels_name": "text: kernels int",
     "cd_version": "uint:",

@@ -201,7 +201,7 @@ CASES = [
     ("weld", "RANGE", lambda c: c.weld(0, 5), "spring is 5"),
     ("weld", "MEMORY", hungry(lambda c: c.weld(0, 0)), "memory"),
     ("weld", "UNSUPPORTED", (pin_two, lambda c: c.weld(0, 2)), "held"),
-    *(("step", "VALUE", lambda c, x=x: c.step(x), "dt is") for x in (0, -1, NAN, INF, 1e31, 1e-31)),
+    *(("step", "VALUE", lambda c, x=x: c.step(x), "dt is") for x in (-1, NAN, INF, 1e31, 1e-31)),
     *(("step", "UNSUPPORTED", (lambda c, change=change: (make_rope(c), change(c)), lambda c: c.step(0.01)), "length")
       for change in (setting("method", Method.SYMPLECTIC_EULER), setting("lambda_", 0.4),
                      setting("ring", True), setting("stiffness_damping", 0.1),

@@ -17,6 +17,7 @@ OTHERWISE = {
     "cd_version": "contdyn.version",
     "cd_version_string": "contdyn.__version__",
     "cd_build_info": "contdyn.build_info",
+    "cd_saved_shape": "contdyn.saved_shape",
     "cd_runnable_kernels": "contdyn.runnable_kernels",
     "cd_kernels_name": "contdyn.kernels_name",
     "cd_chain_create": "contdyn.Chain",
@@ -137,6 +138,12 @@ class Reach(unittest.TestCase):
         self.assertRegex(contdyn.build_info(), "objects: .*chain")
         self.assertEqual(contdyn.kernels_name(contdyn.Kernels.AVX512), "AVX-512")
         self.assertEqual(contdyn.runnable_kernels()[0], contdyn.Kernels.PLAIN)
+
+    def test_what_saved_bytes_are_of(self):
+        water = contdyn.Water(5, 3, 0.1, 0.2, contdyn.Precision.FLOAT32)
+        self.assertEqual(contdyn.saved_shape(water.save()), (contdyn.Kind.WATER, 5, 3, 1, contdyn.Precision.FLOAT32))
+        with self.assertRaises(contdyn.FormatError):
+            contdyn.saved_shape(b"none")
 
     def test_everything_public_is_documented(self):
         for name in contdyn.__all__:

@@ -255,7 +255,8 @@ impl Shape {
     }
 }
 
-/// Per-node and per-spring data; which object has which is in its own header.
+/// Per-node and per-spring data; which object has which is in its own header. One list, since what objects share
+/// has one meaning; and all are numbers, pins and masks too, so that one read and one write serve them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]
 pub enum Field {
@@ -339,6 +340,29 @@ impl Field {
     /// The one with C's value.
     pub fn from_raw(value: i32) -> Option<Field> {
         Field::ALL.into_iter().find(|known| *known as i32 == value)
+    }
+}
+
+/// The kinds of objects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum Kind {
+    Chain = 1,
+    Membrane = 2,
+    Water = 3,
+}
+
+impl Kind {
+    /// Every one of them.
+    pub const ALL: [Kind; 3] = [
+        Kind::Chain,
+        Kind::Membrane,
+        Kind::Water,
+    ];
+
+    /// The one with C's value.
+    pub fn from_raw(value: i32) -> Option<Kind> {
+        Kind::ALL.into_iter().find(|known| *known as i32 == value)
     }
 }
 
@@ -503,9 +527,41 @@ pub fn status_name(status: Status) -> String {
 
 /// Why the last failed call on this thread failed: the function, the argument, its value, what would be valid.
 /// Empty before the first failure; successful calls leave it as it is. The string belongs to the library and stays
-/// valid until the next failure on the same thread.
+/// valid until the next failure on the same thread. The library tells nothing else, and has no hook for messages.
 pub fn error_message() -> String {
     unsafe { string_of(sys::cd_error_message()) }
+}
+
+/// What [`saved_shape`] tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SavedShape {
+    pub kind: Kind,
+    pub first: usize,
+    pub second: usize,
+    pub components: usize,
+    pub precision: Precision,
+}
+
+/// What cd_\*_save made these bytes of: the kind of object, and what its create function has to be given so that it
+/// loads them: of a chain strands and springs, of a membrane nu and nv, of water nx and ny; components, of water 1;
+/// and the precision. Water's dx and dy, allocators and callbacks may be others. Each output may be null, and is
+/// left alone on failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut short or of another version.
+pub fn saved_shape(bytes: &[u8]) -> Result<SavedShape> {
+    let size = bytes.len();
+    let mut out_kind = 0;
+    let mut out_first = 0;
+    let mut out_second = 0;
+    let mut out_components = 0;
+    let mut out_precision = 0;
+    check(unsafe { sys::cd_saved_shape(bytes.as_ptr().cast(), size, &mut out_kind, &mut out_first, &mut out_second,
+        &mut out_components, &mut out_precision) })?;
+    Ok(SavedShape {
+        kind: known(Kind::from_raw(out_kind), out_kind, "cd_saved_shape")?,
+        first: out_first,
+        second: out_second,
+        components: out_components,
+        precision: known(Precision::from_raw(out_precision), out_precision, "cd_saved_shape")?,
+    })
 }
 
 /// The kernels that this build has and this processor runs: the sum of 1 \<\< k for each of them, k a cd_kernels.
@@ -1404,13 +1460,13 @@ impl Chain {
         check(unsafe { sys::cd_chain_weld(self.as_ptr(), strand, spring) })
     }
 
-    /// Makes `count` steps of dt \[s\] each, in \[1e-30, 1e30\]. 0 steps do nothing. Never allocates. Time is
-    /// proportional to count \* strands \* nodes \* components. Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number
-    /// leaves the finite range: all steps are made, the message gives the first bad one, the chain can be read, and
-    /// steps again after cd_chain_reset, a load, or once finite positions and velocities have been written; of ropes
-    /// CD_ERROR_UNSUPPORTED for what they can't have, CD_ERROR_CALLBACK as cd_chain_set_callback says, and
-    /// CD_ERROR_TOLERANCE if a step ended short of its tolerance: all steps are made, and good to the error that
-    /// cd_chain_get_convergence tells.
+    /// Makes `count` steps of dt \[s\] each, 0 or in \[1e-30, 1e30\]: with 0 no time passes, as with 0 steps. Never
+    /// allocates. Time is proportional to count \* strands \* nodes \* components. Errors: CD_ERROR_VALUE;
+    /// CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives the first bad one,
+    /// the chain can be read, and steps again after cd_chain_reset, a load, or once finite positions and velocities
+    /// have been written; of ropes CD_ERROR_UNSUPPORTED for what they can't have, CD_ERROR_CALLBACK as
+    /// cd_chain_set_callback says, and CD_ERROR_TOLERANCE if a step ended short of its tolerance: all steps are made,
+    /// and good to the error that cd_chain_get_convergence tells.
     pub fn step(&mut self, dt: f64, count: usize) -> Result<()> {
         check(unsafe { sys::cd_chain_step(self.as_ptr(), dt, count) })
     }
@@ -2573,12 +2629,12 @@ impl Membrane {
         })
     }
 
-    /// Makes `count` steps of dt \[s\] each, in \[1e-30, 1e30\]. 0 steps do nothing. Never allocates. Time is
-    /// proportional to count \* nodes \* components, with CD_SOLVER_COUPLED to the iterations too. Errors:
-    /// CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives the
-    /// first bad one, the membrane can be read, and steps again after cd_membrane_reset, a load, or once finite
-    /// positions and velocities have been written; CD_ERROR_TOLERANCE if a coupled solve ended short of its tolerance:
-    /// all steps are made, and good to the residual that cd_membrane_get_convergence tells.
+    /// Makes `count` steps of dt \[s\] each, 0 or in \[1e-30, 1e30\]: with 0 no time passes, as with 0 steps. Never
+    /// allocates. Time is proportional to count \* nodes \* components, with CD_SOLVER_COUPLED to the iterations too.
+    /// Errors: CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message
+    /// gives the first bad one, the membrane can be read, and steps again after cd_membrane_reset, a load, or once
+    /// finite positions and velocities have been written; CD_ERROR_TOLERANCE if a coupled solve ended short of its
+    /// tolerance: all steps are made, and good to the residual that cd_membrane_get_convergence tells.
     pub fn step(&mut self, dt: f64, count: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_step(self.as_ptr(), dt, count) })
     }
@@ -3494,11 +3550,11 @@ impl Water {
         check(unsafe { sys::cd_water_sample_heads(self.as_ptr(), at.as_ptr(), n, out_heads.as_mut_ptr()) })
     }
 
-    /// Makes `count` steps of dt \[s\] each, in \[1e-30, 1e30\]. 0 steps do nothing. Never allocates. Time is
-    /// proportional to count \* cells, and to the parts that steps are made in (see above). Errors: CD_ERROR_VALUE;
-    /// CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives the first bad one,
-    /// the water can be read, and steps again after cd_water_reset, a load, or once finite depths and velocities have
-    /// been written.
+    /// Makes `count` steps of dt \[s\] each, 0 or in \[1e-30, 1e30\]: with 0 no time passes, as with 0 steps. Never
+    /// allocates. Time is proportional to count \* cells, and to the parts that steps are made in (see above). Errors:
+    /// CD_ERROR_VALUE; CD_ERROR_DIVERGED if a number leaves the finite range: all steps are made, the message gives the
+    /// first bad one, the water can be read, and steps again after cd_water_reset, a load, or once finite depths and
+    /// velocities have been written.
     pub fn step(&mut self, dt: f64, count: usize) -> Result<()> {
         check(unsafe { sys::cd_water_step(self.as_ptr(), dt, count) })
     }

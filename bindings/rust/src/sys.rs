@@ -97,6 +97,11 @@ pub const CD_STRAIN_V: cd_field = 32;
 pub const CD_BREAKING_STRAIN_U: cd_field = 33;
 pub const CD_BREAKING_STRAIN_V: cd_field = 34;
 
+pub type cd_kind = i32;
+pub const CD_KIND_CHAIN: cd_kind = 1;
+pub const CD_KIND_MEMBRANE: cd_kind = 2;
+pub const CD_KIND_WATER: cd_kind = 3;
+
 pub type cd_end = i32;
 pub const CD_END_FIRST: cd_end = 0;
 pub const CD_END_LAST: cd_end = 1;
@@ -184,6 +189,8 @@ pub struct cd_distance {
 extern "C" {
     pub fn cd_status_name(status: cd_status) -> *const c_char;
     pub fn cd_error_message() -> *const c_char;
+    pub fn cd_saved_shape(bytes: *const c_void, size: usize, out_kind: *mut cd_kind, out_first: *mut usize,
+        out_second: *mut usize, out_components: *mut usize, out_precision: *mut cd_precision) -> cd_status;
     pub fn cd_runnable_kernels() -> u32;
     pub fn cd_kernels_name(kernels: cd_kernels) -> *const c_char;
     pub fn cd_version() -> u32;

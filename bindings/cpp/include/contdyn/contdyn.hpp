@@ -62,6 +62,9 @@ enum class [[nodiscard]] status : std::int32_t {
     error_callback = CD_ERROR_CALLBACK
 };
 
+// The kinds of objects.
+enum class kind : std::int32_t { chain = CD_KIND_CHAIN, membrane = CD_KIND_MEMBRANE, water = CD_KIND_WATER };
+
 // What an object stores and computes in.
 enum class precision : std::int32_t { float32 = CD_FLOAT32, float64 = CD_FLOAT64 };
 
@@ -466,6 +469,21 @@ struct collider {
 struct lattice {
     std::size_t columns, rows;
 };
+// What saved bytes are of: what that kind of object was made with.
+struct saved_object {
+    contdyn::kind kind;
+    std::size_t first, second, components;
+    contdyn::precision precision;
+};
+
+inline outcome<saved_object> saved_shape(bytes saved) {
+    saved_object out{};
+    cd_kind k = 0;
+    cd_precision p = 0;
+    const cd_status s = cd_saved_shape(saved.data(), saved.size(), &k, &out.first, &out.second, &out.components, &p);
+    out.kind = static_cast<kind>(k), out.precision = static_cast<precision>(p);
+    return detail::got(s, out);
+}
 
 // ---- chain ----------------------------------------------------------------------------------------------------------
 

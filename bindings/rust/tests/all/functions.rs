@@ -58,6 +58,10 @@ fn functions_of_no_object() {
     }
     assert_eq!(kernels_name(Kernels::Avx512), "AVX-512");
     assert_eq!(runnable_kernels() & 1, 1);
+    let saved = Chain::new(3, 4, 2, Precision::Float64).unwrap().save().unwrap();
+    let of = saved_shape(&saved).unwrap();
+    assert_eq!((of.kind, of.first, of.second, of.components), (Kind::Chain, 3, 4, 2));
+    assert_eq!(saved_shape(&saved[1..]).unwrap_err().status(), Some(Status::ErrorFormat));
     assert!(build_info().contains("objects: "));
     let number = version();
     let text = format!("{}.{}.{}", number / 1_000_000, number / 1000 % 1000, number % 1000);
