@@ -14,8 +14,14 @@
 #endif
 #if defined(__x86_64__)
 #define CD_TARGET "x86-64"
+#elif defined(__i386__)
+#define CD_TARGET "i686"
 #elif defined(__aarch64__)
 #define CD_TARGET "AArch64"
+#elif defined(__riscv)
+#define CD_TARGET "RISC-V"
+#elif defined(__s390x__)
+#define CD_TARGET "s390x"
 #elif defined(__wasm__)
 #define CD_TARGET "WebAssembly"
 #else

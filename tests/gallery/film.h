@@ -10,7 +10,8 @@
 typedef struct film {
     size_t lines, points, frames;
     double seconds;
-    double* at; /* x and y of point after point, line after line, frame after frame */
+    double* at;   /* x and y of point after point, line after line, frame after frame */
+    char* broken; /* whether there is a gap before the point, in the same order */
 } film;
 
 /* 0 where there is no memory. Released with film_destroy. */
@@ -18,6 +19,9 @@ int film_create(film* made, size_t lines, size_t points, size_t frames, double s
 void film_destroy(film* gone);
 
 void film_set(film* of, size_t frame, size_t line, size_t point, double x, double y);
+
+/* The line has a gap before this point. */
+void film_break(film* of, size_t frame, size_t line, size_t point);
 
 /* How far the last frame is from the first one, at most of all points. */
 double film_jump(const film* of);

@@ -24,6 +24,7 @@ typedef struct part {
 /* x and y in the picture [m], and what is drawn upwards as many times as `stretch` of the take says. */
 typedef struct spot {
     double x, y, up;
+    int broken; /* the line has a gap before it */
 } spot;
 
 /* What was seen of one object. */
@@ -93,13 +94,13 @@ static spot* next_frame(take* of, double seconds) {
 
 /* Where a point is in the picture: x to the right, y away and a little to the right, up upwards. */
 static spot above(double x, double y, double up) {
-    const spot at = {x + 0.4 * y, 0.3 * y, up};
+    const spot at = {x + 0.4 * y, 0.3 * y, up, 0};
     return at;
 }
 
 /* Points of a plane stand upright. */
 static spot seen(const double* x, size_t components) {
-    const spot flat = {x[0], x[1], 0}, solid = {x[0] + 0.4 * x[1], x[2] + 0.3 * x[1], 0};
+    const spot flat = {x[0], x[1], 0, 0}, solid = {x[0] + 0.4 * x[1], x[2] + 0.3 * x[1], 0, 0};
     return components == 2 ? flat : solid;
 }
 
@@ -112,7 +113,7 @@ static spot* draw_capsule(spot* to, const double* first, const double* last, siz
         const double turn = kTurn * i / kRound, c = radius * cos(turn), s = radius * sin(turn);
         const spot middle = 2 * i < kRound ? b : a;
         to->x = middle.x + c * ahead[1] + s * ahead[0], to->y = middle.y + s * ahead[1] - c * ahead[0];
-        to++->up = 0;
+        to->up = 0, to++->broken = 0;
     }
     return to;
 }
@@ -192,6 +193,13 @@ static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }
 /* Which of `count` is drawn as the k-th of `drawn`, from the first to the last. */
 static size_t place_of(size_t k, size_t drawn, size_t count) { return drawn > 1 ? k * (count - 1) / (drawn - 1) : 0; }
 
+/* Whether a spring is cut between two nodes of a line that is the `line`-th along u or v, springs[v][u]. */
+static int is_cut(const double* springs, int across, size_t columns, size_t line, size_t from, size_t to) {
+    for (size_t i = from; i < to; ++i)
+        if (springs[across ? i * columns + line : line * columns + i] == 0) return 1;
+    return 0;
+}
+
 cd_status record_membrane_step(cd_membrane* membrane, double dt, size_t count) {
     enum { kMostLines = 13, kMostPoints = 33 };
     size_t nu, nv, components, colliders;
@@ -213,18 +221,27 @@ cd_status record_membrane_step(cd_membrane* membrane, double dt, size_t count) {
     spot* to = next_frame(of, dt * (double)count);
     if (!to) return status;
     to = draw_colliders(to, membrane, colliders, components, membrane_collider);
-    double* const x = numbers(nx * ny * components);
+    double *const x = numbers(nx * ny * components), *const springs = numbers(nx * ny);
     if (cd_membrane_read_f64(membrane, CD_POSITION, 0, 0, nx, ny, x, nx * ny * components)) exit(1);
-    for (int across = 0; across < 2; ++across)
+    for (int across = 0; across < 2; ++across) {
+        const size_t columns = across ? nx : nu, rows = across ? nv : ny;
+        const cd_field field = across ? CD_STIFFNESS_V : CD_STIFFNESS_U;
+        const int have_own = !cd_membrane_read_f64(membrane, field, 0, 0, columns, rows, springs, columns * rows);
         for (size_t line = 0; line < lines[across]; ++line)
             for (size_t k = 0; k < points[across]; ++k) {
                 const size_t a = place_of(line, lines[across], across ? nx : ny);
                 const size_t b = place_of(k, points[across], across ? ny : nx), i = across ? a : b, j = across ? b : a;
                 const double* const at = x + (j * nx + i) * components;
                 const double right = (double)i / (double)(nx - 1), away = (double)j / (double)(ny - 1);
-                *to++ = components == 1 ? above(right, away, at[0]) : seen(at, components);
+                *to = components == 1 ? above(right, away, at[0]) : seen(at, components);
+                if (have_own && k > 0) {
+                    const size_t before = place_of(k - 1, points[across], across ? ny : nx);
+                    to->broken = is_cut(springs, across, columns, a, before, b);
+                }
+                ++to;
             }
-    free(x);
+    }
+    free(x), free(springs);
     return status;
 }
 
@@ -358,6 +375,7 @@ static void write_take(const take* of, FILE* out, const fit* in, double middle, 
                 film_set(&made, f, i / drawn->points, i % drawn->points,
                          middle + in->scale * (at->x - 0.5 * (in->x.least + in->x.most)),
                          in->scale * (in->y.most - height_of(at, in)));
+                if (at->broken) film_break(&made, f, i / drawn->points, i % drawn->points);
             }
         film_write(&made, out, drawn->kind);
         film_destroy(&made);
