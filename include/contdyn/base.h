@@ -7,6 +7,7 @@
  *   - Outputs come last and are named out_*. Unless a comment says otherwise, an output pointer may not be null; an
  *     array of no numbers may.
  *   - A handle is valid from create to destroy. After that it may not be used: its memory is the allocator's again.
+ *   - An object holds nothing of its user's but what callback tables point to.
  *   - Nothing here prints, aborts or throws. cd_*_destroy(NULL) does nothing.
  *   - Distinct objects may be used from different threads at once; one object from one thread at a time.
  *   - Quantities are in SI units, or in any other consistent set: the library never converts.

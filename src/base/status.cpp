@@ -1,18 +1,20 @@
 #include "base/status.hh"
 
 #include <stdarg.h>
+#include <string.h>
 
 namespace cd {
 
-static thread_local char message[256];
+constexpr size_t kRoom = 400; // bytes: every message of ours fits, with numbers of 20 digits
+static thread_local char message[kRoom];
 
 cd_status fail(cd_status status, const char* function, const char* format, ...) {
-    const int used = snprintf(message, sizeof message, "%s: ", function);
+    const int used = snprintf(message, kRoom, "%s: ", function);
     va_list arguments;
     va_start(arguments, format);
-    if (used >= 0 && used < int(sizeof message))
-        vsnprintf(message + used, sizeof message - size_t(used), format, arguments);
+    const int wanted = vsnprintf(message + used, kRoom - size_t(used), format, arguments);
     va_end(arguments);
+    if (used + wanted >= int(kRoom)) memcpy(message + kRoom - 4, "...", 4); // cut short
     return status;
 }
 

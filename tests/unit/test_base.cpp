@@ -1,7 +1,4 @@
-// Checked sizes, sums, and the walk that saves, loads and hashes.
-extern "C" {
-#include "cmocka_all.h"
-}
+// Checked sizes, sums, the walk that saves, loads and hashes, and messages.
 #include <math.h>
 
 #include <initializer_list>
@@ -9,6 +6,12 @@ extern "C" {
 #include "base/archive.hh"
 #include "base/memory.hh"
 #include "base/sum.hh"
+#include "model/keep.hh"
+
+extern "C" {
+#include "cmocka_all.h" // last: it makes a macro of the name fail
+}
+#undef fail
 
 namespace {
 
@@ -63,6 +66,22 @@ void numbers_come_back_from_bytes_little_end_first(void**) {
     assert_false(reader.whole);
 }
 
+void messages_are_whole_or_say_that_they_are_not(void**) {
+    const cd::Kind kind = {CD_KIND_MEMBRANE, "membrane", {"springs along u", "springs along v"}};
+    const cd::Shape most = {{UINT64_MAX, UINT64_MAX}, UINT64_MAX, -2147483647};
+    assert_int_equal(cd::shapes_differ("cd_membrane_copy_state", kind, "the saved one", most, most), CD_ERROR_MISMATCH);
+    assert_non_null(strstr(cd::last_message(), "18446744073709551615, -2147483647"));
+    char text[1000];
+    memset(text, 'x', sizeof text);
+    text[sizeof text - 1] = 0;
+    assert_int_equal(cd::fail(CD_ERROR_VALUE, "f", "%s", text), CD_ERROR_VALUE);
+    const size_t length = strlen(cd::last_message());
+    assert_true(length < sizeof text && strcmp(cd::last_message() + length - 3, "...") == 0);
+    text[length - 3] = 0; // what just fits stands as it is
+    assert_int_equal(cd::fail(CD_ERROR_VALUE, "f", "%s", text), CD_ERROR_VALUE);
+    assert_true(strlen(cd::last_message()) == length && cd::last_message()[length - 1] == 'x');
+}
+
 } // namespace
 
 int main() {
@@ -71,6 +90,7 @@ int main() {
         cmocka_unit_test(memory_is_counted_zeroed_and_aligned),
         cmocka_unit_test(sums_keep_what_plain_addition_loses),
         cmocka_unit_test(numbers_come_back_from_bytes_little_end_first),
+        cmocka_unit_test(messages_are_whole_or_say_that_they_are_not),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
