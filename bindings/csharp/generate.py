@@ -152,7 +152,8 @@ class Method:
             return f"{pascal(p.base)} {name}"
         if p.role == "callbacks":
             return f"{pascal(p.base)}Callbacks {name}"
-        if p.default is not None and form != "pointer":
+        after = self.function.arguments[self.function.arguments.index(p):]
+        if p.default is not None and form != "pointer" and not any(map(is_array, after)):
             value = f"{pascal(p.enum)}.{pascal(p.default)}" if p.enum else p.default
             return f"{value_type(p)} {name} = {value}"
         return f"{value_type(p)} {name}"

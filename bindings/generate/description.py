@@ -25,7 +25,8 @@ EXTENTS = {
 }
 
 # Arguments that a caller may leave out: a number, or the short name of an enumerator.
-DEFAULTS = {("create", "precision"): "float64", ("step", "count"): 1}
+DEFAULTS = {("create", "precision"): "float64", ("step", "count"): 1, ("sample", "outside"): "refused",
+            ("sample_heads", "outside"): "refused"}
 
 
 class NotUnderstood(Exception):

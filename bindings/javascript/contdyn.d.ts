@@ -185,6 +185,15 @@ export const Shape: {
 };
 export type Shape = keyof typeof Shape;
 
+/** What becomes of places outside of an object that it is sampled at. */
+export const Outside: {
+  /** "errorValue", and nothing is told of the other places either */
+  readonly refused: 0;
+  /** they stand for the nearest place in the object; only NaN is refused */
+  readonly nearest: 1;
+};
+export type Outside = keyof typeof Outside;
+
 /**
  * Per-node and per-spring data; which object has which is in its own header. One list, since what objects share has one
  * meaning; and all are numbers, pins and masks too, so that one read and one write serve them.
@@ -935,9 +944,9 @@ export class Chain extends Handle {
   /**
    * Positions of one strand at places along it, linear between nodes: at[j] in [0, springs] (ring: to springs + 1),
    * positions[j][component], count = n * components. Errors: "errorRange" if there is no such strand or
-   * count is another number; "errorValue" for a place beyond the strand.
+   * count is another number; "errorEnum"; "errorValue" for a place beyond the strand.
    */
-  sample(strand: number, at: Numbers): Float64Array;
+  sample(strand: number, at: Numbers, outside?: Outside): Float64Array;
 
   /** Bytes the chain holds from its allocator. */
   get memory(): number;
@@ -1645,9 +1654,9 @@ export class Membrane extends Handle {
 
   /**
    * Positions at n places on the sheet, bilinear between nodes: at[j] = {u, v}, u in [0, nu] (ring: to nu + 1), v
-   * likewise; positions[j][component], count = n * components. Errors: "errorRange", "errorValue".
+   * likewise; positions[j][component], count = n * components. Errors: "errorRange", "errorEnum", "errorValue".
    */
-  sample(at: Numbers): Float64Array;
+  sample(at: Numbers, outside?: Outside): Float64Array;
 
   /** Bytes the membrane holds from its allocator. */
   get memory(): number;
@@ -2232,9 +2241,10 @@ export class Water extends Handle {
   /**
    * How high [m] the water would stand at n places, at[k] = {x, y}, with no hull pressing on it: its surface and the
    * head
-   * that hulls press with. Errors: "errorValue" for a place outside; "errorRange" for more than fit in memory.
+   * that hulls press with. Errors: "errorEnum"; "errorValue" for a place outside; "errorRange" for more than fit
+   * in memory.
    */
-  sampleHeads(at: Numbers): Float64Array;
+  sampleHeads(at: Numbers, outside?: Outside): Float64Array;
 
   // ---- time ---------------------------------------------------------------------------------------------------------
 
@@ -2315,9 +2325,10 @@ export class Water extends Handle {
    * The water at n places, at[k] = {x, y} in metres inside the scene: surface [m] and depth [m], bilinear between cell
    * centres that are there, level beyond the outermost ones; normal of the surface (3 numbers, unit length, z up);
    * velocity [m/s] (2 numbers), bilinear between faces. A dry place has the bed for its surface.
-   * Errors: "errorValue" for a place outside; "errorRange" for more than fit in memory.
+   * Errors: "errorEnum"; "errorValue" for a place outside; "errorRange" for more than fit in memory.
    */
-  sample(at: Numbers): { surface: Float64Array; depth: Float64Array; normal: Float64Array; velocity: Float64Array };
+  sample(at: Numbers, outside?: Outside): { surface: Float64Array; depth: Float64Array; normal: Float64Array; velocity:
+    Float64Array };
 
   /** Bytes the water holds from its allocator. */
   get memory(): number;

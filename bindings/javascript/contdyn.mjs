@@ -71,6 +71,11 @@ export const Shape = enumeration({
   callback: 4,
 });
 
+export const Outside = enumeration({
+  refused: 0,
+  nearest: 1,
+});
+
 export const Field = enumeration({
   position: 0,
   velocity: 1,
@@ -663,14 +668,15 @@ export class Chain extends Handle {
     return got(momentumAt, Float64Array, countOf);
   }
 
-  sample(strand, at) {
+  sample(strand, at, outside = "refused") {
     const address = addressOf(this, Chain);
     begin();
     const atAt = put(at, Float64Array, "at");
     const nOf = atAt.length;
     const outCountOf = nOf * componentsOf(this);
     const positionsAt = take(Float64Array.BYTES_PER_ELEMENT * outCountOf);
-    check(wasm.cd_chain_sample(address, size(strand, "strand"), atAt.address, nOf, positionsAt, outCountOf));
+    check(wasm.cd_chain_sample(address, size(strand, "strand"), atAt.address, nOf, member(Outside, outside, "outside"),
+      positionsAt, outCountOf));
     return got(positionsAt, Float64Array, outCountOf);
   }
 
@@ -1247,14 +1253,15 @@ export class Membrane extends Handle {
     return real(0);
   }
 
-  sample(at) {
+  sample(at, outside = "refused") {
     const address = addressOf(this, Membrane);
     begin();
     const atAt = put(at, Float64Array, "at");
     const nOf = items(atAt, 2, "at");
     const outCountOf = nOf * componentsOf(this);
     const positionsAt = take(Float64Array.BYTES_PER_ELEMENT * outCountOf);
-    check(wasm.cd_membrane_sample(address, atAt.address, nOf, positionsAt, outCountOf));
+    check(wasm.cd_membrane_sample(address, atAt.address, nOf, member(Outside, outside, "outside"), positionsAt,
+      outCountOf));
     return got(positionsAt, Float64Array, outCountOf);
   }
 
@@ -1736,13 +1743,13 @@ export class Water extends Handle {
     };
   }
 
-  sampleHeads(at) {
+  sampleHeads(at, outside = "refused") {
     const address = addressOf(this, Water);
     begin();
     const atAt = put(at, Float64Array, "at");
     const nOf = items(atAt, 2, "at");
     const headsAt = take(Float64Array.BYTES_PER_ELEMENT * nOf);
-    check(wasm.cd_water_sample_heads(address, atAt.address, nOf, headsAt));
+    check(wasm.cd_water_sample_heads(address, atAt.address, nOf, member(Outside, outside, "outside"), headsAt));
     return got(headsAt, Float64Array, nOf);
   }
 
@@ -1815,7 +1822,7 @@ export class Water extends Handle {
     return real(0);
   }
 
-  sample(at) {
+  sample(at, outside = "refused") {
     const address = addressOf(this, Water);
     begin();
     const atAt = put(at, Float64Array, "at");
@@ -1824,7 +1831,8 @@ export class Water extends Handle {
     const depthAt = take(Float64Array.BYTES_PER_ELEMENT * nOf);
     const normalAt = take(Float64Array.BYTES_PER_ELEMENT * nOf * 3);
     const velocityAt = take(Float64Array.BYTES_PER_ELEMENT * nOf * 2);
-    check(wasm.cd_water_sample(address, atAt.address, nOf, surfaceAt, depthAt, normalAt, velocityAt));
+    check(wasm.cd_water_sample(address, atAt.address, nOf, member(Outside, outside, "outside"), surfaceAt, depthAt,
+      normalAt, velocityAt));
     return {
       surface: got(surfaceAt, Float64Array, nOf),
       depth: got(depthAt, Float64Array, nOf),

@@ -20,7 +20,8 @@ WIDTH = 120
 # Functions of the C library that the binding calls.
 LIBC = ["malloc", "free"]
 # Numbers that a call may leave out at its end, as it may arrays that may be null.
-DEFAULTS = {("step", "count"): "1", ("set_plane", "friction"): "0", ("set_capsule", "friction"): "0",
+DEFAULTS = {("step", "count"): "1", ("sample", "outside"): '"refused"', ("sample_heads", "outside"): '"refused"',
+            ("set_plane", "friction"): "0", ("set_capsule", "friction"): "0",
             ("set_side", "value"): "0", ("set_side", "rate"): "0"}
 PRECISION = ("float64", "float32")
 

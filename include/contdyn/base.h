@@ -118,6 +118,13 @@ enum {
 typedef int32_t cd_shape;
 enum { CD_SHAPE_NONE = 0, CD_SHAPE_PLANE = 1, CD_SHAPE_CAPSULE = 2, CD_SHAPE_BED = 3, CD_SHAPE_CALLBACK = 4 };
 
+/* What becomes of places outside of an object that it is sampled at. */
+typedef int32_t cd_outside;
+enum {
+    CD_OUTSIDE_REFUSED = 0, /* CD_ERROR_VALUE, and nothing is told of the other places either */
+    CD_OUTSIDE_NEAREST = 1  /* they stand for the nearest place in the object; only NaN is refused */
+};
+
 /* Per-node and per-spring data; which object has which is in its own header. One list, since what objects share has one
  * meaning; and all are numbers, pins and masks too, so that one read and one write serve them. */
 typedef int32_t cd_field;

@@ -420,9 +420,9 @@ CD_API cd_status cd_chain_get_momentum(const cd_chain* chain, double* out_moment
 
 /* Positions of one strand at places along it, linear between nodes: at[j] in [0, springs] (ring: to springs + 1),
  * out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE if there is no such strand or
- * out_count is another number; CD_ERROR_VALUE for a place beyond the strand. */
+ * out_count is another number; CD_ERROR_ENUM; CD_ERROR_VALUE for a place beyond the strand. */
 CD_API cd_status cd_chain_sample(const cd_chain* chain, size_t strand, const double* at, size_t n,
-                                 double* out_positions, size_t out_count);
+                                 cd_outside outside, double* out_positions, size_t out_count);
 
 /* Bytes the chain holds from its allocator. */
 CD_API cd_status cd_chain_get_memory(const cd_chain* chain, size_t* out_bytes);

@@ -358,8 +358,10 @@ CD_API cd_status cd_water_get_hull_load(const cd_water* water, size_t index, dou
 CD_API cd_status cd_water_get_hull_energy(const cd_water* water, double* out_kinetic, double* out_potential);
 
 /* How high [m] the water would stand at n places, at[k] = {x, y}, with no hull pressing on it: its surface and the head
- * that hulls press with. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in memory. */
-CD_API cd_status cd_water_sample_heads(const cd_water* water, const double* at, size_t n, double* out_heads);
+ * that hulls press with. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit
+ * in memory. */
+CD_API cd_status cd_water_sample_heads(const cd_water* water, const double* at, size_t n, cd_outside outside,
+                                       double* out_heads);
 
 /* ---- time ------------------------------------------------------------------------------------------------------- */
 
@@ -415,9 +417,9 @@ CD_API cd_status cd_water_get_courant(const cd_water* water, double dt, double* 
 /* The water at n places, at[k] = {x, y} in metres inside the scene: surface [m] and depth [m], bilinear between cell
  * centres that are there, level beyond the outermost ones; normal of the surface (3 numbers, unit length, z up);
  * velocity [m/s] (2 numbers), bilinear between faces. A dry place has the bed for its surface. Each output may be null.
- * Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in memory. */
-CD_API cd_status cd_water_sample(const cd_water* water, const double* at, size_t n, double* out_surface,
-                                 double* out_depth, double* out_normal, double* out_velocity);
+ * Errors: CD_ERROR_ENUM; CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in memory. */
+CD_API cd_status cd_water_sample(const cd_water* water, const double* at, size_t n, cd_outside outside,
+                                 double* out_surface, double* out_depth, double* out_normal, double* out_velocity);
 
 /* Bytes the water holds from its allocator. */
 CD_API cd_status cd_water_get_memory(const cd_water* water, size_t* out_bytes);

@@ -241,17 +241,19 @@ cd_status cd_chain_weld(cd_chain* chain, size_t strand, size_t spring) {
     return CD_OK;
 }
 
-cd_status cd_chain_sample(const cd_chain* chain, size_t strand, const double* at, size_t n, double* out_positions,
-                          size_t out_count) {
+cd_status cd_chain_sample(const cd_chain* chain, size_t strand, const double* at, size_t n, cd_outside outside,
+                          double* out_positions, size_t out_count) {
     CD_OPEN(chain, c);
     CD_CHECK(is_index(__func__, "strand", strand, c.strands));
-    CD_CHECK(can_sample(__func__, at, n, out_positions));
+    CD_CHECK(can_sample(__func__, at, n, outside, out_positions));
     CD_CHECK(is_count(__func__, "out_count", out_count, n * c.components));
-    for (size_t j = 0; j < n; ++j) CD_CHECK(is_place(__func__, at, j, springs_in_all(c)));
+    const double most = double(springs_in_all(c));
+    for (size_t j = 0; j < n; ++j) CD_CHECK(is_place(__func__, at, j, most, outside));
     for (size_t j = 0; j < n; ++j) {
-        const size_t whole = size_t(at[j]), last = springs_in_all(c) > 0 ? springs_in_all(c) - 1 : 0;
+        const double there = nearest(at[j], most);
+        const size_t whole = size_t(there), last = springs_in_all(c) > 0 ? springs_in_all(c) - 1 : 0;
         const size_t i = whole < last ? whole : last, next = i + 1 < c.nodes ? i + 1 : c.ring ? 0 : i;
-        const double t = at[j] - double(i);
+        const double t = there - double(i);
         for (size_t k = 0; k < c.components; ++k) {
             const double a = get_number(c, c.position, place(c, strand, i, k));
             const double b = get_number(c, c.position, place(c, strand, next, k));

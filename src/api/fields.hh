@@ -112,19 +112,23 @@ inline cd_status has_view(const char* function, cd_field field) {
     return has_view(function, field, is_state(field) && field != CD_WIND);
 }
 
-// What every sample is given: places at[j], and room for positions.
-inline cd_status can_sample(const char* function, const double* at, size_t n) {
+// What every sample is given: places at[j], what becomes of those outside, and room for positions.
+inline cd_status can_sample(const char* function, const double* at, size_t n, cd_outside outside) {
     if (n > 0) CD_CHECK(not_null(function, "at", at));
+    CD_CHECK(is_enum(function, "outside", outside, CD_OUTSIDE_NEAREST));
     return n > SIZE_MAX / 4 ? fail(CD_ERROR_RANGE, function, "n is %zu, more than fits in memory", n) : CD_OK;
 }
-inline cd_status can_sample(const char* function, const double* at, size_t n, const double* out_positions) {
-    CD_CHECK(can_sample(function, at, n));
+inline cd_status can_sample(const char* function, const double* at, size_t n, cd_outside outside,
+                            const double* out_positions) {
+    CD_CHECK(can_sample(function, at, n, outside));
     return n > 0 ? not_null(function, "out_positions", out_positions) : CD_OK;
 }
-inline cd_status is_place(const char* function, const double* at, size_t j, size_t springs) {
-    if (at[j] >= 0 && at[j] <= double(springs)) return CD_OK;
-    return fail(CD_ERROR_VALUE, function, "at[%zu] is %g, must be in [0, %zu]", j, at[j], springs);
+inline cd_status is_place(const char* function, const double* at, size_t j, double most, cd_outside outside) {
+    const bool any = outside == CD_OUTSIDE_NEAREST && !isnan(at[j]);
+    if (any || (at[j] >= 0 && at[j] <= most)) return CD_OK;
+    return fail(CD_ERROR_VALUE, function, "at[%zu] is %g, must be in [0, %g]", j, at[j], most);
 }
+inline double nearest(double place, double most) { return place < 0 ? 0 : place > most ? most : place; }
 
 inline cd_status can_write(const char* function, cd_field field) {
     if (field != CD_STRAIN && (field < CD_TENSION_U || field > CD_STRAIN_V)) return CD_OK;

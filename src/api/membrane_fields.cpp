@@ -200,14 +200,16 @@ cd_status cd_membrane_get_attachment(const cd_membrane* membrane, size_t u, size
     return shared::get_attachment(__func__, m, node_at(m, u, v), out_stiffness, out_damping);
 }
 
-cd_status cd_membrane_sample(const cd_membrane* membrane, const double* at, size_t n, double* out_positions,
-                             size_t out_count) {
+cd_status cd_membrane_sample(const cd_membrane* membrane, const double* at, size_t n, cd_outside outside,
+                             double* out_positions, size_t out_count) {
     CD_OPEN(membrane, m);
-    CD_CHECK(can_sample(__func__, at, n, out_positions));
+    CD_CHECK(can_sample(__func__, at, n, outside, out_positions));
     CD_CHECK(is_count(__func__, "out_count", out_count, n * m.components));
-    for (size_t j = 0; j < 2 * n; ++j) CD_CHECK(is_place(__func__, at, j, springs_along(m, j % 2 == 0 ? kU : kV)));
-    for (size_t j = 0; j < n; ++j)
-        for (size_t k = 0; k < m.components; ++k)
-            out_positions[j * m.components + k] = position_at(m, at[2 * j], at[2 * j + 1], k);
+    const double most[2] = {double(springs_along(m, kU)), double(springs_along(m, kV))};
+    for (size_t j = 0; j < 2 * n; ++j) CD_CHECK(is_place(__func__, at, j, most[j % 2], outside));
+    for (size_t j = 0; j < n; ++j) {
+        const double u = nearest(at[2 * j], most[0]), v = nearest(at[2 * j + 1], most[1]);
+        for (size_t k = 0; k < m.components; ++k) out_positions[j * m.components + k] = position_at(m, u, v, k);
+    }
     return CD_OK;
 }

@@ -99,13 +99,13 @@ cd_status cd_water_impulse(cd_water* water, double x, double y, double radius, d
 
 // ---- at places ------------------------------------------------------------------------------------------------------
 
-cd_status cd_water_sample(const cd_water* water, const double* at, size_t n, double* out_surface, double* out_depth,
-                          double* out_normal, double* out_velocity) {
+cd_status cd_water_sample(const cd_water* water, const double* at, size_t n, cd_outside outside,
+                          double* out_surface, double* out_depth, double* out_normal, double* out_velocity) {
     CD_OPEN(water, w);
-    CD_CHECK(can_sample(__func__, at, n));
-    CD_CHECK(are_places(__func__, w, at, n));
+    CD_CHECK(are_places(__func__, w, at, n, outside));
     for (size_t k = 0; k < n; ++k) {
-        const WaterSample here = sample(w, at[2 * k], at[2 * k + 1]);
+        const double x = nearest(at[2 * k], length_of(w, kX)), y = nearest(at[2 * k + 1], length_of(w, kY));
+        const WaterSample here = sample(w, x, y);
         if (out_surface) out_surface[k] = here.surface;
         if (out_depth) out_depth[k] = here.depth;
         if (out_normal) memcpy(out_normal + 3 * k, here.normal, sizeof here.normal);

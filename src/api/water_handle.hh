@@ -34,13 +34,11 @@ inline void switch_own(WaterFeatures& wanted, cd_field field, bool on) {
 }
 
 inline double length_of(const Water& w, Axis a) { return double(w.cells[a]) * w.size[a]; }
-// Of n places in the scene.
-inline cd_status are_places(const char* function, const Water& w, const double* at, size_t n) {
-    for (size_t k = 0; k < 2 * n; ++k) {
-        const double most = length_of(w, k % 2 == 0 ? kX : kY);
-        if (!(at[k] >= 0 && at[k] <= most))
-            return fail(CD_ERROR_VALUE, function, "at[%zu] is %g, must be in [0, %g]", k, at[k], most);
-    }
+// Whether n places are in the scene, or may be outside.
+inline cd_status are_places(const char* function, const Water& w, const double* at, size_t n, cd_outside outside) {
+    CD_CHECK(can_sample(function, at, n, outside));
+    for (size_t k = 0; k < 2 * n; ++k)
+        CD_CHECK(is_place(function, at, k, length_of(w, k % 2 == 0 ? kX : kY), outside));
     return CD_OK;
 }
 

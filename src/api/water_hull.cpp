@@ -268,14 +268,15 @@ cd_status cd_water_get_hull_energy(const cd_water* water, double* out_kinetic, d
     return CD_OK;
 }
 
-cd_status cd_water_sample_heads(const cd_water* water, const double* at, size_t n, double* out_heads) {
+cd_status cd_water_sample_heads(const cd_water* water, const double* at, size_t n, cd_outside outside,
+                                double* out_heads) {
     CD_OPEN(water, w);
-    CD_CHECK(can_sample(__func__, at, n));
-    CD_CHECK(are_places(__func__, w, at, n));
+    CD_CHECK(are_places(__func__, w, at, n, outside));
     if (n > 0) CD_NOT_NULL(out_heads);
     for (size_t k = 0; k < n; ++k) {
-        if constexpr (CD_WITH_HULL) out_heads[k] = head_at(w, at[2 * k], at[2 * k + 1]);
-        else out_heads[k] = sample(w, at[2 * k], at[2 * k + 1]).surface;
+        const double x = nearest(at[2 * k], length_of(w, kX)), y = nearest(at[2 * k + 1], length_of(w, kY));
+        if constexpr (CD_WITH_HULL) out_heads[k] = head_at(w, x, y);
+        else out_heads[k] = sample(w, x, y).surface;
     }
     return CD_OK;
 }

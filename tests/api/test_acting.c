@@ -202,7 +202,7 @@ static void samples_lie_on_the_straight_lines_between_nodes(void** state) {
         for (size_t j = 0; j < n; ++j) at[j] = (double)(n - 1 - j) / PARTS; /* any order */
         scene_read(chain, CD_POSITION, x);
         for (size_t strand = 0; strand < STRANDS; ++strand) {
-            ok(cd_chain_sample(chain, strand, at, n, sampled, n * COMPONENTS));
+            ok(cd_chain_sample(chain, strand, at, n, CD_OUTSIDE_REFUSED, sampled, n * COMPONENTS));
             for (size_t j = 0; j < n; ++j)
                 for (size_t c = 0; c < COMPONENTS; ++c) {
                     const size_t node = (size_t)at[j];
@@ -218,9 +218,28 @@ static void samples_lie_on_the_straight_lines_between_nodes(void** state) {
     const double x = 3.5, zero = 0;
     double sampled;
     scene_write(one, CD_POSITION, &x);
-    ok(cd_chain_sample(one, 0, &zero, 1, &sampled, 1));
+    ok(cd_chain_sample(one, 0, &zero, 1, CD_OUTSIDE_REFUSED, &sampled, 1));
     assert_true(sampled == 3.5);
     cd_chain_destroy(one);
+}
+
+static void places_outside_are_refused_or_the_nearest(void** state) {
+    (void)state;
+    cd_chain* chain = everything(scene_everything, CD_FLOAT64);
+    const double outside[4] = {-1e300, -INFINITY, SPRINGS + 1e-9, INFINITY}, ends[4] = {0, 0, SPRINGS, SPRINGS};
+    const double none[2] = {1, NAN};
+    double told[4 * COMPONENTS], wanted[4 * COMPONENTS];
+    ok(cd_chain_sample(chain, 1, ends, 4, CD_OUTSIDE_REFUSED, wanted, 4 * COMPONENTS));
+    ok(cd_chain_sample(chain, 1, outside, 4, CD_OUTSIDE_NEAREST, told, 4 * COMPONENTS));
+    assert_memory_equal(told, wanted, sizeof told);
+    for (int k = 0; k < 4; ++k)
+        refuses(chain, cd_chain_sample(chain, 1, outside + k, 1, CD_OUTSIDE_REFUSED, told, COMPONENTS), CD_ERROR_VALUE,
+                "at");
+    refuses(chain, cd_chain_sample(chain, 1, none, 2, CD_OUTSIDE_NEAREST, told, 2 * COMPONENTS), CD_ERROR_VALUE,
+            "at[1]|nan");
+    refuses(chain, cd_chain_sample(chain, 1, none, 1, 2, told, COMPONENTS), CD_ERROR_ENUM, "outside|2");
+    assert_memory_equal(told, wanted, sizeof told);
+    cd_chain_destroy(chain);
 }
 
 static void energy_and_momentum_are_the_sums_of_the_header(void** state) {
@@ -300,6 +319,7 @@ int main(void) {
         cmocka_unit_test(a_damped_tie_comes_to_rest_where_forces_balance),
         cmocka_unit_test(ties_are_told_and_loosened),
         cmocka_unit_test(samples_lie_on_the_straight_lines_between_nodes),
+        cmocka_unit_test(places_outside_are_refused_or_the_nearest),
         cmocka_unit_test(energy_and_momentum_are_the_sums_of_the_header),
         cmocka_unit_test(forces_act_until_they_are_overwritten),
     };

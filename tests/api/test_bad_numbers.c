@@ -106,7 +106,7 @@ static void no_more_places_are_sampled_than_fit_in_memory(void** state) {
     static const size_t most[] = {SIZE_MAX, SIZE_MAX / 2 + 3, SIZE_MAX / 4 + 1};
     const double places[2] = {0.5, 0.5};
     for (size_t i = 0; i < COUNT(most); ++i) /* n * COMPONENTS comes round to 4 in the second */
-        refuses(chain, cd_chain_sample(chain, 0, places, most[i], out.number, 4), CD_ERROR_RANGE,
+        refuses(chain, cd_chain_sample(chain, 0, places, most[i], CD_OUTSIDE_REFUSED, out.number, 4), CD_ERROR_RANGE,
                 name_and_size("n", most[i]));
 }
 

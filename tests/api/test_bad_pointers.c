@@ -119,7 +119,7 @@ static void only_a_living_chain_is_taken_for_one(void** state) {
     refuses_handles(cd_chain_get_factorizations, &out.u64);
     refuses_handles(cd_chain_get_energy, &out.number[0], &out.number[1], &out.number[2]);
     refuses_handles(cd_chain_get_momentum, out.number, COMPONENTS);
-    refuses_handles(cd_chain_sample, 0, numbers, 2, out.number, 2 * COMPONENTS);
+    refuses_handles(cd_chain_sample, 0, numbers, 2, CD_OUTSIDE_REFUSED, out.number, 2 * COMPONENTS);
     refuses_handles(cd_chain_get_memory, out.size);
     refuses_handles(cd_chain_hash, &out.u64);
     refuses_handles(cd_chain_save_size, out.size);
@@ -204,8 +204,8 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(chain, cd_chain_get_steps(chain, NULL), CD_ERROR_NULL, "out_steps");
     refuses(chain, cd_chain_get_factorizations(chain, NULL), CD_ERROR_NULL, "out_count");
     refuses(chain, cd_chain_get_momentum(chain, NULL, COMPONENTS), CD_ERROR_NULL, "out_momentum");
-    refuses(chain, cd_chain_sample(chain, 0, NULL, 2, out.number, 2 * COMPONENTS), CD_ERROR_NULL, "at");
-    refuses(chain, cd_chain_sample(chain, 0, numbers, 2, NULL, 2 * COMPONENTS), CD_ERROR_NULL, "out_positions");
+    refuses(chain, cd_chain_sample(chain, 0, NULL, 2, CD_OUTSIDE_REFUSED, out.number, 2 * COMPONENTS), CD_ERROR_NULL, "at");
+    refuses(chain, cd_chain_sample(chain, 0, numbers, 2, CD_OUTSIDE_REFUSED, NULL, 2 * COMPONENTS), CD_ERROR_NULL, "out_positions");
     refuses(chain, cd_chain_get_memory(chain, NULL), CD_ERROR_NULL, "out_bytes");
     refuses(chain, cd_chain_hash(chain, NULL), CD_ERROR_NULL, "out_hash");
     refuses(chain, cd_chain_save_size(chain, NULL), CD_ERROR_NULL, "out_size");

@@ -29,8 +29,8 @@ static double weight(double u, double v, double radius, size_t i, size_t j) {
 
 static void an_impulse_is_spread_by_the_weights_of_the_header(void** state) {
     (void)state;
-    static const double places[][3] = {{2, 3, 0},    {0, 0, 0},     {7, 5, 0},      {2.4, 2.6, 0},  {3, 3, 1},
-                                       {3, 3, 1.5},  {3.25, 2, 2},  {0, 2.5, 3},    {6.75, 4.75, 4}, {3.5, 2.5, 0.5},
+    static const double places[][3] = {{2, 3, 0},     {0, 0, 0},    {7, 5, 0},       {2.4, 2.6, 0},   {3, 3, 1},
+                                       {3, 3, 1.5},   {3.25, 2, 2}, {0, 2.5, 3},     {6.75, 4.75, 4}, {3.5, 2.5, 0.5},
                                        {2.2, 1, 0.1}, {4, 2, 1e9},  {1.1, 3.2, 1.25}};
     const double impulse[COMPONENTS] = {0.75, -0.5, 2};
     cloth_build* const builds[] = {cloth_everything, cloth_everything_tube};
@@ -182,7 +182,7 @@ static void samples_are_bilinear_between_nodes(void** state) {
                 for (size_t j = 0; j <= last_v; ++j) {
                     const double place[2] = {(double)i / PARTS, (double)j / PARTS};
                     double sampled[COMPONENTS];
-                    ok(cd_membrane_sample(m, place, 1, sampled, COMPONENTS));
+                    ok(cd_membrane_sample(m, place, 1, CD_OUTSIDE_REFUSED, sampled, COMPONENTS));
                     const size_t u = i / PARTS, v = j / PARTS;
                     const double s = place[0] - (double)u, t = place[1] - (double)v;
                     for (size_t c = 0; c < COMPONENTS; ++c) {
@@ -196,10 +196,19 @@ static void samples_are_bilinear_between_nodes(void** state) {
                 }
             const double several[6] = {0.5, 0.5, NU, NV, 2, 3.25};
             double together[3 * COMPONENTS], alone[COMPONENTS];
-            ok(cd_membrane_sample(m, several, 3, together, 3 * COMPONENTS));
+            ok(cd_membrane_sample(m, several, 3, CD_OUTSIDE_REFUSED, together, 3 * COMPONENTS));
             for (size_t k = 0; k < 3; ++k) {
-                ok(cd_membrane_sample(m, several + 2 * k, 1, alone, COMPONENTS));
+                ok(cd_membrane_sample(m, several + 2 * k, 1, CD_OUTSIDE_REFUSED, alone, COMPONENTS));
                 assert_same_bits(alone, together + k * COMPONENTS, COMPONENTS);
+            }
+            const double outside[6] = {0.5, -3, 1e300, -INFINITY, 2, 1e9};
+            const double nearest[6] = {0.5, 0, NU + rings[r][0], 0, 2, NV + rings[r][1]};
+            ok(cd_membrane_sample(m, nearest, 3, CD_OUTSIDE_REFUSED, together, 3 * COMPONENTS));
+            for (size_t k = 0; k < 3; ++k) {
+                ok(cd_membrane_sample(m, outside + 2 * k, 1, CD_OUTSIDE_NEAREST, alone, COMPONENTS));
+                assert_same_bits(alone, together + k * COMPONENTS, COMPONENTS);
+                refuses(m, cd_membrane_sample(m, outside + 2 * k, 1, CD_OUTSIDE_REFUSED, alone, COMPONENTS),
+                        CD_ERROR_VALUE, "at");
             }
             cd_membrane_destroy(m);
         }
@@ -208,7 +217,7 @@ static void samples_are_bilinear_between_nodes(void** state) {
     const double x = 3.5, origin[2] = {0, 0};
     double sampled;
     cloth_write(one, CD_POSITION, &x);
-    ok(cd_membrane_sample(one, origin, 1, &sampled, 1));
+    ok(cd_membrane_sample(one, origin, 1, CD_OUTSIDE_REFUSED, &sampled, 1));
     assert_true(sampled == 3.5);
     cd_membrane_destroy(one);
 }
@@ -246,10 +255,8 @@ static struct sums sums_of(const cd_membrane* m, const double* x, const double* 
         const bool has_right = ring[0] || u < NU, has_below = ring[1] || w < NV;
         const long double across = (long double)x[at(right, w, c)] - x[j];
         const long double down = (long double)x[at(u, below, c)] - x[j];
-        if (has_right && is_there(m, right, w))
-            s.stretch += 0.5 * sheet_get(m, CD_STIFFNESS_U, u, w) * across * across;
-        if (has_below && is_there(m, u, below))
-            s.stretch += 0.5 * sheet_get(m, CD_STIFFNESS_V, u, w) * down * down;
+        if (has_right && is_there(m, right, w)) s.stretch += 0.5 * sheet_get(m, CD_STIFFNESS_U, u, w) * across * across;
+        if (has_below && is_there(m, u, below)) s.stretch += 0.5 * sheet_get(m, CD_STIFFNESS_V, u, w) * down * down;
         const long double curve_u = across - (x[j] - (long double)x[at(left, w, c)]);
         const long double curve_v = down - (x[j] - (long double)x[at(u, above, c)]);
         if (has_right && (ring[0] || u > 0) && is_there(m, right, w) && is_there(m, left, w))

@@ -110,7 +110,8 @@ static void no_more_places_are_sampled_than_fit_in_memory(void** state) {
     static const size_t most[] = {SIZE_MAX, SIZE_MAX / 2 + 3, SIZE_MAX / 4 + 1};
     const double places[4] = {0.5, 0.5, 0.5, 0.5};
     for (size_t i = 0; i < COUNT(most); ++i)
-        refuses(m, cd_membrane_sample(m, places, most[i], out.number, 6), CD_ERROR_RANGE, name_and_size("n", most[i]));
+        refuses(m, cd_membrane_sample(m, places, most[i], CD_OUTSIDE_REFUSED, out.number, 6), CD_ERROR_RANGE,
+                name_and_size("n", most[i]));
 }
 
 static void no_shape_is_made_that_cannot_be(void** state) {

@@ -31,11 +31,11 @@ static int tear_down(void** state) {
 }
 
 /* A function whose first argument is a membrane, and the arguments after it, all good. */
-#define refuses_handles(function, ...)                                                                                 \
-    do {                                                                                                               \
-        refuses(membrane, function(NULL, __VA_ARGS__), CD_ERROR_NULL, "membrane");                                     \
-        refuses(membrane, function(foreign, __VA_ARGS__), CD_ERROR_HANDLE, "membrane");                                \
-        refuses(membrane, function(dead, __VA_ARGS__), CD_ERROR_HANDLE, "membrane");                                   \
+#define refuses_handles(function, ...)                                                  \
+    do {                                                                                \
+        refuses(membrane, function(NULL, __VA_ARGS__), CD_ERROR_NULL, "membrane");      \
+        refuses(membrane, function(foreign, __VA_ARGS__), CD_ERROR_HANDLE, "membrane"); \
+        refuses(membrane, function(dead, __VA_ARGS__), CD_ERROR_HANDLE, "membrane");    \
     } while (0)
 
 static const double numbers[8] = {0.5, 0.25};
@@ -124,7 +124,7 @@ static void only_a_living_membrane_is_taken_for_one(void** state) {
     refuses_handles(cd_membrane_get_energy, &out.number[0], &out.number[1], &out.number[2]);
     refuses_handles(cd_membrane_get_momentum, out.number, COMPONENTS);
     refuses_handles(cd_membrane_get_volume, out.number);
-    refuses_handles(cd_membrane_sample, numbers, 2, out.number, 2 * COMPONENTS);
+    refuses_handles(cd_membrane_sample, numbers, 2, CD_OUTSIDE_REFUSED, out.number, 2 * COMPONENTS);
     refuses_handles(cd_membrane_get_memory, out.size);
     refuses_handles(cd_membrane_hash, &out.u64);
     refuses_handles(cd_membrane_save_size, out.size);
@@ -229,8 +229,9 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(m, cd_membrane_get_factorizations(m, NULL), CD_ERROR_NULL, "out_count");
     refuses(m, cd_membrane_get_momentum(m, NULL, COMPONENTS), CD_ERROR_NULL, "out_momentum");
     refuses(m, cd_membrane_get_volume(m, NULL), CD_ERROR_NULL, "out_volume");
-    refuses(m, cd_membrane_sample(m, NULL, 2, out.number, 2 * COMPONENTS), CD_ERROR_NULL, "at");
-    refuses(m, cd_membrane_sample(m, numbers, 2, NULL, 2 * COMPONENTS), CD_ERROR_NULL, "out_positions");
+    refuses(m, cd_membrane_sample(m, NULL, 2, CD_OUTSIDE_REFUSED, out.number, 2 * COMPONENTS), CD_ERROR_NULL, "at");
+    refuses(m, cd_membrane_sample(m, numbers, 2, CD_OUTSIDE_REFUSED, NULL, 2 * COMPONENTS), CD_ERROR_NULL,
+            "out_positions");
     refuses(m, cd_membrane_get_memory(m, NULL), CD_ERROR_NULL, "out_bytes");
     refuses(m, cd_membrane_hash(m, NULL), CD_ERROR_NULL, "out_hash");
     refuses(m, cd_membrane_save_size(m, NULL), CD_ERROR_NULL, "out_size");
@@ -286,7 +287,7 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     ok(cd_membrane_teleport(other, NULL, target, 2));
     ok(cd_membrane_attach(other, 1, 0, 1, 1, NULL, 2));
     ok(cd_membrane_attach(other, 1, 0, 1, 1, NULL, SIZE_MAX)); /* then count means nothing */
-    ok(cd_membrane_sample(other, NULL, 0, NULL, 0));
+    ok(cd_membrane_sample(other, NULL, 0, CD_OUTSIDE_REFUSED, NULL, 0));
     cd_membrane_destroy(other);
     cd_membrane* sail = cloth(4, 4, COMPONENTS, CD_FLOAT32);
     cloth_sail(sail);

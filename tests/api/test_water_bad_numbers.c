@@ -79,8 +79,8 @@ static void no_more_places_are_sampled_than_fit_in_memory(void** state) {
     static const size_t most[] = {SIZE_MAX, SIZE_MAX / 2 + 3, SIZE_MAX / 4 + 1};
     const double places[2] = {0.5, 0.5};
     for (size_t i = 0; i < COUNT(most); ++i)
-        refuses(w, cd_water_sample(w, places, most[i], out.number, NULL, NULL, NULL), CD_ERROR_RANGE,
-                name_and_size("n", most[i]));
+        refuses(w, cd_water_sample(w, places, most[i], CD_OUTSIDE_REFUSED, out.number, NULL, NULL, NULL),
+                CD_ERROR_RANGE, name_and_size("n", most[i]));
 }
 
 static void no_shape_is_made_that_cannot_be(void** state) {

@@ -93,7 +93,7 @@ static void only_a_living_water_is_taken_for_one(void** state) {
     refuses_handles(cd_water_get_energy, &n[0], &n[1]);
     refuses_handles(cd_water_get_wet_area, n);
     refuses_handles(cd_water_get_courant, 0.1, n);
-    refuses_handles(cd_water_sample, numbers, 1, &n[0], &n[1], &n[2], &n[5]);
+    refuses_handles(cd_water_sample, numbers, 1, CD_OUTSIDE_REFUSED, &n[0], &n[1], &n[2], &n[5]);
     refuses_handles(cd_water_get_memory, out.size);
     refuses_handles(cd_water_set_hulls, 2, 2, 1);
     refuses_handles(cd_water_get_hulls, &out.size[0], &out.size[1], &out.size[2]);
@@ -113,7 +113,7 @@ static void only_a_living_water_is_taken_for_one(void** state) {
     refuses_handles(cd_water_get_hull_drag, 0, &n[0], &n[1], &n[2]);
     refuses_handles(cd_water_get_hull_load, 0, n, 6);
     refuses_handles(cd_water_get_hull_energy, &n[0], &n[1]);
-    refuses_handles(cd_water_sample_heads, numbers, 1, n);
+    refuses_handles(cd_water_sample_heads, numbers, 1, CD_OUTSIDE_REFUSED, n);
     refuses_handles(cd_water_hash, &out.u64);
     refuses_handles(cd_water_save_size, out.size);
     refuses_handles(cd_water_save, out.bytes, sizeof out.bytes, out.size);
@@ -183,8 +183,10 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(w, cd_water_get_volume(w, NULL), CD_ERROR_NULL, "out_volume");
     refuses(w, cd_water_get_wet_area(w, NULL), CD_ERROR_NULL, "out_area");
     refuses(w, cd_water_get_courant(w, 1, NULL), CD_ERROR_NULL, "out_courant");
-    refuses(w, cd_water_sample(w, NULL, 1, &out.number[0], &out.number[1], &out.number[2], &out.number[5]),
-            CD_ERROR_NULL, "at");
+    refuses(
+        w,
+        cd_water_sample(w, NULL, 1, CD_OUTSIDE_REFUSED, &out.number[0], &out.number[1], &out.number[2], &out.number[5]),
+        CD_ERROR_NULL, "at");
     refuses(w, cd_water_get_memory(w, NULL), CD_ERROR_NULL, "out_bytes");
     double* const n = out.number;
     refuses(w, cd_water_set_hull_pose(w, 0, NULL, 7), CD_ERROR_NULL, "pose");
@@ -198,8 +200,8 @@ static void no_other_pointer_may_be_null(void** state) {
     refuses(w, cd_water_get_hull_drag(w, 0, n, NULL, n), CD_ERROR_NULL, "out_across");
     refuses(w, cd_water_get_hull_drag(w, 0, n, n, NULL), CD_ERROR_NULL, "out_friction");
     refuses(w, cd_water_get_hull_load(w, 0, NULL, 6), CD_ERROR_NULL, "out_load");
-    refuses(w, cd_water_sample_heads(w, NULL, 1, n), CD_ERROR_NULL, "at");
-    refuses(w, cd_water_sample_heads(w, numbers, 1, NULL), CD_ERROR_NULL, "out_heads");
+    refuses(w, cd_water_sample_heads(w, NULL, 1, CD_OUTSIDE_REFUSED, n), CD_ERROR_NULL, "at");
+    refuses(w, cd_water_sample_heads(w, numbers, 1, CD_OUTSIDE_REFUSED, NULL), CD_ERROR_NULL, "out_heads");
     refuses(w, cd_water_hash(w, NULL), CD_ERROR_NULL, "out_hash");
     refuses(w, cd_water_save_size(w, NULL), CD_ERROR_NULL, "out_size");
     static unsigned char buffer[1 << 16];
@@ -266,9 +268,9 @@ static void what_may_be_null_is_taken_as_null(void** state) {
     ok(cd_water_get_limited(other, NULL, NULL));
     ok(cd_water_get_account(other, NULL, NULL, NULL, NULL));
     ok(cd_water_get_energy(other, NULL, NULL));
-    ok(cd_water_sample(other, at, 1, NULL, NULL, NULL, NULL));
-    ok(cd_water_sample(other, NULL, 0, NULL, NULL, NULL, NULL));
-    ok(cd_water_sample_heads(other, NULL, 0, NULL));
+    ok(cd_water_sample(other, at, 1, CD_OUTSIDE_REFUSED, NULL, NULL, NULL, NULL));
+    ok(cd_water_sample(other, NULL, 0, CD_OUTSIDE_REFUSED, NULL, NULL, NULL, NULL));
+    ok(cd_water_sample_heads(other, NULL, 0, CD_OUTSIDE_REFUSED, NULL));
     ok(cd_water_get_hulls(other, NULL, NULL, NULL));
     ok(cd_water_get_hull_energy(other, NULL, NULL));
     ok(cd_water_set_hulls(other, 1, 1, 1));

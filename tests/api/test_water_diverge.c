@@ -96,8 +96,8 @@ static void a_diverged_water_can_be_looked_at(void** state) {
         float vertices[NX * NY][7];
         uint32_t indices[6 * NX * NY];
         double a, b, number[4 * 3];
-        ok(cd_water_sample(w, at, 3, number, number + 3, NULL, NULL));
-        ok(cd_water_sample(w, at, 3, NULL, NULL, number, NULL));
+        ok(cd_water_sample(w, at, 3, CD_OUTSIDE_REFUSED, number, number + 3, NULL, NULL));
+        ok(cd_water_sample(w, at, 3, CD_OUTSIDE_REFUSED, NULL, NULL, number, NULL));
         for (int k = 0; k < 3; ++k) /* normals are unit vectors all the same */
             assert_near(number[3 * k] * number[3 * k] + number[3 * k + 1] * number[3 * k + 1] +
                             number[3 * k + 2] * number[3 * k + 2],

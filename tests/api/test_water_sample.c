@@ -25,7 +25,9 @@ static int set_up(void** state) {
     return 0;
 }
 
-static void sample(const cd_water* w) { ok(cd_water_sample(w, at, PLACES, surface, depth, normal, velocity)); }
+static void sample(const cd_water* w) {
+    ok(cd_water_sample(w, at, PLACES, CD_OUTSIDE_REFUSED, surface, depth, normal, velocity));
+}
 
 static double centre_x(size_t i) { return ((double)i + 0.5) * POOL_DX; }
 static double centre_y(size_t j) { return ((double)j + 0.5) * POOL_DY; }
@@ -84,7 +86,7 @@ static void at_a_centre_the_numbers_are_those_of_the_cell(void** state) {
             const double place[2] = {centre_x(k % NX), centre_y(k / NX)};
             double h, d;
             if (pool_has(w, CD_MASK) && pool_get(w, CD_MASK, k % NX, k / NX) == 0) continue;
-            ok(cd_water_sample(w, place, 1, &h, &d, NULL, NULL));
+            ok(cd_water_sample(w, place, 1, CD_OUTSIDE_REFUSED, &h, &d, NULL, NULL));
             assert_near(h, pool_get(w, CD_SURFACE, k % NX, k / NX), 1e-12, 1);
             assert_near(d, pool_get(w, CD_DEPTH, k % NX, k / NX), 1e-12, 1);
         }
@@ -99,9 +101,9 @@ static void on_a_face_the_velocity_is_that_of_the_face(void** state) {
         for (size_t i = 0; i < NX; ++i) {
             const double on_x[2] = {(double)i * POOL_DX, centre_y(j)}, on_y[2] = {centre_x(i), (double)j * POOL_DY};
             double v[2];
-            ok(cd_water_sample(w, on_x, 1, NULL, NULL, NULL, v));
+            ok(cd_water_sample(w, on_x, 1, CD_OUTSIDE_REFUSED, NULL, NULL, NULL, v));
             assert_near(v[0], pool_get(w, CD_VELOCITY_X, i, j), 1e-12, 1);
-            ok(cd_water_sample(w, on_y, 1, NULL, NULL, NULL, v));
+            ok(cd_water_sample(w, on_y, 1, CD_OUTSIDE_REFUSED, NULL, NULL, NULL, v));
             assert_near(v[1], pool_get(w, CD_VELOCITY_Y, i, j), 1e-12, 1);
         }
     cd_water_destroy(w);
@@ -162,7 +164,7 @@ static void round_a_periodic_side_there_is_no_edge(void** state) {
         const double there[2] = {fmod(at[2 * k] + (NX - 4) * POOL_DX, LENGTH),
                                  fmod(at[2 * k + 1] + (NY - 3) * POOL_DY, WIDTH)};
         double h, d, n[3], v[2];
-        ok(cd_water_sample(moved, there, 1, &h, &d, n, v));
+        ok(cd_water_sample(moved, there, 1, CD_OUTSIDE_REFUSED, &h, &d, n, v));
         assert_near(h, surface[k], 1e-12, 1);
         assert_near(d, depth[k], 1e-12, 1);
         for (int c = 0; c < 2; ++c) assert_near(v[c], velocity[2 * k + (size_t)c], 1e-12, 1);
@@ -179,9 +181,32 @@ static void a_water_of_one_cell_is_the_same_everywhere(void** state) {
     for (int k = 0; k < 9; ++k) {
         const double place[2] = {k % 3 * POOL_DX / 2, k / 3 * POOL_DY / 2};
         double h, d, n[3], v[2];
-        ok(cd_water_sample(w, place, 1, &h, &d, n, v));
+        ok(cd_water_sample(w, place, 1, CD_OUTSIDE_REFUSED, &h, &d, n, v));
         assert_true(h == 0.5 && d == 1.5 && n[0] == 0 && n[1] == 0 && n[2] == 1 && v[0] == 0 && v[1] == 0);
     }
+    cd_water_destroy(w);
+}
+
+static void places_outside_are_the_nearest_or_refused(void** state) {
+    (void)state;
+    cd_water* w = pool_of(0, NX, NY, CD_FLOAT64, 5);
+    const double outside[8] = {-1e300, 0.5, LENGTH + 1e-9, 2, 0.5, INFINITY, INFINITY, -INFINITY};
+    const double nearest[8] = {0, 0.5, LENGTH, 2, 0.5, WIDTH, LENGTH, 0}, none[2] = {0.5, NAN};
+    double h[2][4], d[2][4], n[2][12], v[2][8];
+    ok(cd_water_sample(w, nearest, 4, CD_OUTSIDE_REFUSED, h[0], d[0], n[0], v[0]));
+    ok(cd_water_sample(w, outside, 4, CD_OUTSIDE_NEAREST, h[1], d[1], n[1], v[1]));
+    assert_memory_equal(h[0], h[1], sizeof h[0]);
+    assert_memory_equal(d[0], d[1], sizeof d[0]);
+    assert_memory_equal(n[0], n[1], sizeof n[0]);
+    assert_memory_equal(v[0], v[1], sizeof v[0]);
+    ok(cd_water_sample_heads(w, outside, 4, CD_OUTSIDE_NEAREST, h[1]));
+    assert_memory_equal(h[0], h[1], sizeof h[0]); /* no hulls */
+    for (int k = 0; k < 4; ++k) {
+        refuses(w, cd_water_sample(w, outside + 2 * k, 1, CD_OUTSIDE_REFUSED, h[1], NULL, NULL, NULL), CD_ERROR_VALUE,
+                "at");
+        refuses(w, cd_water_sample_heads(w, outside + 2 * k, 1, CD_OUTSIDE_REFUSED, h[1]), CD_ERROR_VALUE, "at");
+    }
+    refuses(w, cd_water_sample(w, none, 1, CD_OUTSIDE_NEAREST, h[1], NULL, NULL, NULL), CD_ERROR_VALUE, "at[1]|nan");
     cd_water_destroy(w);
 }
 
@@ -195,6 +220,7 @@ int main(void) {
         cmocka_unit_test(nothing_is_told_of_cells_that_are_not_there),
         cmocka_unit_test(round_a_periodic_side_there_is_no_edge),
         cmocka_unit_test(a_water_of_one_cell_is_the_same_everywhere),
+        cmocka_unit_test(places_outside_are_the_nearest_or_refused),
     };
     return cmocka_run_group_tests(tests, set_up, NULL);
 }

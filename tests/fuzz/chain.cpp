@@ -293,10 +293,11 @@ void Chain::cut_or_weld() {
 
 void Chain::sample() {
     const size_t n = below(9), strand = pick_index(strands), count = pick_count(n * components);
+    const cd_outside outside = pick_enum(CD_OUTSIDE_NEAREST);
     Doubles at(n), out[2] = {Doubles(n * components + 1, 7), Doubles(n * components + 1, 7)};
     for (double& place : at) place = pick_between(0, double(springs_now()));
     const cd_status status = both(text("sample %zu, count %zu", n, count), kReads, [&](cd_chain* chain, int which) {
-        return cd_chain_sample(chain, strand, at.data(), n, out[which].data(), count);
+        return cd_chain_sample(chain, strand, at.data(), n, outside, out[which].data(), count);
     });
     if (out[0][n * components] != 7) problem("sample wrote past its end");
     if (status == CD_OK) must_agree("sample", out[0].data(), out[1].data(), n * components);

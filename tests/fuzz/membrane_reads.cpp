@@ -90,6 +90,7 @@ void Membrane::get_parameter() {
 
 void Membrane::sample() {
     const size_t n = below(9), count = pick_count(n * components);
+    const cd_outside outside = pick_enum(CD_OUTSIDE_NEAREST);
     const Rings ring = rings();
     Doubles at(2 * n), out[2] = {Doubles(n * components + 1, 7), Doubles(n * components + 1, 7)};
     for (size_t i = 0; i < n; ++i) {
@@ -98,7 +99,7 @@ void Membrane::sample() {
     }
     const cd_status status =
         both(text("sample %zu, count %zu", n, count), kReads, [&](cd_membrane* membrane, int which) {
-            return cd_membrane_sample(membrane, at.data(), n, out[which].data(), count);
+            return cd_membrane_sample(membrane, at.data(), n, outside, out[which].data(), count);
         });
     if (out[0][n * components] != 7) problem("sample wrote past its end");
     if (status == CD_OK) must_agree("sample", out[0].data(), out[1].data(), n * components);

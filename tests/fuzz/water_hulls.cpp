@@ -90,12 +90,13 @@ void Water::get_hull() {
     cd_water_get_hulls(first(), &count, nullptr, nullptr);
     const size_t index = pick_index(count ? count : 1), pose = pick_count(7), six = pick_count(6);
     double outputs[2][64] = {};
+    const cd_outside outside = pick_enum(CD_OUTSIDE_NEAREST);
     const double at[2] = {pick_between(0, whole().x), pick_between(0, whole().y)};
     both("get_hull_energy", kReads, [&](cd_water* water, int which) {
         return cd_water_get_hull_energy(water, &outputs[which][0], &outputs[which][1]);
     });
     both("sample_heads", kReads,
-         [&](cd_water* water, int which) { return cd_water_sample_heads(water, at, 1, &outputs[which][2]); });
+         [&](cd_water* water, int which) { return cd_water_sample_heads(water, at, 1, outside, &outputs[which][2]); });
     both("get_hull", kReads, [&](cd_water* water, int which) {
         double* const out = outputs[which];
         return cd_water_get_hull(water, index, out + 3, out + 4, out + 5, out + 6, nullptr, 0);

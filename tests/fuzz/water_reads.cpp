@@ -79,6 +79,7 @@ void Water::get_parameter() {
 
 void Water::sample() {
     const size_t n = below(9), told = chance(0.02) ? SIZE_MAX / 4 + 1 + below(9) : n;
+    const cd_outside outside = pick_enum(CD_OUTSIDE_NEAREST);
     Doubles at(2 * n);
     for (size_t i = 0; i < n; ++i) at[2 * i] = pick_between(0, whole().x), at[2 * i + 1] = pick_between(0, whole().y);
     const bool some = chance(0.2);
@@ -89,7 +90,7 @@ void Water::sample() {
     Outputs outputs[2] = {untouched, untouched};
     const cd_status status = both(text("sample %zu", told), kReads, [&](cd_water* water, int which) {
         Outputs& o = outputs[which];
-        return cd_water_sample(water, at.data(), told, some ? nullptr : o.surface.data(), o.depth.data(),
+        return cd_water_sample(water, at.data(), told, outside, some ? nullptr : o.surface.data(), o.depth.data(),
                                some ? nullptr : o.normal.data(), o.velocity.data());
     });
     const Outputs &a = outputs[0], &b = outputs[1];

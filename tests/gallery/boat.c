@@ -27,7 +27,7 @@ int main(void) {
             cd_water_get_hull_floor(pool, 0, floor, 7);
             cd_water_get_hull_velocity(pool, 0, velocity, 6);
             cd_water_get_hull_load(pool, 0, load, 6);
-            cd_water_sample(pool, aside, 1, &level, NULL, NULL, NULL);
+            cd_water_sample(pool, aside, 1, CD_OUTSIDE_REFUSED, &level, NULL, NULL, NULL);
             cd_water_get_account(pool, NULL, NULL, NULL, &kept);
             printf("%4.1f s: at (%4.1f, %4.1f), keel %.2f m, bow %+d mm/m, %.1f m/s; water bears %.0f N, aside %.2f m\n",
                    frame / 60.0, floor[0], floor[1], floor[2], (int)(1000 * floor[5]),

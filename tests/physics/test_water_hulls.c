@@ -29,7 +29,7 @@ static void settle(cd_water* w) {
 
 static double level_at(const cd_water* w, double x, double y) {
     double level;
-    ok(cd_water_sample(w, (const double[]){x, y}, 1, &level, NULL, NULL, NULL));
+    ok(cd_water_sample(w, (const double[]){x, y}, 1, CD_OUTSIDE_REFUSED, &level, NULL, NULL, NULL));
     return level;
 }
 
@@ -70,7 +70,7 @@ static void a_hull_that_lies_still_displaces_its_mass(void** state) {
             }
             assert_near(1000 * displaced, mass, shape >= 2 ? 1e-4 : 1e-6, 0); /* plates are tilted a little */
             assert_near(load[2], mass * G, 1e-6, 0);
-            ok(cd_water_sample_heads(w, (const double[]){8.1, 4.07}, 1, &head));
+            ok(cd_water_sample_heads(w, (const double[]){8.1, 4.07}, 1, CD_OUTSIDE_REFUSED, &head));
             assert_near(head, level, 2e-5, 0);
             cd_water_destroy(w);
         }
@@ -389,7 +389,7 @@ static void a_post_that_is_moved_presses_the_water_away(void** state) {
             ok(cd_water_set_hull_pose(w, 0, pose, 7));
             ok(cd_water_set_hull_velocity(w, 0, velocity, 6));
             pool_step(w, 1 / 60.0, 1);
-            ok(cd_water_sample(w, pose, 1, NULL, &inside, NULL, NULL));
+            ok(cd_water_sample(w, pose, 1, CD_OUTSIDE_REFUSED, NULL, &inside, NULL, NULL));
             if (step > 60) assert_true(inside < 0.02 * depth);
             if (step == 120) assert_true(level_at(w, pose[0] + 1, pose[1]) > level_at(w, pose[0] - 1, pose[1]) + 0.01);
             pose[0] += speed / 60;

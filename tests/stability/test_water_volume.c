@@ -39,7 +39,7 @@ static void storm(cd_water* w, uint64_t* seed, size_t event) {
     switch (event % 5) {
     case 0: ok(cd_water_splash(w, x, y, in_range(seed, 0, 3), 0.3)); break;
     case 1: /* some metres per second, not more where the water is thin */
-        ok(cd_water_sample(w, (const double[]){x, y}, 1, NULL, &depth, NULL, NULL));
+        ok(cd_water_sample(w, (const double[]){x, y}, 1, CD_OUTSIDE_REFUSED, NULL, &depth, NULL, NULL));
         if (depth < 0.2) break;
         ok(cd_water_impulse(w, x, y, 1, 5000 * depth * random_number(seed), 5000 * depth * random_number(seed)));
         break;

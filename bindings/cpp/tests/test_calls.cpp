@@ -113,7 +113,7 @@ void chains() {
     OK(rope.read_f64(field::position, 0, 1, 6, 1, pair));
     CHECK(pair[0] == 5 && pair[1] == 6);
     CHECK(GET(rope.view(field::position))(1, 3, 1) == 4);
-    OK(rope.sample(1, {2.5}, pair));
+    OK(rope.sample(1, {2.5}, outside::refused, pair));
     CHECK(pair[0] == 2 && pair[1] == 3);
 
     OK(rope.reset());
@@ -433,7 +433,7 @@ void membranes() {
     OK(sheet.read_f64(field::position, 5, 4, 1, 1, pair));
     CHECK(pair[0] == 5 && pair[1] == 6);
     CHECK(GET(sheet.view(field::position))(2, 2, 1) == 4);
-    OK(sheet.sample({1.5, 2}, pair));
+    OK(sheet.sample({1.5, 2}, outside::nearest, pair));
     CHECK(pair[0] == 2 && pair[1] == 3);
 
     OK(sheet.reset());
@@ -557,7 +557,7 @@ void waters() {
     CHECK(GET(lake.get_hull_energy()).kinetic > 100);
     const double under[] = {8, 8};
     double head[1];
-    OK(lake.sample_heads(under, head));
+    OK(lake.sample_heads(under, outside::refused, head));
     CHECK(head[0] > 1.9);
     OK(lake.remove_hull(0));
 
@@ -565,8 +565,8 @@ void waters() {
     OK(still.add_volume_rectangle(0, 0, 4, 4, 32));
     const double at[] = {1, 1, 2.5, 2};
     double surface[2], depth[2], normal[6], velocity[4];
-    OK(still.sample(at, surface));
-    OK(still.sample(at, surface, depth, normal, velocity));
+    OK(still.sample(at, outside::refused, surface));
+    OK(still.sample(at, outside::refused, surface, depth, normal, velocity));
     CHECK(near(surface[1], 2) && near(depth[0], 2) && near(normal[5], 1) && velocity[3] == 0);
     std::vector<vertex> vertices(16);
     OK(still.write_vertices(vertices, sizeof(vertex), offsetof(vertex, position), offsetof(vertex, normal),

@@ -40,7 +40,7 @@ void numbers(chain& rope) {
     KEPT(rope, status::error_value, "values", rope.write_f64(field::position, 0, 1, 0, 1, {0, nan_value}));
     KEPT(rope, status::error_value, "values", rope.write_f32(field::position, 0, 1, 0, 1, {0, NAN}));
     double out[2];
-    KEPT(rope, status::error_value, "at", rope.sample(0, {nan_value}, out));
+    KEPT(rope, status::error_value, "at", rope.sample(0, {nan_value}, outside::refused, out));
 }
 
 void enumerators(chain& rope) {
@@ -85,9 +85,9 @@ void ranges(chain& rope) {
     KEPT(rope, status::error_range, "node", rope.get_attachment(0, 6));
     KEPT(rope, status::error_range, "spring", rope.cut(0, 5));
     KEPT(rope, status::error_range, "spring", rope.weld(0, 5));
-    KEPT(rope, status::error_value, "at", rope.sample(0, {5.5}, span<double>(three.data(), 2)));
-    KEPT(rope, status::error_range, "out_count", rope.sample(0, {1}, three));
-    KEPT(rope, status::error_range, "strand", rope.sample(2, {1}, span<double>(three.data(), 2)));
+    KEPT(rope, status::error_value, "at", rope.sample(0, {5.5}, outside::refused, span<double>(three.data(), 2)));
+    KEPT(rope, status::error_range, "out_count", rope.sample(0, {1}, outside::refused, three));
+    KEPT(rope, status::error_range, "strand", rope.sample(2, {1}, outside::refused, span<double>(three.data(), 2)));
     unsigned char little[8];
     KEPT(rope, status::error_range, "size", rope.save(little));
 }

@@ -47,18 +47,18 @@ void places_and_outputs() {
     water pool = GET(water::create(4, 4, 1, 1));
     double one[1], two[2], three[3];
     const double at[2] = {1, 1};
-    REFUSED(status::error_range, "water::sample", pool.sample({1, 1, 1}, one));
-    REFUSED(status::error_range, "water::sample", pool.sample(at, two));
-    REFUSED(status::error_range, "water::sample", pool.sample(at, one, two));
-    REFUSED(status::error_range, "water::sample", pool.sample(at, one, one, two));
-    REFUSED(status::error_range, "water::sample", pool.sample(at, one, one, three, one));
-    OK(pool.sample(at, {}, {}, three));
+    REFUSED(status::error_range, "water::sample", pool.sample({1, 1, 1}, outside::refused, one));
+    REFUSED(status::error_range, "water::sample", pool.sample(at, outside::refused, two));
+    REFUSED(status::error_range, "water::sample", pool.sample(at, outside::refused, one, two));
+    REFUSED(status::error_range, "water::sample", pool.sample(at, outside::refused, one, one, two));
+    REFUSED(status::error_range, "water::sample", pool.sample(at, outside::refused, one, one, three, one));
+    OK(pool.sample(at, outside::refused, {}, {}, three));
     CHECK(three[2] == 1);
     // a refusal of the library's own takes the message over again
-    REFUSED(status::error_value, "cd_water_sample", pool.sample({9, 9}, one));
+    REFUSED(status::error_value, "cd_water_sample", pool.sample({9, 9}, outside::refused, one));
 
     const membrane sheet = GET(membrane::create(4, 4, 1));
-    REFUSED(status::error_range, "membrane::sample", sheet.sample({1, 1, 1}, two));
+    REFUSED(status::error_range, "membrane::sample", sheet.sample({1, 1, 1}, outside::refused, two));
 
     membrane cloth = GET(membrane::create(4, 4, 3));
     OK(cloth.set_rest_length(1, 1));

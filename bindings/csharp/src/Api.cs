@@ -126,6 +126,15 @@ namespace Contdyn
         Callback = 4,
     }
 
+    /// <summary>What becomes of places outside of an object that it is sampled at.</summary>
+    public enum Outside
+    {
+        /// <summary>CD_ERROR_VALUE, and nothing is told of the other places either</summary>
+        Refused = 0,
+        /// <summary>they stand for the nearest place in the object; only NaN is refused</summary>
+        Nearest = 1,
+    }
+
     /// <summary>Per-node and per-spring data; which object has which is in its own header. One list, since what
     /// objects share has one meaning; and all are numbers, pins and masks too, so that one read and one write serve
     /// them.</summary>
@@ -1929,33 +1938,38 @@ namespace Contdyn
 
         /// <summary>Positions of one strand at places along it, linear between nodes: at[j] in [0, springs] (ring: to
         /// springs + 1), out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE if there is no
-        /// such strand or out_count is another number; CD_ERROR_VALUE for a place beyond the strand.</summary>
-        public void Sample(long strand, double[] at, double[] outPositions)
+        /// such strand or out_count is another number; CD_ERROR_ENUM; CD_ERROR_VALUE for a place beyond the
+        /// strand.</summary>
+        public void Sample(long strand, double[] at, Outside outside, double[] outPositions)
         {
             fixed (double* atPointer = at)
             fixed (double* outPositionsPointer = outPositions)
-                SampleCore(strand, atPointer, Native.Length(at), outPositionsPointer, Native.Length(outPositions));
+                SampleCore(strand, atPointer, Native.Length(at), outside, outPositionsPointer,
+                    Native.Length(outPositions));
         }
 
 #if CONTDYN_SPANS
         /// <summary>Positions of one strand at places along it, linear between nodes: at[j] in [0, springs] (ring: to
         /// springs + 1), out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE if there is no
-        /// such strand or out_count is another number; CD_ERROR_VALUE for a place beyond the strand.</summary>
-        public void Sample(long strand, ReadOnlySpan<double> at, Span<double> outPositions)
+        /// such strand or out_count is another number; CD_ERROR_ENUM; CD_ERROR_VALUE for a place beyond the
+        /// strand.</summary>
+        public void Sample(long strand, ReadOnlySpan<double> at, Outside outside, Span<double> outPositions)
         {
             fixed (double* atPointer = &MemoryMarshal.GetReference(at))
             fixed (double* outPositionsPointer = &MemoryMarshal.GetReference(outPositions))
-                SampleCore(strand, at.Length == 0 ? null : atPointer, at.Length,
+                SampleCore(strand, at.Length == 0 ? null : atPointer, at.Length, outside,
                     outPositions.Length == 0 ? null : outPositionsPointer, outPositions.Length);
         }
 
 #endif
-        private void SampleCore(long strand, double* at, long atLength, double* outPositions, long outPositionsLength)
+        private void SampleCore(long strand, double* at, long atLength, Outside outside, double* outPositions,
+            long outPositionsLength)
         {
             long n = Native.Count(atLength, 1, "cd_chain_sample", "at");
             long outCount = Native.Count(outPositionsLength, 1, "cd_chain_sample", "out_positions");
             Check(Native.cd_chain_sample(Handle, Native.Size(strand, "cd_chain_sample", "strand"), at, Native.Size(n,
-                "cd_chain_sample", "n"), outPositions, Native.Size(outCount, "cd_chain_sample", "out_count")));
+                "cd_chain_sample", "n"), (int)outside, outPositions, Native.Size(outCount, "cd_chain_sample",
+                "out_count")));
         }
 
         /// <summary>Bytes the chain holds from its allocator.</summary>
@@ -3689,33 +3703,34 @@ namespace Contdyn
 
         /// <summary>Positions at n places on the sheet, bilinear between nodes: at[j] = {u, v}, u in [0, nu] (ring: to
         /// nu + 1), v likewise; out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE,
-        /// CD_ERROR_VALUE.</summary>
-        public void Sample(double[] at, double[] outPositions)
+        /// CD_ERROR_ENUM, CD_ERROR_VALUE.</summary>
+        public void Sample(double[] at, Outside outside, double[] outPositions)
         {
             fixed (double* atPointer = at)
             fixed (double* outPositionsPointer = outPositions)
-                SampleCore(atPointer, Native.Length(at), outPositionsPointer, Native.Length(outPositions));
+                SampleCore(atPointer, Native.Length(at), outside, outPositionsPointer, Native.Length(outPositions));
         }
 
 #if CONTDYN_SPANS
         /// <summary>Positions at n places on the sheet, bilinear between nodes: at[j] = {u, v}, u in [0, nu] (ring: to
         /// nu + 1), v likewise; out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE,
-        /// CD_ERROR_VALUE.</summary>
-        public void Sample(ReadOnlySpan<double> at, Span<double> outPositions)
+        /// CD_ERROR_ENUM, CD_ERROR_VALUE.</summary>
+        public void Sample(ReadOnlySpan<double> at, Outside outside, Span<double> outPositions)
         {
             fixed (double* atPointer = &MemoryMarshal.GetReference(at))
             fixed (double* outPositionsPointer = &MemoryMarshal.GetReference(outPositions))
-                SampleCore(at.Length == 0 ? null : atPointer, at.Length,
+                SampleCore(at.Length == 0 ? null : atPointer, at.Length, outside,
                     outPositions.Length == 0 ? null : outPositionsPointer, outPositions.Length);
         }
 
 #endif
-        private void SampleCore(double* at, long atLength, double* outPositions, long outPositionsLength)
+        private void SampleCore(double* at, long atLength, Outside outside, double* outPositions,
+            long outPositionsLength)
         {
             long n = Native.Count(atLength, 2, "cd_membrane_sample", "at");
             long outCount = Native.Count(outPositionsLength, 1, "cd_membrane_sample", "out_positions");
-            Check(Native.cd_membrane_sample(Handle, at, Native.Size(n, "cd_membrane_sample", "n"), outPositions,
-                Native.Size(outCount, "cd_membrane_sample", "out_count")));
+            Check(Native.cd_membrane_sample(Handle, at, Native.Size(n, "cd_membrane_sample", "n"), (int)outside,
+                outPositions, Native.Size(outCount, "cd_membrane_sample", "out_count")));
         }
 
         /// <summary>Bytes the membrane holds from its allocator.</summary>
@@ -5032,33 +5047,34 @@ namespace Contdyn
         }
 
         /// <summary>How high [m] the water would stand at n places, at[k] = {x, y}, with no hull pressing on it: its
-        /// surface and the head that hulls press with. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for
-        /// more than fit in memory.</summary>
-        public void SampleHeads(double[] at, double[] outHeads)
+        /// surface and the head that hulls press with. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE for a place outside;
+        /// CD_ERROR_RANGE for more than fit in memory.</summary>
+        public void SampleHeads(double[] at, Outside outside, double[] outHeads)
         {
             fixed (double* atPointer = at)
             fixed (double* outHeadsPointer = outHeads)
-                SampleHeadsCore(atPointer, Native.Length(at), outHeadsPointer, Native.Length(outHeads));
+                SampleHeadsCore(atPointer, Native.Length(at), outside, outHeadsPointer, Native.Length(outHeads));
         }
 
 #if CONTDYN_SPANS
         /// <summary>How high [m] the water would stand at n places, at[k] = {x, y}, with no hull pressing on it: its
-        /// surface and the head that hulls press with. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for
-        /// more than fit in memory.</summary>
-        public void SampleHeads(ReadOnlySpan<double> at, Span<double> outHeads)
+        /// surface and the head that hulls press with. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE for a place outside;
+        /// CD_ERROR_RANGE for more than fit in memory.</summary>
+        public void SampleHeads(ReadOnlySpan<double> at, Outside outside, Span<double> outHeads)
         {
             fixed (double* atPointer = &MemoryMarshal.GetReference(at))
             fixed (double* outHeadsPointer = &MemoryMarshal.GetReference(outHeads))
-                SampleHeadsCore(at.Length == 0 ? null : atPointer, at.Length,
+                SampleHeadsCore(at.Length == 0 ? null : atPointer, at.Length, outside,
                     outHeads.Length == 0 ? null : outHeadsPointer, outHeads.Length);
         }
 
 #endif
-        private void SampleHeadsCore(double* at, long atLength, double* outHeads, long outHeadsLength)
+        private void SampleHeadsCore(double* at, long atLength, Outside outside, double* outHeads, long outHeadsLength)
         {
             long n = Native.Count(atLength, 2, "cd_water_sample_heads", "at");
             Native.Same(outHeads, outHeadsLength, n, "cd_water_sample_heads", "out_heads");
-            Check(Native.cd_water_sample_heads(Handle, at, Native.Size(n, "cd_water_sample_heads", "n"), outHeads));
+            Check(Native.cd_water_sample_heads(Handle, at, Native.Size(n, "cd_water_sample_heads", "n"), (int)outside,
+                outHeads));
         }
 
         /// <summary>Makes `count` steps of dt [s] each, 0 or in [1e-30, 1e30]: with 0 no time passes, as with 0 steps.
@@ -5184,9 +5200,9 @@ namespace Contdyn
         /// <summary>The water at n places, at[k] = {x, y} in metres inside the scene: surface [m] and depth [m],
         /// bilinear between cell centres that are there, level beyond the outermost ones; normal of the surface (3
         /// numbers, unit length, z up); velocity [m/s] (2 numbers), bilinear between faces. A dry place has the bed for
-        /// its surface. Each output may be null. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more
-        /// than fit in memory.</summary>
-        public void Sample(double[] at, double[] outSurface, double[] outDepth, double[] outNormal,
+        /// its surface. Each output may be null. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE for a place outside;
+        /// CD_ERROR_RANGE for more than fit in memory.</summary>
+        public void Sample(double[] at, Outside outside, double[] outSurface, double[] outDepth, double[] outNormal,
             double[] outVelocity)
         {
             fixed (double* atPointer = at)
@@ -5194,18 +5210,18 @@ namespace Contdyn
             fixed (double* outDepthPointer = outDepth)
             fixed (double* outNormalPointer = outNormal)
             fixed (double* outVelocityPointer = outVelocity)
-                SampleCore(atPointer, Native.Length(at), outSurfacePointer, Native.Length(outSurface), outDepthPointer,
-                    Native.Length(outDepth), outNormalPointer, Native.Length(outNormal), outVelocityPointer,
-                    Native.Length(outVelocity));
+                SampleCore(atPointer, Native.Length(at), outside, outSurfacePointer, Native.Length(outSurface),
+                    outDepthPointer, Native.Length(outDepth), outNormalPointer, Native.Length(outNormal),
+                    outVelocityPointer, Native.Length(outVelocity));
         }
 
 #if CONTDYN_SPANS
         /// <summary>The water at n places, at[k] = {x, y} in metres inside the scene: surface [m] and depth [m],
         /// bilinear between cell centres that are there, level beyond the outermost ones; normal of the surface (3
         /// numbers, unit length, z up); velocity [m/s] (2 numbers), bilinear between faces. A dry place has the bed for
-        /// its surface. Each output may be null. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more
-        /// than fit in memory.</summary>
-        public void Sample(ReadOnlySpan<double> at, Span<double> outSurface, Span<double> outDepth,
+        /// its surface. Each output may be null. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE for a place outside;
+        /// CD_ERROR_RANGE for more than fit in memory.</summary>
+        public void Sample(ReadOnlySpan<double> at, Outside outside, Span<double> outSurface, Span<double> outDepth,
             Span<double> outNormal, Span<double> outVelocity)
         {
             fixed (double* atPointer = &MemoryMarshal.GetReference(at))
@@ -5213,7 +5229,7 @@ namespace Contdyn
             fixed (double* outDepthPointer = &MemoryMarshal.GetReference(outDepth))
             fixed (double* outNormalPointer = &MemoryMarshal.GetReference(outNormal))
             fixed (double* outVelocityPointer = &MemoryMarshal.GetReference(outVelocity))
-                SampleCore(at.Length == 0 ? null : atPointer, at.Length,
+                SampleCore(at.Length == 0 ? null : atPointer, at.Length, outside,
                     outSurface.Length == 0 ? null : outSurfacePointer, outSurface.Length,
                     outDepth.Length == 0 ? null : outDepthPointer, outDepth.Length,
                     outNormal.Length == 0 ? null : outNormalPointer, outNormal.Length,
@@ -5221,16 +5237,17 @@ namespace Contdyn
         }
 
 #endif
-        private void SampleCore(double* at, long atLength, double* outSurface, long outSurfaceLength, double* outDepth,
-            long outDepthLength, double* outNormal, long outNormalLength, double* outVelocity, long outVelocityLength)
+        private void SampleCore(double* at, long atLength, Outside outside, double* outSurface, long outSurfaceLength,
+            double* outDepth, long outDepthLength, double* outNormal, long outNormalLength, double* outVelocity,
+            long outVelocityLength)
         {
             long n = Native.Count(atLength, 2, "cd_water_sample", "at");
             Native.Same(outSurface, outSurfaceLength, n, "cd_water_sample", "out_surface");
             Native.Same(outDepth, outDepthLength, n, "cd_water_sample", "out_depth");
             Native.Same(outNormal, outNormalLength, n * 3, "cd_water_sample", "out_normal");
             Native.Same(outVelocity, outVelocityLength, n * 2, "cd_water_sample", "out_velocity");
-            Check(Native.cd_water_sample(Handle, at, Native.Size(n, "cd_water_sample", "n"), outSurface, outDepth,
-                outNormal, outVelocity));
+            Check(Native.cd_water_sample(Handle, at, Native.Size(n, "cd_water_sample", "n"), (int)outside, outSurface,
+                outDepth, outNormal, outVelocity));
         }
 
         /// <summary>Bytes the water holds from its allocator.</summary>

@@ -287,7 +287,7 @@ namespace Contdyn
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_chain_sample(ChainHandle chain, UIntPtr strand, double* at, UIntPtr n,
-            double* outPositions, UIntPtr outCount);
+            int outside, double* outPositions, UIntPtr outCount);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_chain_get_memory(ChainHandle chain, UIntPtr* outBytes);
@@ -585,7 +585,7 @@ namespace Contdyn
         internal static extern int cd_membrane_get_volume(MembraneHandle membrane, double* outVolume);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int cd_membrane_sample(MembraneHandle membrane, double* at, UIntPtr n,
+        internal static extern int cd_membrane_sample(MembraneHandle membrane, double* at, UIntPtr n, int outside,
             double* outPositions, UIntPtr outCount);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -822,7 +822,8 @@ namespace Contdyn
             double* outPotential);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int cd_water_sample_heads(WaterHandle water, double* at, UIntPtr n, double* outHeads);
+        internal static extern int cd_water_sample_heads(WaterHandle water, double* at, UIntPtr n, int outside,
+            double* outHeads);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_water_step(WaterHandle water, double dt, UIntPtr count);
@@ -862,8 +863,8 @@ namespace Contdyn
         internal static extern int cd_water_get_courant(WaterHandle water, double dt, double* outCourant);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int cd_water_sample(WaterHandle water, double* at, UIntPtr n, double* outSurface,
-            double* outDepth, double* outNormal, double* outVelocity);
+        internal static extern int cd_water_sample(WaterHandle water, double* at, UIntPtr n, int outside,
+            double* outSurface, double* outDepth, double* outNormal, double* outVelocity);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_water_get_memory(WaterHandle water, UIntPtr* outBytes);

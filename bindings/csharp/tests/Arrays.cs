@@ -125,7 +125,7 @@ static class Arrays
         var pool = new Water(4, 4, 1, 1);
         pool.Write(Field.Depth, Enumerable.Repeat(2.0, 16).ToArray());
         double[] depth = new double[2], normal = new double[6];
-        pool.Sample(new[] { 1.0, 1, 2, 2.5 }, null, depth, normal, null);
+        pool.Sample(new[] { 1.0, 1, 2, 2.5 }, Outside.Refused, null, depth, normal, null);
         Tests.True(depth.SequenceEqual(new[] { 2.0, 2 }), "depth");
         Tests.True(normal.SequenceEqual(new[] { 0.0, 0, 1, 0, 0, 1 }), "normal");
         var vertices = new Vertex[16];
@@ -153,9 +153,9 @@ static class Arrays
         Tests.Refused(Status.ErrorNull, "gravity is null", () => made.SetGravity(null));
         var pool = new Water(4, 4, 1, 1);
         Tests.Refused(Status.ErrorRange, "at has 3 numbers, must be a multiple of 2",
-            () => pool.Sample(new double[3], null, null, null, null));
+            () => pool.Sample(new double[3], Outside.Refused, null, null, null, null));
         Tests.Refused(Status.ErrorRange, "out_depth has 3 numbers, must have 1",
-            () => pool.Sample(new double[2], null, new double[3], null, null));
+            () => pool.Sample(new double[2], Outside.Nearest, null, new double[3], null, null));
         Tests.Throws<ArgumentNullException>(() => made.CopyState(null));
     }
 

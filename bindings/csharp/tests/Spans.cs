@@ -32,11 +32,11 @@ static class Spans
                 () => rope.SetGravity(new ReadOnlySpan<double>(new double[3])));
             var pool = new Water(4, 4, 1, 1);
             var depth = new double[1];
-            pool.Sample(new ReadOnlySpan<double>(new[] { 1.0, 1.0 }), default(Span<double>), new Span<double>(depth),
-                default(Span<double>), default(Span<double>)); // none of the others
+            pool.Sample(new ReadOnlySpan<double>(new[] { 1.0, 1.0 }), Outside.Refused, default(Span<double>),
+                new Span<double>(depth), default(Span<double>), default(Span<double>)); // none of the others
             Tests.Refused(Status.ErrorRange, "out_depth has 1 numbers, must have 2", () => pool.Sample(
-                new ReadOnlySpan<double>(new double[4]), default(Span<double>), new Span<double>(depth),
-                default(Span<double>), default(Span<double>)));
+                new ReadOnlySpan<double>(new double[4]), Outside.Refused, default(Span<double>),
+                new Span<double>(depth), default(Span<double>), default(Span<double>)));
         });
     }
 }

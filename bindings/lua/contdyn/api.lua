@@ -12,6 +12,7 @@ typedef int32_t cd_mass_rule;
 typedef int32_t cd_kernels;
 typedef int32_t cd_node;
 typedef int32_t cd_shape;
+typedef int32_t cd_outside;
 typedef int32_t cd_field;
 typedef int32_t cd_kind;
 typedef int32_t cd_end;
@@ -130,8 +131,8 @@ cd_status cd_chain_get_steps(const cd_chain* chain, uint64_t* out_steps);
 cd_status cd_chain_get_factorizations(const cd_chain* chain, uint64_t* out_count);
 cd_status cd_chain_get_energy(const cd_chain* chain, double* out_kinetic, double* out_elastic, double* out_gravity);
 cd_status cd_chain_get_momentum(const cd_chain* chain, double* out_momentum, size_t count);
-cd_status cd_chain_sample(const cd_chain* chain, size_t strand, const double* at, size_t n, double* out_positions,
-    size_t out_count);
+cd_status cd_chain_sample(const cd_chain* chain, size_t strand, const double* at, size_t n, cd_outside outside,
+    double* out_positions, size_t out_count);
 cd_status cd_chain_get_memory(const cd_chain* chain, size_t* out_bytes);
 cd_status cd_chain_hash(const cd_chain* chain, uint64_t* out_hash);
 cd_status cd_chain_save_size(const cd_chain* chain, size_t* out_size);
@@ -239,8 +240,8 @@ cd_status cd_membrane_get_energy(const cd_membrane* membrane, double* out_kineti
     double* out_gravity);
 cd_status cd_membrane_get_momentum(const cd_membrane* membrane, double* out_momentum, size_t count);
 cd_status cd_membrane_get_volume(const cd_membrane* membrane, double* out_volume);
-cd_status cd_membrane_sample(const cd_membrane* membrane, const double* at, size_t n, double* out_positions,
-    size_t out_count);
+cd_status cd_membrane_sample(const cd_membrane* membrane, const double* at, size_t n, cd_outside outside,
+    double* out_positions, size_t out_count);
 cd_status cd_membrane_get_memory(const cd_membrane* membrane, size_t* out_bytes);
 cd_status cd_membrane_hash(const cd_membrane* membrane, uint64_t* out_hash);
 cd_status cd_membrane_write_vertices(const cd_membrane* membrane, void* buffer, size_t size, size_t stride,
@@ -322,7 +323,8 @@ cd_status cd_water_get_hull_drag(const cd_water* water, size_t index, double* ou
     double* out_friction);
 cd_status cd_water_get_hull_load(const cd_water* water, size_t index, double* out_load, size_t count);
 cd_status cd_water_get_hull_energy(const cd_water* water, double* out_kinetic, double* out_potential);
-cd_status cd_water_sample_heads(const cd_water* water, const double* at, size_t n, double* out_heads);
+cd_status cd_water_sample_heads(const cd_water* water, const double* at, size_t n, cd_outside outside,
+    double* out_heads);
 cd_status cd_water_step(cd_water* water, double dt, size_t count);
 cd_status cd_water_stable_dt(const cd_water* water, double* out_dt);
 cd_status cd_water_get_time(const cd_water* water, double* out_time);
@@ -336,8 +338,8 @@ cd_status cd_water_restart_account(cd_water* water);
 cd_status cd_water_get_energy(const cd_water* water, double* out_kinetic, double* out_potential);
 cd_status cd_water_get_wet_area(const cd_water* water, double* out_area);
 cd_status cd_water_get_courant(const cd_water* water, double dt, double* out_courant);
-cd_status cd_water_sample(const cd_water* water, const double* at, size_t n, double* out_surface, double* out_depth,
-    double* out_normal, double* out_velocity);
+cd_status cd_water_sample(const cd_water* water, const double* at, size_t n, cd_outside outside, double* out_surface,
+    double* out_depth, double* out_normal, double* out_velocity);
 cd_status cd_water_get_memory(const cd_water* water, size_t* out_bytes);
 cd_status cd_water_hash(const cd_water* water, uint64_t* out_hash);
 cd_status cd_water_write_vertices(const cd_water* water, void* buffer, size_t size, size_t stride,
@@ -491,6 +493,14 @@ api["shape"] = support.enumeration("cd_shape", {
   ["capsule"] = 2,
   ["bed"] = 3,
   ["callback"] = 4,
+})
+
+-- What becomes of places outside of an object that it is sampled at.
+api["outside"] = support.enumeration("cd_outside", {
+  -- CD_ERROR_VALUE, and nothing is told of the other places either
+  ["refused"] = 0,
+  -- they stand for the nearest place in the object; only NaN is refused
+  ["nearest"] = 1,
 })
 
 -- Per-node and per-spring data; which object has which is in its own header. One list, since what objects share has one
@@ -1638,16 +1648,18 @@ end
 
 -- Positions of one strand at places along it, linear between nodes: at[j] in [0, springs] (ring: to springs + 1),
 -- out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE if there is no such strand or
--- out_count is another number; CD_ERROR_VALUE for a place beyond the strand.
-function Chain:sample(strand, at, out_positions)
+-- out_count is another number; CD_ERROR_ENUM; CD_ERROR_VALUE for a place beyond the strand.
+function Chain:sample(strand, at, outside, out_positions)
   local where = "cd_chain_sample"
   strand = integer_in(strand, where, "strand")
   local p_at, n_at = array_in("double", at, where, "at")
+  if outside == nil then outside = "refused" end
+  outside = enum_in("cd_outside", outside, where, "outside")
   local n = count_of(n_at, 1, where, "at")
   local p_out_positions, n_out_positions = array_out("double", out_positions, n * components_of(self), where,
       "out_positions")
   local out_count = n_out_positions or 0
-  check(lib.cd_chain_sample(handle_of(self), strand, p_at, n, p_out_positions, out_count))
+  check(lib.cd_chain_sample(handle_of(self), strand, p_at, n, outside, p_out_positions, out_count))
   return array_result(out_positions, p_out_positions, n_out_positions)
 end
 
@@ -2783,15 +2795,18 @@ function Membrane:get_volume()
 end
 
 -- Positions at n places on the sheet, bilinear between nodes: at[j] = {u, v}, u in [0, nu] (ring: to nu + 1), v
--- likewise; out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.
-function Membrane:sample(at, out_positions)
+-- likewise; out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE, CD_ERROR_ENUM,
+-- CD_ERROR_VALUE.
+function Membrane:sample(at, outside, out_positions)
   local where = "cd_membrane_sample"
   local p_at, n_at = array_in("double", at, where, "at")
+  if outside == nil then outside = "refused" end
+  outside = enum_in("cd_outside", outside, where, "outside")
   local n = count_of(n_at, 2, where, "at")
   local p_out_positions, n_out_positions = array_out("double", out_positions, n * components_of(self), where,
       "out_positions")
   local out_count = n_out_positions or 0
-  check(lib.cd_membrane_sample(handle_of(self), p_at, n, p_out_positions, out_count))
+  check(lib.cd_membrane_sample(handle_of(self), p_at, n, outside, p_out_positions, out_count))
   return array_result(out_positions, p_out_positions, n_out_positions)
 end
 
@@ -3613,14 +3628,17 @@ function Water:get_hull_energy()
 end
 
 -- How high [m] the water would stand at n places, at[k] = {x, y}, with no hull pressing on it: its surface and the head
--- that hulls press with. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in memory.
-function Water:sample_heads(at, out_heads)
+-- that hulls press with. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in
+-- memory.
+function Water:sample_heads(at, outside, out_heads)
   local where = "cd_water_sample_heads"
   local p_at, n_at = array_in("double", at, where, "at")
+  if outside == nil then outside = "refused" end
+  outside = enum_in("cd_outside", outside, where, "outside")
   local n = count_of(n_at, 2, where, "at")
   local p_out_heads, n_out_heads = array_out("double", out_heads, n, where, "out_heads")
   same(n_out_heads, n * 1, where, "out_heads")
-  check(lib.cd_water_sample_heads(handle_of(self), p_at, n, p_out_heads))
+  check(lib.cd_water_sample_heads(handle_of(self), p_at, n, outside, p_out_heads))
   return array_result(out_heads, p_out_heads, n_out_heads)
 end
 
@@ -3747,10 +3765,12 @@ end
 -- The water at n places, at[k] = {x, y} in metres inside the scene: surface [m] and depth [m], bilinear between cell
 -- centres that are there, level beyond the outermost ones; normal of the surface (3 numbers, unit length, z up);
 -- velocity [m/s] (2 numbers), bilinear between faces. A dry place has the bed for its surface. Each output may be null.
--- Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in memory.
-function Water:sample(at, out_surface, out_depth, out_normal, out_velocity)
+-- Errors: CD_ERROR_ENUM; CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in memory.
+function Water:sample(at, outside, out_surface, out_depth, out_normal, out_velocity)
   local where = "cd_water_sample"
   local p_at, n_at = array_in("double", at, where, "at")
+  if outside == nil then outside = "refused" end
+  outside = enum_in("cd_outside", outside, where, "outside")
   local n = count_of(n_at, 2, where, "at")
   local p_out_surface, n_out_surface = array_out("double", out_surface, n, where, "out_surface")
   local p_out_depth, n_out_depth = array_out("double", out_depth, n, where, "out_depth")
@@ -3760,7 +3780,8 @@ function Water:sample(at, out_surface, out_depth, out_normal, out_velocity)
   same(n_out_depth, n * 1, where, "out_depth")
   same(n_out_normal, n * 3, where, "out_normal")
   same(n_out_velocity, n * 2, where, "out_velocity")
-  check(lib.cd_water_sample(handle_of(self), p_at, n, p_out_surface, p_out_depth, p_out_normal, p_out_velocity))
+  check(lib.cd_water_sample(handle_of(self), p_at, n, outside, p_out_surface, p_out_depth, p_out_normal,
+      p_out_velocity))
   return array_result(out_surface, p_out_surface, n_out_surface), array_result(out_depth, p_out_depth, n_out_depth),
       array_result(out_normal, p_out_normal, n_out_normal), array_result(out_velocity, p_out_velocity, n_out_velocity)
 end

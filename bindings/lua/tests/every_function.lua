@@ -262,7 +262,7 @@ return {
       return o:get_momentum(nil)
     end},
     {name = "cd_chain_sample", call = function(o, other, saved)
-      return o:sample(0, {0.0}, nil)
+      return o:sample(0, {0.0}, "refused", nil)
     end},
     {name = "cd_chain_get_memory", call = function(o, other, saved)
       return o:get_memory()
@@ -572,7 +572,7 @@ return {
       return o:get_volume()
     end},
     {name = "cd_membrane_sample", call = function(o, other, saved)
-      return o:sample({0.0, 0.0}, nil)
+      return o:sample({0.0, 0.0}, "refused", nil)
     end},
     {name = "cd_membrane_get_memory", call = function(o, other, saved)
       return o:get_memory()
@@ -796,7 +796,7 @@ return {
       return o:get_hull_energy()
     end},
     {name = "cd_water_sample_heads", call = function(o, other, saved)
-      return o:sample_heads({0.0, 0.0}, nil)
+      return o:sample_heads({0.0, 0.0}, "refused", nil)
     end},
     {name = "cd_water_step", call = function(o, other, saved)
       return o:step(0.01, 1)
@@ -835,7 +835,7 @@ return {
       return o:get_courant(0.01)
     end},
     {name = "cd_water_sample", call = function(o, other, saved)
-      return o:sample({0.0, 0.0}, nil, nil, nil, nil)
+      return o:sample({0.0, 0.0}, "refused", nil, nil, nil, nil)
     end},
     {name = "cd_water_get_memory", call = function(o, other, saved)
       return o:get_memory()

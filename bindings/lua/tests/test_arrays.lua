@@ -114,7 +114,7 @@ test("outputs of functions", function()
   equal(depth[2], 2)
   equal(normal[3], 1)
   local none
-  none, depth, normal, velocity = pool:sample({1, 1}, false, nil, false, false)
+  none, depth, normal, velocity = pool:sample({1, 100}, "nearest", false, nil, false, false)
   equal(none, nil)
   equal(#depth, 1)
   equal(normal, nil)
@@ -138,7 +138,8 @@ test("lengths that do not fit", function()
   refused("error_range", "normal has 3 numbers, must have 2", made.set_plane, made, 0, {0, 0}, {1, 0, 0}, 0)
   local pool = contdyn.Water(4, 4, 1, 1)
   refused("error_range", "at has 3 numbers, must be a multiple of 2", pool.sample, pool, {1, 2, 3})
-  refused("error_range", "out_depth has 3 numbers, must have 1", pool.sample, pool, {1, 1}, nil, ffi.new("double[3]"))
+  refused("error_range", "out_depth has 3 numbers, must have 1", pool.sample, pool, {1, 1}, nil, nil,
+    ffi.new("double[3]"))
 end)
 
 test("values of other types", function()

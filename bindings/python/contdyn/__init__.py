@@ -18,8 +18,8 @@ from ctypes import byref, c_int32, c_size_t
 from typing import Any, NamedTuple, Tuple
 
 from . import _library
-from ._api import (BedRule, Border, Edge, End, Field, Kernels, Kind, MassRule, Method, Momentum, Node, Precision, Shape,
-                   Side, Solver, Status)
+from ._api import (BedRule, Border, Edge, End, Field, Kernels, Kind, MassRule, Method, Momentum, Node, Outside,
+                   Precision, Shape, Side, Solver, Status)
 from ._arrays import Array, View
 from ._body import Attachment, Collider, Convergence, Energy, Resistance, Tolerance
 from ._callbacks import Allocator, Distance, Parallel, Task
@@ -34,14 +34,14 @@ from .water import (Account, Hull, HullDrag, HullPose, Hulls, HullWays, Limited,
 
 __all__ = [
     "Account", "Allocator", "Array", "Attachment", "BedRule", "Border", "CallbackError", "Chain", "ChainShape",
-    "Collider", "Convergence", "DisabledError", "Distance", "DivergedError", "Edge", "Effort", "End", "Energy",
-    "Error", "Field", "FormatError", "HandleError", "Hull", "HullDrag", "HullPose", "HullWays", "Hulls",
-    "InvalidEnumError", "InvalidValueError", "Kernels", "Kind", "Limited", "MassRule", "Membrane", "MembraneShape",
-    "Method", "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Parallel", "Precision",
-    "RangeError", "Resistance", "RestLength", "Ring", "Sample", "SavedShape", "Shape", "Side", "SideState", "SizeError", "Solver",
-    "Status", "Stiffness", "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices", "View", "Water",
-    "WaterEnergy", "WaterShape", "WaterVertices", "build_info", "kernels_name", "library_path", "runnable_kernels",
-    "saved_shape", "status_name", "version",
+    "Collider", "Convergence", "DisabledError", "Distance", "DivergedError", "Edge", "Effort", "End", "Energy", "Error",
+    "Field", "FormatError", "HandleError", "Hull", "HullDrag", "HullPose", "HullWays", "Hulls", "InvalidEnumError",
+    "InvalidValueError", "Kernels", "Kind", "Limited", "MassRule", "Membrane", "MembraneShape", "Method",
+    "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Outside", "Parallel", "Precision",
+    "RangeError", "Resistance", "RestLength", "Ring", "Sample", "SavedShape", "Shape", "Side", "SideState", "SizeError",
+    "Solver", "Status", "Stiffness", "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices", "View",
+    "Water", "WaterEnergy", "WaterShape", "WaterVertices", "build_info", "kernels_name", "library_path",
+    "runnable_kernels", "saved_shape", "status_name", "version",
 ]
 
 

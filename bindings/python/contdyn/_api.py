@@ -123,6 +123,15 @@ class Shape(IntEnum):
     CALLBACK = 4
 
 
+class Outside(IntEnum):
+    """What becomes of places outside of an object that it is sampled at."""
+
+    #: CD_ERROR_VALUE, and nothing is told of the other places either
+    REFUSED = 0
+    #: they stand for the nearest place in the object; only NaN is refused
+    NEAREST = 1
+
+
 class Field(IntEnum):
     """Per-node and per-spring data; which object has which is in its own header. One list, since what objects share has
     one meaning; and all are numbers, pins and masks too, so that one read and one write serve them."""
@@ -464,7 +473,8 @@ FUNCTIONS: Dict[str, str] = {
     "cd_chain_get_factorizations": "status: chain handle, out_count uint64*",
     "cd_chain_get_energy": "status: chain handle, out_kinetic double*, out_elastic double*, out_gravity double*",
     "cd_chain_get_momentum": "status: chain handle, out_momentum pointer, count size",
-    "cd_chain_sample": "status: chain handle, strand size, at pointer, n size, out_positions pointer, out_count size",
+    "cd_chain_sample": ("status: chain handle, strand size, at pointer, n size, outside int, out_positions pointer, "
+                        "out_count size"),
     "cd_chain_get_memory": "status: chain handle, out_bytes size*",
     "cd_chain_hash": "status: chain handle, out_hash uint64*",
     "cd_chain_save_size": "status: chain handle, out_size size*",
@@ -570,7 +580,8 @@ FUNCTIONS: Dict[str, str] = {
     "cd_membrane_get_energy": "status: membrane handle, out_kinetic double*, out_elastic double*, out_gravity double*",
     "cd_membrane_get_momentum": "status: membrane handle, out_momentum pointer, count size",
     "cd_membrane_get_volume": "status: membrane handle, out_volume double*",
-    "cd_membrane_sample": "status: membrane handle, at pointer, n size, out_positions pointer, out_count size",
+    "cd_membrane_sample": ("status: membrane handle, at pointer, n size, outside int, out_positions pointer, out_count "
+                           "size"),
     "cd_membrane_get_memory": "status: membrane handle, out_bytes size*",
     "cd_membrane_hash": "status: membrane handle, out_hash uint64*",
     "cd_membrane_write_vertices": ("status: membrane handle, buffer pointer, size size, stride size, position_offset "
@@ -650,7 +661,7 @@ FUNCTIONS: Dict[str, str] = {
                                "double*"),
     "cd_water_get_hull_load": "status: water handle, index size, out_load pointer, count size",
     "cd_water_get_hull_energy": "status: water handle, out_kinetic double*, out_potential double*",
-    "cd_water_sample_heads": "status: water handle, at pointer, n size, out_heads pointer",
+    "cd_water_sample_heads": "status: water handle, at pointer, n size, outside int, out_heads pointer",
     "cd_water_step": "status: water handle, dt double, count size",
     "cd_water_stable_dt": "status: water handle, out_dt double*",
     "cd_water_get_time": "status: water handle, out_time double*",
@@ -664,8 +675,8 @@ FUNCTIONS: Dict[str, str] = {
     "cd_water_get_energy": "status: water handle, out_kinetic double*, out_potential double*",
     "cd_water_get_wet_area": "status: water handle, out_area double*",
     "cd_water_get_courant": "status: water handle, dt double, out_courant double*",
-    "cd_water_sample": ("status: water handle, at pointer, n size, out_surface pointer, out_depth pointer, out_normal "
-                        "pointer, out_velocity pointer"),
+    "cd_water_sample": ("status: water handle, at pointer, n size, outside int, out_surface pointer, out_depth "
+                        "pointer, out_normal pointer, out_velocity pointer"),
     "cd_water_get_memory": "status: water handle, out_bytes size*",
     "cd_water_hash": "status: water handle, out_hash uint64*",
     "cd_water_write_vertices": ("status: water handle, buffer pointer, size size, stride size, position_offset size, "

@@ -3,7 +3,7 @@ from ctypes import c_double
 from typing import Any, List, NamedTuple, Optional, Tuple
 
 from . import _arrays
-from ._api import End, Field, Node, Precision
+from ._api import End, Field, Node, Outside, Precision
 from ._arrays import Array, Values, row
 from ._body import Attachment, Body, Convergence, Tolerance
 from ._callbacks import Allocator
@@ -192,13 +192,13 @@ class Chain(Body, kind="chain"):
 
     # ---- measuring --------------------------------------------------------------------------------------------------
 
-    def sample(self, strand: int, at: Values) -> Array:
+    def sample(self, strand: int, at: Values, outside: Outside = Outside.REFUSED) -> Array:
         """Positions [m] of one strand at n places along it, linear between nodes; shape (n, components), float64.
 
-        at: n numbers in [0, springs], of a ring to springs + 1.
+        at: n numbers in [0, springs], of a ring to springs + 1. outside: what becomes of others.
         """
         places = row(at)
         positions: Array = _arrays.empty((places.length, self._components), "d")
         numbers = _arrays.target(positions, places.length * self._components)
-        self._call("sample", strand, places.address, places.length, numbers.address, numbers.length)
+        self._call("sample", strand, places.address, places.length, outside, numbers.address, numbers.length)
         return positions

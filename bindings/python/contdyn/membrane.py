@@ -2,7 +2,7 @@
 from typing import Any, List, NamedTuple, Optional, Tuple
 
 from . import _arrays
-from ._api import Edge, Field, Node, Precision, Solver
+from ._api import Edge, Field, Node, Outside, Precision, Solver
 from ._arrays import Array, Values, row
 from ._body import Attachment, Body, Convergence, Tolerance
 from ._callbacks import Allocator
@@ -201,16 +201,17 @@ class Membrane(Body, Sheet, kind="membrane"):
 
     volume = Reading(float, "Volume between the sheet and the origin [m^3]; 3 components only.")
 
-    def sample(self, at: Values) -> Array:
+    def sample(self, at: Values, outside: Outside = Outside.REFUSED) -> Array:
         """Positions [m] at n places on the sheet, bilinear between nodes; shape (n, components), float64.
 
-        at: shape (n, 2), places (u, v) with u in [0, nu], of a ring to nu + 1, and v likewise.
+        at: shape (n, 2), places (u, v) with u in [0, nu], of a ring to nu + 1, and v likewise. outside: what
+        becomes of others.
         """
         places = _arrays.pairs(at)
         n = places.length // 2
         positions: Array = _arrays.empty((n, self._components), "d")
         numbers = _arrays.target(positions, n * self._components)
-        self._call("sample", places.address, n, numbers.address, numbers.length)
+        self._call("sample", places.address, n, outside, numbers.address, numbers.length)
         return positions
 
     # ---- drawing ----------------------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@ from ctypes import byref, c_double
 from typing import Any, List, NamedTuple, Optional, Tuple
 
 from . import _arrays
-from ._api import BedRule, Border, Field, Momentum, Precision, Side
+from ._api import BedRule, Border, Field, Momentum, Outside, Precision, Side
 from ._arrays import Array, Values
 from ._callbacks import Allocator
 from ._properties import Reading, Setting, SettingOfSeveral, State
@@ -337,15 +337,15 @@ class Water(Sheet, kind="water"):
         """What water and bed did to a hull in the last step: along x, y, z [N]; yaw, pitch, roll [N m]."""
         return HullWays(*self._of_hull("get_hull_load", index, 6))
 
-    def sample_heads(self, at: Values) -> Array:
+    def sample_heads(self, at: Values, outside: Outside = Outside.REFUSED) -> Array:
         """How high [m] the water would stand at n places with no hull pressing on it: shape (n,).
 
-        at: shape (n, 2), places (x, y) [m].
+        at: shape (n, 2), places (x, y) [m]. outside: what becomes of those that lie outside of the scene.
         """
         places = _arrays.pairs(at)
         n = places.length // 2
         heads: Array = _arrays.empty((n,), "d")
-        self._call("sample_heads", places.address, n, _arrays.target(heads, n).address)
+        self._call("sample_heads", places.address, n, outside, _arrays.target(heads, n).address)
         return heads
 
     # ---- measuring --------------------------------------------------------------------------------------------------
@@ -364,16 +364,16 @@ class Water(Sheet, kind="water"):
         """The largest Courant number of a step of dt [s], over directions and wet faces: (|u| + sqrt(g d)) dt / dx."""
         return float(self._get("get_courant", dt)[0])
 
-    def sample(self, at: Values) -> Sample:
+    def sample(self, at: Values, outside: Outside = Outside.REFUSED) -> Sample:
         """The water at n places inside the scene: surface, depth, the surface's normal, velocity; linear between cells.
 
-        at: shape (n, 2), places (x, y) [m].
+        at: shape (n, 2), places (x, y) [m]. outside: what becomes of those that lie outside of the scene.
         """
         places = _arrays.pairs(at)
         n = places.length // 2
         sample = Sample(*(_arrays.empty(shape, "d") for shape in ((n,), (n,), (n, 3), (n, 2))))
         addresses = [_arrays.target(values, n * times).address for values, times in zip(sample, (1, 1, 3, 2))]
-        self._call("sample", places.address, n, *addresses)
+        self._call("sample", places.address, n, outside, *addresses)
         return sample
 
     # ---- drawing ----------------------------------------------------------------------------------------------------

@@ -212,6 +212,7 @@ CASES = [
     ("sample", "RANGE", lambda c: c.sample(2, [0]), "strand is 2"),
     ("sample", "VALUE", lambda c: c.sample(0, [5.5]), "5.5"),
     ("sample", "VALUE", lambda c: c.sample(0, [0, NAN]), "nan"),
+    ("sample", "ENUM", lambda c: c.sample(0, [0], 7), "outside is 7"),
     ("load", "FORMAT", lambda c: c.load(b"not a chain"), "11 bytes"),
     ("load", "FORMAT", lambda c: c.load(contdyn.Water(1, 1, 1, 1).save()), "chain"),
     ("load", "MISMATCH", lambda c: c.load(Chain(2, 6, 3).save()), "6"),

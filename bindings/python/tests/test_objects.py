@@ -5,8 +5,8 @@ import unittest
 from array import array
 
 import contdyn
-from contdyn import (BedRule, Border, Chain, Edge, End, Field, MassRule, Membrane, Method, Momentum, Node, Precision,
-                     Shape, Side, Solver, Water)
+from contdyn import (BedRule, Border, Chain, Edge, End, Field, MassRule, Membrane, Method, Momentum, Node, Outside,
+                     Precision, Shape, Side, Solver, Water)
 
 from support import KINDS, lengthen, make, moving
 
@@ -332,6 +332,7 @@ class Chains(unittest.TestCase):
         self.assertEqual(self.chain.sample(0, [0.5, 3.25]).tolist(), [[0.5, 0], [3.25, 0]])
         self.assertEqual(self.chain.sample(0, 2).tolist(), [[2, 0]])
         self.assertEqual(self.chain.sample(0, []).tolist(), [])
+        self.assertEqual(self.chain.sample(0, [-1], Outside.NEAREST).tolist(), [[0, 0]])
 
 
 class Membranes(unittest.TestCase):

@@ -255,6 +255,29 @@ impl Shape {
     }
 }
 
+/// What becomes of places outside of an object that it is sampled at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum Outside {
+    /// CD_ERROR_VALUE, and nothing is told of the other places either
+    Refused = 0,
+    /// they stand for the nearest place in the object; only NaN is refused
+    Nearest = 1,
+}
+
+impl Outside {
+    /// Every one of them.
+    pub const ALL: [Outside; 2] = [
+        Outside::Refused,
+        Outside::Nearest,
+    ];
+
+    /// The one with C's value.
+    pub fn from_raw(value: i32) -> Option<Outside> {
+        Outside::ALL.into_iter().find(|known| *known as i32 == value)
+    }
+}
+
 /// Per-node and per-spring data; which object has which is in its own header. One list, since what objects share
 /// has one meaning; and all are numbers, pins and masks too, so that one read and one write serve them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -1528,12 +1551,12 @@ impl Chain {
 
     /// Positions of one strand at places along it, linear between nodes: at\[j\] in \[0, springs\] (ring: to springs +
     /// 1), out_positions\[j\]\[component\], out_count = n \* components. Errors: CD_ERROR_RANGE if there is no such
-    /// strand or out_count is another number; CD_ERROR_VALUE for a place beyond the strand.
-    pub fn sample(&self, strand: usize, at: &[f64], out_positions: &mut [f64]) -> Result<()> {
+    /// strand or out_count is another number; CD_ERROR_ENUM; CD_ERROR_VALUE for a place beyond the strand.
+    pub fn sample(&self, strand: usize, at: &[f64], outside: Outside, out_positions: &mut [f64]) -> Result<()> {
         let n = count_of(at.len(), 1, "cd_chain_sample", "at")?;
         let out_count = count_of(out_positions.len(), 1, "cd_chain_sample", "out_positions")?;
-        check(unsafe { sys::cd_chain_sample(self.as_ptr(), strand, at.as_ptr(), n, out_positions.as_mut_ptr(),
-            out_count) })
+        check(unsafe { sys::cd_chain_sample(self.as_ptr(), strand, at.as_ptr(), n, outside as i32,
+            out_positions.as_mut_ptr(), out_count) })
     }
 
     /// Bytes the chain holds from its allocator.
@@ -2704,12 +2727,13 @@ impl Membrane {
     }
 
     /// Positions at n places on the sheet, bilinear between nodes: at\[j\] = {u, v}, u in \[0, nu\] (ring: to nu + 1),
-    /// v likewise; out_positions\[j\]\[component\], out_count = n \* components. Errors: CD_ERROR_RANGE,
+    /// v likewise; out_positions\[j\]\[component\], out_count = n \* components. Errors: CD_ERROR_RANGE, CD_ERROR_ENUM,
     /// CD_ERROR_VALUE.
-    pub fn sample(&self, at: &[f64], out_positions: &mut [f64]) -> Result<()> {
+    pub fn sample(&self, at: &[f64], outside: Outside, out_positions: &mut [f64]) -> Result<()> {
         let n = count_of(at.len(), 2, "cd_membrane_sample", "at")?;
         let out_count = count_of(out_positions.len(), 1, "cd_membrane_sample", "out_positions")?;
-        check(unsafe { sys::cd_membrane_sample(self.as_ptr(), at.as_ptr(), n, out_positions.as_mut_ptr(), out_count) })
+        check(unsafe { sys::cd_membrane_sample(self.as_ptr(), at.as_ptr(), n, outside as i32,
+            out_positions.as_mut_ptr(), out_count) })
     }
 
     /// Bytes the membrane holds from its allocator.
@@ -3542,12 +3566,13 @@ impl Water {
     }
 
     /// How high \[m\] the water would stand at n places, at\[k\] = {x, y}, with no hull pressing on it: its surface and
-    /// the head that hulls press with. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in
-    /// memory.
-    pub fn sample_heads(&self, at: &[f64], out_heads: &mut [f64]) -> Result<()> {
+    /// the head that hulls press with. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for
+    /// more than fit in memory.
+    pub fn sample_heads(&self, at: &[f64], outside: Outside, out_heads: &mut [f64]) -> Result<()> {
         let n = count_of(at.len(), 2, "cd_water_sample_heads", "at")?;
         same(Some(out_heads.len()), n.checked_mul(1), "cd_water_sample_heads", "out_heads")?;
-        check(unsafe { sys::cd_water_sample_heads(self.as_ptr(), at.as_ptr(), n, out_heads.as_mut_ptr()) })
+        check(unsafe { sys::cd_water_sample_heads(self.as_ptr(), at.as_ptr(), n, outside as i32,
+            out_heads.as_mut_ptr()) })
     }
 
     /// Makes `count` steps of dt \[s\] each, 0 or in \[1e-30, 1e30\]: with 0 no time passes, as with 0 steps. Never
@@ -3667,18 +3692,19 @@ impl Water {
     /// The water at n places, at\[k\] = {x, y} in metres inside the scene: surface \[m\] and depth \[m\], bilinear
     /// between cell centres that are there, level beyond the outermost ones; normal of the surface (3 numbers, unit
     /// length, z up); velocity \[m/s\] (2 numbers), bilinear between faces. A dry place has the bed for its surface.
-    /// Each output may be null. Errors: CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than fit in memory.
-    pub fn sample(&self, at: &[f64], out_surface: Option<&mut [f64]>, out_depth: Option<&mut [f64]>,
+    /// Each output may be null. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE for a place outside; CD_ERROR_RANGE for more than
+    /// fit in memory.
+    pub fn sample(&self, at: &[f64], outside: Outside, out_surface: Option<&mut [f64]>, out_depth: Option<&mut [f64]>,
         out_normal: Option<&mut [f64]>, out_velocity: Option<&mut [f64]>) -> Result<()> {
         let n = count_of(at.len(), 2, "cd_water_sample", "at")?;
         same(out_surface.as_deref().map(<[_]>::len), n.checked_mul(1), "cd_water_sample", "out_surface")?;
         same(out_depth.as_deref().map(<[_]>::len), n.checked_mul(1), "cd_water_sample", "out_depth")?;
         same(out_normal.as_deref().map(<[_]>::len), n.checked_mul(3), "cd_water_sample", "out_normal")?;
         same(out_velocity.as_deref().map(<[_]>::len), n.checked_mul(2), "cd_water_sample", "out_velocity")?;
-        check(unsafe { sys::cd_water_sample(self.as_ptr(), at.as_ptr(), n, out_surface.map_or(std::ptr::null_mut(),
-            <[_]>::as_mut_ptr), out_depth.map_or(std::ptr::null_mut(), <[_]>::as_mut_ptr),
-            out_normal.map_or(std::ptr::null_mut(), <[_]>::as_mut_ptr), out_velocity.map_or(std::ptr::null_mut(),
-            <[_]>::as_mut_ptr)) })
+        check(unsafe { sys::cd_water_sample(self.as_ptr(), at.as_ptr(), n, outside as i32,
+            out_surface.map_or(std::ptr::null_mut(), <[_]>::as_mut_ptr), out_depth.map_or(std::ptr::null_mut(),
+            <[_]>::as_mut_ptr), out_normal.map_or(std::ptr::null_mut(), <[_]>::as_mut_ptr),
+            out_velocity.map_or(std::ptr::null_mut(), <[_]>::as_mut_ptr)) })
     }
 
     /// Bytes the water holds from its allocator.

@@ -60,6 +60,10 @@ pub const CD_SHAPE_CAPSULE: cd_shape = 2;
 pub const CD_SHAPE_BED: cd_shape = 3;
 pub const CD_SHAPE_CALLBACK: cd_shape = 4;
 
+pub type cd_outside = i32;
+pub const CD_OUTSIDE_REFUSED: cd_outside = 0;
+pub const CD_OUTSIDE_NEAREST: cd_outside = 1;
+
 pub type cd_field = i32;
 pub const CD_POSITION: cd_field = 0;
 pub const CD_VELOCITY: cd_field = 1;
@@ -296,8 +300,8 @@ extern "C" {
     pub fn cd_chain_get_energy(chain: *const cd_chain, out_kinetic: *mut f64, out_elastic: *mut f64,
         out_gravity: *mut f64) -> cd_status;
     pub fn cd_chain_get_momentum(chain: *const cd_chain, out_momentum: *mut f64, count: usize) -> cd_status;
-    pub fn cd_chain_sample(chain: *const cd_chain, strand: usize, at: *const f64, n: usize, out_positions: *mut f64,
-        out_count: usize) -> cd_status;
+    pub fn cd_chain_sample(chain: *const cd_chain, strand: usize, at: *const f64, n: usize, outside: cd_outside,
+        out_positions: *mut f64, out_count: usize) -> cd_status;
     pub fn cd_chain_get_memory(chain: *const cd_chain, out_bytes: *mut usize) -> cd_status;
     pub fn cd_chain_hash(chain: *const cd_chain, out_hash: *mut u64) -> cd_status;
     pub fn cd_chain_save_size(chain: *const cd_chain, out_size: *mut usize) -> cd_status;
@@ -415,8 +419,8 @@ extern "C" {
         out_gravity: *mut f64) -> cd_status;
     pub fn cd_membrane_get_momentum(membrane: *const cd_membrane, out_momentum: *mut f64, count: usize) -> cd_status;
     pub fn cd_membrane_get_volume(membrane: *const cd_membrane, out_volume: *mut f64) -> cd_status;
-    pub fn cd_membrane_sample(membrane: *const cd_membrane, at: *const f64, n: usize, out_positions: *mut f64,
-        out_count: usize) -> cd_status;
+    pub fn cd_membrane_sample(membrane: *const cd_membrane, at: *const f64, n: usize, outside: cd_outside,
+        out_positions: *mut f64, out_count: usize) -> cd_status;
     pub fn cd_membrane_get_memory(membrane: *const cd_membrane, out_bytes: *mut usize) -> cd_status;
     pub fn cd_membrane_hash(membrane: *const cd_membrane, out_hash: *mut u64) -> cd_status;
     pub fn cd_membrane_write_vertices(membrane: *const cd_membrane, buffer: *mut c_void, size: usize, stride: usize,
@@ -509,7 +513,8 @@ extern "C" {
     pub fn cd_water_get_hull_load(water: *const cd_water, index: usize, out_load: *mut f64, count: usize) -> cd_status;
     pub fn cd_water_get_hull_energy(water: *const cd_water, out_kinetic: *mut f64,
         out_potential: *mut f64) -> cd_status;
-    pub fn cd_water_sample_heads(water: *const cd_water, at: *const f64, n: usize, out_heads: *mut f64) -> cd_status;
+    pub fn cd_water_sample_heads(water: *const cd_water, at: *const f64, n: usize, outside: cd_outside,
+        out_heads: *mut f64) -> cd_status;
     pub fn cd_water_step(water: *mut cd_water, dt: f64, count: usize) -> cd_status;
     pub fn cd_water_stable_dt(water: *const cd_water, out_dt: *mut f64) -> cd_status;
     pub fn cd_water_get_time(water: *const cd_water, out_time: *mut f64) -> cd_status;
@@ -523,8 +528,8 @@ extern "C" {
     pub fn cd_water_get_energy(water: *const cd_water, out_kinetic: *mut f64, out_potential: *mut f64) -> cd_status;
     pub fn cd_water_get_wet_area(water: *const cd_water, out_area: *mut f64) -> cd_status;
     pub fn cd_water_get_courant(water: *const cd_water, dt: f64, out_courant: *mut f64) -> cd_status;
-    pub fn cd_water_sample(water: *const cd_water, at: *const f64, n: usize, out_surface: *mut f64,
-        out_depth: *mut f64, out_normal: *mut f64, out_velocity: *mut f64) -> cd_status;
+    pub fn cd_water_sample(water: *const cd_water, at: *const f64, n: usize, outside: cd_outside,
+        out_surface: *mut f64, out_depth: *mut f64, out_normal: *mut f64, out_velocity: *mut f64) -> cd_status;
     pub fn cd_water_get_memory(water: *const cd_water, out_bytes: *mut usize) -> cd_status;
     pub fn cd_water_hash(water: *const cd_water, out_hash: *mut u64) -> cd_status;
     pub fn cd_water_write_vertices(water: *const cd_water, buffer: *mut c_void, size: usize, stride: usize,

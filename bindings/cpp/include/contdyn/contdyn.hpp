@@ -62,6 +62,9 @@ enum class [[nodiscard]] status : std::int32_t {
     error_callback = CD_ERROR_CALLBACK
 };
 
+// What becomes of places outside of an object that it is sampled at.
+enum class outside : std::int32_t { refused = CD_OUTSIDE_REFUSED, nearest = CD_OUTSIDE_NEAREST };
+
 // The kinds of objects.
 enum class kind : std::int32_t { chain = CD_KIND_CHAIN, membrane = CD_KIND_MEMBRANE, water = CD_KIND_WATER };
 
@@ -776,8 +779,9 @@ public:
     }
 
     // positions[place][component] of a strand at[place] springs from its beginning.
-    outcome<> sample(std::size_t strand, span<const double> at, span<double> positions) const {
-        return call(cd_chain_sample, strand, at.data(), at.size(), positions.data(), positions.size());
+    outcome<> sample(std::size_t strand, span<const double> at, outside o, span<double> positions) const {
+        return call(cd_chain_sample, strand, at.data(), at.size(), static_cast<cd_outside>(o), positions.data(),
+                    positions.size());
     }
 
     // Bytes it holds, and a hash of its state that is equal on every machine.
@@ -1138,9 +1142,10 @@ public:
     outcome<double> get_volume() const { return value<double>(cd_membrane_get_volume); }
 
     // positions[place][component] at[place] = {u, v}.
-    outcome<> sample(span<const double> at, span<double> positions) const {
+    outcome<> sample(span<const double> at, outside o, span<double> positions) const {
         if (at.size() % 2 != 0) return detail::done(CD_ERROR_RANGE, "membrane::sample: at has an odd number of values");
-        return call(cd_membrane_sample, at.data(), at.size() / 2, positions.data(), positions.size());
+        return call(cd_membrane_sample, at.data(), at.size() / 2, static_cast<cd_outside>(o), positions.data(),
+                    positions.size());
     }
 
     // Bytes it holds, and a hash of its state that is equal on every machine.
@@ -1464,10 +1469,10 @@ public:
     }
 
     // How high the water would stand at at[place] = {x, y} with no hull pressing on it: heads[place].
-    outcome<> sample_heads(span<const double> at, span<double> heads) const {
+    outcome<> sample_heads(span<const double> at, outside o, span<double> heads) const {
         if (at.size() != 2 * heads.size())
             return detail::done(CD_ERROR_RANGE, "water::sample_heads: heads does not fit the places in at");
-        return call(cd_water_sample_heads, at.data(), heads.size(), heads.data());
+        return call(cd_water_sample_heads, at.data(), heads.size(), static_cast<cd_outside>(o), heads.data());
     }
 
     // ---- time ----
@@ -1509,8 +1514,8 @@ public:
 
     // At at[place] = {x, y} [m]: surface[place], depth[place], normal[place][3], velocity[place][2]; what is empty is
     // left out.
-    outcome<> sample(span<const double> at, span<double> surface, span<double> depth = {}, span<double> normal = {},
-                     span<double> velocity = {}) const {
+    outcome<> sample(span<const double> at, outside o, span<double> surface, span<double> depth = {},
+                     span<double> normal = {}, span<double> velocity = {}) const {
         const std::size_t n = at.size() / 2;
         const auto fits = [n](span<double> values, std::size_t times) {
             return values.size() == 0 || (values.size() % times == 0 && values.size() / times == n);
@@ -1518,7 +1523,8 @@ public:
         if (at.size() % 2 != 0 || !fits(surface, 1) || !fits(depth, 1) || !fits(normal, 3) || !fits(velocity, 2))
             return detail::done(CD_ERROR_RANGE, "water::sample: an output's size does not fit the places in at");
         const auto there = [](span<double> values) { return values.size() ? values.data() : nullptr; };
-        return call(cd_water_sample, at.data(), n, there(surface), there(depth), there(normal), there(velocity));
+        return call(cd_water_sample, at.data(), n, static_cast<cd_outside>(o), there(surface), there(depth),
+                    there(normal), there(velocity));
     }
 
     // Bytes it holds, and a hash of its state that is equal on every machine.

@@ -105,7 +105,7 @@ fn results() {
     let mut pool = Water::new(4, 4, 1.0, 1.0, Precision::Float64).unwrap();
     pool.write(Field::Depth, &[2.0; 16]).unwrap();
     let (mut depth, mut normal) = ([0.0; 2], [0.0; 6]);
-    pool.sample(&[1.0, 1.0, 2.0, 2.5], None, Some(&mut depth), Some(&mut normal), None).unwrap();
+    pool.sample(&[1.0, 1.0, 2.0, 2.5], Outside::Refused, None, Some(&mut depth), Some(&mut normal), None).unwrap();
     assert_eq!(depth, [2.0; 2]);
     assert_eq!(normal, [0.0, 0.0, 1.0, 0.0, 0.0, 1.0]);
     let mut vertices = [0u8; 16 * 12];
@@ -121,9 +121,9 @@ fn lengths_that_do_not_fit() {
     let plane = made.set_plane(0, &[0.0; 2], &[1.0, 0.0, 0.0], 0.0);
     refused(plane, Status::ErrorRange, "normal has 3 numbers, must have 2");
     let pool = Water::new(4, 4, 1.0, 1.0, Precision::Float64).unwrap();
-    let odd = pool.sample(&[1.0; 3], None, None, None, None);
+    let odd = pool.sample(&[1.0; 3], Outside::Refused, None, None, None, None);
     refused(odd, Status::ErrorRange, "at has 3 numbers, must be a multiple of 2");
-    let long = pool.sample(&[1.0; 2], None, Some(&mut [0.0; 3]), None, None);
+    let long = pool.sample(&[1.0; 2], Outside::Nearest, None, Some(&mut [0.0; 3]), None, None);
     refused(long, Status::ErrorRange, "out_depth has 3 numbers, must have 1");
 }
 

@@ -463,7 +463,7 @@ pub const CHAIN: [Call<Chain>; 82] = [
     Call {
         name: "cd_chain_sample",
         may_fail: false,
-        call: |o, _other, _saved| o.sample(0, &[0.0], &mut [0.0; 3]).map(drop),
+        call: |o, _other, _saved| o.sample(0, &[0.0], Outside::Refused, &mut [0.0; 3]).map(drop),
         told: |_| true,
     },
     Call {
@@ -1018,7 +1018,7 @@ pub const MEMBRANE: [Call<Membrane>; 91] = [
     Call {
         name: "cd_membrane_sample",
         may_fail: false,
-        call: |o, _other, _saved| o.sample(&[0.0, 0.0], &mut [0.0; 3]).map(drop),
+        call: |o, _other, _saved| o.sample(&[0.0, 0.0], Outside::Refused, &mut [0.0; 3]).map(drop),
         told: |_| true,
     },
     Call {
@@ -1427,7 +1427,7 @@ pub const WATER: [Call<Water>; 79] = [
     Call {
         name: "cd_water_sample_heads",
         may_fail: false,
-        call: |o, _other, _saved| o.sample_heads(&[0.0, 0.0], &mut [0.0; 1]).map(drop),
+        call: |o, _other, _saved| o.sample_heads(&[0.0, 0.0], Outside::Refused, &mut [0.0; 1]).map(drop),
         told: |_| true,
     },
     Call {
@@ -1505,8 +1505,8 @@ pub const WATER: [Call<Water>; 79] = [
     Call {
         name: "cd_water_sample",
         may_fail: false,
-        call: |o, _other, _saved| o.sample(&[0.0, 0.0], Some(&mut [0.0; 1]), Some(&mut [0.0; 1]), Some(&mut [0.0; 3]),
-            Some(&mut [0.0; 2])).map(drop),
+        call: |o, _other, _saved| o.sample(&[0.0, 0.0], Outside::Refused, Some(&mut [0.0; 1]), Some(&mut [0.0; 1]),
+            Some(&mut [0.0; 3]), Some(&mut [0.0; 2])).map(drop),
         told: |_| true,
     },
     Call {

@@ -200,6 +200,8 @@ pub const ENUMERATORS: &[(&str, i32)] = &[
     ("CD_SHAPE_CAPSULE", 2),
     ("CD_SHAPE_BED", 3),
     ("CD_SHAPE_CALLBACK", 4),
+    ("CD_OUTSIDE_REFUSED", 0),
+    ("CD_OUTSIDE_NEAREST", 1),
     ("CD_POSITION", 0),
     ("CD_VELOCITY", 1),
     ("CD_FORCE", 2),
