@@ -545,8 +545,9 @@ export class Chain extends Handle {
   /**
    * Joins the last node to the first (1) or opens the ring (0). A ring has as many springs as nodes, and with bend a
    * bend term at every node; totals are dealt out anew, and a per-spring stiffness field gets the uniform value.
-   * Needs 3 nodes. Errors: "errorValue" for anything but 0 and 1; "errorUnsupported" with fewer than 3 nodes or a
-   * matched end; "errorMemory".
+   * Needs 3 nodes. A ring with bend whose springs are cut, or some far softer than others, gains energy by rounding in
+   * steps longer than some 1e6 times its fastest swing. Errors: "errorValue" for anything but 0 and 1;
+   * "errorUnsupported" with fewer than 3 nodes or a matched end; "errorMemory".
    */
   get ring(): boolean;
   set ring(value: boolean);

@@ -21,21 +21,32 @@ constexpr double kLeastPivot = 1e-12; // of a constraint that adds some complian
 // long, w in its place. differences(i, d): told w[i + 1] - w[i].
 template <class System, class Place, class Tension, class Differences>
 void pull_line(size_t nodes, const System& system, const RodRows& rows, Place place, Tension tension, double* w,
-               double* slope, Differences differences) {
-    // A spring softer than its nodes' grounding passes its tension on as loads on both nodes.
+               double* slope, bool bends, Differences differences) {
+    // A spring softer than its nodes' grounding passes its tension on as loads. Between two such springs, or an end, lies
+    // a piece; without bend what it is pulled by acts at its most grounded node, from where tensions of its springs pass
+    // it on: a load on a light node, which the others hold, would leave no digits of how it moves. With bend the pieces
+    // hold each other, and their outermost nodes take the loads.
     const auto soft = [&](size_t i) { return system.spring(i) < system.ground(i) + system.ground(i + 1); };
-    const auto own = [&](size_t i) {
-        double load = 0;
-        if (i + 1 < nodes && soft(i)) load -= tension(i);
-        if (i > 0 && soft(i - 1)) load += tension(i - 1);
-        return load / system.ground(i);
+    size_t last = 0, from = 0, to = 0; // the piece's last node, and those that take the loads of the soft springs
+    double before = 0, after = 0;      // these springs' tensions
+    const auto enter_piece = [&](size_t first) {
+        size_t anchor = last = first;
+        for (; last + 1 < nodes && !soft(last); ++last)
+            if (system.ground(last + 1) > system.ground(anchor)) anchor = last + 1;
+        from = bends ? first : anchor, to = bends ? last : anchor;
+        before = first > 0 ? tension(first - 1) : 0, after = last + 1 < nodes ? tension(last) : 0;
     };
+    const auto own = [&](size_t i) { return ((i == from ? before : 0) - (i == to ? after : 0)) / system.ground(i); };
+    const auto rest = [&](size_t i) { return tension(i) - (i < from ? before : 0) - (i >= to ? after : 0); };
     using One = Lanes<1>;
+    enter_piece(0);
     One u{own(0)}, d{0};
     w[place(0)] = u.v;
     slope[0] = 0;
     for (size_t i = 1; i < nodes; ++i) {
-        const One wish{soft(i - 1) ? 0 : tension(i - 1) / system.spring(i - 1)};
+        One wish{0};
+        if (i > last) enter_piece(i);
+        else wish = One{rest(i - 1) / system.spring(i - 1)};
         rod_reach(rows, place(i), d, wish, One{own(i)}, u, d);
         w[place(i)] = u.v;
         slope[i] = d.v;
@@ -65,7 +76,7 @@ void factor_ring(size_t nodes, const System& system, const RodRows& rows, int co
         for (double& entry : row) entry = 0;
     for (int s = 0; s < constraints; ++s) {
         pull_line(
-            nodes, system, rows, place, [&](size_t i) { return tension(s, i); }, response[s], scratch,
+            nodes, system, rows, place, [&](size_t i) { return tension(s, i); }, response[s], scratch, constraints > 1,
             [&](size_t i, double d) {
                 for (int r = 0; r < constraints; ++r) c[r][s] += tension(r, i) * d;
             });

@@ -100,11 +100,56 @@ static void pieces_of_a_ring_gain_no_energy_in_steps_of_any_length(void** state)
     assert_true(worst[1] < 1);
 }
 
+static double log_uniform(double least, double most, uint64_t* seed) {
+    return least * pow(most / least, (random_number(seed) + 1) / 2);
+}
+
+/* The most that 20 steps of lambda = 1/2 gain: energy over that at the start, less 1. A ring of springs of any stiffness,
+ * some of them cut, so that pieces hang by soft springs, ties and held nodes; no bend. */
+static double gained_by_springs(uint64_t seed) {
+    const size_t nodes = 3 + (size_t)((random_number(&seed) + 1) * 4.5);
+    const double most = log_uniform(1e-3, 1e8, &seed), dt = log_uniform(1e-4, 1e12, &seed);
+    double before[2], after[2], gained = 0;
+    cd_chain* ring = NULL;
+    ok(cd_chain_create(1, nodes - 1, 1, CD_FLOAT64, NULL, &ring));
+    ok(cd_chain_set_ring(ring, 1));
+    ok(cd_chain_set_mass(ring, log_uniform(1e-3, 1e3, &seed)));
+    ok(cd_chain_enable_field(ring, CD_STIFFNESS));
+    for (size_t i = 0; i < nodes; ++i) {
+        const double x = random_number(&seed), kind = random_number(&seed), any = log_uniform(1e-6, 1e9, &seed);
+        const double stiffness = kind < -0.6 ? 0 : kind < -0.1 ? any : most;
+        ok(cd_chain_write_f64(ring, CD_POSITION, 0, 1, i, 1, &x, 1));
+        ok(cd_chain_write_f64(ring, CD_STIFFNESS, 0, 1, i, 1, &stiffness, 1));
+        if (random_number(&seed) < 0.7) continue;
+        const double target = random_number(&seed);
+        ok(cd_chain_attach(ring, 0, i, log_uniform(1e-4, 1e8, &seed), 0, &target, 1));
+    }
+    if (random_number(&seed) < 0) ok(cd_chain_set_end(ring, CD_END_FIRST, CD_NODE_PINNED));
+    if (random_number(&seed) < -0.6) ok(cd_chain_set_end(ring, CD_END_LAST, CD_NODE_PINNED));
+    ok(cd_chain_get_energy(ring, &before[0], &before[1], NULL));
+    for (int step = 0; step < 20 && before[1] > 0; ++step) {
+        ok(cd_chain_step(ring, dt, 1));
+        ok(cd_chain_get_energy(ring, &after[0], &after[1], NULL));
+        gained = fmax(gained, (after[0] + after[1]) / (before[0] + before[1]) - 1);
+    }
+    cd_chain_destroy(ring);
+    return gained;
+}
+
+static void rings_of_springs_keep_their_energy_in_steps_of_any_length(void** state) {
+    (void)state;
+    double worst = 0;
+    for (uint64_t seed = 1; seed <= 20000; ++seed) worst = fmax(worst, gained_by_springs(seed * 7919));
+    print_message("energy gained by rings of springs, at most: %.1e\n", worst);
+    assert_true(worst < 1e-9);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(float32_rings_and_held_chains_agree_with_extended_precision),
         cmocka_unit_test(float64_rings_and_held_chains_agree_with_extended_precision),
         cmocka_unit_test(pieces_of_a_ring_gain_no_energy_in_steps_of_any_length),
+        cmocka_unit_test(rings_of_springs_keep_their_energy_in_steps_of_any_length),
     };
     return cmocka_run_group_tests_name("closed", tests, NULL, NULL);
 }

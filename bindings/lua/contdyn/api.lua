@@ -988,8 +988,9 @@ end
 
 -- Joins the last node to the first (1) or opens the ring (0). A ring has as many springs as nodes, and with bend a bend
 -- term at every node; totals are dealt out anew, and a per-spring stiffness field gets the uniform value. Needs 3
--- nodes. Errors: CD_ERROR_VALUE for anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched
--- end; CD_ERROR_MEMORY.
+-- nodes. A ring with bend whose springs are cut, or some far softer than others, gains energy by rounding in steps
+-- longer than some 1e6 times its fastest swing. Errors: CD_ERROR_VALUE for anything but 0 and 1; CD_ERROR_UNSUPPORTED
+-- with fewer than 3 nodes or a matched end; CD_ERROR_MEMORY.
 function Chain:set_ring(ring)
   local where = "cd_chain_set_ring"
   ring = flag_in(ring, where, "ring")
@@ -999,8 +1000,9 @@ end
 
 -- Joins the last node to the first (1) or opens the ring (0). A ring has as many springs as nodes, and with bend a bend
 -- term at every node; totals are dealt out anew, and a per-spring stiffness field gets the uniform value. Needs 3
--- nodes. Errors: CD_ERROR_VALUE for anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched
--- end; CD_ERROR_MEMORY.
+-- nodes. A ring with bend whose springs are cut, or some far softer than others, gains energy by rounding in steps
+-- longer than some 1e6 times its fastest swing. Errors: CD_ERROR_VALUE for anything but 0 and 1; CD_ERROR_UNSUPPORTED
+-- with fewer than 3 nodes or a matched end; CD_ERROR_MEMORY.
 function Chain:get_ring()
   local where = "cd_chain_get_ring"
   local out_ring = int32_t_1()
