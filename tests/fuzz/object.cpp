@@ -104,6 +104,7 @@ template <class Api> void Object<Api>::step() {
     s.status = this->both(text("step %.17g, %zu", s.dt, s.count), kSteps | kNoMemory,
                           [&](Handle* handle, int) { return Api::step(handle, s.dt, s.count); });
     if (run.broken) return;
+    if (s.dt == 0) s.count = 0; // a pause
     check_step(s);
     after_step(s);
     this->check_state();
