@@ -1655,7 +1655,8 @@ export class Membrane extends Handle {
 
   /**
    * Positions at n places on the sheet, bilinear between nodes: at[j] = {u, v}, u in [0, nu] (ring: to nu + 1), v
-   * likewise; positions[j][component], count = n * components. Errors: "errorRange", "errorEnum", "errorValue".
+   * likewise; positions[j][component], count = n * components. Errors: "errorRange", "errorEnum",
+   * "errorValue".
    */
   sample(at: Numbers, outside?: Outside): Float64Array;
 

@@ -429,7 +429,8 @@ CD_API cd_status cd_membrane_get_momentum(const cd_membrane* membrane, double* o
 CD_API cd_status cd_membrane_get_volume(const cd_membrane* membrane, double* out_volume);
 
 /* Positions at n places on the sheet, bilinear between nodes: at[j] = {u, v}, u in [0, nu] (ring: to nu + 1), v
- * likewise; out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE, CD_ERROR_ENUM, CD_ERROR_VALUE. */
+ * likewise; out_positions[j][component], out_count = n * components. Errors: CD_ERROR_RANGE, CD_ERROR_ENUM,
+ * CD_ERROR_VALUE. */
 CD_API cd_status cd_membrane_sample(const cd_membrane* membrane, const double* at, size_t n, cd_outside outside,
                                     double* out_positions, size_t out_count);
 

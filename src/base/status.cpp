@@ -9,7 +9,7 @@ constexpr size_t kRoom = 400; // bytes: every message of ours fits, with numbers
 static thread_local char message[kRoom];
 
 cd_status fail(cd_status status, const char* function, const char* format, ...) {
-    const int used = snprintf(message, kRoom, "%s: ", function);
+    const int used = snprintf(message, kRoom, "%.100s: ", function);
     va_list arguments;
     va_start(arguments, format);
     const int wanted = vsnprintf(message + used, kRoom - size_t(used), format, arguments);

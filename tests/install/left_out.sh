@@ -3,7 +3,7 @@
 # HULL, BEND, CONTACT, COUPLED, ADVECTED, DRAW, SAVE, FLOAT32, FLOAT64. Fails unless their code is gone, and every
 # scene of the bindings gives the same bits as with the whole library, or ends with CD_ERROR_UNSUPPORTED where it asks
 # for what was left out, as does loading states that need it. Not optimised, and without the widest kernels, which are
-# the same text again: that takes a quarter of the time.
+# the same text again: that takes less time.
 . "$(dirname "$0")/common.sh"
 
 parts=$1
