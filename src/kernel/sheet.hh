@@ -68,6 +68,8 @@ struct UniformStage {
     bool constant;                 // beside springs only gravity acts
     SharedFilter along_u, along_v; // of implicit stages
     bool carries;                  // see sweep_down
+    // null, or what makes rows' means 0 before and after the filters along them
+    void (*flatten)(const Grid& grid, const double* inverse_mass, double* plane, size_t first, size_t count);
 };
 constexpr size_t kLookedRows = 6; // of scratch: see StageRows
 
@@ -140,10 +142,10 @@ bool move_nodes(const Grid& grid, const SheetMove& move, const StateNumbers& x, 
 // start from x and v. looked: scratch, kLookedRows rows. With `carries`, all rows at once.
 void sweep_down(const Grid& grid, const UniformStage& stage, const StateNumbers& x, const StateNumbers& v,
                 double* plane, double* looked, size_t first, size_t count);
-// The filters down the columns, but for the first one if it is `carried`; moves by that. below: scratch, a row. Parts
-// are of the columns.
-bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried, const SheetMove& move, double* plane,
-              double* below, const StateNumbers& x, const StateNumbers& v, const StateNumbers& to_x,
+// The filters down the columns, but for the first one if it is `carried`; moves by that, and by a number per row, unless
+// that is null. below: scratch, a row. Parts are of the columns.
+bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried, const SheetMove& move, const double* of_row,
+              double* plane, double* below, const StateNumbers& x, const StateNumbers& v, const StateNumbers& to_x,
               const StateNumbers& to_v, size_t first, size_t count);
 
 // ---- an explicit step of a uniform sheet (sheet_explicit.cpp) ----

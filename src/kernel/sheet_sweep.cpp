@@ -44,7 +44,10 @@ struct DownSweep {
             if (r + 1 < rows.end) rows.look(r + 1, rows.at(r + 1));
             along_springs(grid.columns, rows.acting(r, plane + r * grid.pitch));
         }
+        const double* const inverse_mass = rows.stage.sheet.inverse_mass[0];
+        if (rows.stage.flatten) rows.stage.flatten(grid, inverse_mass, plane, row, count);
         filter_rows(grid, rows.stage.along_u, plane, row, count);
+        if (rows.stage.flatten) rows.stage.flatten(grid, inverse_mass, plane, row, count);
         for (size_t r = row; r < row + count && rows.stage.carries; ++r)
             if (r > 0) along_whole_row(0, grid.columns, CarryDown(grid, rows.stage.along_v, plane, r));
     }
@@ -55,6 +58,7 @@ template <class S, class T> struct MoveUp {
     bool first; // no row lies below
     double pull;
     const double* change;
+    double of_row; // added to it all along the row
     double* below; // the answer there, and then here
     const S *x, *v;
     T *to_x, *to_v;
@@ -83,6 +87,7 @@ template <class S, class T> struct MoveUp {
         if (!first) dw = between(dw, L::load(below + u), &pull);
         if (settles && !first) dw = settled(dw, Limits<double>::least);
         dw.store(below + u);
+        dw = dw + L::splat(of_row);
         const L from = L::load(v + u), new_v = from + overshoot * dw, new_x = L::load(x + u) + move * (from + dw);
         put_settled(packed<V, T>(new_v), to_v + u, seen);
         put_settled(packed<V, T>(new_x), to_x + u, seen);
@@ -101,8 +106,8 @@ void sweep_down(const Grid& grid, const UniformStage& stage, const StateNumbers&
 }
 
 template <class S, class T> static bool move_up(const Grid& grid, const SharedFilter& filter, const SheetMove& move,
-                                                const double* plane, double* below, const S* x, const S* v, T* to_x,
-                                                T* to_v, size_t first, size_t count) {
+                                                const double* of_row, const double* plane, double* below, const S* x,
+                                                const S* v, T* to_x, T* to_v, size_t first, size_t count) {
     PlainProbe<T> probe; // of all rows: looking into it takes as long as a short one
     const size_t ahead = rows_ahead(grid, count);
     const size_t end = first + (count + kWidest - 1) / kWidest * kWidest; // see along_whole_row
@@ -111,6 +116,7 @@ template <class S, class T> static bool move_up(const Grid& grid, const SharedFi
         MoveUp<S, T> step{r + 1 == grid.rows,
                           filter.pull[r],
                           plane + row,
+                          of_row ? of_row[r] : 0,
                           below,
                           x + row,
                           v + row,
@@ -128,8 +134,8 @@ template <class S, class T> static bool move_up(const Grid& grid, const SharedFi
     return probe.finite();
 }
 
-bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried, const SheetMove& move, double* plane,
-              double* below, const StateNumbers& x, const StateNumbers& v, const StateNumbers& to_x,
+bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried, const SheetMove& move, const double* of_row,
+              double* plane, double* below, const StateNumbers& x, const StateNumbers& v, const StateNumbers& to_x,
               const StateNumbers& to_v, size_t first, size_t count) {
     const size_t ahead = rows_ahead(grid, count);
     for (size_t r = 1; r < grid.rows && !carried; ++r) {
@@ -140,7 +146,7 @@ bool sweep_up(const Grid& grid, const SharedFilter& filter, bool carried, const 
         return to_x.stored([&](auto* into_x) {
             const auto from_v = static_cast<decltype(from_x)>(v.data);
             const auto into_v = static_cast<decltype(into_x)>(to_v.data);
-            return move_up(grid, filter, move, plane, below, from_x, from_v, into_x, into_v, first, count);
+            return move_up(grid, filter, move, of_row, plane, below, from_x, from_v, into_x, into_v, first, count);
         });
     });
 }

@@ -54,6 +54,7 @@ struct Membrane : Body, MembraneSettings {
     double stiffest;       // the largest diagonal entry of the system, where there is one
     bool whole;            // see membrane_step.cpp
     bool separable;        // see membrane_step.cpp
+    bool mean_apart;       // see membrane_step.cpp
     size_t parts;          // see membrane_parts.cpp
 
     // f(array, array of another membrane...) for each field, in the order in which they are kept; and for every array.

@@ -76,17 +76,21 @@ template <class F> void each_run(const Work& w, F f) {
     }
 }
 
-// parts.sums = for each part the sum of term(place) over its nodes, over its energy.
-template <class Term> void find_shares(const Membrane& m, const Work& w, Term term) {
-    const SheetParts& parts = w.parts;
-    for (size_t p = 0; p <= m.parts; ++p) parts.sums[p] = 0;
+// sums = for each part the sum of term(place) over its nodes.
+template <class Term> void find_sums(const Membrane& m, const Work& w, double* sums, Term term) {
+    for (size_t p = 0; p <= m.parts; ++p) sums[p] = 0;
     each_run(w, [&](size_t part, size_t at, size_t past) {
         double sum[4] = {}; // side by side: additions to one sum wait for each other
         for (; at + 4 <= past; at += 4)
             for (size_t k = 0; k < 4; ++k) sum[k] += term(at + k);
         for (; at < past; ++at) sum[0] += term(at);
-        parts.sums[part] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
+        sums[part] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
     });
+}
+// parts.sums = the same over the part's energy.
+template <class Term> void find_shares(const Membrane& m, const Work& w, Term term) {
+    const SheetParts& parts = w.parts;
+    find_sums(m, w, parts.sums, term);
     for (size_t p = 1; p <= m.parts; ++p) parts.sums[p] /= parts.energy[p];
 }
 
@@ -105,16 +109,28 @@ void prepare_parts(Membrane& m, Work& w) {
     each_place(w, [&](size_t at) {
         if (parts.of[at] > 0) parts.of[at] = parts.of[at] == at + 1 ? ++m.parts : parts.of[parts.of[at] - 1];
     });
-    if (m.parts < 2) return;
+    if (m.parts < 2 && !m.mean_apart) return;
     w.system.apply(w.one, parts.pull);
-    for (size_t p = 0; p <= m.parts; ++p) parts.energy[p] = 0;
-    each_place(w, [&](size_t at) { parts.energy[parts.of[at]] += parts.pull[at]; });
+    for (size_t p = 0; p <= m.parts; ++p) parts.energy[p] = 0, parts.afloat[p] = m.mean_apart;
+    each_place(w, [&](size_t at) {
+        parts.energy[parts.of[at]] += parts.pull[at];
+        if (parts.pull[at] != w.ground[at])
+            parts.afloat[parts.of[at]] = 0; // springs that are not stretched do not pull
+    });
+}
+
+void find_outer(const Membrane& m, const Work& w, const double* acts) {
+    find_sums(m, w, w.parts.outer, [&](size_t at) { return acts[at]; });
 }
 
 void separate_parts(const Membrane& m, const Work& w, double* const* planes, int n, double share,
                     const double* residual, double* taken) {
     const SheetParts& parts = w.parts;
-    find_shares(m, w, [&](size_t at) { return residual[at]; });
+    find_shares(m, w, [&](size_t at) {
+        return parts.afloat[parts.of[at]] ? (share - 1) * (parts.pull[at] * planes[0][at]) : residual[at];
+    });
+    for (size_t p = 1; p <= m.parts; ++p)
+        if (parts.afloat[p]) parts.sums[p] += parts.outer[p] / parts.energy[p];
     each_run(w, [&](size_t part, size_t at, size_t past) {
         for (; at < past; ++at) w.one[at] = parts.sums[part];
     });

@@ -21,6 +21,8 @@
 // Coupled: conjugate gradients on the same r; then once more the best of v, all alike and its answer, for the same
 // reasons.
 //
+// Of a stiff sheet that nothing holds the mean motion is computed apart: see membrane_mean.cpp.
+//
 // In both, where springs are stiff, r starts from the whole of S w = b and v is taken out of that: of a stiff spring's
 // velocity most cancels, and what is left would be lost in r's rounding. Where they are soft the change is all there is
 // to lose.
@@ -85,7 +87,8 @@ struct Stepper {
                     is_constant(push, sheet),
                     {s.w.shared[kU].carry, s.w.shared[kU].pull},
                     {s.w.shared[kV].carry, s.w.shared[kV].pull},
-                    !s.m.parallel.run} {}
+                    !s.m.parallel.run,
+                    s.m.mean_apart ? flatten_rows : nullptr} {}
     };
     double* looked(size_t band) const { return w.looked + band * kLookedRows * w.grid.pitch; }
 
@@ -114,6 +117,7 @@ struct Stepper {
     bool sweep(size_t k, const StageMoves& by, int number, const StateNumbers& x, const StateNumbers& v,
                const StateNumbers& to_x, const StateNumbers& to_v) const {
         const Uniform now(*this, k);
+        if (m.mean_apart) change_rows(now, x, v);
         const UniformStage& stage = now.stage;
         w.bands.each(m.parallel, [&](size_t band, size_t first, size_t count) {
             sheet().sweep_down(w.grid, stage, x, v, w.residual, looked(band), first, count);
@@ -121,8 +125,8 @@ struct Stepper {
         const SheetMove move{1 + by.overshoot[number], by.move[number], 1, {}, {}, 0};
         bool finite = true;
         w.strips.each(m.parallel, [&](size_t, size_t first, size_t count) {
-            if (!sheet().sweep_up(w.grid, stage.along_v, stage.carries, move, w.residual, w.looked, x, v, to_x, to_v,
-                                  first, count))
+            if (!sheet().sweep_up(w.grid, stage.along_v, stage.carries, move, m.mean_apart ? w.row_change : nullptr,
+                                  w.residual, w.looked, x, v, to_x, to_v, first, count))
                 __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
         });
         return finite;
@@ -149,16 +153,29 @@ struct Stepper {
             rows([&](size_t first, size_t count) {
                 sheet().push_general(w.grid, w.system.sheet, push, x, v, w.residual, first, count);
             });
+            if (m.mean_apart && m.separable && !w.coupled) cd::change_rows(m, w, h, x, v, {w.residual, w.inverse, 1});
+            else if (m.mean_apart) find_outer(m, w, w.residual);
             w.system.pull(w.scaled, w.residual);
             return;
         }
-        const SeparableSheet uniform = separable_sheet();
-        const bool constant = is_constant(push, uniform);
+        const Uniform now(*this, k);
+        if (m.mean_apart) change_rows(now, x, v);
+        const bool constant = now.stage.constant;
         w.system.wrap(w.scaled);
         rows([&](size_t first, size_t count) {
-            if (!constant) sheet().push_separable(w.grid, uniform, push, v, w.residual, first, count);
-            sheet().pull_separable(w.grid, uniform, w.scaled, constant, push.gravity, w.residual, first, count);
+            if (!constant) sheet().push_separable(w.grid, now.sheet, push, v, w.residual, first, count);
+            sheet().pull_separable(w.grid, now.sheet, w.scaled, constant, push.gravity, w.residual, first, count);
         });
+    }
+
+    // For a uniform sheet whose mean motion is apart; w.residual is scratch.
+    void change_rows(const Uniform& now, const StateNumbers& x, const StateNumbers& v) const {
+        const double gain = w.rows[kV].gain[0];
+        if (now.stage.constant) return cd::change_rows(m, w, h, x, v, {nullptr, nullptr, gain * now.push.gravity});
+        rows([&](size_t first, size_t count) {
+            sheet().push_separable(w.grid, now.sheet, now.push, v, w.residual, first, count);
+        });
+        cd::change_rows(m, w, h, x, v, {w.residual, nullptr, gain});
     }
 
     SheetPush push(size_t k) const {
@@ -204,10 +221,17 @@ struct Stepper {
     // w.residual = B^-1 r
     void alternate() const {
         if (w.general) w.system.multiply(w.residual, w.inverse, w.residual);
+        const auto flatten = [&](size_t first, size_t count) {
+            flatten_rows(w.grid, w.rows[kU].inverse_mass, w.residual, first, count);
+        };
+        if (m.mean_apart) rows(flatten);
         w.system.turn(w.residual, w.turned_plane);
         w.shared[kU].solve(*m.kernels, m.parallel, w.turned, w.turned_plane, w.slope);
         w.system.turn_back(w.turned_plane, w.residual);
+        if (m.mean_apart) rows(flatten);
         w.shared[kV].solve(*m.kernels, m.parallel, w.grid, w.residual, w.slope);
+        for (size_t r = 0; r < w.grid.rows && m.mean_apart; ++r)
+            for (size_t u = 0; u < w.grid.columns; ++u) w.residual[r * w.grid.pitch + u] += w.row_change[r];
     }
 
     // plane = S_d plane, nearly; with bend the product of two factors.
@@ -236,17 +260,18 @@ struct Stepper {
     // (1 - share) v. It keeps the momentum of a free sheet, and of each part of it, whatever the answers are.
     void move_by_nearest(SheetMove& by, double share, double* const* answers, int n, const double* residual) const {
         double *planes[kMostDirections] = {w.free_v}, rhs[kMostDirections], taken[kMostDirections] = {};
+        const bool parts_apart = m.parts > 1 || m.mean_apart;
         int count = 1;
-        if (m.parts < 2) planes[count++] = w.one;
+        if (!parts_apart) planes[count++] = w.one;
         for (int k = 0; k < n; ++k) planes[count++] = answers[k];
-        if (m.parts > 1) separate_parts(m, w, planes, count, share, residual, taken);
+        if (parts_apart) separate_parts(m, w, planes, count, share, residual, taken);
         for (int k = 0; k < count; ++k) {
             rhs[k] = w.system.dot(planes[k], residual);
             by.change[k] = planes[k];
         }
         w.system.project(planes, count, rhs, taken, by.factor);
         by.factor[0] -= share;
-        if (m.parts > 1) {
+        if (parts_apart) {
             by.change[count] = w.one;
             by.factor[count++] = 1;
         }

@@ -18,7 +18,7 @@ bool edges_only(const Membrane& m, const MembraneFeatures& f) {
     const auto holds_edge = [&](cd_edge e) { return holds(f.edge[e]); };
     const bool u = f.ring[kU] || (holds_edge(CD_EDGE_U_FIRST) && holds_edge(CD_EDGE_U_LAST));
     const bool v = f.ring[kV] || (holds_edge(CD_EDGE_V_FIRST) && holds_edge(CD_EDGE_V_LAST));
-    return !fields && (!f.bend || !is_wide(m) || (u && v));
+    return !fields && (!f.bend || !is_wide(m) || (u && v && !(f.ring[kU] && f.ring[kV])));
 }
 
 // What goes to a thread at a time, at the least.
@@ -89,6 +89,10 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
         line[factor][kV] = LineRows(coefficients, grid, f.ring[kV]);
     }
     turned_plane = solves && !coupled && !swept ? scratch.plane(turned) : nullptr;
+    const bool may_separate = solves && !coupled;
+    coefficients.fits &= grid_of(1, m.rows, line_of_rows);
+    row_plane = may_separate ? scratch.plane(line_of_rows) : nullptr;
+    row_change = may_separate ? scratch.numbers(m.rows) : nullptr;
     const bool rods = solves && !coupled && (bends || f.ring[kU] || f.ring[kV]);
     const size_t larger =
         grid.pitch * grid.rows > turned.pitch * turned.rows ? grid.pitch * grid.rows : turned.pitch * turned.rows;
@@ -113,7 +117,9 @@ SheetParts::SheetParts(const Membrane& m, const Grid& grid, Carver& coefficients
     : of(reinterpret_cast<size_t*>(coefficients.plane(grid))),
       pull(coefficients.plane(grid)),
       energy(coefficients.numbers(m.nodes + 1)),
-      sums(scratch.numbers(m.nodes + 1)) {}
+      afloat(reinterpret_cast<uint8_t*>(coefficients.numbers(m.nodes / sizeof(double) + 1))),
+      sums(scratch.numbers(m.nodes + 1)),
+      outer(scratch.numbers(m.nodes + 1)) {}
 
 bool needs_of(const Membrane& m, const MembraneFeatures& f, MembraneNeeds& out) {
     if constexpr (CD_WITH_CLOTH)
@@ -174,9 +180,10 @@ bool separates(const Membrane& m, uint8_t* const* holds) {
     for (size_t i = 0; i < m.attach_stiffness.count; ++i)
         if (m.attach_stiffness[i] > 0 || m.attach_damping[i] > 0) return false;
     if (!whole_lines(m, holds)) return false;
+    if (!has_bend(m) || !is_wide(m)) return true;
     for (Direction d : {kU, kV})
-        if (has_bend(m) && is_wide(m) && !m.ring[d] && !(holds[d][0] && holds[d][nodes_along(m, d) - 1])) return false;
-    return true;
+        if (!m.ring[d] && !(holds[d][0] && holds[d][nodes_along(m, d) - 1])) return false;
+    return !m.ring[kU] || !m.ring[kV];
 }
 
 void prepare_rows(const Membrane& m, Work& w, double h, double sigma, uint8_t* const* holds) {
@@ -327,6 +334,7 @@ void measure(Membrane& m, const Work& w) {
             if (w.mass[at] > 0) lightest = fmin(lightest, w.mass[at]);
         }
     m.whole = m.stiffest > 2 * lightest && (m.method != CD_METHOD_IMPLICIT || m.lambda >= 0.5);
+    m.mean_apart = m.whole && m.stiffest > kStiff * lightest;
 }
 
 } // namespace
@@ -345,10 +353,12 @@ void prepare(Membrane& m, Work& w, double dt) {
 #if CD_WITH_COUPLED
     if (w.implicit && w.coupled) prepare_preconditioner(m, w, h, sigma, holds);
 #endif
-    m.whole = false;
+    m.whole = m.mean_apart = false;
     if (w.implicit && (w.coupled || !m.separable)) {
         measure(m, w);
         prepare_parts(m, w);
+    } else if (w.implicit) {
+        m.mean_apart = is_stiff_and_afloat(m, w);
     }
 }
 

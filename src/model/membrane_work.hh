@@ -21,10 +21,12 @@ struct DirectionRows {
 
 // The parts of a sheet: see membrane_parts.cpp.
 struct SheetParts {
-    size_t* of = nullptr;     // plane: the part of a node, from 1 on; 0 where nothing moves
-    double* pull = nullptr;   // plane: the system times the motion of all nodes alike
-    double* energy = nullptr; // per part, [0] of none: of its own nodes' motion alike
-    double* sums = nullptr;   // likewise: scratch
+    size_t* of = nullptr;      // plane: the part of a node, from 1 on; 0 where nothing moves
+    double* pull = nullptr;    // plane: the system times the motion of all nodes alike
+    double* energy = nullptr;  // per part, [0] of none: of its own nodes' motion alike
+    uint8_t* afloat = nullptr; // per part: whether nothing held is joined to it
+    double* sums = nullptr;    // per part: scratch
+    double* outer = nullptr;   // likewise: what acts on it, but for springs and bend
 
     SheetParts() = default;
     SheetParts(const Membrane& m, const Grid& grid, Carver& coefficients, Carver& scratch);
@@ -48,10 +50,12 @@ struct Work {
     SheetSystem system;
     Preconditioner preconditioner;
 
-    double *kept_x, *kept_v;       // between two stages
-    double *scaled, *residual;     // x / (h + damping) + v; what solvers start from
-    double* looked;                // kLookedRows rows per band
-    double *turned_plane, *free_v; // free_v: v where nodes move, else 0
+    double *kept_x, *kept_v;        // between two stages
+    double *scaled, *residual;      // x / (h + damping) + v; what solvers start from
+    double* looked;                 // kLookedRows rows per band
+    Grid line_of_rows;              // a column with a node for each row
+    double *row_plane, *row_change; // a plane of it, scratch; per row, how its mean velocity changes
+    double *turned_plane, *free_v;  // free_v: v where nodes move, else 0
     double *answer[3], *slope;
     GradientPlanes gradient;
 
@@ -63,11 +67,29 @@ void prepare(Membrane& m, Work& work, double dt);
 
 // Finds the parts of the sheet, m.parts of them, and makes w.one: 1 where nodes move.
 void prepare_parts(Membrane& m, Work& work);
+// parts.outer, of a plane of what acts on the nodes
+void find_outer(const Membrane& m, const Work& w, const double* acts);
 // For a sheet of several parts: makes n planes orthogonal in energy to every motion that moves one part alike. Into
 // w.one goes what those motions themselves have to do for this residual, less `share` of what the first plane loses;
 // into `taken` the energy that each plane loses.
 void separate_parts(const Membrane& m, const Work& w, double* const* planes, int n, double share,
                     const double* residual, double* taken);
+
+// ---- the mean motion of a stiff sheet that nothing holds (membrane_mean.cpp) ----
+
+// Whether that of a separable sheet is computed apart; others: see prepare.
+constexpr double kStiff = 1e4; // for a largest diagonal entry of the system of more than so many times the least mass
+bool is_stiff_and_afloat(const Membrane& m, const Work& w);
+// What acts on the nodes but springs, as a change of velocity: pushed[i] gain[i] scale; null: 1.
+struct Pushed {
+    const double *pushed, *gain;
+    double scale;
+};
+// w.row_change = how the mean velocity of each row of a separable sheet changes.
+void change_rows(const Membrane& m, const Work& w, double h, const StateNumbers& x, const StateNumbers& v,
+                 const Pushed& by);
+// Takes from every row its mean, columns counted by their mass.
+void flatten_rows(const Grid& grid, const double* inverse_mass, double* plane, size_t first, size_t count);
 
 // The force of the pressure on every node, into m.pressed.
 void press(Membrane& m);
