@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "refusals.h"
@@ -128,3 +129,7 @@ void check_near(double a, double b, double tolerance, double size, const char* w
                 tolerance);
     stop(file, line);
 }
+
+int is_long(void) { return getenv("CD_LONG") != NULL; }
+
+int is_taken(size_t number, size_t part) { return is_long() || number % part == 0; }

@@ -36,6 +36,11 @@ void refusal_begin(const void* object, hash_function* hash, const char* call);
 void refusal_end(const void* object, hash_function* hash, cd_status got, cd_status wanted, const char* call,
                  const char* text, const char* file, int line);
 
+/* Whether sweeps are to be whole: CD_LONG=1 in the environment. Else they take a part of it, each time the same. */
+int is_long(void);
+/* Of the things that a sweep counts from 0 on, those that are looked at: each, or without CD_LONG one of `part`. */
+int is_taken(size_t number, size_t part);
+
 #define ok(call) check_ok((call), #call, __FILE__, __LINE__)
 
 #define refuses(object, call, status, text)                                                                            \

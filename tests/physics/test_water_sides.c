@@ -362,6 +362,7 @@ static void what_falls_off_an_edge_is_critical_there(void** state) {
     static const double discharges[] = {0.5, 1e-3};
     for (size_t q = 0; q < COUNT(discharges); ++q)
         for (int c = 0; c < 2; ++c) {
+            if (!is_taken(q + (size_t)c, 2)) continue;
             const double critical = pow(discharges[q] * discharges[q] / gravity, 1.0 / 3), dx = critical / 4;
             double d[N];
             cd_water* w = line_basin(0, N, 1, dx, CD_FLOAT64);
@@ -371,7 +372,7 @@ static void what_falls_off_an_edge_is_critical_there(void** state) {
             ok(cd_water_set_side(w, CD_SIDE_X_LAST, CD_BORDER_OPEN, -1, 0));
             for (size_t i = 0; i < N; ++i) d[i] = 2 * critical;
             line_write(w, 0, CD_DEPTH, d);
-            basin_step(w, (c ? 2 : 0.5) * dx / sqrt(gravity * critical), 20000);
+            basin_step(w, (c ? 2 : 0.5) * dx / sqrt(gravity * critical), c ? 5000 : 20000);
             line_read(w, 0, CD_DEPTH, 0, d);
             print_message("%g m^2/s off an edge: %.4f of its critical depth\n", discharges[q], d[N - 1] / critical);
             assert_near(d[N - 1], critical, 0.03, 0);

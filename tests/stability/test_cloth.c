@@ -1,6 +1,5 @@
 /* Cloth in scenes that are hard for a solver: energy never rises by itself, whatever the step, the stiffness, the
- * masses and the effort; and numbers far beyond what a scene should have. CD_LONG=1 in the environment makes ten times
- * as many random sheets. */
+ * masses and the effort; and numbers far beyond what a scene should have. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -314,7 +313,7 @@ static cd_membrane* random_sheet(uint64_t* seed, cd_precision precision) {
 
 static void energy_of_random_sheets_never_rises(void** state) {
     (void)state;
-    const int count = getenv("CD_LONG") ? 20000 : 2000;
+    const int count = is_long() ? 20000 : 2000;
     for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
         const int bits = precision == CD_FLOAT32 ? 32 : 64;
         double gain = 0, of_allowed = 0;

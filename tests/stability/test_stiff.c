@@ -1,5 +1,4 @@
-/* Stiffness over mass from 1e-12 to 1e30 and infinity: as exact as at 1. CD_LONG=1 in the environment takes every
- * stiffness in float64 too. */
+/* Stiffness over mass from 1e-12 to 1e30 and infinity: as exact as at 1. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,12 +39,11 @@ static struct reference* make(double ratio, size_t pinned, enum start start) {
 static void sweep(cd_precision precision, enum start start) {
     struct limits limits = precision == CD_FLOAT32 ? float32_limits : float64_limits;
     if (precision == CD_FLOAT32 && start == KICKED) limits.slack = 0;
-    const size_t stride = precision == CD_FLOAT64 && !getenv("CD_LONG") ? 2 : 1;
     int missed = 0;
-    for (size_t k = 0; k < COUNT(ratios); k += stride)
+    for (size_t k = 0; k < COUNT(ratios); ++k)
         for (size_t p = 0; p < COUNT(pins); ++p)
             for (size_t m = LAMBDA_1_2; m < TIME_STEPS; ++m) {
-                if (m == LAMBDA_3_4) continue;
+                if (m == LAMBDA_3_4 || !is_taken(k + p + m, 3)) continue;
                 char what[80];
                 snprintf(what, sizeof what, "k/m %-5.0e %s", ratios[k], pin_names[p]);
                 struct reference* r = make(ratios[k], pins[p], start);
@@ -80,6 +78,7 @@ static void with(const char* name, void (*change)(struct reference* r, double ra
     int missed = 0;
     for (size_t k = 0; k < COUNT(ratios); ++k)
         for (size_t m = LAMBDA_1_2; m < TIME_STEPS; ++m) {
+            if (!is_taken(k + m, 3)) continue;
             char what[80];
             snprintf(what, sizeof what, "k/m %-5.0e %s", ratios[k], name);
             struct reference* r = make(ratios[k], NODES, start);

@@ -75,6 +75,7 @@ static void ripples_do_not_grow_at_any_froude_number(void** state) {
             for (size_t c = 0; c < COUNT(waves); ++c)
                 for (size_t f = 0; f < COUNT(froude); ++f) {
                     const struct current at = {1, waves[c], froude[f] * waves[c], 0, wavy ? 0.1 : 0};
+                    if (!is_taken(c + f + k, 3)) continue;
                     if (looks_at(&ways[k], &at)) grows_little(&ways[k], &at, 1000, &worst);
                 }
             if (worst > 0)
@@ -96,6 +97,7 @@ static void nor_on_streams_of_a_cell_a_step_straight_and_slanting(void** state) 
                     for (int wavy = 0; wavy < 2; ++wavy) {
                         const struct current at = {slants[s] != 0 ? 12 : 1, waves[v], cells[c], slants[s] * cells[c],
                                                    wavy ? 0.1 : 0};
+                        if (!is_taken(c + v + s + k, 3)) continue;
                         if (wavy && cells[c] / waves[v] > 2.3) continue; /* a Froude number that no bed is wavy at */
                         if (looks_at(&ways[k], &at)) grows_little(&ways[k], &at, slants[s] != 0 ? 300 : 1000, &worst);
                     }
