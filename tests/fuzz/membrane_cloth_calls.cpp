@@ -125,7 +125,7 @@ void Membrane::get_of_cloth() {
     size_t effort[2][2] = {};
     switch (below(10)) {
     case 8: get("get_breaking_strain", cd_membrane_get_breaking_strain); break;
-    case 9: get("get_broken", cd_membrane_get_broken); break;
+    case 9: get("get_broken", cd_membrane_get_broken, false); break; // a copy may not have stepped yet
     case 0: get("get_shear", cd_membrane_get_shear); break;
     case 1: get("get_compression", cd_membrane_get_compression); break;
     case 2: get("get_thickness", cd_membrane_get_thickness); break;
