@@ -23,7 +23,7 @@ bool is_stiff_and_afloat(const Membrane& m, const Work& w) {
             if (w.rows[d].holds[i] || w.rows[d].drag[i] > 0) return false;
             stiffest = fmax(stiffest, w.rows[d].before[i] + w.rows[d].after[i]);
         }
-    return stiffest > kStiff;
+    return stiffest > kStiffSheet;
 }
 
 void change_rows(const Membrane& m, const Work& w, double h, const StateNumbers& x, const StateNumbers& v,

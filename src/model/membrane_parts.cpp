@@ -6,6 +6,8 @@
 //
 // and what a step has to do of each follows on its own from the residual r: (u_p r) / (u_p S u_p). With one of them
 // alone among the planes only the momentum of that part would be kept.
+#include <string.h>
+
 #include <initializer_list>
 
 #include "model/membrane_work.hh"
@@ -114,9 +116,10 @@ void prepare_parts(Membrane& m, Work& w) {
     for (size_t p = 0; p <= m.parts; ++p) parts.energy[p] = 0, parts.afloat[p] = m.mean_apart;
     each_place(w, [&](size_t at) {
         parts.energy[parts.of[at]] += parts.pull[at];
-        if (parts.pull[at] != w.ground[at])
-            parts.afloat[parts.of[at]] = 0; // springs that are not stretched do not pull
+        if (parts.pull[at] != w.ground[at]) // springs that are not stretched do not pull
+            parts.afloat[parts.of[at]] = 0;
     });
+    m.mean_apart = memchr(parts.afloat + 1, 1, m.parts) != nullptr;
 }
 
 void find_outer(const Membrane& m, const Work& w, const double* acts) {

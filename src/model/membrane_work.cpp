@@ -334,7 +334,7 @@ void measure(Membrane& m, const Work& w) {
             if (w.mass[at] > 0) lightest = fmin(lightest, w.mass[at]);
         }
     m.whole = m.stiffest > 2 * lightest && (m.method != CD_METHOD_IMPLICIT || m.lambda >= 0.5);
-    m.mean_apart = m.whole && m.stiffest > kStiff * lightest;
+    m.mean_apart = m.whole && m.stiffest > kStiffSheet * lightest;
 }
 
 } // namespace

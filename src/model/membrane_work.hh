@@ -78,7 +78,8 @@ void separate_parts(const Membrane& m, const Work& w, double* const* planes, int
 // ---- the mean motion of a stiff sheet that nothing holds (membrane_mean.cpp) ----
 
 // Whether that of a separable sheet is computed apart; others: see prepare.
-constexpr double kStiff = 1e4; // for a largest diagonal entry of the system of more than so many times the least mass
+constexpr double kStiffSheet =
+    1e4; // for a largest diagonal entry of the system of more than so many times the least mass
 bool is_stiff_and_afloat(const Membrane& m, const Work& w);
 // What acts on the nodes but springs, as a change of velocity: pushed[i] gain[i] scale; null: 1.
 struct Pushed {
