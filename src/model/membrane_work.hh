@@ -77,9 +77,9 @@ void separate_parts(const Membrane& m, const Work& w, double* const* planes, int
 
 // ---- the mean motion of a stiff sheet that nothing holds (membrane_mean.cpp) ----
 
-// Whether that of a separable sheet is computed apart; others: see prepare.
-constexpr double kStiffSheet =
-    1e4; // for a largest diagonal entry of the system of more than so many times the least mass
+// It is computed apart where the largest diagonal entry of the system is so many times the least mass.
+constexpr double kStiffSheet = 1e4;
+// Of a separable sheet; others: see prepare.
 bool is_stiff_and_afloat(const Membrane& m, const Work& w);
 // What acts on the nodes but springs, as a change of velocity: pushed[i] gain[i] scale; null: 1.
 struct Pushed {

@@ -2292,7 +2292,7 @@ namespace Contdyn
     /// and where a plate with free edges has much more bend than stretch. Without rest lengths lambda = 1/2 keeps
     /// the energy and lambda &gt; 1/2 never adds any, coupled whatever its tolerance; the momentum of a free sheet
     /// is kept too, of one torn into parts that of each part, however stiff they are (uniform free sheets,
-    /// alternating, up to a stiffness of 1e20 times mass / h^2). On uniform sheets, alternating, the energy so kept
+    /// alternating, up to a stiffness of 1e19 times mass / h^2). On uniform sheets, alternating, the energy so kept
     /// counts the extra mass in what moves; in CD_FLOAT32 each rounding of a velocity is then a kick of so many
     /// times its energy: take CD_FLOAT64 or the coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with
     /// stiffness damping are first order in time under the alternating solver, all else is second.
