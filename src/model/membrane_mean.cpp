@@ -1,11 +1,11 @@
 // The mean motion of a stiff sheet that nothing holds.
 //
 // A motion of all nodes alike stretches no spring. But the forces of springs cancel only to their own rounding, which
-// moved such a sheet as a whole, the stiffer the faster: with stiffness over mass of 1e16 its energy grew 1e7 times in a
-// hundred steps of 1 s. So its mean motion is computed apart, from the other forces alone: in membrane_parts.cpp for sheets of any
-// kind. Alternating directions on a separable sheet also mix the rows' mean motions, of which each is as large as the
-// forces, into all others. There the mean is taken out of each row before and after the filters along it, and the rows'
-// means move as the nodes of a line, by
+// moved such a sheet as a whole, the stiffer the faster: with stiffness over mass of 1e16 its energy grew 1e7 times in
+// a hundred steps of 1 s. So its mean motion is computed apart, from the other forces alone: in membrane_parts.cpp for
+// sheets of any kind. Alternating directions on a separable sheet also mix the rows' mean motions, of which each is as
+// large as the forces, into all others. There the mean is taken out of each row before and after the filters along it,
+// and the rows' means move as the nodes of a line, by
 //
 //      (1 + A_v / M')^-1 (e + s) - s,     s = x / (h + damping) + v,     e: what acts but springs
 //
