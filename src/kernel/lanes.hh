@@ -3,7 +3,9 @@
 // As many as a register of the instruction set holds are a GCC/Clang vector; more, or an odd number, are a pair of
 // narrower lanes. An operation rounds the same in all, so a line's result does not depend on how many neighbours it
 // shared a register with. Vectors are naturally aligned and loaded through memcpy: GCC 12 sends under-aligned vector
-// types, and vectors wider than a register, through the stack (measured: ten and six times slower).
+// types, and vectors wider than a register, through the stack (measured: ten and six times slower). What vectors cannot
+// say is said with the compilers' built-in functions: the intrinsics' header takes longer to read than most kernels to
+// compile.
 //
 // The kernels are compiled once per instruction set (kernels.hh), each into the namespace CD_ISA: the same inline
 // function compiled with different flags under one name would be one of them at random.
@@ -12,9 +14,6 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
 
 // Of functions that wait for registers when they are called. WebAssembly is to be small, and lets the compiler decide.
 #ifdef __wasm__
@@ -49,12 +48,15 @@ constexpr LaneKind lane_kind(int n) {
     return (width & (width - 1)) == 0 && width <= kNative ? LaneKind::kVector : LaneKind::kPair;
 }
 
+constexpr int kRoundAsSet = 4; // a rounding argument: as the control register says
+
 // Numbers of a vector in another precision. GCC 12 goes from eight floats to eight doubles, and back, by halves.
 template <class To, class From> inline To converted(From a) {
 #if defined(__AVX512F__) && !defined(__clang__)
-    constexpr __mmask8 kAll = 0xff;
-    if constexpr (sizeof(To) == 64 && sizeof(From) == 32) return To(_mm512_maskz_cvtps_pd(kAll, __m256(a)));
-    else if constexpr (sizeof(To) == 32 && sizeof(From) == 64) return To(_mm512_maskz_cvtpd_ps(kAll, __m512d(a)));
+    if constexpr (sizeof(To) == 64 && sizeof(From) == 32)
+        return __builtin_ia32_cvtps2pd512_mask(a, To{}, 0xff, kRoundAsSet);
+    else if constexpr (sizeof(To) == 32 && sizeof(From) == 64)
+        return __builtin_ia32_cvtpd2ps512_mask(a, To{}, 0xff, kRoundAsSet);
     else
 #endif
         return __builtin_convertvector(a, To);
@@ -155,13 +157,14 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
 private:
     unsigned positive_lanes() const { // bit j: of lane j
 #if defined(__AVX512F__)
-        if constexpr (N == 8) return _mm512_cmp_pd_mask(__m512d(v), __m512d{}, _CMP_GT_OQ);
+        constexpr int kGreater = 30; // false where either is NaN
+        if constexpr (N == 8) return __builtin_ia32_cmppd512_mask(v, Values{}, kGreater, 0xff, kRoundAsSet);
 #endif
 #if defined(__AVX__)
-        if constexpr (N == 4) return unsigned(_mm256_movemask_pd(_mm256_cmp_pd(__m256d(v), __m256d{}, _CMP_GT_OQ)));
+        if constexpr (N == 4) return unsigned(__builtin_ia32_movmskpd256(Values(v > Values{})));
 #endif
 #if defined(__SSE2__)
-        if constexpr (N == 2) return unsigned(_mm_movemask_pd(_mm_cmpgt_pd(__m128d(v), __m128d{})));
+        if constexpr (N == 2) return unsigned(__builtin_ia32_movmskpd(Values(v > Values{})));
 #endif
         unsigned lanes = 0;
         for (int j = 0; j < N; ++j) lanes |= unsigned(v[j] > 0) << j;
