@@ -48,15 +48,16 @@ constexpr LaneKind lane_kind(int n) {
     return (width & (width - 1)) == 0 && width <= kNative ? LaneKind::kVector : LaneKind::kPair;
 }
 
-constexpr int kRoundAsSet = 4; // a rounding argument: as the control register says
+constexpr char kAllLanes = -1; // a mask argument of AVX-512's functions
+constexpr int kRoundAsSet = 4; // and one of rounding: as the control register says
 
 // Numbers of a vector in another precision. GCC 12 goes from eight floats to eight doubles, and back, by halves.
 template <class To, class From> inline To converted(From a) {
 #if defined(__AVX512F__) && !defined(__clang__)
     if constexpr (sizeof(To) == 64 && sizeof(From) == 32)
-        return __builtin_ia32_cvtps2pd512_mask(a, To{}, 0xff, kRoundAsSet);
+        return __builtin_ia32_cvtps2pd512_mask(a, To{}, kAllLanes, kRoundAsSet);
     else if constexpr (sizeof(To) == 32 && sizeof(From) == 64)
-        return __builtin_ia32_cvtpd2ps512_mask(a, To{}, 0xff, kRoundAsSet);
+        return __builtin_ia32_cvtpd2ps512_mask(a, To{}, kAllLanes, kRoundAsSet);
     else
 #endif
         return __builtin_convertvector(a, To);
@@ -158,7 +159,7 @@ private:
     unsigned positive_lanes() const { // bit j: of lane j
 #if defined(__AVX512F__)
         constexpr int kGreater = 30; // false where either is NaN
-        if constexpr (N == 8) return __builtin_ia32_cmppd512_mask(v, Values{}, kGreater, 0xff, kRoundAsSet);
+        if constexpr (N == 8) return __builtin_ia32_cmppd512_mask(v, Values{}, kGreater, kAllLanes, kRoundAsSet);
 #endif
 #if defined(__AVX__)
         if constexpr (N == 4) return unsigned(__builtin_ia32_movmskpd256(Values(v > Values{})));

@@ -8,12 +8,11 @@ Exit status 0: every rule has a test that fails without it, and that passes with
 this prints.
 """
 
-import shutil
 import subprocess
 import sys
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from tree import ROOT, copy_and_configure, run
+
 KERNELS = "src/kernel/"
 CLOTH = "../model/membrane_cloth.cpp"
 CLOTH_STEP = "../model/membrane_cloth_step.cpp"
@@ -291,10 +290,6 @@ def check():
     yield from (f"{name}: no rule here" for name in rows.keys() - RULES.keys() - {"rule"})
 
 
-def run(*command, cwd=None):
-    return subprocess.run(command, cwd=cwd, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-
-
 def failure(build, test):
     """The name of what fails in a test program, or None."""
     made = run("cmake", "--build", build, "--target", test, "-j", "2")
@@ -316,16 +311,8 @@ def main():
         wrong = list(check())
         print("\n".join(wrong))
         return 1 if wrong else 0
-    folder = Path(sys.argv[1]).resolve()
     names = sys.argv[2:] or list(RULES)
-    tree, build = folder / "tree", folder / "build"
-    shutil.rmtree(tree, ignore_errors=True)
-    # New times: what an earlier run has built of a file without a rule is older.
-    shutil.copytree(ROOT, tree, ignore=shutil.ignore_patterns("build*", ".git"), copy_function=shutil.copy)
-    configured = run("cmake", "-S", tree, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DCONTDYN_REPORT=OFF",
-                     "-DCONTDYN_AVX512=OFF")
-    if configured.returncode:
-        sys.exit(configured.stdout)
+    tree, build = copy_and_configure(sys.argv[1])
     for test in sorted({test for name in names for test in RULES[name][3]}):
         found = failure(build, test)
         if found:
