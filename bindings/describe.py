@@ -393,7 +393,7 @@ class Description:
         for function in self.functions:
             if not function["doc"]:
                 raise NotUnderstood(f"{function['name']} has no comment")
-        Facts(self.functions, self.objects, self.sections, self.enum_names())
+        Facts(self.functions, self.objects, self.sections, self.enums)
         beside = sorted(path.name for path in (include / "contdyn").glob("*.h"))
         if beside != sorted([*HEADERS, "contdyn.h", "export.h"]):
             raise NotUnderstood(f"the headers are {beside}")

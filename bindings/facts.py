@@ -1,6 +1,7 @@
 """Units, ranges, defaults and errors of functions, as data. What the comments of the headers tell of one parameter is
 found in them; prose.py has the rest. tests/bindings/check_ranges.py holds the library to it."""
 import re
+import sys
 from itertools import groupby
 
 from prose import DEFAULTS, LIMITS, RANGES, UNITS, WHEN
@@ -172,14 +173,48 @@ def depends(told):
     return any(isinstance(told.get(key), str) for key in ENDS)
 
 
+def ends_of(doc):
+    """The least positive and the largest number that parameters may be, where an object's comment tells them."""
+    found = [re.search(rf"{what} as (?:large|small) as ({NUMBER})", doc) for what in ("masses", "Parameters may be")]
+    return [float(end[1]) if end else None for end in found]
+
+
+def range_of_values(told, before, enums, ends):
+    """The range of a field's values, which its table's row begins with. `before`: that of the row above."""
+    flags = re.match(r"(\d): [^;]*; (\d): ", told)
+    kind = re.match(r"an?y? (cd_[a-z]+)(?: but (CD_[A-Z_]+))?", told)
+    interval = re.match(RANGE, told)
+    if told == "likewise" and before:
+        return before
+    if flags:
+        return {"values": [int(flags[1]), int(flags[2])]}
+    if kind:
+        return {"values": [value["name"] for value in enums[kind[1]] if value["name"] != kind[2]]}
+    if told.startswith("finite, >= 0"):
+        return {"least": 0, "most": "finite"}
+    if told.startswith("finite"):
+        largest = str(sys.float_info.max) if told.startswith("finite double") else "finite"
+        return range_of(f"at most {largest} in size", False, ends)
+    if not interval:
+        raise NotUnderstood(f"the values of a field, '{told}'")
+    found = range_of(interval[0], False, ends)
+    return {**found, "values": ["INFINITY"]} if " INFINITY: " in told else found
+
+
 class Facts:
-    """Gives the parameters of functions `unit`, `range` and `default`, and functions their `errors`."""
+    """Gives fields and the parameters of functions `unit`, `range` and `default`, and functions their `errors`."""
 
     def __init__(self, functions, objects, sections, enums):
         self.functions = {f["name"]: f for f in functions}
         self.docs = {o["name"]: o["doc"] for o in objects}
         self.sections = {(s["header"], s["title"]): s["doc"] for s in sections}
-        self.enums, self.used = enums, set()
+        self.enums, self.used = [enum["name"] for enum in enums], set()
+        values_of = {enum["name"]: enum["values"] for enum in enums}
+        for thing in objects:
+            before, ends = None, self.ends(thing["name"])
+            for field in thing["fields"]:
+                if not field["read_only"]:
+                    before = field["range"] = range_of_values(field["values"], before, values_of, ends)
         for function in functions:
             known = of_comment(function)
             for p in function["parameters"]:
@@ -273,14 +308,15 @@ class Facts:
             return not is_choice and p["direction"] == "in"
         return function["short"].startswith("set_")
 
+    def ends(self, name):
+        return ends_of(" ".join(self.docs[name].split()))
+
     def data(self, function, p, key, told):
         if key == "default" and isinstance(told, str):
             return number_of(told)
         if key != "range" or isinstance(told, (dict, list)):
             return told
-        doc = " ".join(self.docs[function["object"]].split())
-        ends = [re.search(rf"{what} as (?:large|small) as ({NUMBER})", doc) for what in ("masses", "Parameters may be")]
-        ends = [float(end[1]) if end else None for end in ends]
+        ends = self.ends(function["object"])
         is_integer = p["base"] not in ("double", "float")
         if not is_integer and ends[1] is None:
             raise NotUnderstood(f"how large parameters of {function['object']} may be")

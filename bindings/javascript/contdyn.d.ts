@@ -363,8 +363,8 @@ export function buildInfo(): string;
  *  "bend"       (strand), node   N/m     >= 0; that of the two ends of an open chain is kept and not used
  *  "pin"        (strand), node   -       a Node
  *  "restLength" strand, spring  m       1e-60 to 1e60; of ropes only
- *  "tension"    strand, spring   N       finite; of ropes only: what the last step found and the next one starts from;
- *                                         how right it is, see getReaction
+ *  "tension"    strand, spring   N       finite double; of ropes only: what the last step found and the next one starts
+ *                                         from; how right it is, see getReaction
  *  "wind"       strand, node     m/s     finite; of ropes only
  *  "strength"   strand, spring   N       1e-60 to 1e60, or Infinity; of ropes only: see strength
  *  "strain"     strand, spring   -       of ropes, to read only: length now over rest length, less 1; -1 and more
@@ -1749,10 +1749,10 @@ export class Membrane extends Handle {
  * The fields of a Water.
  *
  *  field            per           unit    values
- *  "depth"         cell          m       >= 0; of an absent cell only 0
+ *  "depth"         cell          m       finite, >= 0; of an absent cell only 0
  *  "bed"           cell          m       finite
- *  "surface"       cell          m       bed + depth. Written: depth becomes surface - bed, or 0 where that is below
- *                                         the bed; of an absent cell nothing changes
+ *  "surface"       cell          m       finite: bed + depth. Written: depth becomes surface - bed, or 0 where that is
+ *                                         below the bed; of an absent cell nothing changes
  *  "velocityX"    x-face        m/s     finite; of a face that no water can cross only 0. Along periodic x the faces
  *                                         i = 0 and nx are one
  *  "velocityY"    y-face        m/s     likewise

@@ -304,8 +304,8 @@ CD_API cd_status cd_chain_get_thickness(const cd_chain* chain, double* out_radiu
  *  CD_BEND       (strand), node   N/m     >= 0; that of the two ends of an open chain is kept and not used
  *  CD_PIN        (strand), node   -       a cd_node
  *  CD_REST_LENGTH strand, spring  m       1e-60 to 1e60; of ropes only
- *  CD_TENSION    strand, spring   N       finite; of ropes only: what the last step found and the next one starts from;
- *                                         how right it is, see cd_chain_get_reaction
+ *  CD_TENSION    strand, spring   N       finite double; of ropes only: what the last step found and the next one starts
+ *                                         from; how right it is, see cd_chain_get_reaction
  *  CD_WIND       strand, node     m/s     finite; of ropes only
  *  CD_STRENGTH   strand, spring   N       1e-60 to 1e60, or INFINITY; of ropes only: see cd_chain_set_strength
  *  CD_STRAIN     strand, spring   -       of ropes, to read only: length now over rest length, less 1; -1 and more

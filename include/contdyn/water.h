@@ -193,10 +193,10 @@ CD_API cd_status cd_water_get_bed_rule(const cd_water* water, cd_bed_rule* out_r
 
 /* ---- fields -------------------------------------------------------------------------------------------------------
  *  field            per           unit    values
- *  CD_DEPTH         cell          m       >= 0; of an absent cell only 0
+ *  CD_DEPTH         cell          m       finite, >= 0; of an absent cell only 0
  *  CD_BED           cell          m       finite
- *  CD_SURFACE       cell          m       bed + depth. Written: depth becomes surface - bed, or 0 where that is below
- *                                         the bed; of an absent cell nothing changes
+ *  CD_SURFACE       cell          m       finite: bed + depth. Written: depth becomes surface - bed, or 0 where that is
+ *                                         below the bed; of an absent cell nothing changes
  *  CD_VELOCITY_X    x-face        m/s     finite; of a face that no water can cross only 0. Along periodic x the faces
  *                                         i = 0 and nx are one
  *  CD_VELOCITY_Y    y-face        m/s     likewise

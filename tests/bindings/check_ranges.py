@@ -97,10 +97,12 @@ def ends(described, base, names):
             inside, outside = inside + [nextafter(limits["above"], inf)], outside + [limits["above"]]
         if "least" in limits:
             inside, outside = inside + [limits["least"]], outside + [nextafter(limits["least"], -inf)]
-        inside.append(limits["most"] * (1 - about))
-        outside.append(nextafter(limits["most"] * (1 + about), inf))
+        if "most" in limits:
+            inside.append(limits["most"] * (1 - about))
+            outside.append(nextafter(limits["most"] * (1 + about), inf))
         outside += [nextafter(other, to) for other in others if math.isfinite(other) for to in (-inf, inf)]
-        outside = [x for x in outside if x not in others and not limits.get("least", inf) <= x <= limits["most"]]
+        least, most = limits.get("least", inf), limits.get("most", -inf)
+        outside = [x for x in outside if x not in others and not least <= x <= most]
         return inside, outside
     if "below" in limits:
         limits["most"] = limits["below"] - 1
@@ -280,6 +282,36 @@ def ranges(library):
     check(tried == every, f"never tried: {sorted(every - tried)}")
 
 
+def fields(library):
+    """A value of each field may be what its range says, and nothing else."""
+    count, enumerators = 0, {v["name"]: v["value"] for enum in library.api["enums"] for v in enum["values"]}
+    statuses = {v: k for k, v in library.enums["cd_status"].items()}
+    for kind, field in ((o["name"], f) for o in library.api["objects"] for f in o["fields"]):
+        check(("range" in field) != field["read_only"], f"cd_{kind}, {field['name']}: no range, or one to read only")
+        write = next(f for f in library.api["functions"] if f["name"] == f"cd_{kind}_write_f64")
+        for precision in (FLOAT32, FLOAT64) if "range" in field else ():
+            calls = Calls(library, write, "with lengths" if field["lengths"] else "new", precision)
+            number, values = enumerators[field["name"]], COMPONENTS if field["components"] else 1
+            at = int(field["unit"] != "-")  # of all nodes only an end may be matched, and only inside water flows
+            place = (0, 1, at, 1) if kind == "chain" else (at, at, 1, 1)
+
+            def written(value):
+                handle = calls.make()
+                assert getattr(library.dll, f"cd_{kind}_enable_field")(handle, number) == OK
+                room = (ctypes.c_double * values)(*[value] * values)
+                return statuses[getattr(library.dll, write["name"])(handle, number, *place, room, values)]
+
+            names = limit_names(library, kind, calls.make()) | enumerators
+            inside, outside = ends(field["range"], "double", names)
+            for value in inside:
+                check(written(value) == "CD_OK", f"cd_{kind}, {field['name']}: {value} is in the range: {calls.says()}")
+            for value in outside:
+                check(written(value) == "CD_ERROR_VALUE", f"cd_{kind}, {field['name']}: {value} is out of the range")
+            count += len(inside) + len(outside)
+            calls.close()
+    check(count > 300, f"only {count} values")
+
+
 def creates(library):
     for kind, shape in SHAPES.items():
         function = next(f for f in library.api["functions"] if f["name"] == f"cd_{kind}_create")
@@ -338,6 +370,7 @@ def main():
     path, library = sys.argv[1:]
     library = Library(json.loads(Path(path).read_text(encoding="utf-8")), library)
     ranges(library)
+    fields(library)
     creates(library)
     defaults(library)
     if FAILURES:
