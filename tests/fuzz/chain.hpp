@@ -36,6 +36,7 @@ private:
     bool likes_lengths;       // this chain is a rope most of the time
     bool likes_things;        // and meets colliders then
     Doubles stretched;        // before the step, how much too long each spring of fixed length was
+    size_t cut_before;
     double momentum_before[4], velocity_before, position_before, step_before;
     double depth_before = 0;   // how deep the deepest node lay in a collider
     bool began_inside = false; // and whether that was more than a step may leave
@@ -74,6 +75,7 @@ private:
     void set_wind();
     void get_convergence();
     void set_strength();
+    size_t cut_springs() const; // of those that have a stiffness of their own
     double deepest(const std::vector<Thing>& of) const;        // of all free nodes
     double room_for_depth(const std::vector<Thing>& of) const; // that a step may leave
     double longest() const;

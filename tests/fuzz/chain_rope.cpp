@@ -96,9 +96,16 @@ double Chain::room_for_depth(const std::vector<Thing>& of) const {
 
 // ---- what must hold ------------------------------------------------------------------------------------------------
 
+size_t Chain::cut_springs() const {
+    size_t cut = 0;
+    for (double k : all_of(CD_STIFFNESS)) cut += k == 0;
+    return cut;
+}
+
 void Chain::before_step(double dt) {
     Body<ChainApi>::before_step(dt);
     step_before = dt;
+    cut_before = cut_springs();
     const std::vector<Thing> all = things();
     depth_before = deepest(all);
     began_inside = depth_before > room_for_depth(all);
@@ -173,6 +180,10 @@ void Chain::check_rope(const Step& s) {
         return problem("rope: a step gives %s, and something is lacking: %d", cd_status_name(s.status),
                        int(lacks_something()));
     if (s.status != CD_OK && s.status != CD_ERROR_TOLERANCE) return;
+    size_t broken = 0;
+    cd_chain_get_broken(first(), &broken);
+    if (cut_springs() != cut_before + broken)
+        return problem("rope: %zu springs were cut and %zu broke, but %zu are cut", cut_before, broken, cut_springs());
     size_t iterations[2] = {}, most = 0;
     double error[2] = {}, tolerance = 0;
     cd_chain_get_tolerance(first(), &tolerance, &most);
