@@ -11,6 +11,8 @@
 // program may choose differently, and between C++17 and C++20, but not hand these objects to each other: give handle().
 //
 // An object that was moved from, destroyed or never made holds no handle: calls on it fail with error_null.
+//
+// Made by generate.py from templates/ and bindings/api.json.
 #ifndef CONTDYN_CONTDYN_HPP
 #define CONTDYN_CONTDYN_HPP
 
@@ -545,7 +547,7 @@ public:
     outcome<double> get_lambda() const { return value<double>(cd_chain_get_lambda); }
 
     // The caller's threads, whose functions must not throw; null turns them off.
-    outcome<> set_parallel(const cd_parallel* table) { return call(cd_chain_set_parallel, table); }
+    outcome<> set_parallel(const cd_parallel* parallel) { return call(cd_chain_set_parallel, parallel); }
     outcome<> set_kernels(kernels k) { return call(cd_chain_set_kernels, k); }
     outcome<kernels> get_kernels() const { return value<kernels>(cd_chain_get_kernels); }
 
@@ -780,8 +782,7 @@ public:
 
     // positions[place][component] of a strand at[place] springs from its beginning.
     outcome<> sample(std::size_t strand, span<const double> at, outside o, span<double> positions) const {
-        return call(cd_chain_sample, strand, at.data(), at.size(), static_cast<cd_outside>(o), positions.data(),
-                    positions.size());
+        return call(cd_chain_sample, strand, at.data(), at.size(), o, positions.data(), positions.size());
     }
 
     // Bytes it holds, and a hash of its state that is equal on every machine.
@@ -896,7 +897,7 @@ public:
     }
 
     // The caller's threads, whose functions must not throw; null turns them off.
-    outcome<> set_parallel(const cd_parallel* table) { return call(cd_membrane_set_parallel, table); }
+    outcome<> set_parallel(const cd_parallel* parallel) { return call(cd_membrane_set_parallel, parallel); }
     outcome<> set_kernels(kernels k) { return call(cd_membrane_set_kernels, k); }
     outcome<kernels> get_kernels() const { return value<kernels>(cd_membrane_get_kernels); }
 
@@ -1283,7 +1284,7 @@ public:
     outcome<bool> get_first() const { return value<bool>(cd_water_get_first); }
 
     // The caller's threads, whose functions must not throw; null turns them off.
-    outcome<> set_parallel(const cd_parallel* table) { return call(cd_water_set_parallel, table); }
+    outcome<> set_parallel(const cd_parallel* parallel) { return call(cd_water_set_parallel, parallel); }
     outcome<> set_kernels(kernels k) { return call(cd_water_set_kernels, k); }
     outcome<kernels> get_kernels() const { return value<kernels>(cd_water_get_kernels); }
 
