@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Breaks the library in one place at a time, at random places, and shows which test notices.
 
-    mutate.py FOLDER [COUNT [SEED]]    builds in FOLDER; 200 places of seed 1, in some hours of two cores
+    mutate.py FOLDER [COUNT [SEED [TIERS]]]    builds in FOLDER; 200 places of seed 1, in some hours of two cores
+
+TIERS: those of tests/CMakeLists.txt that are asked, as a regular expression; all but `unit` if it is left out.
 
 Counted are mutations that compile and change the library file. Tests that are linked with what is inside it would have
 to be built anew, and are not asked. Exit status 0: at least 97% are noticed, or are explained below.
@@ -63,12 +65,12 @@ def places(tree):
 class Tests:
     """The programs of the tests, the quickest first."""
 
-    def __init__(self, build):
+    def __init__(self, build, tiers):
         made = run("cmake", "--build", build, "-j", "2")
         if made.returncode:
             sys.exit(made.stdout[-3000:])
         told = json.loads(run("ctest", "--test-dir", build, "--show-only=json-v1", "-L",
-                              "^(api|physics|stability|determinism|memory)$").stdout)
+                              f"^({tiers})$").stdout)
         with ThreadPoolExecutor(2) as pool:
             timed = list(pool.map(lambda test: (self.time_of(test["name"], test["command"]), test), told["tests"]))
         self.tests = [(test["name"], test["command"], SLOWER * took + 10)
@@ -111,7 +113,7 @@ def main():
     count = int(sys.argv[2]) if len(sys.argv) > 2 else 200
     chance = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
     tree, build = copy_and_configure(sys.argv[1], "-DCONTDYN_AVX2=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG")
-    tests = Tests(build)
+    tests = Tests(build, sys.argv[4] if len(sys.argv) > 4 else "api|physics|stability|determinism|memory")
     library = build / "src/libcontdyn.so"
     whole = hashlib.sha256(library.read_bytes()).digest()
     found = places(tree)
