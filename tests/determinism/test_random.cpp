@@ -18,7 +18,7 @@ extern "C" {
 
 namespace {
 
-constexpr size_t kScenes = 500;
+constexpr size_t kScenes = 250;
 
 size_t from_environment(const char* name, size_t otherwise) {
     const char* const text = getenv(name);

@@ -351,6 +351,7 @@ static void cloth_comes_to_rest_on_hills(void** state) {
     double x[MOST][3], v[MOST][3];
     for (size_t l = 0; l < COUNT(lands); ++l)
         for (size_t d = 0; d < COUNT(dts); ++d) {
+            if (!is_taken(l + 2 * d, 3)) continue;
             raise_bed(lands[l]);
             cd_membrane* m = sheet_at(20, 0.9, 1.2);
             const double thickness = d == 1 ? 0.01 : 0;

@@ -34,7 +34,7 @@ static void lakes_stay_at_rest_for_a_hundred_thousand_steps(void** state) {
         for (int p = 0; p < 2; ++p)
             for (uint64_t seed = 1; seed <= 3; ++seed) {
                 cd_water* w = lake(&ways[k], seed == 2 ? 0 : 2, seed, p ? CD_FLOAT64 : CD_FLOAT32);
-                const size_t all = seed == 1 ? 100000 : 10000;
+                const size_t all = seed == 1 && is_taken(k + (size_t)p, 3) ? 100000 : 10000;
                 const double start = basin_volume(w), dt = basin_is_explicit(&ways[k]) ? 0.1 : seed == 3 ? 20 : 0.3;
                 double fastest = 0, before[CELLS], after[CELLS], moved = 0;
                 basin_read(w, CD_DEPTH, before);

@@ -1,7 +1,7 @@
 # cmake -DPROGRAM=... -DFOLDER=... -P arguments.cmake: --csv writes no page; arguments that mean nothing are refused.
 
 file(REMOVE_RECURSE ${FOLDER})
-execute_process(COMMAND ${PROGRAM} --short --only chain --csv --out ${FOLDER}
+execute_process(COMMAND ${PROGRAM} --only chain --csv --out ${FOLDER}
   RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
 if(NOT status EQUAL 0 OR EXISTS ${FOLDER}/index.html OR NOT EXISTS ${FOLDER}/chain_growth.csv OR
     EXISTS ${FOLDER}/membrane_growth.csv)

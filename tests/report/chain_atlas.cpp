@@ -89,9 +89,9 @@ void report_chain_atlas(Report& report) {
         "two disagree bears a cross and is listed.");
     Atlas atlas(report, "chain");
     const AtlasAxis stiffness{"stiffness", "stiffness over mass [1/s²]",
-                              decades(-12, 30, report.by_extent(6.0, 1.5, 0.5))},
-        mass{"mass", "mass of one node / the others'", decades(-12, 12, report.by_extent(4.0, 1.0, 0.5))},
-        step{"dt", "time step [s]", decades(-9, 6, report.by_extent(1.5, 0.5, 0.25))};
+                              decades(-12, 30, report.by_extent(6.0, 1.5))},
+        mass{"mass", "mass of one node / the others'", decades(-12, 12, report.by_extent(4.0, 1.0))},
+        step{"dt", "time step [s]", decades(-9, 6, report.by_extent(1.5, 0.5))};
     std::vector<std::string> stiff, odd;
     for (const Method& how : {method(Way::forward_euler), method(Way::symplectic_euler), quarter(), method(Way::half),
                               method(Way::backward), method(Way::stiff_second), method(Way::textbook_half)})

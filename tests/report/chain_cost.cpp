@@ -67,7 +67,7 @@ std::vector<Feature> features(std::size_t springs) {
 } // namespace
 
 void report_chain_cost(Report& report) {
-    const std::size_t springs = 1000, steps = report.by_extent<std::size_t>(20, 200, 1000);
+    const std::size_t springs = 1000, steps = report.by_extent<std::size_t>(20, 200);
     report.page.section("chain-cost", "Chains: what each feature costs");
     report.page.paragraph("A chain of 1000 springs in " + std::string(name_of(precisions().back())) +
                           ", one component, λ = 1/2, 60 steps a second, if nothing else is said; each feature is "

@@ -94,9 +94,9 @@ std::string short_name(double spring) {
 
 void report_chain_extremes(Report& report) {
     const cd_precision precision = precisions().back();
-    const std::size_t steps = report.by_extent<std::size_t>(50, 1000, 1000);
+    const std::size_t steps = report.by_extent<std::size_t>(50, 1000);
     std::vector<double> springs = {1e-12, 1e-6, 1, 1e4, 1e6, 1e8, 1e10, 1e12, 1e16, 1e20, 1e30, INFINITY};
-    if (report.extent == Extent::brief) springs = {1e-12, 1, 1e4, 1e8, 1e12, 1e30, INFINITY};
+    if (report.extent == Extent::sample) springs = {1e-12, 1, 1e4, 1e8, 1e12, 1e30, INFINITY};
     const Way ways[] = {Way::half, Way::backward, Way::stiff_second, Way::textbook_half, Way::textbook_backward};
     report.page.section("chain-extremes", "Chains: errors at any stiffness");
     report.page.paragraph(

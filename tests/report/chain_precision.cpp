@@ -31,9 +31,9 @@ Study string_study(const Report& report, const std::string& key, const std::vect
     ways.insert(ways.end(), {Way::textbook_symplectic, Way::textbook_half});
     for (Way way : ways) {
         const Method& how = method(way);
-        double node_steps = how.method == CD_METHOD_FORWARD_EULER ? report.by_extent(1e7, 2.5e8, 2e9)
-                                                                  : report.by_extent(2e6, 2.5e7, 6e8);
-        std::size_t affordable = std::size_t(std::fmin(node_steps / double(springs), report.by_extent(1e5, 3e5, 2e6)));
+        double node_steps = how.method == CD_METHOD_FORWARD_EULER ? report.by_extent(1e7, 2.5e8)
+                                                                  : report.by_extent(2e6, 2.5e7);
+        std::size_t affordable = std::size_t(std::fmin(node_steps / double(springs), report.by_extent(1e5, 3e5)));
         for (cd_precision precision : precisions()) {
             if (how.textbook && precision != precisions().front()) continue;
             study.curves.push_back({&how, precision,
@@ -94,8 +94,8 @@ Study settling_rope(const Report& report) {
             const Method& how = method(way);
             if (how.textbook && precision != precisions().front()) continue;
             const std::size_t most = how.method == CD_METHOD_FORWARD_EULER
-                                         ? report.by_extent<std::size_t>(100, 1000, 4000) * limit
-                                         : report.by_extent<std::size_t>(16, 64, 1000) * limit;
+                                         ? report.by_extent<std::size_t>(100, 1000) * limit
+                                         : report.by_extent<std::size_t>(16, 64) * limit;
             study.curves.push_back({&how, precision, points_between(how.is_explicit() ? limit : 8, most,
                                                                     [](std::size_t) { return INFINITY; })});
         }

@@ -65,7 +65,7 @@ void report_chain_stiff(Report& report) {
     study.make = runners_of(problem);
 
     const std::size_t limit = std::size_t(std::ceil(study.time / (0.9999 * stable_dt(problem))));
-    const std::size_t most = report.by_extent<std::size_t>(4096, 65536, 1u << 20);
+    const std::size_t most = report.by_extent<std::size_t>(4096, 65536);
     for (Way way : {Way::symplectic_euler, Way::half, Way::backward, Way::stiff_second, Way::textbook_symplectic,
                     Way::textbook_half})
         for (cd_precision precision : precisions()) {

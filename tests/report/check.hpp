@@ -1,4 +1,4 @@
-// What the checks of the report's short form share. Never a time.
+// What the checks of the report's sample share. Never a time.
 #ifndef REPORT_CHECK_HPP
 #define REPORT_CHECK_HPP
 

@@ -221,7 +221,7 @@ std::vector<Series> measure(Report& report, std::size_t side, Results& results) 
     std::vector<std::unique_ptr<Cloth>> cloths;
     std::vector<Outcome> outcomes(ways.size());
     for (const Setting& way : ways) cloths.push_back(make(way, scene));
-    const double moment = report.by_extent(0.0, 0.04, 2.0);
+    const double moment = report.by_extent(0.0, 0.04);
     for (std::size_t round = 0; round < 2; ++round)
         for (std::size_t i = 0; i < ways.size(); ++i)
             if (round == 0 || outcomes[i].total() < moment) run(*cloths[i], outcomes[i]);
@@ -273,8 +273,7 @@ void report_cloth_drop(Report& report) {
         "in each. Stretch is that of the springs along the sides, the greatest of all frames from 0.3 s to 1 s; "
         "the time is the processor's, of the median frame.");
     std::vector<std::size_t> sizes = {33};
-    if (report.extent != Extent::brief) sizes.push_back(64);
-    if (report.extent == Extent::full) sizes.push_back(129);
+    if (report.extent == Extent::full) sizes.push_back(64);
     Results results;
     std::vector<std::string> panels;
     std::vector<Series> all;

@@ -11,7 +11,7 @@ void report_features(Report& report, const std::string& object, const std::vecto
                      const std::string& caption) {
     std::vector<Job> jobs;
     for (const FeatureCost& feature : features) jobs.push_back({[] {}, feature.step});
-    time_in_turns(jobs, report.by_extent(1e-3, 0.05, 0.5), report.by_extent<std::size_t>(1, 5, 9), 31);
+    time_in_turns(jobs, report.by_extent(1e-3, 0.05), report.by_extent<std::size_t>(1, 5), 31);
     Table table{{"feature", "ns per node and step", "of the plain", "bytes a node", "more than the plain"}, {}, {}};
     Csv csv("feature,ns_per_node_step,over_plain,bytes_per_node");
     auto nanoseconds = [&](std::size_t i) { return jobs[i].least() / features[i].node_steps * 1e9; };

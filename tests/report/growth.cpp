@@ -46,7 +46,7 @@ void measure_size(Report& report, const Sized& sized, std::vector<Growth>& growt
         const std::size_t before = timed < steps ? 1 : 0;
         jobs.push_back({[=] { runner->reset(), runner->step(dt, before); }, [=] { runner->step(dt, timed); }});
     }
-    time_in_turns(jobs, report.by_extent(1e-3, 0.1, 1.0), report.by_extent<std::size_t>(1, 3, 1), 21);
+    time_in_turns(jobs, report.by_extent(1e-3, 0.1), report.by_extent<std::size_t>(1, 3), 21);
     for (std::size_t i = 0; i < growths.size(); ++i) {
         Cost& cost = growths[i].costs.back();
         cost.seconds = jobs[i].least() * double(cost.steps) / double(cost.timed_steps);

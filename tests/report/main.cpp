@@ -17,10 +17,10 @@
 namespace {
 
 const char* const kUsage =
-    "usage: contdyn_report [--out DIR] [--only PART[,PART...]] [--short | --full] [--csv] [--sizes FILE]\n"
+    "usage: contdyn_report [--out DIR] [--only PART[,PART...]] [--full] [--csv] [--sizes FILE]\n"
     "  --out DIR     where to write index.html and the CSV files; default: report\n"
     "  --only PARTS  of: chain,membrane,water,notes,library\n"
-    "  --short       coarse, half a minute; default: four or five minutes; --full: an hour or two\n"
+    "  --full        all, in some ten minutes; default: a coarse sample of it, in one\n"
     "  --csv         no page\n"
     "  --sizes FILE  what the target library_sizes wrote; default: library_sizes.csv\n";
 
@@ -47,7 +47,7 @@ const std::vector<Part> kParts = {
 struct Options {
     std::string folder = "report", sizes = "library_sizes.csv";
     std::vector<std::string> only;
-    report::Extent extent = report::Extent::standard;
+    report::Extent extent = report::Extent::sample;
     bool page = true;
 };
 
@@ -75,8 +75,7 @@ bool parse(int argc, char** argv, Options& options) {
         else if (argument == "--sizes" && more) options.sizes = argv[++i];
         else if (argument == "--only" && more) {
             if (!split_parts(argv[++i], options.only)) return false;
-        } else if (argument == "--short") options.extent = report::Extent::brief;
-        else if (argument == "--full") options.extent = report::Extent::full;
+        } else if (argument == "--full") options.extent = report::Extent::full;
         else if (argument == "--csv") options.page = false;
         else return false;
     }
@@ -122,7 +121,7 @@ int main(int argc, char** argv) {
         for (const std::string& name : options.only) wanted = wanted || name == part.name;
         if (wanted) part.run(report);
     }
-    if (options.extent == report::Extent::standard) report.summary("report.standard", 1);
+    if (options.extent == report::Extent::full) report.summary("report.full", 1);
     report.save_text("outcomes.csv", report.outcomes().text());
 
     std::string summary;
@@ -137,6 +136,11 @@ int main(int argc, char** argv) {
             "(1997), written as plain loops with the elimination of Numerical Recipes.",
             std::string("Library: ") + cd_build_info() + ".",
             std::string("This program and the textbook in it: ") + report::kCompiler + ", " + REPORT_FLAGS + ".",
+            std::string(options.extent == report::Extent::full
+                            ? "This is the whole report."
+                            : "This page is a sample: its sweeps are coarse, its problems smaller, and each timing is of "
+                              "few rounds. `contdyn_report --full` takes some ten minutes for finer ones and for sheets "
+                              "and water of up to 1024 x 1024."),
             "Run time of this report: " + report::number(report::now() - start, 2) + " s. Main figures: summary.txt; "
             "hashes of every final state, equal in every run: outcomes.csv."};
         const std::string html = report.page.html(

@@ -94,7 +94,7 @@ void report_membrane_cost(Report& report) {
         "node has three numbers to move. Coupled is solved to a residual of 10⁻⁶, to which a random state takes the "
         "most iterations. The textbook has one component in float64.");
     std::vector<std::size_t> sides = {256, 1024};
-    if (report.extent == Extent::brief) sides = {32, 64};
+    if (report.extent == Extent::sample) sides = {32, 64};
     Csv csv("side,method,components,precision,stiffness_over_mass,ns_per_node_step,iterations,bytes_per_node");
     Table table{{"method", "components", "precision"}, {}, {2}};
     std::vector<std::vector<std::string>> rows(kinds().size());
@@ -126,7 +126,7 @@ void report_membrane_cost(Report& report) {
                                                       : it->textbook->implicit_step(dt, how.lambda);
                             }});
         }
-        time_in_turns(jobs, report.by_extent(1e-3, 0.1, 1.0), report.by_extent<std::size_t>(1, 3, 5), 21);
+        time_in_turns(jobs, report.by_extent(1e-3, 0.1), report.by_extent<std::size_t>(1, 3), 21);
         for (std::size_t i = 0; i < measured.size(); ++i) {
             const Kind kind = kinds()[i];
             const Method& how = method(kind.way);

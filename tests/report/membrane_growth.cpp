@@ -11,14 +11,14 @@ namespace report {
 namespace {
 
 std::vector<std::size_t> sides(const Report& report) {
-    if (report.extent == Extent::brief) return {32, 64, 128};
+    if (report.extent == Extent::sample) return {32, 64, 128};
     return {32, 64, 128, 256, 512, 1024};
 }
 
 Sized drum_of_side(const Report& report, std::size_t n) {
     const DrumModes modes(n);
     const SheetProblem problem = drum(n, modes);
-    const double nodes = double(problem.nodes()), node_steps = report.by_extent(1e6, 2e7, 1e11);
+    const double nodes = double(problem.nodes()), node_steps = report.by_extent(1e6, 2e7);
     return {n,
             problem.nodes(),
             runners_of(problem),
@@ -52,7 +52,7 @@ void report_membrane_growth(Report& report) {
     for (std::size_t n : sides(report)) measure_size(report, drum_of_side(report, n), growths);
 
     std::vector<std::size_t> at = {256, 1024};
-    if (report.extent == Extent::brief) at = {64, 128};
+    if (report.extent == Extent::sample) at = {64, 128};
     GrowthView shown = view(report, growths, {"membrane.growth", "side", "springs a side n", 3, at});
     const Growth &alternating = find(growths, Way::alternating_half), &coupled = find(growths, Way::coupled_half),
                  &explicit_steps = find(growths, Way::symplectic_euler);

@@ -47,7 +47,7 @@ Study drum_study(const Report& report, std::size_t n) {
     const std::size_t limit = std::size_t(std::ceil(study.time / (0.9999 * stable_dt(problem))));
     for (const Choice& choice : choices(n)) {
         const Method& how = method(choice.way);
-        const double seconds = choice.seconds * report.by_extent(0.15, 1.0, 10.0);
+        const double seconds = choice.seconds * report.by_extent(0.15, 1.0);
         const std::size_t affordable = std::size_t(seconds / (guess(how) * double(problem.nodes())));
         for (cd_precision precision : precisions()) {
             if (!choice.narrow && precision != precisions().front()) continue;
@@ -102,7 +102,7 @@ void report_membrane_precision(Report& report) {
     std::vector<Series> series;
     std::string comparison;
     std::vector<std::size_t> sizes = {64, 256};
-    if (report.extent == Extent::brief) sizes = {64};
+    if (report.extent == Extent::sample) sizes = {64};
     for (std::size_t n : sizes) {
         Study study = drum_study(report, n);
         measure(report, study);

@@ -161,7 +161,7 @@ std::string report_loads(Report& report, std::vector<Series>& for_legend, std::s
     plot.y = {"deflection of the middle over the static one", Scale::linear, "%"};
     plot.guides = {{NAN, 1, NAN, 1, ""}};
     Csv csv("solver,stiffness_over_mass,step,deflection_over_static");
-    const std::size_t n = 32, most = report.by_extent<std::size_t>(2000, 20000, 20000);
+    const std::size_t n = 32, most = report.by_extent<std::size_t>(2000, 20000);
     std::vector<std::string> words;
     for (double stiffness : {1e2, 1e4, 1e6})
         for (Way way : {Way::coupled_backward, Way::alternating_backward}) {

@@ -99,8 +99,8 @@ void add_curves(const Report& report, Case& of, const std::vector<Way>& ways) {
         for (cd_precision precision : precisions()) {
             const Method& how = method(way);
             if (precision != precisions().front() && way != Way::coupled_half && way != Way::alternating_half) continue;
-            const std::size_t most = how.solver == CD_SOLVER_COUPLED ? report.by_extent<std::size_t>(128, 600, 4096)
-                                                                     : report.by_extent<std::size_t>(512, 4096, 65536);
+            const std::size_t most = how.solver == CD_SOLVER_COUPLED ? report.by_extent<std::size_t>(128, 600)
+                                                                     : report.by_extent<std::size_t>(512, 4096);
             auto expected = [&](std::size_t steps) { return of.expected_error(how, steps); };
             of.study.curves.push_back(
                 {&how, precision,
@@ -124,7 +124,7 @@ std::string errors_at_64(Report& report, const Study& study) {
 }  // namespace
 
 void report_membrane_stiff(Report& report) {
-    const std::size_t n = report.by_extent<std::size_t>(10, 20, 32);
+    const std::size_t n = report.by_extent<std::size_t>(10, 20);
     Case one = plate(n), pair = two_plates(n), threads = ruled(n);
     add_curves(
         report, one,

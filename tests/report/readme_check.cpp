@@ -9,10 +9,10 @@
 //     =water.lake.textbook_gained
 //     -->
 //
-// =key  the same on every machine and in the short form: compared, to the digits that stand there
-// ~key  the same on every machine, of the standard run alone: compared if that is the run looked at
+// =key  the same on every machine and in the sample: compared, to the digits that stand there
+// ~key  the same on every machine, of `--full` alone: compared if that is the run looked at
 // key   a time, or a ratio of times: it must have been printed
-// @key  likewise, of the standard run alone
+// @key  likewise, of `--full` alone
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -95,7 +95,7 @@ void read_section(const std::string& file, std::vector<Number>& figures, std::ve
 
 void every_readme_figure_is_printed() {
     const std::map<std::string, double> printed = summary();
-    const bool standard = printed.count("report.standard") > 0;
+    const bool full = printed.count("report.full") > 0;
     std::vector<Number> figures;
     std::vector<std::string> keys;
     for (const char* file : {"README.md", "tests/report/README.md"}) read_section(file, figures, keys);
@@ -103,9 +103,9 @@ void every_readme_figure_is_printed() {
     std::size_t compared = 0;
     for (std::size_t i = 0; i < std::min(figures.size(), keys.size()); ++i) {
         const char mark = keys[i][0];
-        const bool exact = mark == '=' || mark == '~', standards = mark == '~' || mark == '@';
-        const std::string key = exact || standards ? keys[i].substr(1) : keys[i];
-        if (standards && !standard) continue;
+        const bool exact = mark == '=' || mark == '~', full_alone = mark == '~' || mark == '@';
+        const std::string key = exact || full_alone ? keys[i].substr(1) : keys[i];
+        if (full_alone && !full) continue;
         auto it = printed.find(key);
         expect(it != printed.end(), "not printed: " + key + ", said to be " + figures[i].text);
         if (it == printed.end() || !exact) continue;

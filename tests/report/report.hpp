@@ -11,8 +11,8 @@
 
 namespace report {
 
-// How much to run: little, for tests; minutes; or everything without extrapolation.
-enum class Extent { brief, standard, full };
+// How much to run: coarse sweeps of smaller problems, or what the figures of the README were taken from.
+enum class Extent { sample, full };
 
 class Report {
 public:
@@ -24,8 +24,8 @@ public:
     Page page;
 
     template <class Value>
-    Value by_extent(Value brief, Value standard, Value full) const {
-        return extent == Extent::brief ? brief : extent == Extent::standard ? standard : full;
+    Value by_extent(Value sample, Value full) const {
+        return extent == Extent::sample ? sample : full;
     }
 
     // Writes a CSV into the folder and lists it in the page's present section.

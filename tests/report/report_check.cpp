@@ -1,4 +1,4 @@
-// report_check CHECK FIRST SECOND [SOURCE]: looks at what two runs of the report's short form wrote into FIRST and
+// report_check CHECK FIRST SECOND [SOURCE]: looks at what two runs of the report's sample wrote into FIRST and
 // SECOND, and into the README.
 #include <cmath>
 #include <cstdio>

@@ -17,7 +17,7 @@ void SurvivalSheet::finish(const std::string& error_is, const std::string& more)
             jobs.push_back({[] {}, trial.again});
             timed.push_back(&trial);
         }
-    time_in_turns(jobs, report_.by_extent(1e-3, 0.02, 0.2), report_.by_extent<std::size_t>(1, 3, 5), 15);
+    time_in_turns(jobs, report_.by_extent(1e-3, 0.02), report_.by_extent<std::size_t>(1, 3), 15);
     for (std::size_t i = 0; i < jobs.size(); ++i) timed[i]->nanoseconds = jobs[i].least() / timed[i]->node_steps * 1e9;
 
     auto ordinary = [&](const Trial& of) {

@@ -131,9 +131,9 @@ void report_water_atlas(Report& report) {
         "The same for a slice of 16 cells of 1 m, walled in, whose water is level and moves slowly at random. Depth "
         "is water's stiffness: waves run at √(g d).");
     Atlas atlas(report, "water");
-    const AtlasAxis depth{"depth", "depth [m]", decades(-12, 4, report.by_extent(4.0, 1.0, 0.5))},
-        ratio{"ratio", "depth of one half / the other's, 1 m", decades(-12, 0, report.by_extent(3.0, 1.0, 0.5))},
-        step{"dt", "time step [s]", decades(-9, 6, report.by_extent(1.5, 0.5, 0.25))};
+    const AtlasAxis depth{"depth", "depth [m]", decades(-12, 4, report.by_extent(4.0, 1.0))},
+        ratio{"ratio", "depth of one half / the other's, 1 m", decades(-12, 0, report.by_extent(3.0, 1.0))},
+        step{"dt", "time step [s]", decades(-9, 6, report.by_extent(1.5, 0.5))};
     std::vector<std::string> deep, stepped;
     for (Way way : {Way::water_forward, Way::water_explicit, Way::water_half, Way::water_linear, Way::water_one,
                     Way::water_advected})

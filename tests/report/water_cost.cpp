@@ -96,7 +96,7 @@ double step_of(const Water& water, const Feature& feature) {
 std::size_t steps_of(std::size_t n) { return std::max<std::size_t>(2, std::size_t(4e5 / double(n * n))); }
 
 void cost_of_features(Report& report) {
-    const std::size_t n = report.by_extent<std::size_t>(48, 256, 256);
+    const std::size_t n = report.by_extent<std::size_t>(48, 256);
     const double cells = double(n * n);
     const std::vector<Feature> all = features();
     std::vector<std::unique_ptr<Water>> waters;
@@ -108,7 +108,7 @@ void cost_of_features(Report& report) {
         const std::size_t steps = steps_of(n);
         jobs.push_back({[] {}, [=] { check(cd_water_step(water->get(), dt, steps)); }});
     }
-    time_in_turns(jobs, report.by_extent(1e-3, 0.1, 1.0), report.by_extent<std::size_t>(1, 3, 5), 15);
+    time_in_turns(jobs, report.by_extent(1e-3, 0.1), report.by_extent<std::size_t>(1, 3), 15);
     Table table{{"feature", "ns per cell and step", "of the plain one", "bytes per cell"}, {}, {}};
     Csv csv("feature,ns_per_cell_step,of_plain,bytes_per_cell");
     auto nanoseconds = [&](std::size_t i) { return jobs[i].least() / double(steps_of(n)) / cells * 1e9; };
@@ -134,7 +134,7 @@ void cost_of_features(Report& report) {
 
 void cost_beside_the_textbook(Report& report) {
     std::vector<std::size_t> sides = {256, 1024};
-    if (report.extent == Extent::brief) sides = {32, 64};
+    if (report.extent == Extent::sample) sides = {32, 64};
     std::vector<Feature> all;
     for (Way way : {Way::water_linear, Way::water_advected, Way::water_explicit})
         for (cd_precision precision : precisions())
@@ -172,7 +172,7 @@ void cost_beside_the_textbook(Report& report) {
                         [&, steps] {
                             for (std::size_t i = 0; i < steps; ++i) narrow.step(float(kFrame));
                         }});
-        time_in_turns(jobs, report.by_extent(1e-3, 0.2, 1.0), report.by_extent<std::size_t>(1, 3, 5), 15);
+        time_in_turns(jobs, report.by_extent(1e-3, 0.2), report.by_extent<std::size_t>(1, 3), 15);
         std::vector<double> ns;
         for (std::size_t i = 0; i < jobs.size(); ++i) {
             const std::string key = i < all.size()    ? all[i].key

@@ -79,7 +79,7 @@ void report_water_dam(Report& report) {
         "wave crosses half a cell, 2 cells and 8. The exact answers are those of the full shallow-water equations, "
         "which the advected mode solves; the linear mode and the notes do not claim them.");
     std::vector<std::size_t> sizes = {100, 200, 400, 800, 1600};
-    if (report.extent == Extent::brief) sizes = {100, 200, 400, 800};
+    if (report.extent == Extent::sample) sizes = {100, 200, 400, 800};
     Plot refined;
     refined.title = "error against cells";
     refined.x = {"cells", Scale::log};
@@ -132,7 +132,7 @@ void report_water_dam(Report& report) {
         report.summary("water." + dam.key + ".order", order);
         orders.push_back(number(order, 2) + " " + dam.title);
         refined.series.insert(refined.series.end(), series.begin(), series.end());
-        panels.push_back(profile(dam, report.by_extent<std::size_t>(100, 200, 200)));
+        panels.push_back(profile(dam, report.by_extent<std::size_t>(100, 200)));
     }
     panels.push_back(render(refined));
     std::vector<Series> all = {{"exact", {7, Marker::none, Dash::dashed}, {}, {}, {}}};

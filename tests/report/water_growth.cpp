@@ -13,7 +13,7 @@ namespace report {
 namespace {
 
 std::vector<std::size_t> sides(const Report& report) {
-    if (report.extent == Extent::brief) return {32, 64, 128};
+    if (report.extent == Extent::sample) return {32, 64, 128};
     return {32, 64, 128, 256, 512, 1024};
 }
 
@@ -21,7 +21,7 @@ Sized pool_of_side(const Report& report, std::size_t n) {
     const double minute = 60, height = small_height();
     const Seiches seiches(n, n, 20, 20, 1, {{1, 0, height}, {0, 1, height / 2}, {1, 1, height}});
     const WaterProblem problem = seiches.problem();
-    const double cells = double(problem.cells()), cell_steps = report.by_extent(5e5, 4e6, 2e10);
+    const double cells = double(problem.cells()), cell_steps = report.by_extent(5e5, 4e6);
     auto expected = [seiches](const Method& how, std::size_t steps) { return seiches.expected_error(how, 60, steps); };
     const Method& plain = method(Way::water_explicit);
     const std::size_t stable = std::size_t(std::ceil(minute / (0.9999 * stable_dt(problem)))),
@@ -57,7 +57,7 @@ void report_water_growth(Report& report) {
     for (std::size_t n : sides(report)) measure_size(report, pool_of_side(report, n), growths);
 
     std::vector<std::size_t> at = {256, 1024};
-    if (report.extent == Extent::brief) at = {64, 128};
+    if (report.extent == Extent::sample) at = {64, 128};
     GrowthView shown = view(report, growths, {"water.growth", "side", "cells a side n", 3, at, "cell", "minute"});
     const Growth &half = find(growths, Way::water_half), &explicit_steps = find(growths, Way::water_explicit),
                  &textbook = find(growths, Way::water_textbook);

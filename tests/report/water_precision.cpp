@@ -30,7 +30,7 @@ Study seiche_study(const Report& report, const std::string& key, const std::stri
     const std::size_t limit = std::size_t(std::ceil(study.time / (0.9999 * stable_dt(problem))));
     for (Way way : ways) {
         const Method& how = method(way);
-        const double seconds = report.by_extent(0.02, slice ? 0.03 : 0.08, 10.0) * (how.textbook ? 6 : 1);
+        const double seconds = report.by_extent(0.02, slice ? 0.03 : 0.08) * (how.textbook ? 6 : 1);
         const std::size_t affordable = std::size_t(seconds / (guess(how, slice) * double(problem.cells())));
         study.curves.push_back(
             {&how, precisions().front(),
@@ -62,7 +62,7 @@ Study exact_study(const Report& report, const std::string& key, const std::strin
             study.curves.push_back(
                 {&how, precision,
                  points_between(how.is_explicit() ? stable : std::max<std::size_t>(1, steps_at_1 / 32),
-                                steps_at_1 * report.by_extent<std::size_t>(2, 4, 16),
+                                steps_at_1 * report.by_extent<std::size_t>(2, 4),
                                 [](std::size_t) { return INFINITY; })});
         }
     return study;
@@ -112,9 +112,9 @@ void report_water_precision(Report& report) {
     WorkTables tables;
     std::vector<std::string> panels, findings;
     std::vector<Series> series;
-    const std::size_t side = report.by_extent<std::size_t>(32, 64, 128),
-                      long_side = report.by_extent<std::size_t>(100, 400, 400),
-                      cells = report.by_extent<std::size_t>(100, 200, 400);
+    const std::size_t side = report.by_extent<std::size_t>(32, 64),
+                      long_side = report.by_extent<std::size_t>(100, 400),
+                      cells = report.by_extent<std::size_t>(100, 200);
     const double height = small_height();
     const std::vector<Way> of_pools = {Way::water_linear,   Way::water_half,     Way::water_one,
                                        Way::water_advected, Way::water_explicit, Way::water_textbook};

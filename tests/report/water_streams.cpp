@@ -114,8 +114,8 @@ double highest(const Shore& shore, const Method& how, cd_precision precision, do
 } // namespace
 
 void add_streams(Report& report, Atlas& atlas) {
-    const AtlasAxis froude{"froude", "Froude number", decades(-3, 3, report.by_extent(1.0, 0.5, 0.125))},
-        courant{"courant", "Courant number", decades(-3, 3, report.by_extent(1.0, 0.5, 0.125))};
+    const AtlasAxis froude{"froude", "Froude number", decades(-3, 3, report.by_extent(1.0, 0.5))},
+        courant{"courant", "Courant number", decades(-3, 3, report.by_extent(1.0, 0.5))};
     std::vector<std::string> maps;
     for (Way way : {Way::water_half, Way::water_linear, Way::water_one, Way::water_advected, Way::water_explicit,
                     Way::water_explicit_advected}) {
@@ -155,7 +155,7 @@ void report_shores(Report& report) {
         const Method& how = method(way);
         Series series{how.name, how.style, {}, {}, {}};
         double most = 0, at = 0;
-        for (double courant : decades(-1, 5, report.by_extent(1.0, 0.5, 0.25))) {
+        for (double courant : decades(-1, 5, report.by_extent(1.0, 0.5))) {
             const double ratio = highest(shore, how, precisions().front(), courant / std::sqrt(kEarth));
             series.x.push_back(courant), series.y.push_back(ratio);
             csv.row(how.key, courant, ratio);

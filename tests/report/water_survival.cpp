@@ -111,10 +111,10 @@ std::vector<Scene> scenes(const Report& report) {
     all.back().nx = 500, all.back().ny = 1;
     all.push_back({"1 column", waves(1, 0.05, 1, 500)});
     all.back().nx = 1, all.back().ny = 500;
-    const std::size_t large = report.by_extent<std::size_t>(300, 3162, 3162);
+    const std::size_t large = report.by_extent<std::size_t>(300, 3162);
     all.push_back({count(double(large)) + " × " + count(double(large)) + " cells", waves(1, 0.05, large, large)});
     all.back().nx = all.back().ny = large, all.back().steps = 2;
-    const std::size_t many = report.by_extent<std::size_t>(2000, 1000000, 1000000);
+    const std::size_t many = report.by_extent<std::size_t>(2000, 1000000);
     for (bool decays : {true, false}) {
         all.push_back({count(double(many)) + (decays ? " steps of dying out" : " steps"), [decays](Water& water) {
                            waves(1, 0.05, 8, 8)(water);

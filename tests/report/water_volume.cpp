@@ -157,7 +157,7 @@ struct Storm {
 };
 
 void storm(Report& report) {
-    const std::size_t steps = report.by_extent<std::size_t>(400, 4000, 40000);
+    const std::size_t steps = report.by_extent<std::size_t>(400, 4000);
     const double dt = 1.0 / 20;
     Plot plot;
     plot.title = "volume against the account";
@@ -200,7 +200,7 @@ void storm(Report& report) {
 // ---- steps of any length ----
 
 void steps_of_any_length(Report& report) {
-    const std::size_t n = 48, steps = report.by_extent<std::size_t>(100, 600, 10000);
+    const std::size_t n = 48, steps = report.by_extent<std::size_t>(100, 600);
     std::mt19937 random(3);
     WaterProblem problem;
     problem.nx = problem.ny = n;

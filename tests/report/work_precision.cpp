@@ -54,8 +54,8 @@ void measure(Report& report, Study& study) {
         report.progress(study.key + ": errors of " + curve.name());
     }
     report.progress(study.key + ": timing " + std::to_string(jobs.size()) + " runs in turns");
-    time_in_turns(jobs, report.by_extent(1e-3, 0.02, 0.2), report.by_extent<std::size_t>(1, 3, 5),
-                  report.by_extent<std::size_t>(5, 31, 101));
+    time_in_turns(jobs, report.by_extent(1e-3, 0.02), report.by_extent<std::size_t>(1, 3),
+                  report.by_extent<std::size_t>(5, 31));
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         targets[i]->least_seconds = jobs[i].least();
         targets[i]->median_seconds = jobs[i].median();

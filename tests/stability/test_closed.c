@@ -35,6 +35,7 @@ static int missed(cd_precision precision) {
     int count = 0;
     for (int kind = 0; kind < KINDS; ++kind)
         for (size_t k = 0; k < COUNT(ratios); ++k) {
+            if (!is_taken((size_t)kind / 2 + k, 2)) continue;
             const size_t m = LAMBDA_1_2 + ((size_t)kind + k) % (TIME_STEPS - LAMBDA_1_2);
             char what[100];
             snprintf(what, sizeof what, "k/m %.0e %s%s%s%s%s", ratios[k], kind & HELD ? "held" : "ring",

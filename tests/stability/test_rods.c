@@ -35,6 +35,7 @@ static int missed_in(cd_precision precision, double dt) {
         for (int stretch = 0; stretch < 2; ++stretch)
             for (int pinned = 0; pinned < 2; ++pinned)
                 for (size_t m = LAMBDA_1_2; m < TIME_STEPS; ++m) {
+                    if (!is_taken(k + (size_t)stretch + (size_t)pinned + m, 2)) continue;
                     char what[80];
                     snprintf(what, sizeof what, "dt %.0e bend over mass %-5.0e%s%s", dt, ratios[k],
                              stretch ? " with springs" : "", pinned ? " pinned" : "");

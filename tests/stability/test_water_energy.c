@@ -119,7 +119,7 @@ static struct gain highest_of_kinds(const struct way* way, double courant, int s
 static void no_energy_is_made_but_by_linear_momentum_that_deepens(void** state) {
     (void)state;
     static const double courants[] = {0.01, 0.1, 0.3, 0.5, 1, 3, 10, 100, 1000, 1e4};
-    const uint64_t seeds = is_long() ? 60 : 9;
+    const uint64_t seeds = is_long() ? 60 : 6;
     for (size_t k = 0; k < WAYS; ++k)
         for (size_t c = 0; c < COUNT(courants); ++c) {
             if (basin_is_explicit(&ways[k]) && courants[c] > 0.3) continue;
@@ -243,7 +243,7 @@ static void water_among_hills_rests_after_steps_of_an_hour(void** state) {
     enum { NX = 24, NY = 16 };
     for (size_t k = 0; k < WAYS; ++k)
         for (uint64_t seed = 1; seed <= 40; ++seed) {
-            if (basin_is_explicit(&ways[k])) continue;
+            if (basin_is_explicit(&ways[k]) || !is_taken(seed + k, 3)) continue;
             uint64_t chance = seed * 77777;
             const double along = 0.7 + 0.5 * random_number(&chance), across = 0.7 + 0.5 * random_number(&chance);
             const double phase = 3 * random_number(&chance);

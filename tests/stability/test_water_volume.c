@@ -78,6 +78,7 @@ static void a_hundred_thousand_steps_of_storms_lose_no_water(void** state) {
     (void)state;
     for (size_t k = 0; k < WAYS; ++k)
         for (int p = 0; p < 2; ++p) {
+            if (!is_taken(k + (size_t)p, 3)) continue;
             const size_t steps = 100000;
             double turned_over;
             const double off = stormy(&ways[k], p ? CD_FLOAT64 : CD_FLOAT32, steps, &turned_over);
@@ -171,7 +172,7 @@ static void anything(uint64_t number, cd_precision precision, double* worst) {
 static void anything_at_all_keeps_its_account_and_no_column_is_less_than_empty(void** state) {
     (void)state;
     double worst[2] = {0, 0};
-    const uint64_t count = is_long() ? 50000 : 2000;
+    const uint64_t count = is_long() ? 50000 : 1000;
     for (uint64_t number = 0; number < count; ++number)
         for (int p = 0; p < 2; ++p) anything(number, p ? CD_FLOAT64 : CD_FLOAT32, &worst[p]);
     print_message("%zu scenes: accounts off by %.1e (float32), %.1e (float64)\n", (size_t)count, worst[0], worst[1]);

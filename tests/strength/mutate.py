@@ -3,10 +3,10 @@
 
     mutate.py FOLDER [COUNT [SEED [TIERS]]]    builds in FOLDER; 200 places of seed 1, in some hours of two cores
 
-TIERS: those of tests/CMakeLists.txt that are asked, as a regular expression; all but `unit` if it is left out.
+TIERS: those of tests/CMakeLists.txt that are asked, as a regular expression; all if it is left out. Unit tests, which are
+linked with what is inside the library, are built anew and asked last.
 
-Counted are mutations that compile and change the library file. Tests that are linked with what is inside it would have
-to be built anew, and are not asked. Exit status 0: at least 97% are noticed, or are explained below.
+Counted are mutations that compile and change the library file. Exit status 0: at least 97% are noticed, or are explained below.
 """
 
 import hashlib
@@ -20,6 +20,7 @@ import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 from tree import copy_and_configure, run
 
@@ -62,6 +63,11 @@ def places(tree):
     return found
 
 
+def told_by(build, tiers, inside):
+    told = json.loads(run("ctest", "--test-dir", build, "--show-only=json-v1", "-L", f"^({tiers})$").stdout)
+    return [test for test in told["tests"] if test["name"].startswith("unit.") == inside]
+
+
 class Tests:
     """The programs of the tests, the quickest first."""
 
@@ -69,12 +75,14 @@ class Tests:
         made = run("cmake", "--build", build, "-j", "2")
         if made.returncode:
             sys.exit(made.stdout[-3000:])
-        told = json.loads(run("ctest", "--test-dir", build, "--show-only=json-v1", "-L",
-                              f"^({tiers})$").stdout)
+        self.build = build
+        self.of_library, self.of_inside = (self.timed(told_by(build, tiers, inside)) for inside in (False, True))
+
+    def timed(self, tests):
         with ThreadPoolExecutor(2) as pool:
-            timed = list(pool.map(lambda test: (self.time_of(test["name"], test["command"]), test), told["tests"]))
-        self.tests = [(test["name"], test["command"], SLOWER * took + 10)
-                      for took, test in sorted(timed, key=lambda one: one[0])]
+            timed = list(pool.map(lambda test: (self.time_of(test["name"], test["command"]), test), tests))
+        return [(test["name"], test["command"], SLOWER * took + 10)
+                for took, test in sorted(timed, key=lambda one: one[0])]
 
     def time_of(self, name, command):
         began = time.monotonic()
@@ -95,6 +103,14 @@ class Tests:
             return True
 
     def first_failure(self):
+        by = self.first_of(self.of_library)
+        if by or not self.of_inside:
+            return by
+        programs = [Path(command[0]).name for _, command, _ in self.of_inside]
+        made = run("cmake", "--build", self.build, "-j", "2", "--target", *programs)
+        return "the compiler" if made.returncode else self.first_of(self.of_inside)
+
+    def first_of(self, tests):
         failed = []
 
         def try_one(test):
@@ -103,7 +119,7 @@ class Tests:
                 failed.append(name)
 
         with ThreadPoolExecutor(2) as pool:
-            list(pool.map(try_one, self.tests))
+            list(pool.map(try_one, tests))
         return failed[0] if failed else None
 
 
@@ -113,11 +129,11 @@ def main():
     count = int(sys.argv[2]) if len(sys.argv) > 2 else 200
     chance = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
     tree, build = copy_and_configure(sys.argv[1], "-DCONTDYN_AVX2=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG")
-    tests = Tests(build, sys.argv[4] if len(sys.argv) > 4 else "api|physics|stability|determinism|memory")
+    tests = Tests(build, sys.argv[4] if len(sys.argv) > 4 else "unit|api|physics|stability|determinism|memory")
     library = build / "src/libcontdyn.so"
     whole = hashlib.sha256(library.read_bytes()).digest()
     found = places(tree)
-    print(f"{sum(map(len, found.values()))} places, {len(tests.tests)} tests", flush=True)
+    print(f"{sum(map(len, found.values()))} places, {len(tests.of_library + tests.of_inside)} tests", flush=True)
     tried = noticed = explained = 0
     while tried < count:
         kind, path, number, old, new = chance.choice(found[chance.choice(list(KINDS))])

@@ -9,14 +9,11 @@
 #include "model/keep.hh"
 
 extern "C" {
+#include "check.h"
 #include "cmocka_all.h" // last: it makes a macro of the name fail
 }
 
 namespace {
-
-void ok(cd_status status) {
-    if (status != CD_OK) fail_msg("%s: %s", cd_status_name(status), cd_error_message());
-}
 
 const double heights[6] = {-8, -9, -8.5, -7, -8, -9};
 
@@ -347,7 +344,7 @@ template <class C> std::vector<unsigned char> saved(const typename C::Handle* ob
 
 // Whether they are loaded: then what is loaded is of use and says what it was loaded from (but for the kind of a NaN,
 // unless exactly), else nothing has happened.
-template <class C> bool is_taken(const std::vector<unsigned char>& changed, bool exactly) {
+template <class C> bool is_loaded(const std::vector<unsigned char>& changed, bool exactly) {
     std::vector<unsigned char> bytes = changed;
     cd::write_header(C::kind, bytes.data(), bytes.size());
     typename C::Handle* const object = C::make();
@@ -376,19 +373,22 @@ template <class C> void any_bytes_with_a_good_checksum_are_refused_or_of_use(voi
     const std::vector<unsigned char> good = saved<C>(source);
     size_t taken = 0, tried = 0;
     for (size_t i = cd::kHeader; i < good.size(); ++i) {
+        size_t way = i; // each byte takes half of the ways, its neighbours the others
         for (unsigned flip : {0x01u, 0x04u, 0x80u, 0xFFu}) {
+            if (!is_taken(way++, 2)) continue;
             std::vector<unsigned char> bytes = good;
             bytes[i] = static_cast<unsigned char>(bytes[i] ^ flip);
-            ++tried, taken += is_taken<C>(bytes, true);
+            ++tried, taken += is_loaded<C>(bytes, true);
         }
         for (double number : {double(NAN), double(INFINITY), -1.0, 1e308, 2.0, 1e-310}) {
+            if (!is_taken(way++, 2)) continue;
             std::vector<unsigned char> bytes = good;
             const float single = float(number);
             if (i + sizeof number <= good.size()) memcpy(&bytes[i], &number, sizeof number);
-            ++tried, taken += is_taken<C>(bytes, false);
+            ++tried, taken += is_loaded<C>(bytes, false);
             bytes = good;
             if (i + sizeof single <= good.size()) memcpy(&bytes[i], &single, sizeof single);
-            ++tried, taken += is_taken<C>(bytes, false);
+            ++tried, taken += is_loaded<C>(bytes, false);
         }
     }
     assert_true(taken > 100 && tried - taken > 100);
