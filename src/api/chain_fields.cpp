@@ -65,6 +65,15 @@ struct Part {
         return fail(CD_ERROR_UNSUPPORTED, function, "a group of welded nodes would hold two held ones");
     }
 
+    Block block(const Chain& c) const {
+        if (!is_state(field)) return {};
+        return {&state_of(c, field),
+                place(c, first_strand, first, 0),
+                {strands, n, c.components},
+                {c.components, c.pitch, 1}};
+    }
+    bool takes_any(const Chain&) const { return field != CD_VELOCITY; }
+
     double get(const Chain& c, const Place& p) const {
         if (field == CD_PIN) return c.pin[own_place(c, p.strand, p.item)];
         if (field == CD_STRAIN) return strain_of(c, p.strand, p.item);

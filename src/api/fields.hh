@@ -1,8 +1,8 @@
 // What the fields of all objects share: names, switches, and the way numbers go in and out.
 #pragma once
 
+#include "api/block.hh"
 #include "api/check.hh"
-#include "model/body.hh"
 
 namespace cd {
 
@@ -142,21 +142,27 @@ inline cd_status can_write(const char* function, cd_field field) {
 //   check_all(function, x, values)   what the values must be together
 //   get(x, place), set(x, place, value)
 //   written(x)                       what follows from a write
+//   block(x)                         where its numbers lie, if that is all that get does
+//   takes_any(x)                     whether any finite number may stand there, and set only stores it
 
 template <class X, class Part, class S>
 cd_status write_part(const char* function, X& x, const Part& part, const S* values, size_t count) {
     CD_CHECK(part.check(function, x, count));
     CD_CHECK(can_write(function, part.field));
     if (count > 0) CD_CHECK(not_null(function, "values", values));
+    const Block block = part.takes_any(x) ? part.block(x) : Block{};
     size_t bad = SIZE_MAX;
-    part.each(x, [&](size_t at, const auto& place) {
-        if (bad == SIZE_MAX && !part.valid(x, place, double(values[at]))) bad = at;
-    });
+    if (block.array) bad = find_beyond(x, values, count);
+    else
+        part.each(x, [&](size_t at, const auto& place) {
+            if (bad == SIZE_MAX && !part.valid(x, place, double(values[at]))) bad = at;
+        });
     if (bad != SIZE_MAX)
         return fail(CD_ERROR_VALUE, function, "values[%zu] is %g: %s takes %s", bad, double(values[bad]),
                     field_name(part.field), field_takes(part.field));
     CD_CHECK(part.check_all(function, x, values));
-    part.each(x, [&](size_t at, const auto& place) { part.set(x, place, double(values[at])); });
+    if (block.array) write_block(x, block, values);
+    else part.each(x, [&](size_t at, const auto& place) { part.set(x, place, double(values[at])); });
     part.written(x);
     return CD_OK;
 }
@@ -165,7 +171,9 @@ template <class X, class Part, class S>
 cd_status read_part(const char* function, const X& x, const Part& part, S* values, size_t count) {
     CD_CHECK(part.check(function, x, count));
     if (count > 0) CD_CHECK(not_null(function, "out_values", values));
-    part.each(x, [&](size_t at, const auto& place) { values[at] = S(part.get(x, place)); });
+    const Block block = part.block(x);
+    if (block.array) read_block(x, block, values);
+    else part.each(x, [&](size_t at, const auto& place) { values[at] = S(part.get(x, place)); });
     return CD_OK;
 }
 

@@ -69,6 +69,12 @@ struct Rectangle {
     }
     template <class S> cd_status check_all(const char*, const Membrane&, const S*) const { return CD_OK; }
 
+    Block block(const Membrane& m) const {
+        if (!is_state(field)) return {};
+        return {&state_of(m, field), place(m, first_u, first_v, 0), {n_v, n_u, m.components}, {m.pitch, 1, m.plane}};
+    }
+    bool takes_any(const Membrane&) const { return field != CD_VELOCITY; }
+
     double get(const Membrane& m, const Place& p) const {
         if (is_state(field)) return get_number(m, state_of(m, field), place(m, p.u, p.v, p.component));
         if (is_tension(field) || is_strain(field)) return told_of(m, field, p.u, p.v);

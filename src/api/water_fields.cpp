@@ -96,6 +96,12 @@ struct Rectangle {
     }
     template <class S> cd_status check_all(const char*, const Water&, const S*) const { return CD_OK; }
 
+    Block block(const Water& w) const {
+        if (is_bytes(field) || is_made(field)) return {};
+        return {&numbers_of(w, field), place(w, first_x, first_y), {n_y, n_x, 1}, {w.pitch, 1, 0}};
+    }
+    bool takes_any(const Water&) const { return field == CD_SOURCE || field == CD_PRESSURE; }
+
     double get(const Water& w, const Place& p) const {
         if (field == CD_SURFACE) return bed_at(w, p.i, p.j) + depth_at(w, p.i, p.j);
         return is_bytes(field) ? bytes_of(w, field)[byte_place(w, p.i, p.j)]

@@ -130,9 +130,8 @@ inline bool can_tear(const Membrane& m, Direction d) {
 }
 // Whether the cell of four nodes that starts at a node is torn open: of cloth, if two of its springs or more are cut.
 bool lacks_two_springs(const Membrane& m, size_t u, size_t v);
-inline bool is_open(const Membrane& m, size_t u, size_t v) {
-    return (m.spring_stiffness[kU] || m.spring_stiffness[kV]) && has_lengths(m) && lacks_two_springs(m, u, v);
-}
+inline bool may_open(const Membrane& m) { return (m.spring_stiffness[kU] || m.spring_stiffness[kV]) && has_lengths(m); }
+inline bool is_open(const Membrane& m, size_t u, size_t v) { return may_open(m) && lacks_two_springs(m, u, v); }
 // The bend along d at a node, 0 unless it and its two neighbours along d are there; the twist of the cell that starts
 // at a node, 0 unless its four nodes are there.
 double bend_of(const Membrane& m, Direction d, size_t u, size_t v);

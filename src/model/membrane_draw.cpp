@@ -46,8 +46,8 @@ struct Scale {
 };
 constexpr Scale kAsTheyAre{1, 1}, kShrunk{0x1p-520, 1}, kGrown{1, 0x1p800};
 
-// Nodes whose normals are made together.
-constexpr size_t kBlock = 32;
+// Nodes whose normals are made together, and the cells between them and beside.
+constexpr size_t kCells = 64, kBlock = kCells - 1;
 
 template <class T> struct Drawer {
     const Membrane& m;
@@ -104,64 +104,122 @@ template <class T> struct Drawer {
     }
     Vector normal(const Node& n) const { return is_there(n) ? normal(n, around(n, kAsTheyAre)) : Vector{}; }
 
-    // Whether `count` nodes from (u, v) on have all their cells inside the sheet, none of them open, and no absent node
-    // near.
+    // Whether no ring leads on from `count` nodes from (u, v) on, no node near them is absent, and no cell open.
     bool is_plain(size_t u, size_t v, size_t count) const {
-        if (u == 0 || v == 0 || u + count >= m.columns || v + 1 >= m.rows) return false;
-        for (size_t row = v - 1; m.mask && row <= v + 1; ++row)
-            if (memchr(m.mask.data + node_at(m, u - 1, row), 0, count + 2)) return false;
-        for (size_t i = u - 1; i < u + count; ++i)
-            if (is_open(m, i, v - 1) || is_open(m, i, v)) return false;
+        if ((m.ring[kU] && (u == 0 || u + count == m.columns)) || (m.ring[kV] && (v == 0 || v + 1 == m.rows)))
+            return false;
+        const size_t first = u > 0 ? u - 1 : 0, last = u + count < m.columns ? u + count : m.columns - 1; // near them
+        const size_t top = v > 0 ? v - 1 : 0, bottom = v + 1 < m.rows ? v + 1 : v;
+        for (size_t row = top; m.mask && row <= bottom; ++row)
+            if (memchr(m.mask.data + node_at(m, first, row), 0, last - first + 1)) return false;
+        for (size_t row = top; may_open(m) && row < bottom; ++row)
+            for (size_t i = first; i < last; ++i)
+                if (is_open(m, i, row)) return false;
         return true;
     }
-    // What around() finds for them, in loops that compilers turn into vector instructions.
-    void around_plain(size_t u, size_t v, size_t count, Area* out) const {
-        double sum[3][kBlock + 1] = {}, size[3][kBlock + 1] = {}; // of the two cells that start in a column
-        for (size_t row = v - 1; row <= v; ++row) {
-            double p[3][kBlock + 1], q[3][kBlock + 1];
-            for (int k = 0; k < 3; ++k) {
-                const T* const low = axis[k] ? axis[k] + row * m.pitch + u - 1 : nullptr;
-                const T* const high = low ? low + m.pitch : nullptr;
-                for (size_t c = 0; low && c <= count; ++c) {
-                    p[k][c] = double(high[c + 1]) - double(low[c]);
-                    q[k][c] = double(high[c]) - double(low[c + 1]);
-                }
-                const double along_p = spacing[k], along_q = k == kU ? -along_p : along_p;
-                for (size_t c = 0; !low && c <= count; ++c) {
-                    p[k][c] = along_p;
-                    q[k][c] = along_q;
-                }
-            }
-            for (int k = 0; k < 3; ++k) {
-                const int i = (k + 1) % 3, j = (k + 2) % 3;
-                for (size_t c = 0; c <= count; ++c) {
-                    const double plus = p[i][c] * q[j][c], minus = p[j][c] * q[i][c];
-                    sum[k][c] += plus - minus;
-                    size[k][c] += fabs(plus) + fabs(minus);
-                }
-            }
+
+    // A row of nodes from u - 1 on; those that are not there count as 0, as do components that are not drawn.
+    struct Row {
+        double x[3][kCells + kGroup];
+    };
+    void take_row(size_t u, size_t v, size_t count, Row& out) const {
+        const size_t from = u > 0 ? 0 : 1, to = u + count < m.columns ? count + 2 : count + 1;
+        for (int k = 0; k < 3; ++k) {
+            const T* const row = axis[k] ? axis[k] + v * m.pitch + (u + from - 1) : nullptr;
+            for (size_t c = from; row && c < to; ++c) out.x[k][c] = double(row[c - from]);
         }
-        for (size_t c = 0; c < count; ++c)
-            out[c] = {{sum[0][c] + sum[0][c + 1], sum[1][c] + sum[1][c + 1], sum[2][c] + sum[2][c + 1]},
-                      {size[0][c] + size[0][c + 1], size[1][c] + size[1][c + 1], size[2][c] + size[2][c + 1]}};
+    }
+
+    // What add_cell adds, of count + 1 cells side by side from (u - 1, v) on: nothing where there is none.
+    struct Cells {
+        double sum[3][kCells], size[3][kCells];
+    };
+    void look_at_cells(size_t u, size_t count, const Row& low, const Row& high, Cells& out) const {
+        double p[3][kCells], q[3][kCells];
+        for (int k = 0; k < 3; ++k) {
+            const double along_p = axis[k] ? 0 : spacing[k], along_q = k == kU ? -along_p : along_p;
+            in_groups(count + 1, [&](size_t c) {
+                p[k][c] = (high.x[k][c + 1] - low.x[k][c]) + along_p;
+                q[k][c] = (high.x[k][c] - low.x[k][c + 1]) + along_q;
+            });
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int i = (k + 1) % 3, j = (k + 2) % 3;
+            in_groups(count + 1, [&](size_t c) {
+                const double plus = p[i][c] * q[j][c], minus = p[j][c] * q[i][c];
+                out.sum[k][c] = plus - minus;
+                out.size[k][c] = fabs(plus) + fabs(minus);
+            });
+            if (u == 0) out.sum[k][0] = out.size[k][0] = 0;
+            if (u + count == m.columns) out.sum[k][count] = out.size[k][count] = 0;
+        }
+    }
+    // Normals of the nodes from (u, v) on, between two rows of cells.
+    void write_plain(size_t u, size_t v, size_t count, const Cells& above, const Cells& below, unsigned char* out,
+                     size_t stride) const {
+        double sum[kCells + kGroup] = {}, size[kCells + kGroup] = {}; // of the two cells in a column
+        double n[3][kCells], whole[kCells] = {}, square[kCells], scale[kCells];
+        for (int k = 0; k < 3; ++k) {
+            in_groups(count + 1, [&](size_t c) {
+                sum[c] = above.sum[k][c] + below.sum[k][c];
+                size[c] = above.size[k][c] + below.size[k][c];
+            });
+            in_groups(count, [&](size_t c) {
+                const double both = size[c] + size[c + 1];
+                n[k][c] = beyond_rounding(sum[c] + sum[c + 1], both);
+                whole[c] += both;
+            });
+        }
+        in_groups(count, [&](size_t c) {
+            square[c] = n[0][c] * n[0][c] + n[1][c] * n[1][c] + n[2][c] * n[2][c];
+            scale[c] = 1 / sqrt(square[c]);
+        });
+        for (auto& along : n) in_groups(count, [&](size_t c) { along[c] *= scale[c]; });
+        for (size_t c = 0; c < count; ++c, out += stride) {
+            const bool in_range = square[c] > 0x1p-900 && square[c] < 0x1p900 && whole[c] < INFINITY;
+            put(in_range ? Vector{n[0][c], n[1][c], n[2][c]} : normal(node(u + c, v)), out);
+        }
     }
 
     static Node node(size_t u, size_t v) { return {{ptrdiff_t(u), ptrdiff_t(v)}}; }
     void write_positions(unsigned char* out, size_t stride) const {
-        for (size_t v = 0; v < m.rows; ++v)
-            for (size_t u = 0; u < m.columns; ++u, out += stride) put(position(node(u, v)), out);
+        for (size_t v = 0; v < m.rows; ++v, out += m.columns * stride)
+            for (int k = 0; k < 3; ++k)
+                for (size_t u = 0; u < m.columns; ++u) {
+                    const float x = axis[k] ? float(axis[k][v * m.pitch + u])
+                                            : float(k < 2 ? double(k == kU ? u : v) * spacing[k] : 0);
+                    memcpy(out + u * stride + size_t(k) * sizeof x, &x, sizeof x);
+                }
     }
+    // In blocks of columns, row by row, so that each row of cells is looked at once for the nodes before it and behind.
     void write_normals(unsigned char* out, size_t stride) const {
-        Area area[kBlock];
-        for (size_t v = 0; v < m.rows; ++v)
-            for (size_t u = 0, count; u < m.columns; u += count) {
-                const size_t inside = u > 0 && u + 1 < m.columns ? m.columns - 1 - u : 1;
-                count = inside < kBlock ? inside : kBlock;
+        Row nodes[2] = {};
+        Cells cells[2];
+        for (size_t u = 0, count; u < m.columns; u += count) {
+            const size_t left = m.columns - u, closes = m.ring[kU] ? 1 : 0; // a ring's ends are looked at one by one
+            count = closes && (u == 0 || left == 1) ? 1 : left - closes < kBlock ? left - closes : kBlock;
+            bool looked = false; // at the cells before this row, in cells[v % 2]
+            for (size_t v = 0; v < m.rows; ++v) {
+                unsigned char* const here = out + node_at(m, u, v) * stride;
                 const bool plain = is_plain(u, v, count);
-                if (plain) around_plain(u, v, count, area);
-                for (size_t c = 0; c < count; ++c, out += stride)
-                    put(plain ? normal(node(u + c, v), area[c]) : normal(node(u + c, v)), out);
+                if (plain) {
+                    const size_t now = v % 2, next = 1 - now;
+                    if (!looked && v > 0) {
+                        take_row(u, v - 1, count, nodes[next]);
+                        take_row(u, v, count, nodes[now]);
+                        look_at_cells(u, count, nodes[next], nodes[now], cells[now]);
+                    }
+                    if (v == 0) take_row(u, v, count, nodes[now]), cells[now] = {};
+                    if (v + 1 < m.rows) {
+                        take_row(u, v + 1, count, nodes[next]);
+                        look_at_cells(u, count, nodes[now], nodes[next], cells[next]);
+                    } else cells[next] = {};
+                    write_plain(u, v, count, cells[now], cells[next], here, stride);
+                }
+                for (size_t c = 0; !plain && c < count; ++c) put(normal(node(u + c, v)), here + c * stride);
+                looked = plain;
             }
+        }
     }
     void write(unsigned char* out, const VertexFormat& format) const {
         write_positions(out + format.position_offset, format.stride);

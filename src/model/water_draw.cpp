@@ -26,6 +26,51 @@ double slope_at(const Water& w, Axis a, size_t i, size_t j) {
     return steps > 0 ? (ends[1] - ends[0]) / (steps * w.size[a]) : 0;
 }
 
+// The normals of `count` cells from (i, j) on, of water without absent cells; count at most kBlock.
+constexpr size_t kBlock = 64;
+struct Normals {
+    const Water& w;
+    double slope[2][kBlock], square[kBlock], scale[kBlock];
+
+    bool has_neighbour(Axis a, size_t at, bool behind) const {
+        return periodic(w, a) || at != (behind ? w.cells[a] - 1 : 0);
+    }
+    size_t neighbour(Axis a, size_t at, bool behind) const { // or itself
+        const size_t n = w.cells[a];
+        if (!has_neighbour(a, at, behind)) return at;
+        return behind ? (at + 1 < n ? at + 1 : 0) : (at > 0 ? at : n) - 1;
+    }
+    // Over what slopes are taken: two cells, one at a side, or any length where there is no neighbour.
+    double run(Axis a, size_t at) const {
+        return has_neighbour(a, at, false) && has_neighbour(a, at, true) ? 2 * w.size[a] : w.size[a];
+    }
+
+    void look(size_t i, size_t j, size_t count) {
+        double along[kBlock + 2], rise[2][kBlock] = {}, by[kBlock] = {};
+        const size_t low = neighbour(kY, j, false), high = neighbour(kY, j, true);
+        for (size_t c = 0; c < count; ++c) {
+            along[c + 1] = surface_at(w, i + c, j);
+            rise[kY][c] = surface_at(w, i + c, high) - surface_at(w, i + c, low);
+            by[c] = 2 * w.size[kX];
+        }
+        along[0] = surface_at(w, neighbour(kX, i, false), j);
+        along[count + 1] = surface_at(w, neighbour(kX, i + count - 1, true), j);
+        by[0] = run(kX, i), by[count - 1] = run(kX, i + count - 1);
+        for (size_t c = 0; c < count; ++c) rise[kX][c] = along[c + 2] - along[c];
+        const double by_y = run(kY, j);
+        in_groups(count, [&](size_t c) {
+            slope[kX][c] = rise[kX][c] / by[c];
+            slope[kY][c] = rise[kY][c] / by_y;
+            square[c] = (slope[kX][c] * slope[kX][c] + slope[kY][c] * slope[kY][c]) + 1;
+        });
+        in_groups(count, [&](size_t c) { scale[c] = 1 / sqrt(square[c]); });
+    }
+    Vector operator[](size_t c) const {
+        if (!(square[c] < 0x1p900)) return normal_of(slope[kX][c], slope[kY][c]);
+        return {0 - slope[kX][c] * scale[c], 0 - slope[kY][c] * scale[c], scale[c]};
+    }
+};
+
 void put(double number, unsigned char* out) {
     const float one = float(number);
     memcpy(out, &one, sizeof one);
@@ -48,12 +93,18 @@ template <class F> auto with_squares(const Water& w, bool skip_dry, F f) {
 } // namespace
 
 void write_vertices(const Water& w, unsigned char* out, const WaterVertexFormat& format) {
+    Normals normals{w, {}, {}, {}};
+    const bool has_normals = format.normal_offset != SIZE_MAX, together = has_normals && !w.mask;
     each_cell(w, [&](size_t i, size_t j) {
+        const size_t left = w.cells[kX] - i, at = i % kBlock;
+        if (together && at == 0) normals.look(i, j, left < kBlock ? left : kBlock);
         const bool there = present(w, i, j);
         put({(double(i) + 0.5) * w.size[kX], (double(j) + 0.5) * w.size[kY], surface_at(w, i, j)},
             out + format.position_offset);
-        if (format.normal_offset != SIZE_MAX)
-            put(there ? normal_of(slope_at(w, kX, i, j), slope_at(w, kY, i, j)) : Vector{0, 0, 1},
+        if (has_normals)
+            put(together ? normals[at]
+                : there  ? normal_of(slope_at(w, kX, i, j), slope_at(w, kY, i, j))
+                         : Vector{0, 0, 1},
                 out + format.normal_offset);
         if (format.depth_offset != SIZE_MAX) put(there ? depth_at(w, i, j) : -1, out + format.depth_offset);
         out += format.stride;

@@ -1,0 +1,52 @@
+#include "api/block.hh"
+
+#include <math.h>
+
+namespace cd {
+
+namespace {
+
+// f(index in the buffer, number) for each number of a block.
+template <class F> void each_number(const Object& o, const Block& b, F f) {
+    constexpr size_t kTile = 64; // of the middle, which stays in the cache for all that lie side by side
+    by_precision(o, [&](auto zero) {
+        auto* const data = numbers<decltype(zero)>(*b.array) + b.first;
+        for (size_t i = 0; i < b.count[0]; ++i)
+            for (size_t from = 0; from < b.count[1]; from += kTile) {
+                const size_t n = from + kTile < b.count[1] ? kTile : b.count[1] - from;
+                for (size_t k = 0; k < b.count[2]; ++k) {
+                    size_t at = (i * b.count[1] + from) * b.count[2] + k;
+                    auto* number = data + i * b.stride[0] + from * b.stride[1] + k * b.stride[2];
+                    for (size_t j = 0; j < n; ++j, at += b.count[2], number += b.stride[1]) f(at, *number);
+                }
+            }
+    });
+}
+
+template <class T, class S> void assign(T& number, S value) { number = T(value); }
+
+} // namespace
+
+template <class S> void read_block(const Object& o, const Block& block, S* values) {
+    each_number(o, block, [&](size_t at, auto number) { values[at] = S(number); });
+}
+
+template <class S> void write_block(const Object& o, const Block& block, const S* values) {
+    each_number(o, block, [&](size_t at, auto& number) { assign(number, values[at]); });
+}
+
+template <class S> size_t find_beyond(const Object& o, const S* values, size_t count) {
+    const double most = most_of(o);
+    for (size_t at = 0; at < count; ++at)
+        if (!(fabs(double(values[at])) <= most)) return at;
+    return SIZE_MAX;
+}
+
+template void read_block(const Object&, const Block&, float*);
+template void read_block(const Object&, const Block&, double*);
+template void write_block(const Object&, const Block&, const float*);
+template void write_block(const Object&, const Block&, const double*);
+template size_t find_beyond(const Object&, const float*, size_t);
+template size_t find_beyond(const Object&, const double*, size_t);
+
+} // namespace cd
