@@ -36,9 +36,11 @@ template <class S> void write_block(const Object& o, const Block& block, const S
 }
 
 template <class S> size_t find_beyond(const Object& o, const S* values, size_t count) {
-    const double most = most_of(o);
-    for (size_t at = 0; at < count; ++at)
-        if (!(fabs(double(values[at])) <= most)) return at;
+    const auto is_good = [most = most_of(o)](S value) { return fabs(double(value)) <= most; };
+    bool good = true; // all of them at first, in a loop that compilers turn into vector instructions
+    for (size_t at = 0; at < count; ++at) good &= is_good(values[at]);
+    for (size_t at = 0; at < count && !good; ++at)
+        if (!is_good(values[at])) return at;
     return SIZE_MAX;
 }
 

@@ -22,13 +22,21 @@ bool is_rod(const Chain& c) { return CD_WITH_BEND && (has_bend(c) || c.ring); }
 // The system of one stage, for the solvers to factor.
 struct StageSystem {
     const Chain& c;
-    double h;
+    double h, sigma = h * (h + c.damping);
+    double end_mass = uniform_mass(c, 0), inner_mass = uniform_mass(c, 1),
+           uniform_spring = sigma * uniform_stiffness(c);
 
-    double ground(size_t i) const {
-        return held(c, i) ? double(INFINITY) : mass_of(c, i) + h * drag_of(c, i) + h * h * tie_of(c, i);
+    double mass(size_t i) const {
+        return c.node_mass ? c.node_mass[i] : i == 0 || i + 1 == c.nodes ? end_mass : inner_mass;
     }
-    double spring(size_t i) const { return h * (h + c.damping) * stiffness_of(c, i); }
-    double bend(size_t i) const { return h * (h + c.damping) * bend_of(c, i); }
+    double drag(size_t i) const {
+        return c.pin[i] == CD_NODE_MATCHED || c.attach_damping ? drag_of(c, i) : c.drag * mass(i);
+    }
+    double ground(size_t i) const {
+        return held(c, i) ? double(INFINITY) : mass(i) + h * drag(i) + h * h * tie_of(c, i);
+    }
+    double spring(size_t i) const { return c.spring_stiffness ? sigma * c.spring_stiffness[i] : uniform_spring; }
+    double bend(size_t i) const { return sigma * bend_of(c, i); }
 };
 
 // The chain's coefficients, rows of one number per node, handed out to those who need one (chain.cpp counts them).
@@ -50,22 +58,23 @@ struct Rows {
 
 struct GainRows {
     double *gravity, *drag, *force, *attach; // the last two null where nothing of the kind acts
+    bool drags;
 
     GainRows(const Chain& c, Rows& rows)
-        : gravity(rows.take()), drag(rows.take()), force(rows.take(bool(c.force))), attach(rows.take(bool(c.target))) {}
+        : gravity(rows.take()),
+          drag(rows.take()),
+          force(rows.take(bool(c.force))),
+          attach(rows.take(bool(c.target))),
+          drags(c.drag > 0 || c.target || c.pin[0] == CD_NODE_MATCHED || c.pin[c.nodes - 1] == CD_NODE_MATCHED) {}
 
     // Gains of node i, at place `at`, when `grounded` is what resists it.
     void set(const StageSystem& s, size_t i, double grounded, size_t at) const {
-        gravity[at] = mass_of(s.c, i) / grounded;
-        drag[at] = (s.h * drag_of(s.c, i) + s.h * s.h * tie_of(s.c, i)) / grounded;
+        gravity[at] = s.mass(i) / grounded;
+        if (drags) drag[at] = (s.h * s.drag(i) + s.h * s.h * tie_of(s.c, i)) / grounded;
         if (force) force[at] = s.h / grounded;
         if (attach) attach[at] = s.h * tie_of(s.c, i) / grounded;
     }
-    NodeGains gains(const Chain& c) const {
-        const bool drags =
-            c.drag > 0 || c.target || c.pin[0] == CD_NODE_MATCHED || c.pin[c.nodes - 1] == CD_NODE_MATCHED;
-        return {gravity, force, drags ? drag : nullptr, attach};
-    }
+    NodeGains gains() const { return {gravity, force, drags ? drag : nullptr, attach}; }
 };
 
 // What to solve for, see Stage::of_change. Springs alone are better solved for w even where they are soft.
@@ -76,7 +85,7 @@ double of_change(const StageSystem& s) {
     for (size_t i = 0; i < s.c.nodes; ++i) {
         if (i < springs_in_all(s.c) && !welded(s.c, i)) stiffest = fmax(stiffest, 4 * s.spring(i));
         stiffest = fmax(stiffest, 16 * s.bend(i));
-        lightest = fmin(lightest, mass_of(s.c, i));
+        lightest = fmin(lightest, s.mass(i));
     }
     return stiffest < lightest ? 1 : 0;
 }
@@ -157,7 +166,7 @@ struct SpringStep {
                                [&](size_t i, double grounded) { gains.set(system, i, grounded, i); });
             if (closing) set_closing(c, closing);
         }
-        coefficients = {carry, pull, c.has_welds ? closing : nullptr, gains.gains(c)};
+        coefficients = {carry, pull, c.has_welds ? closing : nullptr, gains.gains()};
     }
     // Welds keep their nodes together but for what is too small to be kept.
     bool operator()(size_t first, size_t count) const {
@@ -183,12 +192,11 @@ struct SegmentStep {
                                   rows.take(), rows.take(kSegments), rows.take(kSegments)};
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
-            const Segments segments(c.nodes);
             factor_segment_line(c.nodes, system, segment,
-                                [&](size_t i, double grounded) { gains.set(system, i, grounded, segments.place(i)); });
+                                [&](size_t i, double grounded, size_t at) { gains.set(system, i, grounded, at); });
         }
         coefficients = {segment.carry, segment.pull, segment.share, segment.reach,
-                        segment.reply, segment.pass, gains.gains(c)};
+                        segment.reply, segment.pass, gains.gains()};
     }
     bool operator()(size_t, size_t) const {
         return stages.run(chain, [&](const Stage& stage, const Start& start, double* row, bool keep) {
@@ -235,9 +243,9 @@ struct RodStep {
             if (closing) set_closing(c, closing);
             close_ring(c, system, rod, stages.stage[0].closing_rate, InOrder());
         }
-        coefficients = {rod.keep,   rod.close,      rod.turn,  rod.lever,
-                        rod.follow, rod.lean,       rod.bend,  c.has_welds ? closing : nullptr,
-                        has_bend,   gains.gains(c), c.pin.data};
+        coefficients = {rod.keep,   rod.close,     rod.turn,  rod.lever,
+                        rod.follow, rod.lean,      rod.bend,  c.has_welds ? closing : nullptr,
+                        has_bend,   gains.gains(), c.pin.data};
     }
     // The solve keeps welds to rounding; their nodes then share what they have, to the bit.
     bool operator()(size_t first, size_t count) const {
@@ -276,9 +284,9 @@ struct SegmentRodStep {
         const RodRows& rod = segment.rod;
         double* const* const influence = segment.influence;
         coefficients = {
-            rod.keep,        rod.close,     rod.turn, rod.lever,
-            rod.follow,      rod.lean,      rod.bend, {influence[0], influence[1], influence[2], influence[3]},
-            segment.segment, gains.gains(c)};
+            rod.keep,        rod.close,    rod.turn, rod.lever,
+            rod.follow,      rod.lean,     rod.bend, {influence[0], influence[1], influence[2], influence[3]},
+            segment.segment, gains.gains()};
     }
     bool operator()(size_t, size_t) const {
         const size_t row = chain.nodes * chain.pitch;
@@ -316,7 +324,7 @@ struct ExplicitStep {
         if (refactor)
             c.uniform = is_uniform(stiffness, 0, c.springs) && is_uniform(inertia, 1, c.springs) &&
                         is_uniform(gains.gravity, 1, c.springs);
-        coefficients = {stiffness, bend, inertia, gains.gains(c), c.damping, c.ring != 0, c.uniform};
+        coefficients = {stiffness, bend, inertia, gains.gains(), c.damping, c.ring != 0, c.uniform};
         for (size_t k = 0; k < 4; ++k) gravity[k] = dt * c.gravity[k];
         const bool new_velocity = c.method == CD_METHOD_SYMPLECTIC_EULER;
         carrier = !new_velocity ? Carrier::kOldVelocity : c.has_welds ? Carrier::kNothing : Carrier::kNewVelocity;

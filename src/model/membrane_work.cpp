@@ -160,8 +160,25 @@ struct UniformLine {
     double ground(size_t i) const { return held(i) ? double(INFINITY) : weight(i) * (1 + h * m.drag + h * matched(i)); }
 };
 
-// Which columns and rows are held as a whole; false if other nodes are held too.
+// Which columns and rows are held as a whole, where edges alone hold nodes.
+void lines_of_edges(const Membrane& m, uint8_t* const* holds) {
+    bool all[2] = {true, true};
+    for (Direction d : {kU, kV})
+        for (size_t i = 0; i < nodes_along(m, d); ++i) {
+            holds[d][i] = (i == 0 && cd::holds(m.edge[edge_of(d, false)])) ||
+                          (i == m.springs[d] && cd::holds(m.edge[edge_of(d, true)]));
+            all[d] &= holds[d][i] != 0;
+        }
+    for (Direction d : {kU, kV})
+        for (size_t i = 0; i < nodes_along(m, d) && all[other(d)]; ++i) holds[d][i] = 1;
+}
+
+// Likewise whatever holds them; false if other nodes are held too.
 bool whole_lines(const Membrane& m, uint8_t* const* holds) {
+    if (!m.pin) {
+        lines_of_edges(m, holds);
+        return true;
+    }
     for (size_t u = 0; u < m.columns; ++u) holds[kU][u] = 1;
     for (size_t v = 0; v < m.rows; ++v) holds[kV][v] = 1;
     for (size_t v = 0; v < m.rows; ++v)

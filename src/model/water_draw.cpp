@@ -26,11 +26,11 @@ double slope_at(const Water& w, Axis a, size_t i, size_t j) {
     return steps > 0 ? (ends[1] - ends[0]) / (steps * w.size[a]) : 0;
 }
 
-// The normals of `count` cells from (i, j) on, of water without absent cells; count at most kBlock.
-constexpr size_t kBlock = 64;
+// The normals of `count` cells from (i, j) on, of water without absent cells; count at most kNormals.
+constexpr size_t kNormals = 64;
 struct Normals {
     const Water& w;
-    double slope[2][kBlock], square[kBlock], scale[kBlock];
+    double slope[2][kNormals], square[kNormals], scale[kNormals];
 
     bool has_neighbour(Axis a, size_t at, bool behind) const {
         return periodic(w, a) || at != (behind ? w.cells[a] - 1 : 0);
@@ -46,7 +46,7 @@ struct Normals {
     }
 
     void look(size_t i, size_t j, size_t count) {
-        double along[kBlock + 2], rise[2][kBlock] = {}, by[kBlock] = {};
+        double along[kNormals + 2], rise[2][kNormals] = {}, by[kNormals] = {};
         const size_t low = neighbour(kY, j, false), high = neighbour(kY, j, true);
         for (size_t c = 0; c < count; ++c) {
             along[c + 1] = surface_at(w, i + c, j);
@@ -96,8 +96,8 @@ void write_vertices(const Water& w, unsigned char* out, const WaterVertexFormat&
     Normals normals{w, {}, {}, {}};
     const bool has_normals = format.normal_offset != SIZE_MAX, together = has_normals && !w.mask;
     each_cell(w, [&](size_t i, size_t j) {
-        const size_t left = w.cells[kX] - i, at = i % kBlock;
-        if (together && at == 0) normals.look(i, j, left < kBlock ? left : kBlock);
+        const size_t left = w.cells[kX] - i, at = i % kNormals;
+        if (together && at == 0) normals.look(i, j, left < kNormals ? left : kNormals);
         const bool there = present(w, i, j);
         put({(double(i) + 0.5) * w.size[kX], (double(j) + 0.5) * w.size[kY], surface_at(w, i, j)},
             out + format.position_offset);

@@ -28,19 +28,25 @@ struct SegmentRows { // one number per node, where Segments says
 };
 
 // A row that is told the numbers of nodes in their order.
-struct PlacedRow {
-    double* data;
-    Segments segments;
-    double& operator[](size_t node) const { return data[segments.place(node)]; }
+// The places of nodes that are asked for in turn.
+struct PlacesInTurn {
+    const Segments segments;
+    size_t k = 0, j = 0; // the segment, and the node in it, that come next
+
+    size_t operator()(size_t node) {
+        if (node < segments.head) return segments.place(node);
+        const size_t at = kSegments * j + k;
+        if (++j == segments.length) j = 0, ++k;
+        return at;
+    }
 };
 
 // For gains see factor_spring_line.
 template <class System, class Gains>
 void factor_segment_line(size_t nodes, const System& system, const SegmentRows& out, Gains gains) {
     const Segments segments(nodes);
-    const PlacedRow carry{out.carry, segments}, pull{out.pull, segments};
-    factor_spring_line(nodes, system, carry, pull, gains);
-    pull[nodes - 1] = 0;
+    factor_spring_line(nodes, system, PlacesInTurn{segments}, out.carry, out.pull, gains);
+    out.pull[segments.place(nodes - 1)] = 0;
 
     // Numbers as small as that do not matter, and could make subnormal ones.
     const auto product = [](double a, double b) { return a * b < 0x1p-400 ? 0 : a * b; };

@@ -25,19 +25,28 @@
 
 namespace cd {
 
-// System: double ground(i), spring(i). Row: double& operator[](i). Gains: void operator()(i, r) is told what grounds
-// node i in all.
-template <class System, class Row, class Gains>
-void factor_spring_line(size_t nodes, const System& system, Row carry, Row pull, Gains gains) {
+// System: double ground(i), spring(i). Place: where in the rows node i's numbers go, asked of all nodes in turn. Gains:
+// void operator()(i, r, place) is told what grounds node i in all.
+template <class System, class Place, class Gains>
+void factor_spring_line(size_t nodes, const System& system, Place place, double* carry, double* pull, Gains gains) {
     double hanging = 0; // the spring to ground that all nodes on the left amount to
     for (size_t i = 0; i < nodes; ++i) {
+        const size_t at = place(i);
         const double ground = system.ground(i), grounded = ground + hanging;
-        carry[i] = fraction(hanging, ground);
-        gains(i, grounded);
+        carry[at] = fraction(hanging, ground);
+        gains(i, grounded, at);
         if (i + 1 == nodes) break;
-        pull[i] = fraction(system.spring(i), grounded);
+        pull[at] = fraction(system.spring(i), grounded);
         hanging = series(grounded, system.spring(i));
     }
+}
+
+// Of rows in the nodes' order.
+template <class System, class Gains>
+void factor_spring_line(size_t nodes, const System& system, double* carry, double* pull, Gains gains) {
+    factor_spring_line(
+        nodes, system, [](size_t i) { return i; }, carry, pull,
+        [&](size_t i, double grounded, size_t) { gains(i, grounded); });
 }
 
 } // namespace cd

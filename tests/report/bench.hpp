@@ -39,6 +39,7 @@ struct Bench {
 std::vector<Bench> chain_benches();
 std::vector<Bench> sheet_benches();
 std::vector<Bench> water_benches();
+std::vector<Bench> frame_benches();
 
 inline std::vector<double> random_numbers(std::size_t count, double size) {
     std::mt19937 random(1);

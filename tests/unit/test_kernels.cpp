@@ -81,7 +81,7 @@ template <class T> void step_segments(const cd::ChainKernels& kernels, State<T>&
         const size_t nodes = kNodes * kLines / lines;
         for (double& row : rows[4]) row = 0.02;
         cd::factor_segment_line(nodes, Line{}, {rows[0], rows[1], rows[2], rows[3], reply, pass},
-                                [](size_t, double) {});
+                                [](size_t, double, size_t) {});
         cd::factor_segment_rod(
             nodes, Line{},
             {{rod[0], rod[1], rod[2], rod[3], rod[4], rod[5], rod[6]}, {rod[7], rod[8], rod[9], rod[10]}, segment});

@@ -78,7 +78,7 @@ void springs_in_segments_solve_what_one_sweep_does(void**) {
         assert_true(cd::spring_sweep(scene.state(0), whole, scene.stage, {}, y, false, 0, scene.lines));
 
         double reply[cd::kSegments], pass[cd::kSegments];
-        cd::factor_segment_line(n, scene, {rows[2], rows[3], rows[4], rows[5], reply, pass}, [](size_t, double) {});
+        cd::factor_segment_line(n, scene, {rows[2], rows[3], rows[4], rows[5], reply, pass}, [](size_t, double, size_t) {});
         const cd::SegmentCoefficients parts{rows[2], rows[3], rows[4], rows[5], reply, pass, scene.gains(1)};
         assert_true(cd::segment_sweep(scene.state(1), parts, scene.stage, {}, y, false));
         assert_true(scene.difference() < 1e-13);

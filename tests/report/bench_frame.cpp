@@ -1,0 +1,166 @@
+// What a frame takes beside its steps, and what makes a step dearer: numbers read and written, vertices with normals, a
+// copy of the state, a time step of its own every frame, a pinned node in a sheet.
+#include <cmath>
+#include <cstring>
+
+#include "bench.hpp"
+#include "chain_runner.hpp"
+#include "membrane_runner.hpp"
+#include "water_runner.hpp"
+
+namespace report {
+namespace {
+
+constexpr std::size_t kSide = 65, kNodes = kSide * kSide; // of sheets, and of water
+constexpr double kFrame = 1.0 / 60;
+
+// A rolling surface, all edges held.
+std::shared_ptr<Sheet> rolling_sheet() {
+    const auto sheet = std::make_shared<Sheet>(kSide - 1, kSide - 1, 3, CD_FLOAT32);
+    std::vector<double> x;
+    for (std::size_t v = 0; v < kSide; ++v)
+        for (std::size_t u = 0; u < kSide; ++u)
+            x.insert(x.end(), {double(u), double(v), std::sin(0.2 * double(u)) * std::cos(0.3 * double(v))});
+    sheet->write(CD_POSITION, x);
+    sheet->pin_edges();
+    return sheet;
+}
+
+std::shared_ptr<Water> a_pool() {
+    const auto water = std::make_shared<Water>(kSide, kSide, 1, 1, CD_FLOAT32);
+    water->write(CD_DEPTH, std::vector<double>(kNodes, 1));
+    return water;
+}
+
+// A surface as floats, and the vertices that a plain loop makes of it, with normals across the slopes of neighbours.
+struct Drawn {
+    std::vector<float> height = std::vector<float>(kNodes), vertex = std::vector<float>(6 * kNodes);
+
+    Drawn() {
+        for (std::size_t i = 0; i < kNodes; ++i) height[i] = std::sin(0.01f * float(i));
+    }
+    void by_a_plain_loop() {
+        for (std::size_t v = 0; v < kSide; ++v)
+            for (std::size_t u = 0; u < kSide; ++u) {
+                const std::size_t left = u > 0 ? u - 1 : u, right = u + 1 < kSide ? u + 1 : u;
+                const std::size_t low = v > 0 ? v - 1 : v, high = v + 1 < kSide ? v + 1 : v;
+                const float x = (height[v * kSide + right] - height[v * kSide + left]) / float(right - left);
+                const float y = (height[high * kSide + u] - height[low * kSide + u]) / float(high - low);
+                const float scale = 1 / std::sqrt(x * x + y * y + 1);
+                const float six[6] = {float(u), float(v), height[v * kSide + u], -x * scale, -y * scale, scale};
+                std::memcpy(&vertex[6 * (v * kSide + u)], six, sizeof six);
+            }
+    }
+};
+Subject plain_loop(const std::shared_ptr<Drawn>& drawn) {
+    return {"plain loop over heights", [drawn] { drawn->by_a_plain_loop(); }};
+}
+constexpr std::size_t kVertex = 6 * sizeof(float);
+
+Bench vertices_of_a_sheet() {
+    return {"frame.vertices.sheet", [] {
+                const auto sheet = rolling_sheet();
+                const auto drawn = std::make_shared<Drawn>();
+                const auto draw = [sheet, drawn] {
+                    check(cd_membrane_write_vertices(sheet->get(), drawn->vertex.data(), kNodes * kVertex, kVertex, 0,
+                                                     3 * sizeof(float)));
+                };
+                return Case{"frame.vertices.sheet", kNodes, {{"float32", draw}, plain_loop(drawn)}, "4 ns"};
+            }};
+}
+
+Bench vertices_of_water() {
+    return {"frame.vertices.water", [] {
+                const auto water = a_pool();
+                const auto drawn = std::make_shared<Drawn>();
+                const auto draw = [water, drawn] {
+                    check(cd_water_write_vertices(water->get(), drawn->vertex.data(), kNodes * kVertex, kVertex, 0,
+                                                  3 * sizeof(float), SIZE_MAX));
+                };
+                return Case{"frame.vertices.water", kNodes, {{"float32", draw}, plain_loop(drawn)}, "4 ns"};
+            }};
+}
+
+// Of all positions; a copy reads and writes as many numbers.
+Bench numbers_of_a_sheet(bool write) {
+    const std::string name = write ? "frame.write.sheet" : "frame.read.sheet";
+    return {name, [name, write] {
+                const auto sheet = rolling_sheet();
+                const auto numbers = std::make_shared<std::vector<float>>(3 * kNodes);
+                const auto move = [sheet, numbers, write] {
+                    const std::size_t n = numbers->size();
+                    float* const all = numbers->data();
+                    check(write ? cd_membrane_write_f32(sheet->get(), CD_POSITION, 0, 0, kSide, kSide, all, n)
+                                : cd_membrane_read_f32(sheet->get(), CD_POSITION, 0, 0, kSide, kSide, all, n));
+                };
+                return Case{name, 3 * kNodes, {{"float32", move}, traffic<float>(3 * kNodes)}, "0.5 ns"};
+            }};
+}
+
+Bench copy_of_a_sheet() {
+    return {"frame.copy.sheet", [] {
+                const auto sheet = rolling_sheet(), other = rolling_sheet();
+                std::size_t bytes = 0;
+                check(cd_membrane_save_size(sheet->get(), &bytes));
+                const auto from = std::make_shared<std::vector<char>>(bytes),
+                           to = std::make_shared<std::vector<char>>(bytes);
+                Case it{"frame.copy.sheet", kNodes, {}, "1.5 times the copy"};
+                it.subjects = {
+                    {"float32", [sheet, other] { check(cd_membrane_copy_state(other->get(), sheet->get())); }},
+                    {"copy", [from, to, bytes] { std::memcpy(to->data(), from->data(), bytes); }}};
+                return it;
+            }};
+}
+
+// Steps whose dt is that of the last one, and steps of which each has another.
+template <class Object, class Step>
+Bench time_steps(const std::string& name, std::size_t nodes, std::shared_ptr<Object> (*make)(), Step step) {
+    return {name, [=] {
+                const auto same = make(), other = make();
+                const auto number = std::make_shared<std::size_t>(0);
+                Case it{name, nodes, {}, "1.3 times the first"};
+                it.subjects = {{"one dt", [same, step] { check(step(same->get(), kFrame)); }},
+                               {"another dt each step", [other, step, number] {
+                                    check(step(other->get(), kFrame * (1 + 1e-3 * double((*number)++ % 7))));
+                                }}};
+                return it;
+            }};
+}
+
+std::shared_ptr<Chain> a_chain() {
+    const auto chain = std::make_shared<Chain>(1000, 3, CD_FLOAT32);
+    check(cd_chain_set_end(chain->get(), CD_END_FIRST, CD_NODE_PINNED));
+    return chain;
+}
+Bench a_pinned_node() {
+    return {"frame.pinned.sheet", [] {
+                const auto plain = rolling_sheet(), pinned = rolling_sheet();
+                pinned->enable(CD_PIN);
+                const double kind = CD_NODE_PINNED;
+                check(cd_membrane_write_f64(pinned->get(), CD_PIN, kSide / 2, kSide / 2, 1, 1, &kind, 1));
+                const auto step = [](const std::shared_ptr<Sheet>& sheet) {
+                    return [sheet] { check(cd_membrane_step(sheet->get(), kFrame, 1)); };
+                };
+                Case it{"frame.pinned.sheet", kNodes, {}, "2 times the first"};
+                it.subjects = {{"edges held", step(plain)}, {"and a node inside", step(pinned)}};
+                return it;
+            }};
+}
+
+} // namespace
+
+std::vector<Bench> frame_benches() {
+    return {
+        vertices_of_a_sheet(),
+        vertices_of_water(),
+        numbers_of_a_sheet(false),
+        numbers_of_a_sheet(true),
+        copy_of_a_sheet(),
+        time_steps("frame.dt.chain", 1001, a_chain, [](cd_chain* x, double dt) { return cd_chain_step(x, dt, 1); }),
+        time_steps("frame.dt.sheet", kNodes, rolling_sheet,
+                   [](cd_membrane* x, double dt) { return cd_membrane_step(x, dt, 1); }),
+        time_steps("frame.dt.water", kNodes, a_pool, [](cd_water* x, double dt) { return cd_water_step(x, dt, 1); }),
+        a_pinned_node()};
+}
+
+} // namespace report
