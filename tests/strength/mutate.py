@@ -3,10 +3,11 @@
 
     mutate.py FOLDER [COUNT [SEED [TIERS]]]    builds in FOLDER; 200 places of seed 1, in some hours of two cores
 
-TIERS: those of tests/CMakeLists.txt that are asked, as a regular expression; all if it is left out. Unit tests, which are
-linked with what is inside the library, are built anew and asked last.
+TIERS: those of tests/CMakeLists.txt that are asked, as a regular expression; all if it is left out. Unit tests, which
+are linked with what is inside the library, are built anew and asked last.
 
-Counted are mutations that compile and change the library file. Exit status 0: at least 97% are noticed, or are explained below.
+Counted are mutations that compile and change the library file. Exit status 0: at least 97% are noticed, or are
+explained below.
 """
 
 import hashlib
@@ -42,7 +43,7 @@ KINDS = {
 
 # Survivors that change nothing that a user could see: file, what was there, and why.
 EXPLAINED = [
-    ("across.cpp", "for (size_t lane = 0; lane < N; ++lane) {", "one number too many is the next cell's, which follows"),
+    ("across.cpp", "for (size_t lane = 0; lane < N; ++lane) {", "one too many is the next cell's, which follows"),
     ("fields.hh", "return n > SIZE_MAX / 4 ?", "nobody has so many places"),
     ("keep.cpp", "all - at < kBedHead", "what is read beyond the end is refused as well"),
     ("packed.hh", "< least ? 0 : a;", "differs for one number"),
