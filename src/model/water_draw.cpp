@@ -66,7 +66,7 @@ struct Normals {
         in_groups(count, [&](size_t c) { scale[c] = 1 / sqrt(square[c]); });
     }
     Vector operator[](size_t c) const {
-        if (!(square[c] < 0x1p900)) return normal_of(slope[kX][c], slope[kY][c]);
+        if (!(square[c] < 0x1p900)) return cd::normal_of(slope[kX][c], slope[kY][c]);
         return {0 - slope[kX][c] * scale[c], 0 - slope[kY][c] * scale[c], scale[c]};
     }
 };
