@@ -139,8 +139,8 @@ int main(int argc, char** argv) {
             std::string(options.extent == report::Extent::full
                             ? "This is the whole report."
                             : "This page is a sample: its sweeps are coarse, its problems smaller, and each timing is of "
-                              "few rounds. `contdyn_report --full` takes some ten minutes for finer ones and for sheets "
-                              "and water of up to 1024 x 1024."),
+                              "few rounds. The whole report takes contdyn_report --full some ten minutes, for finer "
+                              "sweeps, and sheets and water of up to 1024 × 1024."),
             "Run time of this report: " + report::number(report::now() - start, 2) + " s. Main figures: summary.txt; "
             "hashes of every final state, equal in every run: outcomes.csv."};
         const std::string html = report.page.html(
