@@ -138,9 +138,9 @@ int main(int argc, char** argv) {
             std::string("This program and the textbook in it: ") + report::kCompiler + ", " + REPORT_FLAGS + ".",
             std::string(options.extent == report::Extent::full
                             ? "This is the whole report."
-                            : "This page is a sample: its sweeps are coarse, its problems smaller, and each timing is of "
-                              "few rounds. The whole report takes contdyn_report --full some ten minutes, for finer "
-                              "sweeps, and sheets and water of up to 1024 × 1024."),
+                            : "This page is a sample: its sweeps are coarse, its problems smaller, and timings are of "
+                              "few rounds. What contdyn_report --full makes in some ten minutes has finer sweeps, and "
+                              "sheets and water of up to 1024 × 1024."),
             "Run time of this report: " + report::number(report::now() - start, 2) + " s. Main figures: summary.txt; "
             "hashes of every final state, equal in every run: outcomes.csv."};
         const std::string html = report.page.html(
