@@ -77,8 +77,7 @@ struct Part {
     double get(const Chain& c, const Place& p) const {
         if (field == CD_PIN) return c.pin[own_place(c, p.strand, p.item)];
         if (field == CD_STRAIN) return strain_of(c, p.strand, p.item);
-        if (!is_state(field)) return shared_of(c, field)[own_place(c, p.strand, p.item)];
-        return get_number(c, state_of(c, field), place(c, p.strand, p.item, p.component));
+        return shared_of(c, field)[own_place(c, p.strand, p.item)];
     }
     void set(Chain& c, const Place& p, double value) const {
         if (field == CD_PIN) c.pin[own_place(c, p.strand, p.item)] = uint8_t(value);

@@ -140,9 +140,10 @@ inline cd_status can_write(const char* function, cd_field field) {
 //   each(x, f)                       f(index in the buffer, place) for each of its numbers
 //   valid(x, place, value)           whether the number may stand there
 //   check_all(function, x, values)   what the values must be together
-//   get(x, place), set(x, place, value)
+//   get(x, place)                    of what has no block
+//   set(x, place, value)
 //   written(x)                       what follows from a write
-//   block(x)                         where its numbers lie, if that is all that get does
+//   block(x)                         where its numbers lie, if they are to be read as they lie there
 //   takes_any(x)                     whether any finite number may stand there, and set only stores it
 
 template <class X, class Part, class S>

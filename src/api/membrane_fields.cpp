@@ -76,7 +76,6 @@ struct Rectangle {
     bool takes_any(const Membrane&) const { return field != CD_VELOCITY; }
 
     double get(const Membrane& m, const Place& p) const {
-        if (is_state(field)) return get_number(m, state_of(m, field), place(m, p.u, p.v, p.component));
         if (is_tension(field) || is_strain(field)) return told_of(m, field, p.u, p.v);
         return is_bytes(field) ? bytes_of(m, field)[node_at(m, p.u, p.v)] : doubles_of(m, field)[node_at(m, p.u, p.v)];
     }

@@ -104,8 +104,7 @@ struct Rectangle {
 
     double get(const Water& w, const Place& p) const {
         if (field == CD_SURFACE) return bed_at(w, p.i, p.j) + depth_at(w, p.i, p.j);
-        return is_bytes(field) ? bytes_of(w, field)[byte_place(w, p.i, p.j)]
-                               : get_number(w, numbers_of(w, field), place(w, p.i, p.j));
+        return bytes_of(w, field)[byte_place(w, p.i, p.j)];
     }
     void put(Water& w, const Place& p, double value) const {
         if (is_bytes(field)) bytes_of(w, field)[byte_place(w, p.i, p.j)] = uint8_t(value);

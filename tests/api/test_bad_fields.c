@@ -265,6 +265,8 @@ static void what_overflows_in_the_chains_precision_is_refused(void** state) {
     cd_chain* single = scene_chain(1, 0, 1, CD_FLOAT32);
     refuses(single, cd_chain_set_gravity(single, &huge, 1), CD_ERROR_VALUE, "gravity|1e+300");
     refuses(single, cd_chain_impulse(single, 0, 0, &huge, 1), CD_ERROR_VALUE, "impulse|1e+300");
+    refuses(single, cd_chain_impulse(single, 0, 0, &(const double){1e50}, 1), CD_ERROR_VALUE,
+            "impulse[0]|1e+50|velocity");
     refuses(single, cd_chain_attach(single, 0, 0, 1, 1, &huge, 1), CD_ERROR_VALUE, "target|1e+300");
     cd_chain_destroy(single);
 }

@@ -85,6 +85,16 @@ static void no_time_is_too_short_for_no_steps(void** state) {
     refuses_each(chain, cd_chain_step(chain, bad, 0), "dt", not_finite);
 }
 
+static void a_bed_is_no_shape_on_a_line(void** state) {
+    (void)state;
+    cd_chain* line = scene_chain(1, 2, 1, CD_FLOAT64);
+    ok(cd_chain_set_rest_length(line, 1));
+    ok(cd_chain_set_colliders(line, 1));
+    refuses(line, cd_chain_set_bed(line, 0, &(const double){0}, 1, 2, 1, 1, 1, (const double[]){0, 0}, 2, 0),
+            CD_ERROR_UNSUPPORTED, "components|1");
+    cd_chain_destroy(line);
+}
+
 /* Of other components and precision than those of tests/bindings/check_ranges.py. */
 static void the_extremes_of_the_header_are_taken(void** state) {
     (void)state;
@@ -171,6 +181,7 @@ int main(void) {
         cmocka_unit_test(nothing_moves_that_cannot_be_teleported),
         cmocka_unit_test(only_ropes_are_rigid),
         cmocka_unit_test(no_time_is_too_short_for_no_steps),
+        cmocka_unit_test(a_bed_is_no_shape_on_a_line),
         cmocka_unit_test(the_extremes_of_the_header_are_taken),
         cmocka_unit_test(no_more_places_are_sampled_than_fit_in_memory),
         cmocka_unit_test(no_shape_is_made_that_cannot_be),
