@@ -5,8 +5,8 @@
 
 namespace cd {
 
-// Numbers in a buffer's order, [outer][middle][inner], as they lie in memory: strides in numbers. Without an array: what
-// is asked for is not stored so.
+// Numbers in a buffer's order, [outer][middle][inner], as they lie in memory: strides in numbers. Without an array:
+// what is asked for lies otherwise.
 struct Block {
     const Array<char>* array;
     size_t first, count[3], stride[3];

@@ -162,15 +162,10 @@ struct UniformLine {
 
 // Which columns and rows are held as a whole, where edges alone hold nodes.
 void lines_of_edges(const Membrane& m, uint8_t* const* holds) {
-    bool all[2] = {true, true};
     for (Direction d : {kU, kV})
-        for (size_t i = 0; i < nodes_along(m, d); ++i) {
+        for (size_t i = 0; i < nodes_along(m, d); ++i)
             holds[d][i] = (i == 0 && cd::holds(m.edge[edge_of(d, false)])) ||
                           (i == m.springs[d] && cd::holds(m.edge[edge_of(d, true)]));
-            all[d] &= holds[d][i] != 0;
-        }
-    for (Direction d : {kU, kV})
-        for (size_t i = 0; i < nodes_along(m, d) && all[other(d)]; ++i) holds[d][i] = 1;
 }
 
 // Likewise whatever holds them; false if other nodes are held too.

@@ -9,52 +9,55 @@ namespace {
 
 double surface_at(const Water& w, size_t i, size_t j) { return bed_at(w, i, j) + depth_at(w, i, j); }
 
-// How much the surface rises along an axis at a cell. Round a periodic side too.
+// Beside cell `at` of a line along an axis, before it or behind; round a periodic side too.
+bool has_neighbour(const Water& w, Axis a, size_t at, bool behind) {
+    return periodic(w, a) || at != (behind ? w.cells[a] - 1 : 0);
+}
+size_t neighbour(const Water& w, Axis a, size_t at, bool behind) { // or itself
+    const size_t n = w.cells[a];
+    if (!has_neighbour(w, a, at, behind)) return at;
+    return behind ? (at + 1 < n ? at + 1 : 0) : (at > 0 ? at : n) - 1;
+}
+
+// How much the surface rises along an axis at a cell.
 double slope_at(const Water& w, Axis a, size_t i, size_t j) {
-    const size_t n = w.cells[a], at = a == kX ? i : j;
+    const size_t at = a == kX ? i : j;
     double ends[2];
     int steps = 0;
-    for (int side : {0, 1}) {
-        ends[side] = surface_at(w, i, j);
-        if (at == (side ? n - 1 : 0) && !periodic(w, a)) continue;
-        const size_t next = side ? (at + 1 < n ? at + 1 : 0) : (at > 0 ? at : n) - 1;
-        const size_t x = a == kX ? next : i, y = a == kX ? j : next;
+    for (bool behind : {false, true}) {
+        double& end = ends[behind];
+        end = surface_at(w, i, j);
+        if (!has_neighbour(w, a, at, behind)) continue;
+        const size_t next = neighbour(w, a, at, behind), x = a == kX ? next : i, y = a == kX ? j : next;
         if (!present(w, x, y)) continue;
-        ends[side] = surface_at(w, x, y);
+        end = surface_at(w, x, y);
         ++steps;
     }
     return steps > 0 ? (ends[1] - ends[0]) / (steps * w.size[a]) : 0;
 }
 
-// The normals of `count` cells from (i, j) on, of water without absent cells; count at most kNormals.
+// Likewise of a line's cells side by side, of water without absent cells, and the normals that slopes make.
 constexpr size_t kNormals = 64;
 struct Normals {
     const Water& w;
     double slope[2][kNormals], square[kNormals], scale[kNormals];
 
-    bool has_neighbour(Axis a, size_t at, bool behind) const {
-        return periodic(w, a) || at != (behind ? w.cells[a] - 1 : 0);
-    }
-    size_t neighbour(Axis a, size_t at, bool behind) const { // or itself
-        const size_t n = w.cells[a];
-        if (!has_neighbour(a, at, behind)) return at;
-        return behind ? (at + 1 < n ? at + 1 : 0) : (at > 0 ? at : n) - 1;
-    }
     // Over what slopes are taken: two cells, one at a side, or any length where there is no neighbour.
     double run(Axis a, size_t at) const {
-        return has_neighbour(a, at, false) && has_neighbour(a, at, true) ? 2 * w.size[a] : w.size[a];
+        return has_neighbour(w, a, at, false) && has_neighbour(w, a, at, true) ? 2 * w.size[a] : w.size[a];
     }
 
+    // At `count` cells from (i, j) on, at most kNormals.
     void look(size_t i, size_t j, size_t count) {
         double along[kNormals + 2], rise[2][kNormals] = {}, by[kNormals] = {};
-        const size_t low = neighbour(kY, j, false), high = neighbour(kY, j, true);
+        const size_t low = neighbour(w, kY, j, false), high = neighbour(w, kY, j, true);
         for (size_t c = 0; c < count; ++c) {
             along[c + 1] = surface_at(w, i + c, j);
             rise[kY][c] = surface_at(w, i + c, high) - surface_at(w, i + c, low);
             by[c] = 2 * w.size[kX];
         }
-        along[0] = surface_at(w, neighbour(kX, i, false), j);
-        along[count + 1] = surface_at(w, neighbour(kX, i + count - 1, true), j);
+        along[0] = surface_at(w, neighbour(w, kX, i, false), j);
+        along[count + 1] = surface_at(w, neighbour(w, kX, i + count - 1, true), j);
         by[0] = run(kX, i), by[count - 1] = run(kX, i + count - 1);
         for (size_t c = 0; c < count; ++c) rise[kX][c] = along[c + 2] - along[c];
         const double by_y = run(kY, j);

@@ -27,7 +27,6 @@ struct SegmentRows { // one number per node, where Segments says
     double *reply, *pass; // one per segment
 };
 
-// A row that is told the numbers of nodes in their order.
 // The places of nodes that are asked for in turn.
 struct PlacesInTurn {
     const Segments segments;

@@ -249,7 +249,7 @@ struct shape {
 static const struct shape shapes[] = {{6, 4, 3, 0, 0}, {6, 4, 3, 1, 0},  {5, 4, 3, 0, 1},  {4, 6, 3, 1, 1},
                                       {2, 2, 3, 1, 1}, {1, 1, 3, 0, 0},  {5, 4, 2, 0, 0},  {5, 4, 4, 1, 0},
                                       {5, 4, 1, 0, 0}, {75, 5, 3, 0, 0}, {66, 4, 3, 1, 0}, {70, 4, 2, 0, 1},
-                                      {64, 8, 1, 0, 0}};
+                                      {64, 8, 1, 0, 0}, {63, 4, 3, 0, 0}, {64, 3, 3, 1, 0}};
 
 static cd_membrane* make(const struct shape* shape, cd_precision precision) {
     cd_membrane* m = ring_cloth(shape->nu, shape->nv, shape->components, precision, shape->ring_u, shape->ring_v);

@@ -113,6 +113,47 @@ static void round_a_periodic_side_the_neighbour_is_at_the_other_end(void** state
     cd_water_destroy(w);
 }
 
+/* Normals are made in blocks of cells. */
+static void waters_of_any_width_have_the_normals_of_their_neighbours(void** state) {
+    (void)state;
+    enum { ROWS = 3, WIDEST = 130 };
+    static const size_t widths[] = {1, 2, 63, 64, 65, 129, WIDEST};
+    static float wide[ROWS * WIDEST][6];
+    for (size_t n = 0; n < COUNT(widths); ++n)
+        for (int round = 0; round < 2; ++round) {
+            const size_t nx = widths[n];
+            cd_water* w = pool(nx, ROWS, CD_FLOAT64);
+            if (round) ok(cd_water_set_side(w, CD_SIDE_X_LAST, CD_BORDER_PERIODIC, 0, 0));
+            pool_vary(w, CD_DEPTH, 1, 0.5, 3);
+            ok(cd_water_write_vertices(w, wide, sizeof wide, sizeof wide[0], 0, 12, SIZE_MAX));
+            for (size_t k = 0; k < nx * ROWS; ++k) {
+                const size_t i = k % nx, j = k / nx, right = i + 1 < nx ? i + 1 : round ? 0 : i;
+                const size_t left = i > 0 ? i - 1 : round ? nx - 1 : i, below = j > 0 ? j - 1 : j;
+                const size_t above = j + 1 < ROWS ? j + 1 : j, steps_x = round ? 2 : right - left;
+                const double rise_x = pool_get(w, CD_SURFACE, right, j) - pool_get(w, CD_SURFACE, left, j);
+                const double rise_y = pool_get(w, CD_SURFACE, i, above) - pool_get(w, CD_SURFACE, i, below);
+                const double x = steps_x ? -rise_x / (POOL_DX * (double)steps_x) : 0;
+                const double y = -rise_y / (POOL_DY * (double)(above - below)), length = sqrt(x * x + y * y + 1);
+                assert_near((double)wide[k][3], x / length, 1e-7, 1);
+                assert_near((double)wide[k][4], y / length, 1e-7, 1);
+                assert_near((double)wide[k][5], 1 / length, 1e-7, 1);
+            }
+            cd_water_destroy(w);
+        }
+}
+
+/* The squares of its slopes have no number. */
+static void a_wall_of_water_has_a_level_normal(void** state) {
+    (void)state;
+    cd_water* w = pool(NX, NY, CD_FLOAT64);
+    for (size_t k = 0; k < CELLS; ++k) pool_set(w, CD_DEPTH, k % NX, k / NX, k % NX < 4 ? 0 : 1e300);
+    draw(w);
+    for (size_t k = 0; k < CELLS; ++k)
+        if (k % NX == 3 || k % NX == 4) assert_normal(k, -1, 0, 0, 0);
+        else assert_normal(k, 0, 0, 1, 0);
+    cd_water_destroy(w);
+}
+
 /* ---- triangles ---- */
 
 /* Cells of a square in its order; those that are there come first. */
@@ -212,6 +253,8 @@ int main(void) {
         cmocka_unit_test(a_level_lake_has_upright_normals_over_any_bed),
         cmocka_unit_test(a_slope_has_one_normal_wet_or_dry),
         cmocka_unit_test(round_a_periodic_side_the_neighbour_is_at_the_other_end),
+        cmocka_unit_test(waters_of_any_width_have_the_normals_of_their_neighbours),
+        cmocka_unit_test(a_wall_of_water_has_a_level_normal),
         cmocka_unit_test(squares_are_two_triangles_counter_clockwise_and_three_cells_are_one),
         cmocka_unit_test(the_count_follows_the_water_only_where_dry_squares_are_skipped),
         cmocka_unit_test(a_slice_has_vertices_and_no_triangles),

@@ -55,29 +55,16 @@ struct Drawn {
 Subject plain_loop(const std::shared_ptr<Drawn>& drawn) {
     return {"plain loop over heights", [drawn] { drawn->by_a_plain_loop(); }};
 }
-constexpr std::size_t kVertex = 6 * sizeof(float);
+constexpr std::size_t kVertex = 6 * sizeof(float), kNormal = kVertex / 2; // bytes; where a normal begins
 
-Bench vertices_of_a_sheet() {
-    return {"frame.vertices.sheet", [] {
-                const auto sheet = rolling_sheet();
+// write(object, buffer, its bytes): vertices of all nodes or cells.
+template <class Object, class Write>
+Bench vertices(const std::string& name, std::shared_ptr<Object> (*make)(), Write write) {
+    return {name, [=] {
+                const auto object = make();
                 const auto drawn = std::make_shared<Drawn>();
-                const auto draw = [sheet, drawn] {
-                    check(cd_membrane_write_vertices(sheet->get(), drawn->vertex.data(), kNodes * kVertex, kVertex, 0,
-                                                     3 * sizeof(float)));
-                };
-                return Case{"frame.vertices.sheet", kNodes, {{"float32", draw}, plain_loop(drawn)}, "4 ns"};
-            }};
-}
-
-Bench vertices_of_water() {
-    return {"frame.vertices.water", [] {
-                const auto water = a_pool();
-                const auto drawn = std::make_shared<Drawn>();
-                const auto draw = [water, drawn] {
-                    check(cd_water_write_vertices(water->get(), drawn->vertex.data(), kNodes * kVertex, kVertex, 0,
-                                                  3 * sizeof(float), SIZE_MAX));
-                };
-                return Case{"frame.vertices.water", kNodes, {{"float32", draw}, plain_loop(drawn)}, "4 ns"};
+                const auto draw = [=] { check(write(object->get(), drawn->vertex.data(), kNodes * kVertex)); };
+                return Case{name, kNodes, {{"float32", draw}, plain_loop(drawn)}, "4 ns"};
             }};
 }
 
@@ -151,8 +138,14 @@ Bench a_pinned_node() {
 
 std::vector<Bench> frame_benches() {
     return {
-        vertices_of_a_sheet(),
-        vertices_of_water(),
+        vertices("frame.vertices.sheet", rolling_sheet,
+                 [](cd_membrane* x, float* to, std::size_t bytes) {
+                     return cd_membrane_write_vertices(x, to, bytes, kVertex, 0, kNormal);
+                 }),
+        vertices("frame.vertices.water", a_pool,
+                 [](cd_water* x, float* to, std::size_t bytes) {
+                     return cd_water_write_vertices(x, to, bytes, kVertex, 0, kNormal, SIZE_MAX);
+                 }),
         numbers_of_a_sheet(false),
         numbers_of_a_sheet(true),
         copy_of_a_sheet(),

@@ -102,7 +102,8 @@ int main(int argc, char** argv) {
             "case,subject,nodes,ns_per_node_least,ns_per_node_median,ns_per_call_least,textbook_over_it,"
             "it_over_first,it_over_copy,factorizations,hash,reach\n",
             cd_version_string(), report::processor().c_str(), cd_build_info(), report::kCompiler, REPORT_FLAGS);
-    for (const auto& part : {report::chain_benches, report::sheet_benches, report::water_benches, report::frame_benches})
+    for (const auto& part :
+         {report::chain_benches, report::sheet_benches, report::water_benches, report::frame_benches})
         for (const report::Bench& bench : part()) {
             if (!is_wanted(options, bench.name)) continue;
             if (options.list) std::puts(bench.name.c_str());

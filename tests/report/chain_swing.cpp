@@ -189,7 +189,7 @@ std::vector<Setting> settings(Extent extent) {
                            lambda, std::atof(tolerance), 0, 0});
     const std::vector<std::pair<int, int>> all_counts = {{1, 10}, {1, 100}, {20, 1}, {60, 10}, {300, 1}, {300, 10}};
     for (const auto& [substeps, iterations] : all_counts)
-        if (extent != Extent::sample || substeps * iterations < 600)
+        if (extent == Extent::full || substeps * iterations < 600)
             all.push_back({"position_based." + std::to_string(substeps) + "x" + std::to_string(iterations),
                            "position-based, " + std::to_string(substeps) + " x " + std::to_string(iterations), false, 0,
                            0, substeps, iterations});
