@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 """Breaks the library in one place at a time, at random places, and shows which test notices.
 
-    mutate.py FOLDER [COUNT [SEED [TIERS]]]    builds in FOLDER; 200 places of seed 1, in some hours of two cores
+    mutate.py FOLDER [COUNT [SEED [TIERS]]]          200 places of seed 1, with all processors; in some hours of two
+    mutate.py --only STEP FOLDER [COUNT [SEED [TIERS]]]   STEP: make, ask or inside
 
-TIERS: those of tests/CMakeLists.txt that are asked, as a regular expression; all if it is left out. Unit tests, which
-are linked with what is inside the library, are built anew and asked last.
+Three steps, each of which goes on where it was stopped: `make` builds a library for each mutation; `ask` asks the
+tests, several mutations side by side; `inside` asks the unit tests, which are linked with what is inside the library,
+about those that nothing has noticed.
+TIERS: those of tests/CMakeLists.txt that are asked, as a regular expression; all if it is left out.
 
 Counted are mutations that compile and change the library file. Exit status 0: at least 97% are noticed, or are
 explained below.
@@ -16,17 +19,23 @@ import os
 import random
 import re
 import resource
+import shutil
 import signal
 import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from threading import Lock
 
 from tree import copy_and_configure, run
 
 NOTICED_AT_LEAST = 0.97
 MEMORY = 4 << 30  # [bytes] that a test may take
+PROCESSORS = len(os.sched_getaffinity(0))
+JOBS = str(PROCESSORS)
+SONAME = "libcontdyn.so.0.2"
+OPTIONS = ("-DCONTDYN_AVX2=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG")
 SLOWER = 10       # a test that takes so many times as long, and 10 s, does not end
 
 # Kind: what is there, and what takes its place. One line each.
@@ -70,97 +79,170 @@ def places(tree):
     return found
 
 
-def told_by(build, tiers, inside):
-    told = json.loads(run("ctest", "--test-dir", build, "--show-only=json-v1", "-L", f"^({tiers})$").stdout)
-    return [test for test in told["tests"] if test["name"].startswith("unit.") == inside]
-
-
 class Tests:
-    """The programs of the tests, the quickest first."""
+    """The tests of the library as it is, the quickest first, with the time that each may take."""
 
-    def __init__(self, build, tiers):
-        made = run("cmake", "--build", build, "-j", "2")
-        if made.returncode:
-            sys.exit(made.stdout[-3000:])
+    def __init__(self, build, tiers, inside):
         self.build = build
-        self.of_library, self.of_inside = (self.timed(told_by(build, tiers, inside)) for inside in (False, True))
+        self.programs = [test["name"].replace(".", "_", 1) for test in self.told(tiers, inside)]
+        if self.programs:
+            must(run("cmake", "--build", build, "-j", JOBS, "--target", *self.programs))
+        self.tests = [(test["name"], test["command"]) for test in self.told(tiers, inside)]
 
-    def timed(self, tests):
-        with ThreadPoolExecutor(2) as pool:
-            timed = list(pool.map(lambda test: (self.time_of(test["name"], test["command"]), test), tests))
-        return [(test["name"], test["command"], SLOWER * took + 10)
-                for took, test in sorted(timed, key=lambda one: one[0])]
+    def told(self, tiers, inside):
+        told = json.loads(run("ctest", "--test-dir", self.build, "--show-only=json-v1", "-L", f"^({tiers})$").stdout)
+        return [test for test in told["tests"] if test["name"].startswith("unit.") == inside]
+
+    def timed(self):
+        with ThreadPoolExecutor(PROCESSORS) as pool:
+            took = list(pool.map(lambda test: self.time_of(*test), self.tests))
+        return [(name, command, SLOWER * seconds + 10)
+                for seconds, (name, command) in sorted(zip(took, self.tests), key=lambda one: one[0])]
 
     def time_of(self, name, command):
         began = time.monotonic()
-        if self.play(command, 3600):
+        if fails(command, 3600):
             sys.exit(f"{name} fails with nothing broken")
         return time.monotonic() - began
 
-    @staticmethod
-    def play(command, limit):
-        """Whether a test fails."""
-        began = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
-                                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
-        try:
-            return began.wait(limit) != 0
-        except subprocess.TimeoutExpired:
-            os.killpg(began.pid, signal.SIGKILL)
-            began.wait()
-            return True
 
-    def first_failure(self):
-        by = self.first_of(self.of_library)
-        if by or not self.of_inside:
-            return by
-        programs = [Path(command[0]).name for _, command, _ in self.of_inside]
-        made = run("cmake", "--build", self.build, "-j", "2", "--target", *programs)
-        return "the compiler" if made.returncode else self.first_of(self.of_inside)
+def must(made):
+    if made.returncode:
+        sys.exit(made.stdout[-3000:])
 
-    def first_of(self, tests):
-        failed = []
 
-        def try_one(test):
-            name, command, limit = test
-            if not failed and self.play(command, limit):
-                failed.append(name)
+def fails(command, limit, library_folder=None):
+    """Whether a test fails, with the library of that folder."""
+    told = dict(os.environ, LD_LIBRARY_PATH=str(library_folder)) if library_folder else None
+    began = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
+                             env=told,
+                             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
+    try:
+        return began.wait(limit) != 0
+    except subprocess.TimeoutExpired:
+        os.killpg(began.pid, signal.SIGKILL)
+        began.wait()
+        return True
 
-        with ThreadPoolExecutor(2) as pool:
-            list(pool.map(try_one, tests))
-        return failed[0] if failed else None
+
+def first_failure(tests, library_folder=None):
+    return next((name for name, command, limit in tests if fails(command, limit, library_folder)), None)
+
+
+class Mutation:
+    """One place: `by` names the test that noticed; None if all that were asked (`asked`) passed."""
+
+    def __init__(self, kind, path, number, old, new, by=None, asked=()):
+        self.kind, self.path, self.number, self.old, self.new = kind, path, number, old, new
+        self.by, self.asked = by, list(asked)
+
+    def broken(self, tree):
+        """Breaks the file and returns how it was."""
+        text = (tree / self.path).read_text()
+        lines = text.split("\n")
+        lines[self.number] = self.new
+        (tree / self.path).write_text("\n".join(lines))
+        return text
+
+    def explained(self):
+        return next((why for file, there, why in EXPLAINED if Path(self.path).match(file) and there in self.old), None)
+
+    def says(self):
+        why = self.explained()
+        return (f"noticed by {self.by}" if self.by else f"explained: {why}" if why else
+                "SURVIVED" if "inside" in self.asked else "not noticed so far" if self.asked else "not asked yet")
+
+
+class Run:
+    def __init__(self, folder, count, seed, tiers):
+        self.folder, self.count, self.tiers = Path(folder).resolve(), count, tiers
+        self.tree, self.build = self.folder / "tree", self.folder / "build"
+        self.library = self.build / "src" / SONAME
+        self.kept = self.folder / "mutations.json"
+        self.lock = Lock()
+        self.mutations, self.tests, self.whole = [], [], None
+        if self.kept.exists():
+            kept = json.loads(self.kept.read_text())
+            self.mutations, self.tests, self.whole = [Mutation(**m) for m in kept["m"]], kept["tests"], kept["whole"]
+        self.chance = random.Random(f"{seed} {len(self.mutations)}" if self.mutations else seed)
+
+    def keep(self):
+        new = self.kept.with_suffix(".new")
+        new.write_text(json.dumps({"m": [vars(m) for m in self.mutations], "tests": self.tests, "whole": self.whole}))
+        new.replace(self.kept)
+
+    def of(self, number):
+        """The folder of a mutation's library."""
+        return self.folder / "libraries" / str(number)
+
+    def make(self):
+        if self.whole is None:
+            copy_and_configure(self.folder, *OPTIONS)
+            must(run("cmake", "--build", self.build, "-j", JOBS, "--target", "contdyn"))
+            self.whole = hashlib.sha256(self.library.read_bytes()).hexdigest()
+            self.tests = Tests(self.build, self.tiers, False).timed()
+            self.keep()
+        found = places(self.tree)
+        print(f"{sum(map(len, found.values()))} places, {len(self.tests)} tests", flush=True)
+        while len(self.mutations) < self.count:
+            kind, path, number, old, new = self.chance.choice(found[self.chance.choice(list(KINDS))])
+            mutation = Mutation(kind, str(path.relative_to(self.tree)), number, old, new)
+            text = mutation.broken(self.tree)
+            made = run("cmake", "--build", self.build, "--target", "contdyn", "-j", JOBS)
+            if made.returncode == 0 and hashlib.sha256(self.library.read_bytes()).hexdigest() != self.whole:
+                at = self.of(len(self.mutations))
+                at.mkdir(parents=True, exist_ok=True)
+                shutil.copy(self.library, at / SONAME)
+                self.mutations.append(mutation)
+                self.keep()
+            path.write_text(text)
+
+    def ask(self):
+        def ask_one(number, mutation):
+            mutation.by = first_failure(self.tests, self.of(number))
+            with self.lock:
+                mutation.asked.append("ask")
+                self.keep()
+                print(f"{number} {mutation.says()}", flush=True)
+
+        with ThreadPoolExecutor(PROCESSORS) as pool:
+            list(pool.map(lambda one: ask_one(*one),
+                          [(n, m) for n, m in enumerate(self.mutations) if "ask" not in m.asked]))
+
+    def inside(self):
+        left = [m for m in self.mutations if not m.by and "inside" not in m.asked]
+        if not left:
+            return
+        tests = Tests(self.build, self.tiers, True)
+        must(run("cmake", "--build", self.build, "-j", JOBS, "--target", "contdyn"))
+        timed = tests.timed()
+        for mutation in left:
+            text = mutation.broken(self.tree)
+            made = run("cmake", "--build", self.build, "-j", JOBS, "--target", *tests.programs)
+            mutation.by = "the compiler" if made.returncode else first_failure(timed)
+            mutation.asked.append("inside")
+            (self.tree / mutation.path).write_text(text)
+            self.keep()
 
 
 def main():
-    if len(sys.argv) < 2:
+    arguments = sys.argv[1:]
+    only = None
+    if arguments[:1] == ["--only"]:
+        only, arguments = arguments[1], arguments[2:]
+    if not arguments or only not in (None, "make", "ask", "inside"):
         sys.exit(__doc__)
-    count = int(sys.argv[2]) if len(sys.argv) > 2 else 200
-    chance = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
-    tree, build = copy_and_configure(sys.argv[1], "-DCONTDYN_AVX2=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG")
-    tests = Tests(build, sys.argv[4] if len(sys.argv) > 4 else "unit|api|physics|stability|determinism|memory")
-    library = build / "src/libcontdyn.so"
-    whole = hashlib.sha256(library.read_bytes()).digest()
-    found = places(tree)
-    print(f"{sum(map(len, found.values()))} places, {len(tests.of_library + tests.of_inside)} tests", flush=True)
-    tried = noticed = explained = 0
-    while tried < count:
-        kind, path, number, old, new = chance.choice(found[chance.choice(list(KINDS))])
-        text = path.read_text()
-        lines = text.split("\n")
-        lines[number] = new
-        path.write_text("\n".join(lines))
-        made = run("cmake", "--build", build, "--target", "contdyn", "-j", "2")
-        if made.returncode == 0 and hashlib.sha256(library.read_bytes()).digest() != whole:
-            by = tests.first_failure()
-            tried += 1
-            noticed += by is not None
-            why = next((why for file, there, why in EXPLAINED if path.match(file) and there in old), None)
-            explained += by is None and why is not None
-            says = f"noticed by {by}" if by else f"explained: {why}" if why else "SURVIVED"
-            print(f"{tried}. {path.relative_to(tree)}:{number + 1}, {kind}, {says}\n    {old.strip()}\n    {new.strip()}",
-                  flush=True)
-        path.write_text(text)
-    print(f"{noticed} of {tried} noticed, {explained} of the others explained")
-    return 0 if noticed + explained >= NOTICED_AT_LEAST * tried else 1
+    count, seed = (int(arguments[i]) if len(arguments) > i else default for i, default in ((1, 200), (2, 1)))
+    of = Run(arguments[0], count, seed,
+             arguments[3] if len(arguments) > 3 else "unit|api|physics|stability|determinism|memory")
+    for step in [only] if only else ["make", "ask", "inside"]:
+        getattr(of, step)()
+    for number, m in enumerate(of.mutations):
+        print(f"{number}. {m.path}:{m.number + 1}, {m.kind}, {m.says()}\n    {m.old.strip()}\n    {m.new.strip()}")
+    noticed = sum(m.by is not None for m in of.mutations)
+    explained = sum(m.by is None and m.explained() is not None for m in of.mutations)
+    print(f"{noticed} of {len(of.mutations)} noticed, {explained} of the others explained")
+    return 0 if noticed + explained >= NOTICED_AT_LEAST * len(of.mutations) else 1
 
 
 if __name__ == "__main__":
