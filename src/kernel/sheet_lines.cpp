@@ -151,7 +151,12 @@ void solve_lines(const Grid& grid, const LineFactors& factors, const double* b, 
 
 void smooth_lines(const Grid& grid, const LineFactors& factors, const double* cross, const double* b, int colour,
                   double* x, size_t first, size_t count) {
-    in_strips(first, count, [&](size_t from, size_t columns) {
+    // Bundles store what they found in columns of the other colour. At the ends of a part the next one reads these.
+    const auto is_coloured = [&](size_t u) { return (u & 1) == size_t(colour); };
+    size_t end = first + count;
+    if (first > 0 && !is_coloured(first)) ++first;
+    if (end > first && end < grid.columns && !is_coloured(end - 1)) --end;
+    in_strips(first, end - first, [&](size_t from, size_t columns) {
         for (size_t r = 0; r < grid.rows; ++r) {
             const size_t row = r * grid.pitch;
             const double* const pull = r > 0 ? factors.pull + row - grid.pitch : nullptr;
