@@ -171,7 +171,7 @@ UNITS = {
 DEFAULTS = {
     ("cd_chain_set_stiffness", "stiffness"): "1",
     ("cd_chain_set_ring", "ring"): "0",
-    ("cd_membrane", "solver"): "CD_SOLVER_ALTERNATING",
+    ("cd_membrane", "solver"): "CD_SOLVER_AUTO",
     ("cd_membrane_set_stiffness", "along_u"): "1",
     ("cd_membrane_set_stiffness", "along_v"): "1",
     ("cd_membrane", "pressure"): "0",

@@ -94,10 +94,13 @@ class Member:
         return [*filled(head, self.parameters, f"){const} {{", INDENT), *[inner + b for b in before], *body, INDENT + "}"]
 
 
+KEYWORDS = {"auto"}  # of C++, which no enumerator may be
+
+
 def enumeration(enum):
     name = enum["name"][3:]
     attribute = "[[nodiscard]] " if name == "status" else ""
-    items = [f"{value['short']} = {value['name']}" for value in enum["values"]]
+    items = [f"{value['short']}{'_' * (value['short'] in KEYWORDS)} = {value['name']}" for value in enum["values"]]
     line = f"enum class {attribute}{name} : std::int32_t {{ {', '.join(items)} }};"
     if len(line) <= WIDTH:
         return [line]

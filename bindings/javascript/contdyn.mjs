@@ -42,6 +42,7 @@ export const Method = enumeration({
 export const Solver = enumeration({
   alternating: 0,
   coupled: 1,
+  auto: 2,
 });
 
 export const MassRule = enumeration({
@@ -788,6 +789,11 @@ export class Membrane extends Handle {
 
   set solver(solver) {
     check(wasm.cd_membrane_set_solver(addressOf(this, Membrane), member(Solver, solver, "solver")));
+  }
+
+  get solverTaken() {
+    check(wasm.cd_membrane_get_solver_taken(addressOf(this, Membrane), result(0)));
+    return nameOf(Solver, integer(0));
   }
 
   get tolerance() {

@@ -81,7 +81,8 @@ enum {
 typedef int32_t cd_solver;
 enum {
     CD_SOLVER_ALTERNATING = 0, /* rows, then columns: Kass 1997, section 9 */
-    CD_SOLVER_COUPLED = 1      /* both at once, to a tolerance */
+    CD_SOLVER_COUPLED = 1,     /* both at once, to a tolerance */
+    CD_SOLVER_AUTO = 2         /* the first where that is right for the step, else the second */
 };
 
 /* How the total mass is dealt out to the nodes. */

@@ -13,14 +13,17 @@
  * Rest length is zero, unless cd_membrane_set_rest_length makes the membrane cloth: a free sheet draws together, and
  * one stretched evenly is held by its edges. A new membrane lies with every node at the origin, at rest, all nodes
  * free, mass 1, stiffness 1 along both directions, no bend, no gravity, no damping, CD_METHOD_IMPLICIT with lambda
- * 1/2, CD_SOLVER_ALTERNATING.
+ * 1/2, CD_SOLVER_AUTO.
  *
  * Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve.
+ *   CD_SOLVER_AUTO         one of the two below for each dt: alternating where it makes a motion of half a wave along
+ *      each direction, round a ring of a whole one, at most 5% heavier (reckoned with the mean stiffness and inverse
+ *      mass), coupled elsewhere. It holds the memory that either needs: some 300 bytes a node, where alternating takes
+ *      36 on uniform sheets held by edges. A build without the coupled solver has neither, and its new sheets alternate.
  *   CD_SOLVER_ALTERNATING  rows, then columns (Kass 1997, section 9). Its cost is fixed, and it is stable at any
  *      stiffness and dt. Its price: a motion with the angular frequencies w_u and w_v along the two directions moves as
  *      if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both directions for the
- *      step is slowed down, and the sheet seems sluggish. Take it where both w h are at most about 1 for the motion
- *      that matters: drums, soft sheets. Where it comes to rest does not depend on dt.
+ *      step is slowed down, and the sheet seems sluggish. Where it comes to rest does not depend on dt.
  *      So it is on uniform sheets held by whole rows and columns, closed forms and all. On any other sheet (single
  *      pins, a mask, attachments, masses or springs of their own, bend with free edges) the factored system would blow
  *      up; there a step is the best, in energy, that the lines' answers, the present velocity and a motion of all nodes
@@ -95,6 +98,9 @@ CD_API cd_status cd_membrane_get_lambda(const cd_membrane* membrane, double* out
 /* How implicit steps solve their system; see above. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_set_solver(cd_membrane* membrane, cd_solver solver);
 CD_API cd_status cd_membrane_get_solver(const cd_membrane* membrane, cd_solver* out_solver);
+/* Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO if it had no such system to solve, or there
+ * was none. Not part of the saved state. */
+CD_API cd_status cd_membrane_get_solver_taken(const cd_membrane* membrane, cd_solver* out_solver);
 
 /* When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
  * component), in [1e-14, 1/2], default 1e-6. It may take most_iterations, >= 1, default 100. A solve ends, too, when
@@ -104,9 +110,9 @@ CD_API cd_status cd_membrane_set_tolerance(cd_membrane* membrane, double toleran
 CD_API cd_status cd_membrane_get_tolerance(const cd_membrane* membrane, double* out_tolerance,
                                            size_t* out_most_iterations);
 
-/* What the last call of cd_membrane_step did with CD_SOLVER_COUPLED: the most iterations that a solve took, and the
- * largest residual it ended with, as a fraction of the one it started from: INFINITY where its square is. 0 and 0 if
- * there was no such solve. Each output may be null. */
+/* What the last call of cd_membrane_step did when it took CD_SOLVER_COUPLED: the most iterations that a solve needed,
+ * and the largest residual it ended with, as a fraction of the one it started from: INFINITY where its square is. 0 and
+ * 0 if there was no such solve. Each output may be null. */
 CD_API cd_status cd_membrane_get_convergence(const cd_membrane* membrane, size_t* out_iterations, double* out_residual);
 
 /* Spreads a step over the caller's threads. Null turns it off. Errors: CD_ERROR_NULL for a table without run. */

@@ -32,10 +32,11 @@ cd_status cd_membrane_get_shape(const cd_membrane* membrane, size_t* out_nu, siz
 // ---- solver ---------------------------------------------------------------------------------------------------------
 
 CD_GETTER(membrane, get_solver, cd_solver, out_solver, x.solver)
+CD_GETTER(membrane, get_solver_taken, cd_solver, out_solver, x.taken)
 
 cd_status cd_membrane_set_solver(cd_membrane* membrane, cd_solver solver) {
     CD_OPEN(membrane, m);
-    CD_CHECK(is_enum(__func__, "solver", solver, CD_SOLVER_COUPLED));
+    CD_CHECK(is_enum(__func__, "solver", solver, CD_SOLVER_AUTO));
     MembraneFeatures wanted = features(m);
     wanted.solver = solver;
     return shared::change_features(__func__, m, wanted);

@@ -297,6 +297,8 @@ cd_status create_membrane(const char* function, size_t nu, size_t nv, size_t com
     shape.most_iterations = 100;
     shape.mass = 1;
     shape.stiffness[kU] = shape.stiffness[kV] = 1;
+    shape.solver = CD_WITH_COUPLED ? CD_SOLVER_AUTO : CD_SOLVER_ALTERNATING;
+    shape.taken = CD_SOLVER_AUTO;
 
     out = make(shape, kMembraneTag, state * number_size(shape));
     if (!out)

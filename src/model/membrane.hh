@@ -50,6 +50,7 @@ struct Membrane : Body, MembraneSettings {
     double residual;
 
     // what steps need, none of it state: see membrane_step.cpp
+    cd_solver taken; // by the last call of step; CD_SOLVER_AUTO: none
     Array<double> pressed; // the force of the pressure, laid out like the positions
     double stiffest;       // the largest diagonal entry of the system, where there is one
     bool whole;            // see membrane_step.cpp
@@ -148,7 +149,7 @@ MembraneFeatures features(const Membrane& m);
 inline const char* left_out(const MembraneFeatures& f) {
     if (!CD_WITH_CLOTH && f.cloth) return "cloth is";
     if (!CD_WITH_BEND && (f.ring[kU] || f.ring[kV])) return "rings are";
-    if (!CD_WITH_COUPLED && f.solver == CD_SOLVER_COUPLED) return "the coupled solver is";
+    if (!CD_WITH_COUPLED && f.solver != CD_SOLVER_ALTERNATING) return "the coupled solver is";
     return left_out(static_cast<const BodyFeatures&>(f));
 }
 // Takes the memory that the features need and releases what they do not; new fields are filled with uniform values.
@@ -183,7 +184,8 @@ struct MembraneOutcome {
     bool converged;       // of all coupled solves
 };
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count);
-double stable_dt(const Membrane& m); // membrane_limit.cpp
+double stable_dt(const Membrane& m);               // membrane_limit.cpp
+cd_solver solver_for(const Membrane& m, double dt); // likewise: what a step of springs takes; CD_SOLVER_AUTO: none
 
 // ---- cloth (membrane_cloth.cpp, which a build without it leaves out) ------------------------------------------------
 

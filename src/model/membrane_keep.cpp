@@ -105,7 +105,7 @@ struct MembraneKeep {
         if (is_cloth) optional |= 1u << CD_REST_LENGTH_U | 1u << CD_REST_LENGTH_V;
         if (is_cloth) optional |= kOfBreaking | kBreaking[kU] | kBreaking[kV];
         bool good = valid_body(s) && (s.fields & ~optional) == 0 && (!is_cloth || valid_cloth(m, s));
-        good &= own.solver == CD_SOLVER_ALTERNATING || own.solver == CD_SOLVER_COUPLED;
+        good &= own.solver >= CD_SOLVER_ALTERNATING && own.solver <= CD_SOLVER_AUTO;
         good &= own.tolerance >= kLeastTolerance && own.tolerance <= kMostTolerance && own.most_iterations >= 1;
         good &= valid_parameter(own.bend) && fabs(own.pressure) <= kMost && (own.pressure == 0 || m.components == 3);
         for (Direction d : {kU, kV}) {

@@ -3,11 +3,14 @@
 // K is at most diagonal: k (a - b)^2 <= 2 k (a^2 + b^2), b (l - 2 c + r)^2 <= b (4 l^2 + 8 c^2 + 4 r^2) and
 // t (a - b - c + d)^2 <= 4 t (a^2 + b^2 + c^2 + d^2), each with equality where nodes swing against their neighbours, as
 // in the fastest mode of a uniform sheet. What remains is a quadratic per node; the least of their roots is the bound.
+//
+// And a bound for alternating solves, whose extra mass is (w_u h)^2 (w_v h)^2 times that of the motion (membrane.h).
 #include <math.h>
 
 #include <initializer_list>
 
 #include "model/membrane.hh"
+#include "model/stages.hh"
 
 namespace cd {
 
@@ -48,6 +51,41 @@ double stable_dt(const Membrane& m) {
             if (square > 0 || drag > 0) least = fmin(least, 4 * mass / (drag + sqrt(drag * drag + 4 * mass * square)));
         }
     return least;
+}
+
+// ---- which solver ---------------------------------------------------------------------------------------------------
+
+namespace {
+
+// Of a motion of half a wave along each direction, round a ring of a whole wave: what alternating may add to its mass.
+constexpr double kMostExtraMass = 0.05;
+
+// (w_d h)^2 of it, were the sheet uniform, with the mean of the stiffnesses and of the inverse masses.
+double square_of_phase(const Membrane& m, Direction d, double sigma) {
+    constexpr double kPi = 3.14159265358979323846;
+    if (m.springs[d] == 0) return 0;
+    const double phase = (m.ring[d] ? 2 * kPi : kPi) / double(springs_along(m, d)), square = phase * phase;
+    double stiffness = uniform_stiffness(m, d), lightness = 1 / uniform_mass(m), springs = 0;
+    if (m.spring_stiffness[d]) stiffness = 0;
+    if (m.node_mass) lightness = 0;
+    for (size_t i = 0; i < m.spring_stiffness[d].count; ++i) {
+        stiffness += m.spring_stiffness[d][i];
+        springs += m.spring_stiffness[d][i] > 0 ? 1 : 0;
+    }
+    if (springs > 0) stiffness /= springs;
+    for (size_t i = 0; i < m.node_mass.count; ++i) lightness += 1 / (m.node_mass[i] * double(m.nodes));
+    const double bend = has_bend(m) ? uniform_bend(m, d) : 0; // counted twice, see membrane_step.cpp
+    return sigma * (stiffness + 2 * bend * square) * square * lightness;
+}
+
+} // namespace
+
+cd_solver solver_for(const Membrane& m, double dt) {
+    if (steps_explicitly(m)) return CD_SOLVER_AUTO;
+    if (m.solver != CD_SOLVER_AUTO) return m.solver;
+    const double h = stage_share(m, dt), sigma = h * (h + m.damping);
+    const double extra = square_of_phase(m, kU, sigma) * square_of_phase(m, kV, sigma);
+    return extra <= kMostExtraMass ? CD_SOLVER_ALTERNATING : CD_SOLVER_COUPLED;
 }
 
 } // namespace cd

@@ -319,8 +319,11 @@ void clear_beyond(Membrane& m) {
 
 MembraneOutcome step_springs(Membrane& m, double dt, size_t count) {
     const bool anew = must_prepare(m, dt);
+    if (anew) m.taken = solver_for(m, dt);
+    MembraneFeatures with = features(m);
+    with.solver = m.taken;
     Carver coefficients{m.coefficients.data}, scratch{m.scratch.data};
-    Work work(m, features(m), coefficients, scratch);
+    Work work(m, with, coefficients, scratch);
     if (anew) {
         prepare(m, work, dt);
         if (work.implicit) ++m.factorizations;
@@ -353,7 +356,10 @@ static void pose_nodes(Membrane& m, double seconds) {
 
 static MembraneOutcome make_steps(Membrane& m, double dt, size_t count) {
     if constexpr (CD_WITH_CLOTH)
-        if (has_lengths(m)) return step_cloth(m, dt, count);
+        if (has_lengths(m)) {
+            m.taken = CD_SOLVER_AUTO;
+            return step_cloth(m, dt, count);
+        }
     return step_springs(m, dt, count);
 }
 

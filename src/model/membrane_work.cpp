@@ -124,10 +124,18 @@ SheetParts::SheetParts(const Membrane& m, const Grid& grid, Carver& coefficients
 bool needs_of(const Membrane& m, const MembraneFeatures& f, MembraneNeeds& out) {
     if constexpr (CD_WITH_CLOTH)
         if (f.cloth) return cloth_needs_of(m, f, out);
-    Carver coefficients{nullptr}, scratch{nullptr};
-    const Work counted(m, f, coefficients, scratch);
-    out = {coefficients.taken, scratch.taken};
-    return coefficients.fits && scratch.fits;
+    out = {};
+    for (cd_solver solver : {CD_SOLVER_ALTERNATING, CD_SOLVER_COUPLED}) {
+        if (f.solver != solver && f.solver != CD_SOLVER_AUTO) continue;
+        MembraneFeatures with = f;
+        with.solver = solver;
+        Carver coefficients{nullptr}, scratch{nullptr};
+        const Work counted(m, with, coefficients, scratch);
+        if (!coefficients.fits || !scratch.fits) return false;
+        if (coefficients.taken > out.coefficients) out.coefficients = coefficients.taken;
+        if (scratch.taken > out.scratch) out.scratch = scratch.taken;
+    }
+    return true;
 }
 
 // ---- coefficients ---------------------------------------------------------------------------------------------------

@@ -12,6 +12,7 @@ cd_membrane* cloth_from(const cd_allocator* allocator, size_t nu, size_t nv, siz
     cd_membrane* membrane = NULL;
     ok(cd_membrane_create(nu, nv, components, precision, allocator, &membrane));
     assert_non_null(membrane);
+    ok(cd_membrane_set_solver(membrane, CD_SOLVER_ALTERNATING));
     return membrane;
 }
 

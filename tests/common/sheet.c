@@ -30,6 +30,7 @@ long double sheet_bend(const struct sheet* s, int d) {
 cd_membrane* sheet_membrane(const struct sheet* s, size_t components, cd_precision precision) {
     cd_membrane* m = NULL;
     ok(cd_membrane_create(s->nodes[0] - 1, s->nodes[1] - 1, components, precision, NULL, &m));
+    ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
     ok(cd_membrane_set_mass(m, s->mass));
     ok(cd_membrane_set_mass_rule(m, s->rule));
     ok(cd_membrane_set_stiffness(m, s->stiffness[0], s->stiffness[1]));

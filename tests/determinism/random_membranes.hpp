@@ -218,7 +218,7 @@ inline void MembraneScene::act(Handle* membrane, Random& random, Returned& retur
     case 15: returned += cd_membrane_set_mass_rule(membrane, cd_mass_rule(random.below(2))); break;
     case 16: returned += cd_membrane_set_method(membrane, cd_method(random.chance(0.5) ? 0 : random.below(4))); break;
     case 17: returned += cd_membrane_set_lambda(membrane, random.any_of({0.5, 0.5, 0.6, 0.75, 1, 0.3})); break;
-    case 18: returned += cd_membrane_set_solver(membrane, cd_solver(random.chance(0.3))); break;
+    case 18: returned += cd_membrane_set_solver(membrane, cd_solver(random.below(3))); break;
     case 19: {
         const size_t u = random.below(columns), v = random.below(rows);
         const double stiffness = random.decades(-1, 3), damping = random.any_of({0, 1});

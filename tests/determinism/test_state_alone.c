@@ -40,6 +40,7 @@ static cd_membrane* wild_sheet(size_t columns, size_t rows) {
     uint64_t seed = 3;
     for (size_t i = 0; i < MOST; ++i) x[i] = scene_noise(&seed);
     ok(cd_membrane_create(columns - 1, rows - 1, 1, CD_FLOAT64, NULL, &m));
+    ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
     ok(cd_membrane_write_f64(m, CD_POSITION, 0, 0, columns, rows, x, columns * rows));
     return m;
 }

@@ -182,7 +182,7 @@ void Membrane::act_by_kind() {
     case 13: attach(); break;
     case 14: detach(); break;
     case 15:
-    case 16: set_enum("set_solver", cd_membrane_set_solver, CD_SOLVER_COUPLED); break;
+    case 16: set_enum("set_solver", cd_membrane_set_solver, CD_SOLVER_AUTO); break;
     case 17: set_tolerance(); break;
     case 18:
         set_number("set_pressure", cd_membrane_set_pressure, chance(0.5) ? 0 : pick_number(-2, 2), {-1e3, 1e3}, 0);

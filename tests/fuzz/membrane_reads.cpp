@@ -66,7 +66,7 @@ void Membrane::get_parameter() {
     case 2: get("get_bend", cd_membrane_get_bend); break;
     case 3: get("get_stiffness_damping", cd_membrane_get_stiffness_damping); break;
     case 4: get("get_pressure", cd_membrane_get_pressure); break;
-    case 5: get("get_solver", cd_membrane_get_solver); break;
+    case 5: get("get_solver", chance(0.5) ? cd_membrane_get_solver : cd_membrane_get_solver_taken); break;
     case 6: get("get_index_count", cd_membrane_get_index_count); break;
     case 7: get_gravity(cd_membrane_get_gravity); break;
     case 8:

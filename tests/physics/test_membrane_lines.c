@@ -69,6 +69,7 @@ static cd_chain* make_chain(const struct line* l, cd_precision precision) {
 static cd_membrane* make_line(const struct line* l, int column, cd_precision precision) {
     cd_membrane* m = NULL;
     ok(cd_membrane_create(column ? 0 : NODES - 1, column ? NODES - 1 : 0, COMPONENTS, precision, NULL, &m));
+    ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
     ok(cd_membrane_set_mass(m, 1.5));
     ok(cd_membrane_set_mass_rule(m, l->rule));
     ok(cd_membrane_set_stiffness(m, column ? 7 : l->stiffness, column ? l->stiffness : 7));
@@ -189,6 +190,7 @@ static void rows_that_start_alike_move_as_chains_side_by_side(void** state) {
                     const size_t nu = transposed ? ACROSS - 1 : NODES - 1, nv = transposed ? NODES - 1 : ACROSS - 1;
                     ok(cd_chain_create(1, NODES - 1, 1, CD_FLOAT64, NULL, &c));
                     ok(cd_membrane_create(nu, nv, 1, CD_FLOAT64, NULL, &m));
+                    ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
                     ok(cd_chain_set_mass_rule(c, rule));
                     ok(cd_membrane_set_mass_rule(m, rule));
                     ok(cd_chain_set_mass(c, 2));
@@ -228,6 +230,7 @@ static void a_sheet_of_one_node_is_a_free_particle(void** state) {
                 if (step->method == CD_METHOD_STIFF_SECOND) lambda = 0.5;
                 cd_membrane* m = NULL;
                 ok(cd_membrane_create(0, 0, 3, p ? CD_FLOAT64 : CD_FLOAT32, NULL, &m));
+                ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
                 ok(cd_membrane_set_bend(m, 3));
                 ok(cd_membrane_set_stiffness(m, 1e6, 1e6));
                 ok(cd_membrane_set_stiffness_damping(m, 1));

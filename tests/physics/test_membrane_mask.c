@@ -25,6 +25,7 @@ static cd_membrane* new_sheet(struct window at) {
     static const cd_field fields[] = {CD_MASS, CD_STIFFNESS_U, CD_STIFFNESS_V};
     cd_membrane* m = NULL;
     ok(cd_membrane_create(at.columns - 1, at.rows - 1, 1, CD_FLOAT64, NULL, &m));
+    ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
     ok(cd_membrane_set_stiffness_damping(m, 1e-3));
     ok(cd_membrane_set_drag(m, 0.1));
     for (size_t k = 0; k < COUNT(fields); ++k) {

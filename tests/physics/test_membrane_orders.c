@@ -112,6 +112,7 @@ static void a_sheet_hung_by_two_corners_is_followed_to_second_order(void** state
     double start[NODES] = {0}, exact[2][NODES], coarse[2][NODES];
     cd_membrane* m = NULL;
     ok(cd_membrane_create(COLUMNS - 1, ROWS - 1, 1, CD_FLOAT64, NULL, &m));
+    ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
     let_go(m, COLUMNS, ROWS);
     struct grid* g = grid_of(m);
     grid_rest(g, start);

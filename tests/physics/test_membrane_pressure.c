@@ -17,6 +17,7 @@ static double volume_of(const cd_membrane* m) {
 static cd_membrane* make(size_t nu, size_t nv, int ring_u, int ring_v, cd_precision precision) {
     cd_membrane* m = NULL;
     ok(cd_membrane_create(nu, nv, 3, precision, NULL, &m));
+    ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
     ok(cd_membrane_set_ring(m, ring_u, ring_v));
     return m;
 }

@@ -103,6 +103,7 @@ static double echo(cd_edge edge, cd_node kind, size_t springs, cd_mass_rule rule
     const size_t across = 4, nu = along_v ? across : springs, nv = along_v ? springs : across;
     cd_membrane* m = NULL;
     ok(cd_membrane_create(nu, nv, 1, CD_FLOAT64, NULL, &m));
+    ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
     ok(cd_membrane_set_mass_rule(m, rule));
     ok(cd_membrane_set_edge(m, edge, kind));
     ok(cd_membrane_set_solver(m, solver));
@@ -162,6 +163,7 @@ static void four_matched_edges_let_a_drop_leave(void** state) {
         cd_membrane* m = NULL;
         static double x[N * N];
         ok(cd_membrane_create(N - 1, N - 1, 1, CD_FLOAT64, NULL, &m));
+        ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
         ok(cd_membrane_set_mass_rule(m, CD_MASS_HALF_ENDS));
         ok(cd_membrane_set_solver(m, solver));
         for (cd_edge e = CD_EDGE_U_FIRST; e <= CD_EDGE_V_LAST; ++e) ok(cd_membrane_set_edge(m, e, CD_NODE_MATCHED));
@@ -195,6 +197,7 @@ static struct motion held(cd_edge edge, double speed, cd_solver solver, const st
     cd_membrane* m = NULL;
     double dt = 1.0 / 60;
     ok(cd_membrane_create(COLUMNS - 1, ROWS - 1, 1, CD_FLOAT64, NULL, &m));
+    ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
     ok(cd_membrane_set_solver(m, solver));
     ok(cd_membrane_set_tolerance(m, 1e-13, 200));
     ok(cd_membrane_set_stiffness(m, 30, 20));
@@ -253,6 +256,7 @@ static void a_driven_edge_counts_in_no_momentum_and_kinetic_energy(void** state)
     double v[NODES], momentum, kinetic, sum = 0, energy = 0;
     uint64_t seed = 6;
     ok(cd_membrane_create(COLUMNS - 1, ROWS - 1, 1, CD_FLOAT64, NULL, &m));
+    ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
     ok(cd_membrane_set_mass(m, NODES));
     ok(cd_membrane_set_edge(m, CD_EDGE_V_LAST, CD_NODE_DRIVEN));
     for (size_t i = 0; i < NODES; ++i) {
@@ -282,6 +286,7 @@ static void a_driven_edge_makes_a_standing_wave(void** state) {
             double speed[ACROSS];
             assert_non_null(x);
             ok(cd_membrane_create(springs, ACROSS - 1, 1, CD_FLOAT64, NULL, &m));
+            ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
             ok(cd_membrane_set_mass_rule(m, CD_MASS_HALF_ENDS));
             ok(cd_membrane_set_edge(m, CD_EDGE_U_FIRST, CD_NODE_DRIVEN));
             ok(cd_membrane_set_edge(m, CD_EDGE_U_LAST, CD_NODE_PINNED));

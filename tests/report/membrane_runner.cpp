@@ -9,6 +9,7 @@ namespace report {
 Sheet::Sheet(std::size_t nu, std::size_t nv, std::size_t components, cd_precision precision)
     : nu_(nu), nv_(nv), components_(components) {
     check(cd_membrane_create(nu, nv, components, precision, nullptr, &membrane_));
+    check(cd_membrane_set_solver(membrane_, CD_SOLVER_ALTERNATING));
 }
 
 void Sheet::write(cd_field field, const std::vector<double>& values) {

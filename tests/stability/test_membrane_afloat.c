@@ -40,6 +40,7 @@ static cd_membrane* make(const struct kind* k, cd_solver solver, cd_precision pr
     cd_membrane* m;
     double f[NODES];
     ok(cd_membrane_create(COLUMNS - 1, ROWS - 1, 1, precision, NULL, &m));
+    ok(cd_membrane_set_solver(m, CD_SOLVER_ALTERNATING));
     if (k->half_ends) ok(cd_membrane_set_mass_rule(m, CD_MASS_HALF_ENDS));
     ok(cd_membrane_set_solver(m, solver));
     ok(cd_membrane_set_ring(m, k->ring[0], k->ring[1]));

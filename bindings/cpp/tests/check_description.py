@@ -24,6 +24,10 @@ def differ(found, described, what):
         fail(f"{what}: not described: {sorted(found - described)}; missing: {sorted(described - found)}")
 
 
+def enumerator(value):
+    return value["short"] + "_" * (value["short"] == "auto")  # a keyword
+
+
 class Check:
     def __init__(self, api):
         self.api, self.enums = api, [enum["name"] for enum in api["enums"]]
@@ -64,7 +68,7 @@ class Check:
     def lines(self):
         for enum in self.api["enums"]:
             for value in enum["values"]:
-                name = f"contdyn::{enum['name'][3:]}::{value['short']}"
+                name = f"contdyn::{enum['name'][3:]}::{enumerator(value)}"
                 yield f"static_assert(static_cast<{enum['type']}>({name}) == {value['value']});"
                 yield f"static_assert({value['name']} == {value['value']});"
         for macro in self.api["macros"]:
@@ -98,7 +102,7 @@ def check_header(api, header, command):
         body = re.search(rf"enum class (?:\[\[nodiscard\]\] )?{enum['name'][3:]} : std::int32_t {{([^}}]*)}}", text)
         if not body:
             fail(f"the header has no enum class {enum['name'][3:]}")
-        differ(set(re.findall(r"(\w+) = ", body.group(1))), {v["short"] for v in enum["values"]}, enum["name"])
+        differ(set(re.findall(r"(\w+) = ", body.group(1))), {enumerator(v) for v in enum["values"]}, enum["name"])
     code = "#include <contdyn/contdyn.hpp>\n[[maybe_unused]] static void check() {\n" + "\n".join(Check(api).lines())
     compiled = subprocess.run(command, input=code + "\n}\n", text=True, capture_output=True, check=False)
     if compiled.returncode:

@@ -76,6 +76,8 @@ namespace Contdyn
         Alternating = 0,
         /// <summary>both at once, to a tolerance</summary>
         Coupled = 1,
+        /// <summary>the first where that is right for the step, else the second</summary>
+        Auto = 2,
     }
 
     /// <summary>How the total mass is dealt out to the nodes.</summary>
@@ -2272,30 +2274,34 @@ namespace Contdyn
     /// Rest length is zero, unless cd_membrane_set_rest_length makes the membrane cloth: a free sheet draws
     /// together, and one stretched evenly is held by its edges. A new membrane lies with every node at the origin,
     /// at rest, all nodes free, mass 1, stiffness 1 along both directions, no bend, no gravity, no damping,
-    /// CD_METHOD_IMPLICIT with lambda 1/2, CD_SOLVER_ALTERNATING.
+    /// CD_METHOD_IMPLICIT with lambda 1/2, CD_SOLVER_AUTO.
     /// Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve.
-    /// CD_SOLVER_ALTERNATING rows, then columns (Kass 1997, section 9). Its cost is fixed, and it is stable at any
-    /// stiffness and dt. Its price: a motion with the angular frequencies w_u and w_v along the two directions
-    /// moves as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both
-    /// directions for the step is slowed down, and the sheet seems sluggish. Take it where both w h are at most
-    /// about 1 for the motion that matters: drums, soft sheets. Where it comes to rest does not depend on dt. So it
-    /// is on uniform sheets held by whole rows and columns, closed forms and all. On any other sheet (single pins,
-    /// a mask, attachments, masses or springs of their own, bend with free edges) the factored system would blow
-    /// up; there a step is the best, in energy, that the lines' answers, the present velocity and a motion of all
-    /// nodes alike can be combined to. It is a little slower, and not quite linear: sums of scenes move as sums
-    /// only about. CD_SOLVER_COUPLED the system itself, to a tolerance, by conjugate gradients, and as stiff as it
-    /// should be. On uniform sheets without bend and rings, held by whole rows and columns, it takes one or two
-    /// iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet comes
-    /// to rest at the same place with either; take this one where stiff sheets have to move in time, as they swing,
-    /// bear loads, are driven or thrown, and for stiff parts that move against each other, of which alternating
-    /// finds the common motion only. It needs many iterations where springs or masses vary at random by decades,
-    /// and where a plate with free edges has much more bend than stretch. Without rest lengths lambda = 1/2 keeps
-    /// the energy and lambda &gt; 1/2 never adds any, coupled whatever its tolerance; the momentum of a free sheet
-    /// is kept too, of one torn into parts that of each part, however stiff they are (uniform free sheets,
-    /// alternating, up to a stiffness of 1e19 times mass / h^2). On uniform sheets, alternating, the energy so kept
-    /// counts the extra mass in what moves; in CD_FLOAT32 each rounding of a velocity is then a kick of so many
-    /// times its energy: take CD_FLOAT64 or the coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with
-    /// stiffness damping are first order in time under the alternating solver, all else is second.
+    /// CD_SOLVER_AUTO one of the two below for each dt: alternating where it makes a motion of half a wave along
+    /// each direction, round a ring of a whole one, at most 5% heavier (reckoned with the mean stiffness and
+    /// inverse mass), coupled elsewhere. It holds the memory that either needs: some 300 bytes a node, where
+    /// alternating takes 36 on uniform sheets held by edges. A build without the coupled solver has neither, and
+    /// its new sheets alternate. CD_SOLVER_ALTERNATING rows, then columns (Kass 1997, section 9). Its cost is
+    /// fixed, and it is stable at any stiffness and dt. Its price: a motion with the angular frequencies w_u and
+    /// w_v along the two directions moves as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what
+    /// is fast along both directions for the step is slowed down, and the sheet seems sluggish. Where it comes to
+    /// rest does not depend on dt. So it is on uniform sheets held by whole rows and columns, closed forms and all.
+    /// On any other sheet (single pins, a mask, attachments, masses or springs of their own, bend with free edges)
+    /// the factored system would blow up; there a step is the best, in energy, that the lines' answers, the present
+    /// velocity and a motion of all nodes alike can be combined to. It is a little slower, and not quite linear:
+    /// sums of scenes move as sums only about. CD_SOLVER_COUPLED the system itself, to a tolerance, by conjugate
+    /// gradients, and as stiff as it should be. On uniform sheets without bend and rings, held by whole rows and
+    /// columns, it takes one or two iterations of some ten alternating solves each, elsewhere multigrid: tens of
+    /// times the cost. A sheet comes to rest at the same place with either; take this one where stiff sheets have
+    /// to move in time, as they swing, bear loads, are driven or thrown, and for stiff parts that move against each
+    /// other, of which alternating finds the common motion only. It needs many iterations where springs or masses
+    /// vary at random by decades, and where a plate with free edges has much more bend than stretch. Without rest
+    /// lengths lambda = 1/2 keeps the energy and lambda &gt; 1/2 never adds any, coupled whatever its tolerance;
+    /// the momentum of a free sheet is kept too, of one torn into parts that of each part, however stiff they are
+    /// (uniform free sheets, alternating, up to a stiffness of 1e19 times mass / h^2). On uniform sheets,
+    /// alternating, the energy so kept counts the extra mass in what moves; in CD_FLOAT32 each rounding of a
+    /// velocity is then a kick of so many times its energy: take CD_FLOAT64 or the coupled solver where (w_u h)
+    /// (w_v h) is beyond 1e4. Plates with stiffness damping are first order in time under the alternating solver,
+    /// all else is second.
     /// All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are
     /// stored in. (Steps of symplectic Euler on uniform sheets without damping and forces compute in float32 and
     /// are as exact.) Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are
@@ -2444,6 +2450,15 @@ namespace Contdyn
             }
         }
 
+        /// <summary>Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO if it had no such system to
+        /// solve, or there was none. Not part of the saved state.</summary>
+        public Solver GetSolverTaken()
+        {
+            int outSolver;
+            Check(Native.cd_membrane_get_solver_taken(Handle, &outSolver));
+            return (Solver)outSolver;
+        }
+
         /// <summary>When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from
         /// (Euclidean norm, per component), in [1e-14, 1/2], default 1e-6. It may take most_iterations, &gt;= 1,
         /// default 100. A solve ends, too, when 500 iterations have not halved its residual, for rounding may keep it
@@ -2469,9 +2484,9 @@ namespace Contdyn
             return new MembraneTolerance(outTolerance, (long)outMostIterations);
         }
 
-        /// <summary>What the last call of cd_membrane_step did with CD_SOLVER_COUPLED: the most iterations that a solve
-        /// took, and the largest residual it ended with, as a fraction of the one it started from: INFINITY where its
-        /// square is. 0 and 0 if there was no such solve. Each output may be null.</summary>
+        /// <summary>What the last call of cd_membrane_step did when it took CD_SOLVER_COUPLED: the most iterations that
+        /// a solve needed, and the largest residual it ended with, as a fraction of the one it started from: INFINITY
+        /// where its square is. 0 and 0 if there was no such solve. Each output may be null.</summary>
         public MembraneConvergence GetConvergence()
         {
             UIntPtr outIterations;

@@ -340,6 +340,9 @@ namespace Contdyn
         internal static extern int cd_membrane_get_solver(MembraneHandle membrane, int* outSolver);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_get_solver_taken(MembraneHandle membrane, int* outSolver);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_membrane_set_tolerance(MembraneHandle membrane, double tolerance,
             UIntPtr mostIterations);
 

@@ -132,6 +132,7 @@ static class EveryFunction
         new Call<Membrane>("cd_membrane_set_solver", false, (o, other, saved) => o.Solver = Solver.Alternating,
             o => o.Solver == Solver.Alternating),
         new Call<Membrane>("cd_membrane_get_solver", false, (o, other, saved) => Call.Use(o.Solver), o => true),
+        new Call<Membrane>("cd_membrane_get_solver_taken", false, (o, other, saved) => o.GetSolverTaken(), o => true),
         new Call<Membrane>("cd_membrane_set_tolerance", false, (o, other, saved) => o.SetTolerance(0.01, 1),
             o => o.GetTolerance().Tolerance == 0.01 && o.GetTolerance().MostIterations == 1),
         new Call<Membrane>("cd_membrane_get_tolerance", false, (o, other, saved) => o.GetTolerance(), o => true),

@@ -314,6 +314,9 @@ return {
     {name = "cd_membrane_get_solver", call = function(o, other, saved)
       return o:get_solver()
     end},
+    {name = "cd_membrane_get_solver_taken", call = function(o, other, saved)
+      return o:get_solver_taken()
+    end},
     {name = "cd_membrane_set_tolerance", call = function(o, other, saved)
       return o:set_tolerance(0.01, 1)
     end, told = function(o)

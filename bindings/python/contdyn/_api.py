@@ -74,6 +74,8 @@ class Solver(IntEnum):
     ALTERNATING = 0
     #: both at once, to a tolerance
     COUPLED = 1
+    #: the first where that is right for the step, else the second
+    AUTO = 2
 
 
 class MassRule(IntEnum):
@@ -493,6 +495,7 @@ FUNCTIONS: Dict[str, str] = {
     "cd_membrane_get_lambda": "status: membrane handle, out_lambda double*",
     "cd_membrane_set_solver": "status: membrane handle, solver int",
     "cd_membrane_get_solver": "status: membrane handle, out_solver int*",
+    "cd_membrane_get_solver_taken": "status: membrane handle, out_solver int*",
     "cd_membrane_set_tolerance": "status: membrane handle, tolerance double, most_iterations size",
     "cd_membrane_get_tolerance": "status: membrane handle, out_tolerance double*, out_most_iterations size*",
     "cd_membrane_get_convergence": "status: membrane handle, out_iterations size*, out_residual double*",

@@ -83,7 +83,8 @@ class Membrane(Body, Sheet, kind="membrane"):
 
     # ---- method -----------------------------------------------------------------------------------------------------
 
-    solver = Setting(Solver, "How implicit steps solve their system, a Solver; default Solver.ALTERNATING.")
+    solver = Setting(Solver, "How implicit steps solve their system, a Solver; default Solver.AUTO.")
+    solver_taken = Reading(Solver, "Which of the two the last call of step took; Solver.AUTO: none.")
     tolerance = SettingOfSeveral(Tolerance, "When Solver.COUPLED is content: (tolerance, most_iterations).")
     convergence = Reading(Convergence, "What the last call of step did with Solver.COUPLED, or with cloth: "
                                        "(iterations, residual).")

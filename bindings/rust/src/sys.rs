@@ -36,6 +36,7 @@ pub const CD_METHOD_STIFF_SECOND: cd_method = 3;
 pub type cd_solver = i32;
 pub const CD_SOLVER_ALTERNATING: cd_solver = 0;
 pub const CD_SOLVER_COUPLED: cd_solver = 1;
+pub const CD_SOLVER_AUTO: cd_solver = 2;
 
 pub type cd_mass_rule = i32;
 pub const CD_MASS_EQUAL: cd_mass_rule = 0;
@@ -321,6 +322,7 @@ extern "C" {
     pub fn cd_membrane_get_lambda(membrane: *const cd_membrane, out_lambda: *mut f64) -> cd_status;
     pub fn cd_membrane_set_solver(membrane: *mut cd_membrane, solver: cd_solver) -> cd_status;
     pub fn cd_membrane_get_solver(membrane: *const cd_membrane, out_solver: *mut cd_solver) -> cd_status;
+    pub fn cd_membrane_get_solver_taken(membrane: *const cd_membrane, out_solver: *mut cd_solver) -> cd_status;
     pub fn cd_membrane_set_tolerance(membrane: *mut cd_membrane, tolerance: f64, most_iterations: usize) -> cd_status;
     pub fn cd_membrane_get_tolerance(membrane: *const cd_membrane, out_tolerance: *mut f64,
         out_most_iterations: *mut usize) -> cd_status;

@@ -82,7 +82,11 @@ enum class method : std::int32_t {
 };
 
 // How the two-dimensional system of an implicit step is solved.
-enum class solver : std::int32_t { alternating = CD_SOLVER_ALTERNATING, coupled = CD_SOLVER_COUPLED };
+enum class solver : std::int32_t {
+    alternating = CD_SOLVER_ALTERNATING,
+    coupled = CD_SOLVER_COUPLED,
+    auto_ = CD_SOLVER_AUTO
+};
 
 // How the total mass is dealt out to the nodes.
 enum class mass_rule : std::int32_t { equal = CD_MASS_EQUAL, half_ends = CD_MASS_HALF_ENDS };
@@ -881,9 +885,11 @@ public:
     outcome<> set_lambda(double lambda) { return call(cd_membrane_set_lambda, lambda); }
     outcome<double> get_lambda() const { return value<double>(cd_membrane_get_lambda); }
 
-    // How implicit steps solve their system; when the coupled solver is content; what it did in the last call of step.
+    // How implicit steps solve their system, and which solver the last call of step took; when the coupled solver is
+    // content; what it did in that call.
     outcome<> set_solver(solver s) { return call(cd_membrane_set_solver, s); }
     outcome<solver> get_solver() const { return value<solver>(cd_membrane_get_solver); }
+    outcome<solver> get_solver_taken() const { return value<solver>(cd_membrane_get_solver_taken); }
     outcome<> set_tolerance(double tolerance, std::size_t most_iterations = 100) {
         return call(cd_membrane_set_tolerance, tolerance, most_iterations);
     }

@@ -514,7 +514,7 @@ pub fn make_membrane() -> Membrane {
     Membrane::new(4, 5, 3, Precision::Float64).unwrap()
 }
 
-pub const MEMBRANE: [Call<Membrane>; 91] = [
+pub const MEMBRANE: [Call<Membrane>; 92] = [
     Call {
         name: "cd_membrane_get_shape",
         may_fail: false,
@@ -555,6 +555,12 @@ pub const MEMBRANE: [Call<Membrane>; 91] = [
         name: "cd_membrane_get_solver",
         may_fail: false,
         call: |o, _other, _saved| o.get_solver().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_membrane_get_solver_taken",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_solver_taken().map(drop),
         told: |_| true,
     },
     Call {

@@ -185,6 +185,7 @@ pub const ENUMERATORS: &[(&str, i32)] = &[
     ("CD_METHOD_STIFF_SECOND", 3),
     ("CD_SOLVER_ALTERNATING", 0),
     ("CD_SOLVER_COUPLED", 1),
+    ("CD_SOLVER_AUTO", 2),
     ("CD_MASS_EQUAL", 0),
     ("CD_MASS_HALF_ENDS", 1),
     ("CD_KERNELS_PLAIN", 0),

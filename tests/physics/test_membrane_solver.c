@@ -1,0 +1,229 @@
+/* CD_SOLVER_AUTO: which solver a step takes, and that it then is that solver's step to the bit. */
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+#include "check.h"
+
+static const double kMostExtraMass = 0.05; /* of a motion of half a wave along each direction: membrane.h */
+static const double kPi = 3.14159265358979323846;
+
+/* A sheet of nu by nv springs, mass and stiffnesses as given. */
+struct sheet_case {
+    size_t nu, nv;
+    double mass, along_u, along_v, damping, bend;
+    int32_t ring_u, ring_v;
+    cd_method method;
+    double lambda;
+    cd_mass_rule rule;
+};
+
+static const struct sheet_case cases[] = {
+    {8, 8, 1, 1, 1, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL},
+    {40, 12, 0.2, 300, 5, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 1, CD_MASS_EQUAL},
+    {16, 24, 3, 20, 2000, 0.01, 0, 0, 0, CD_METHOD_IMPLICIT, 0.55, CD_MASS_HALF_ENDS},
+    {12, 9, 1, 50, 70, 0, 0, 1, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL},
+    {12, 9, 1, 50, 70, 0, 0, 1, 1, CD_METHOD_STIFF_SECOND, 0.5, CD_MASS_HALF_ENDS},
+    {10, 14, 2, 10, 10, 0, 3, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL},
+    {20, 1, 1, 100, 100, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL},
+};
+
+static cd_membrane* sheet_of(const struct sheet_case* c, cd_solver solver) {
+    cd_membrane* m = NULL;
+    ok(cd_membrane_create(c->nu, c->nv, 1, CD_FLOAT64, NULL, &m));
+    ok(cd_membrane_set_mass(m, c->mass));
+    ok(cd_membrane_set_mass_rule(m, c->rule));
+    ok(cd_membrane_set_stiffness(m, c->along_u, c->along_v));
+    ok(cd_membrane_set_stiffness_damping(m, c->damping));
+    ok(cd_membrane_set_bend(m, c->bend));
+    ok(cd_membrane_set_ring(m, c->ring_u, c->ring_v));
+    ok(cd_membrane_set_method(m, c->method));
+    if (c->method == CD_METHOD_IMPLICIT) ok(cd_membrane_set_lambda(m, c->lambda));
+    ok(cd_membrane_set_edge(m, CD_EDGE_U_FIRST, CD_NODE_PINNED));
+    ok(cd_membrane_set_solver(m, solver));
+    const size_t count = (c->nu + 1) * (c->nv + 1);
+    double* const x = calloc(count, sizeof *x);
+    assert_non_null(x);
+    for (size_t i = 0; i < count; ++i) x[i] = 0.1 * sin(1.7 * (double)i);
+    ok(cd_membrane_write_f64(m, CD_POSITION, 0, 0, c->nu + 1, c->nv + 1, x, count));
+    free(x);
+    return m;
+}
+
+/* (w h)^2 of half a wave along a direction of n springs, round a ring of a whole one, of which the whole sheet has
+ * `stiffness` and, with springs parallel to these on `lines` lines, `node` is a node's mass. */
+static double phase_squared(size_t n, bool ring, double stiffness, double bend, double lines, double node,
+                            double sigma) {
+    const double springs = (double)n + ring, phase = (ring ? 2 : 1) * kPi / springs, square = phase * phase;
+    const double spring = stiffness * springs / lines, stiff = bend * springs * springs * springs / lines;
+    return sigma * (spring + 2 * stiff * square) * square / node;
+}
+
+static double extra_mass(const struct sheet_case* c, double dt) {
+    const double share = c->method == CD_METHOD_IMPLICIT ? c->lambda : 1 - sqrt(0.5);
+    const double h = share * dt, sigma = h * (h + c->damping);
+    const double half = c->rule == CD_MASS_HALF_ENDS ? 0 : 1;
+    const double lines_u = (double)c->nu + (c->ring_u ? 1 : half), lines_v = (double)c->nv + (c->ring_v ? 1 : half);
+    const double node = c->mass / (lines_u * lines_v);
+    return phase_squared(c->nu, c->ring_u, c->along_u, c->bend, lines_v, node, sigma) *
+           phase_squared(c->nv, c->ring_v, c->along_v, c->bend, lines_u, node, sigma);
+}
+
+static double dt_at(const struct sheet_case* c, double extra) {
+    double low = 1e-9, high = 1e9;
+    for (int i = 0; i < 200; ++i) {
+        const double middle = sqrt(low * high);
+        if (extra_mass(c, middle) < extra) low = middle;
+        else high = middle;
+    }
+    return low;
+}
+
+static cd_solver taken(const cd_membrane* m) {
+    cd_solver solver = -1;
+    ok(cd_membrane_get_solver_taken(m, &solver));
+    return solver;
+}
+
+static void same_positions(const cd_membrane* a, const cd_membrane* b, size_t count) {
+    const void *x, *y;
+    size_t stride;
+    ok(cd_membrane_view(a, CD_POSITION, &x, &stride, &stride, &stride));
+    ok(cd_membrane_view(b, CD_POSITION, &y, &stride, &stride, &stride));
+    assert_memory_equal(x, y, count * sizeof(double));
+}
+
+static void a_step_alternates_up_to_its_bound(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        const struct sheet_case* const c = &cases[i];
+        const double bound = dt_at(c, kMostExtraMass),
+                     dts[] = {0.01 * bound, 0.999 * bound, 1.001 * bound, 100 * bound};
+        cd_membrane* const m = sheet_of(c, CD_SOLVER_AUTO);
+        ok(cd_membrane_set_tolerance(m, 1e-3, 1000));
+        assert_int_equal(taken(m), CD_SOLVER_AUTO);
+        for (int round = 0; round < 2; ++round)
+            for (size_t k = 0; k < COUNT(dts); ++k) {
+                ok(cd_membrane_step(m, dts[k], 1));
+                assert_int_equal(taken(m), k < 2 ? CD_SOLVER_ALTERNATING : CD_SOLVER_COUPLED);
+            }
+        cd_membrane_destroy(m);
+    }
+}
+
+static void the_step_is_that_of_the_solver_taken(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        const struct sheet_case* const c = &cases[i];
+        const double bound = dt_at(c, kMostExtraMass);
+        cd_membrane* const m = sheet_of(c, CD_SOLVER_AUTO);
+        cd_membrane* const other = sheet_of(c, CD_SOLVER_COUPLED);
+        for (int step = 0; step < 9; ++step) { /* from one to the other and back */
+            const double dt = (step / 3 == 1 ? 3 : 0.5) * bound;
+            ok(cd_membrane_set_solver(other, step / 3 == 1 ? CD_SOLVER_COUPLED : CD_SOLVER_ALTERNATING));
+            ok(cd_membrane_step(m, dt, 1));
+            ok(cd_membrane_step(other, dt, 1));
+            assert_int_equal(taken(m), taken(other));
+            same_positions(m, other, c->nu + 1);
+        }
+        cd_membrane_destroy(m);
+        cd_membrane_destroy(other);
+    }
+}
+
+/* Half of the springs along v are k times as stiff, half of the nodes weigh 1/k. */
+static void fields_count_by_their_means(void** state) {
+    (void)state;
+    const struct sheet_case c = {9, 8, 1, 40, 30, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL};
+    const double bound = dt_at(&c, kMostExtraMass), k = 5, mean = (1 + k) / 2;
+    for (int which = 0; which < 3; ++which) {
+        cd_membrane* const m = sheet_of(&c, CD_SOLVER_AUTO);
+        const cd_field field = which == 0 ? CD_MASS : CD_STIFFNESS_V;
+        const size_t rows = c.nv + (field == CD_MASS), columns = c.nu + 1;
+        double values[90];
+        ok(cd_membrane_enable_field(m, field));
+        ok(cd_membrane_read_f64(m, field, 0, 0, columns, rows, values, columns * rows));
+        for (size_t i = 0; i < columns * rows; ++i) {
+            const bool changed = i % 2 != 0;
+            if (which == 2) values[i] *= changed ? 0 : mean; /* what is cut does not count */
+            else if (changed) values[i] *= field == CD_MASS ? 1 / k : k;
+        }
+        ok(cd_membrane_write_f64(m, field, 0, 0, columns, rows, values, columns * rows));
+        ok(cd_membrane_set_tolerance(m, 1e-3, 1000));
+        /* extra mass grows with dt^4, and with the mean; with masses along both directions */
+        const double there = bound / pow(mean, field == CD_MASS ? 0.5 : 0.25);
+        ok(cd_membrane_step(m, 0.999 * there, 1));
+        assert_int_equal(taken(m), CD_SOLVER_ALTERNATING);
+        ok(cd_membrane_step(m, 1.001 * there, 1));
+        assert_int_equal(taken(m), CD_SOLVER_COUPLED);
+        cd_membrane_destroy(m);
+    }
+}
+
+static void what_has_no_such_system_takes_none(void** state) {
+    (void)state;
+    cd_membrane* m = NULL;
+    ok(cd_membrane_create(4, 4, 3, CD_FLOAT32, NULL, &m));
+    ok(cd_membrane_step(m, 1e-3, 1));
+    assert_int_equal(taken(m), CD_SOLVER_ALTERNATING);
+    ok(cd_membrane_set_method(m, CD_METHOD_SYMPLECTIC_EULER));
+    ok(cd_membrane_step(m, 1e-3, 1));
+    assert_int_equal(taken(m), CD_SOLVER_AUTO);
+    ok(cd_membrane_set_method(m, CD_METHOD_IMPLICIT));
+    ok(cd_membrane_step(m, 1e3, 1));
+    assert_int_equal(taken(m), CD_SOLVER_COUPLED);
+    ok(cd_membrane_set_rest_length(m, 1, 1)); /* cloth */
+    ok(cd_membrane_step(m, 1e-3, 1));
+    assert_int_equal(taken(m), CD_SOLVER_AUTO);
+    cd_membrane_destroy(m);
+    ok(cd_membrane_create(20, 0, 1, CD_FLOAT32, NULL, &m)); /* one line: nothing to couple */
+    ok(cd_membrane_step(m, 1e3, 1));
+    assert_int_equal(taken(m), CD_SOLVER_ALTERNATING);
+    cd_membrane_destroy(m);
+}
+
+/* How long a drum's slowest motion takes: steps until its middle has gone down and come back, counted in fractions. */
+static double period_of(const struct sheet_case* c, cd_solver solver, double dt) {
+    cd_membrane* const m = sheet_of(c, solver);
+    double x[33 * 33], before = 0, after = 1, time = 0, crossings[2] = {0, 0};
+    int crossed = 0;
+    const size_t n = c->nu + 1;
+    ok(cd_membrane_set_tolerance(m, 1e-10, 1000));
+    for (cd_edge edge = CD_EDGE_U_FIRST; edge <= CD_EDGE_V_LAST; ++edge)
+        ok(cd_membrane_set_edge(m, edge, CD_NODE_PINNED));
+    for (size_t i = 0; i < n * n; ++i)
+        x[i] = sin(kPi * (double)(i % n) / (double)c->nu) * sin(kPi * (double)(i / n) / (double)c->nu);
+    ok(cd_membrane_write_f64(m, CD_POSITION, 0, 0, n, n, x, n * n));
+    for (int step = 0; step < 400 && crossed < 2; ++step, time += dt) {
+        ok(cd_membrane_step(m, dt, 1));
+        before = after;
+        ok(cd_membrane_read_f64(m, CD_POSITION, c->nu / 2, c->nu / 2, 1, 1, &after, 1));
+        if (before * after < 0) crossings[crossed++] = time + dt * before / (before - after);
+    }
+    assert_int_equal(crossed, 2);
+    cd_membrane_destroy(m);
+    return 2 * (crossings[1] - crossings[0]);
+}
+
+static void what_is_heavier_by_a_twentieth_swings_by_a_fortieth_slower(void** state) {
+    (void)state;
+    const struct sheet_case c = {32, 32, 1, 1000, 1000, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL};
+    for (double extra = 1e-4; extra < 100; extra *= 7) {
+        const double dt = dt_at(&c, extra);
+        const double exact = period_of(&c, CD_SOLVER_COUPLED, dt), found = period_of(&c, CD_SOLVER_AUTO, dt);
+        assert_true(found < 1.03 * exact && found > 0.999 * exact);
+    }
+    const double dt = dt_at(&c, 0.9 * kMostExtraMass); /* and the bound is what it says */
+    assert_true(period_of(&c, CD_SOLVER_AUTO, dt) > 1.01 * period_of(&c, CD_SOLVER_COUPLED, dt));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_step_alternates_up_to_its_bound),
+        cmocka_unit_test(the_step_is_that_of_the_solver_taken),
+        cmocka_unit_test(fields_count_by_their_means),
+        cmocka_unit_test(what_has_no_such_system_takes_none),
+        cmocka_unit_test(what_is_heavier_by_a_twentieth_swings_by_a_fortieth_slower),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
