@@ -26,6 +26,11 @@ MEANINGLESS = {"set_callback": {"friction": -1.0}}
 # but these want the right length all the same.
 COUNTING = {"get_collider"}
 FOREIGN_BYTES, UNTOUCHED = 8192, 0x5A5A5A5A
+AT = mmap.mmap(-1, 256)  # what is being tried, which the process that is left after a crash tells
+
+
+def trying(what):
+    AT[:] = what.encode()[:len(AT)].ljust(len(AT))
 
 
 def tables(library, p, heap):
@@ -92,8 +97,6 @@ class Wrong:
 
 
 class Pointers(Calls):
-    at = mmap.mmap(-1, 256)  # what is being tried, for the process that is left after a crash
-
     def make(self):
         handle = super().make()
         if self.function["short"] in BEFORE:
@@ -107,7 +110,7 @@ class Pointers(Calls):
     def call(self, handle, changes=None, element=None):
         if self.function["short"] in ("enable_field", "disable_field"):
             changes = {"field": self.library.enums["cd_field"][FORCE[self.kind]], **(changes or {})}
-        self.at[:] = f"{self.name} with {changes}".encode().ljust(len(self.at))[:len(self.at)]
+        trying(f"{self.name}: {self.what}")
         return super().call(handle, changes, element)
 
     def pointers(self, wrong, tried):
@@ -175,6 +178,7 @@ def creates_and_destroys(library, wrong, tried):
         library.destroy(kind, library.create(kind))  # without an allocator
         for missing, table in [(out["name"], None), *tables(library, allocator, wrong.heap)]:
             handle = ctypes.c_void_p(UNTOUCHED)
+            trying(f"{name}: without {missing}")
             library.dll.cd_chain_get_steps(None, None)  # leaves the message of another function
             status = getattr(library.dll, name)(*shape[:-1], table, ctypes.byref(handle) if table else None)
             message = library.dll.cd_error_message().decode()
@@ -183,6 +187,7 @@ def creates_and_destroys(library, wrong, tried):
                                                                                   f"{message}")
             check(handle.value == UNTOUCHED, f"{name}: without {missing}: the output has been written")
         for what, handle in {"null": None, **wrong.of(kind)}.items():
+            trying(f"cd_{kind}_destroy: {what}")
             library.destroy(kind, handle)
             wrong.stays(f"cd_{kind}_destroy: {what}")
         tried |= {(name, allocator["name"]), (name, out["name"]), (f"cd_{kind}_destroy", kind)}
@@ -193,7 +198,7 @@ def main():
     child = os.fork()
     if child:
         status = os.waitpid(child, 0)[1]
-        sys.exit(f"signal {status} in {Pointers.at[:].decode().strip()}" if os.WIFSIGNALED(status) else bool(status))
+        sys.exit(f"{AT[:].decode().strip()}: signal {status}" if os.WIFSIGNALED(status) else bool(status))
     library = Library(json.loads(Path(path).read_text(encoding="utf-8")), library)
     wrong, tried = Wrong(library), set()
     creates_and_destroys(library, wrong, tried)
@@ -208,7 +213,7 @@ def main():
     every = {(f["name"], p["name"]) for f in functions for p in f["parameters"] if "*" in p["type"]}
     check(tried == every, f"never tried: {sorted(every - tried)}")
     if FAILURES:
-        sys.exit("\n".join(FAILURES))
+        sys.exit("\n".join(dict.fromkeys(FAILURES)))
 
 
 if __name__ == "__main__":

@@ -126,7 +126,7 @@ class Calls:
         self.library, self.function, self.state = library, function, state
         self.precision, self.kind, self.name = precision, function["object"], function["name"]
         self.codes = {error["code"] for error in function["errors"]}
-        self.objects = []
+        self.objects, self.what = [], ""
 
     def make(self):
         shape, handle = list(SHAPES[self.kind]), ctypes.c_void_p()
@@ -186,13 +186,13 @@ class Calls:
         return self.value(array["length"]) * times
 
     def taken(self, what, changes, element=None):
-        handle = self.make()
+        handle, self.what = self.make(), what
         status = self.call(handle, changes, element)
         check(status == OK, f"{self.name}: {what} should be taken, but: {self.says()}")
         return handle
 
     def refused(self, what, words, statuses, number, changes, element=None):
-        handle = self.make()
+        handle, self.what = self.make(), what
         before = told(self.library, self.kind, handle, "hash")
         status = self.call(handle, changes, element)
         name = next(name for name, value in self.library.enums["cd_status"].items() if value == status)
