@@ -1,4 +1,5 @@
-/* What the drawing functions of membrane.h refuse, and that they leave the membrane as it is. */
+/* What the drawing functions of membrane.h refuse, and that they leave the membrane as it is. Pointers:
+ * tests/bindings/check_pointers.py. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,10 +10,8 @@
 
 enum { NU = 7, NV = 5, NODES = (NU + 1) * (NV + 1), STRIDE = 24, INDICES = 6 * (NU * NV - 4) + 3 * 4 };
 
-static cd_membrane *membrane, *dead;
-static _Alignas(64) unsigned char foreign_bytes[8192] = {1, 2, 3};
-static cd_membrane* const foreign = (cd_membrane*)(void*)foreign_bytes;
-static struct heap heap = {.keeps = true};
+static cd_membrane* membrane;
+static struct heap heap;
 
 static unsigned char buffer[NODES * STRIDE + 4 * INDICES], untouched[sizeof buffer];
 
@@ -21,8 +20,6 @@ static int set_up(void** state) {
     const cd_allocator allocator = heap_allocator(&heap);
     membrane = cloth_from(&allocator, NU, NV, 3, CD_FLOAT64);
     cloth_everything(membrane); /* one node inside is absent */
-    dead = cloth_from(&allocator, NU, NV, 3, CD_FLOAT64);
-    cd_membrane_destroy(dead);
     memset(buffer, 0x5A, sizeof buffer);
     memset(untouched, 0x5A, sizeof untouched);
     return 0;
@@ -33,27 +30,6 @@ static int tear_down(void** state) {
     cd_membrane_destroy(membrane);
     heap_free(&heap);
     return 0;
-}
-
-static void only_a_living_membrane_is_drawn(void** state) {
-    (void)state;
-    cd_membrane* const m = membrane;
-    cd_membrane* const none[] = {NULL, foreign, dead};
-    for (size_t i = 0; i < COUNT(none); ++i) {
-        const cd_status status = none[i] ? CD_ERROR_HANDLE : CD_ERROR_NULL;
-        refuses(m, cd_membrane_write_vertices(none[i], buffer, sizeof buffer, STRIDE, 0, 12), status, "membrane");
-        refuses(m, cd_membrane_get_index_count(none[i], out.size), status, "membrane");
-        refuses(m, cd_membrane_write_indices(none[i], buffer, sizeof buffer, 4), status, "membrane");
-    }
-    assert_memory_equal(buffer, untouched, sizeof buffer);
-}
-
-static void nothing_is_drawn_into_null(void** state) {
-    (void)state;
-    cd_membrane* const m = membrane;
-    refuses(m, cd_membrane_write_vertices(m, NULL, sizeof buffer, STRIDE, 0, 12), CD_ERROR_NULL, "buffer");
-    refuses(m, cd_membrane_get_index_count(m, NULL), CD_ERROR_NULL, "out_count");
-    refuses(m, cd_membrane_write_indices(m, NULL, sizeof buffer, 4), CD_ERROR_NULL, "buffer");
 }
 
 static void no_buffer_is_too_small(void** state) {
@@ -133,10 +109,9 @@ static void the_least_that_suffices_is_taken(void** state) {
     assert_int_equal(heap.asked, asked);
 }
 
-static const char* const drawing[] = {"cd_membrane_write_vertices", "cd_membrane_get_index_count",
-                                      "cd_membrane_write_indices"};
+static const char* const drawing[] = {"cd_membrane_write_vertices", "cd_membrane_write_indices"};
 
-static void every_argument_in_the_header_was_tried(void** state) {
+static void every_number_in_the_header_was_tried(void** state) {
     (void)state;
     static struct prototype functions[128];
     const size_t all = read_prototypes("membrane.h", functions, COUNT(functions));
@@ -147,10 +122,8 @@ static void every_argument_in_the_header_was_tried(void** state) {
         found += draws;
         for (size_t j = 0; draws && j < functions[i].count; ++j) {
             const struct parameter* p = &functions[i].parameters[j];
-            const cd_status status = strchr(p->type, '*')                 ? CD_ERROR_NULL
-                                     : strcmp(p->name, "index_size") == 0 ? CD_ERROR_VALUE
-                                                                          : CD_ERROR_RANGE;
-            if (!was_refused(functions[i].name, status, p->name))
+            const cd_status status = strcmp(p->name, "index_size") == 0 ? CD_ERROR_VALUE : CD_ERROR_RANGE;
+            if (!strchr(p->type, '*') && !was_refused(functions[i].name, status, p->name))
                 fail_msg("%s: nothing bad was tried for %s", functions[i].name, p->name);
         }
     }
@@ -159,13 +132,11 @@ static void every_argument_in_the_header_was_tried(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(only_a_living_membrane_is_drawn),
-        cmocka_unit_test(nothing_is_drawn_into_null),
         cmocka_unit_test(no_buffer_is_too_small),
         cmocka_unit_test(no_vertex_is_torn),
         cmocka_unit_test(no_index_is_cut_short),
         cmocka_unit_test(the_least_that_suffices_is_taken),
-        cmocka_unit_test(every_argument_in_the_header_was_tried),
+        cmocka_unit_test(every_number_in_the_header_was_tried),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

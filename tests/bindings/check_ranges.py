@@ -126,7 +126,7 @@ class Calls:
         self.library, self.function, self.state = library, function, state
         self.precision, self.kind, self.name = precision, function["object"], function["name"]
         self.codes = {error["code"] for error in function["errors"]}
-        self.objects = []
+        self.objects, self.what = [], ""
 
     def make(self):
         shape, handle = list(SHAPES[self.kind]), ctypes.c_void_p()
@@ -161,12 +161,15 @@ class Calls:
             at = names.index(name)
             plain = self.library.plain(self.function["parameters"][at]["base"])
             (plain * (index + 1)).from_buffer(kept[at])[index] = number
-        outputs = [buffer for p, buffer in zip(self.function["parameters"], kept) if p["direction"] == "out" and
-                   isinstance(buffer, ctypes.Array)]
-        for buffer in outputs:
+        outputs = {p["name"]: buffer for p, buffer in zip(self.function["parameters"], kept)
+                   if p["direction"] != "in" and isinstance(buffer, ctypes.Array)}
+        for buffer in outputs.values():
             ctypes.memset(buffer, ord("?"), LOOKED_AT)
-        status = getattr(self.library.dll, self.name)(*values)
-        self.wrote = any(buffer.raw[:LOOKED_AT] != b"?" * LOOKED_AT for buffer in outputs)
+        dll = self.library.dll  # what fails first leaves the message of another function
+        (dll.cd_chain_get_time if self.name == "cd_chain_get_steps" else dll.cd_chain_get_steps)(None, None)
+        status = getattr(dll, self.name)(*values)
+        self.outputs = {name: buffer.raw[:LOOKED_AT] for name, buffer in outputs.items()}
+        self.wrote = any(output != b"?" * LOOKED_AT for output in self.outputs.values())
         return status
 
     def says(self):
@@ -183,20 +186,22 @@ class Calls:
         return self.value(array["length"]) * times
 
     def taken(self, what, changes, element=None):
-        handle = self.make()
+        handle, self.what = self.make(), what
         status = self.call(handle, changes, element)
-        check(status == OK, f"{self.name}: {what} is in the range, but: {self.says()}")
+        check(status == OK, f"{self.name}: {what} should be taken, but: {self.says()}")
+        return handle
 
     def refused(self, what, words, statuses, number, changes, element=None):
-        handle = self.make()
+        handle, self.what = self.make(), what
         before = told(self.library, self.kind, handle, "hash")
         status = self.call(handle, changes, element)
         name = next(name for name, value in self.library.enums["cd_status"].items() if value == status)
         message = self.says() if status != OK else "nothing"
         check(name in statuses and name in self.codes,
-              f"{self.name}: {what} is out of the range, but gives {name}; described: {sorted(self.codes)}")
+              f"{self.name}: {what} gives {name}, not {' or '.join(sorted(statuses))}; described: {sorted(self.codes)}")
         shown = "%g" % number if isinstance(number, float) else str(number)
-        check(status == OK or re.search(rf"(?<!\w){words}(?!\w)", message) and shown in message.partition(self.name)[2],
+        function, _, rest = message.partition(": ")
+        check(status == OK or function == self.name and re.search(rf"(?<!\w){words}(?!\w)", rest) and shown in rest,
               f"{self.name}: {what} is refused by a message that does not name it: {message}")
         check(not self.wrote, f"{self.name}: {what} is refused, but an output has been written")
         check(told(self.library, self.kind, handle, "hash") == before, f"{self.name}: {what} is refused, but the state "

@@ -20,13 +20,11 @@ struct outputs {
     double number[16];
     float single[16];
     size_t size[4];
-    uint64_t u64;
     int32_t i32;
     const void* pointer;
     cd_chain* chain;
     cd_membrane* membrane;
     cd_water* water;
-    unsigned char bytes[64];
 };
 extern struct outputs out;
 

@@ -28,10 +28,8 @@ size_t read_prototypes(const char* header, struct prototype* out_prototypes, siz
 /* Was a call of `function` refused with `status`, by a message whose first piece is `argument`? */
 bool was_refused(const char* function, cd_status status, const char* argument);
 
-/* Each fails the test if something bad is still to be tried for an argument in include/contdyn/<object>.h: null for
- * every pointer and a dead and a foreign one for the object itself; a bad field, range or value where there is a field.
- * Arguments in `but`, such as "cd_chain_attach target", may be null. Numbers: tests/bindings/check_ranges.py. */
-void all_pointers_were_tried(const char* object, const char* const* but, size_t count);
+/* Fails the test if a bad field, range or value is still to be tried for an argument of a function of fields in
+ * include/contdyn/<object>.h. Other numbers: tests/bindings/check_ranges.py; pointers: check_pointers.py there. */
 void all_field_arguments_were_tried(const char* object);
 
 /* Remembers one; called by refuses(). */
