@@ -25,8 +25,9 @@ import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
+from heapq import heapify, heappop, heappush
 from pathlib import Path
-from threading import Lock
+from threading import Lock, Thread
 
 from tree import copy_and_configure, run
 
@@ -35,6 +36,7 @@ MEMORY = 4 << 30  # [bytes] that a test may take
 PROCESSORS = len(os.sched_getaffinity(0))
 JOBS = str(PROCESSORS)
 SONAME = "libcontdyn.so.0.2"
+OF_API = ["bindings.behaviour", "bindings.ranges", "bindings.pointers"]  # programs that api.json tells what to try
 OPTIONS = ("-DCONTDYN_AVX2=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG")
 SLOWER = 10       # a test that takes so many times as long, and 10 s, does not end
 
@@ -84,14 +86,19 @@ class Tests:
 
     def __init__(self, build, tiers, inside):
         self.build = build
-        self.programs = [test["name"].replace(".", "_", 1) for test in self.told(tiers, inside)]
+        self.programs = [test["name"].replace(".", "_", 1) for test in self.told(tiers, inside)
+                         if test["name"] not in OF_API]
         if self.programs:
             must(run("cmake", "--build", build, "-j", JOBS, "--target", *self.programs))
         self.tests = [(test["name"], test["command"]) for test in self.told(tiers, inside)]
 
     def told(self, tiers, inside):
-        told = json.loads(run("ctest", "--test-dir", self.build, "--show-only=json-v1", "-L", f"^({tiers})$").stdout)
-        return [test for test in told["tests"] if test["name"].startswith("unit.") == inside]
+        told = json.loads(run("ctest", "--test-dir", self.build, "--show-only=json-v1").stdout)
+        labels = {test["name"]: next(p["value"] for p in test["properties"] if p["name"] == "LABELS")
+                  for test in told["tests"]}
+        of_api = [] if inside else OF_API
+        return [test for test in told["tests"] if test["name"] in of_api or
+                re.fullmatch(tiers, labels[test["name"]][0]) and test["name"].startswith("unit.") == inside]
 
     def timed(self):
         with ThreadPoolExecutor(PROCESSORS) as pool:
@@ -113,7 +120,10 @@ def must(made):
 
 def fails(command, limit, library_folder=None):
     """Whether a test fails, with the library of that folder."""
-    told = dict(os.environ, LD_LIBRARY_PATH=str(library_folder)) if library_folder else None
+    told = dict(os.environ)
+    if library_folder:
+        command = [re.sub(r".*/libcontdyn\.so[.\d]*", f"{library_folder}/{SONAME}", part) for part in command]
+        told["LD_LIBRARY_PATH"] = f"{library_folder}:{told.get('LD_LIBRARY_PATH', '')}"
     began = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
                              env=told,
                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
@@ -125,16 +135,13 @@ def fails(command, limit, library_folder=None):
         return True
 
 
-def first_failure(tests, library_folder=None):
-    return next((name for name, command, limit in tests if fails(command, limit, library_folder)), None)
-
-
 class Mutation:
-    """One place: `by` names the test that noticed; None if all that were asked (`asked`) passed."""
+    """One place: `by` names the test that noticed; None so far. `passed` tests of the library have not, nor, with
+    `whole`, has any other."""
 
-    def __init__(self, kind, path, number, old, new, by=None, asked=()):
+    def __init__(self, kind, path, number, old, new, by=None, passed=0, whole=False):
         self.kind, self.path, self.number, self.old, self.new = kind, path, number, old, new
-        self.by, self.asked = by, list(asked)
+        self.by, self.passed, self.whole = by, passed, whole
 
     def broken(self, tree):
         """Breaks the file and returns how it was."""
@@ -150,7 +157,7 @@ class Mutation:
     def says(self):
         why = self.explained()
         return (f"noticed by {self.by}" if self.by else f"explained: {why}" if why else
-                "SURVIVED" if "inside" in self.asked else "not noticed so far" if self.asked else "not asked yet")
+                "SURVIVED" if self.whole else f"not noticed by {self.passed} tests so far")
 
 
 class Run:
@@ -198,19 +205,34 @@ class Run:
             path.write_text(text)
 
     def ask(self):
-        def ask_one(number, mutation):
-            mutation.by = first_failure(self.tests, self.of(number))
-            with self.lock:
-                mutation.asked.append("ask")
-                self.keep()
-                print(f"{number} {mutation.says()}", flush=True)
+        """One test at a time for the mutation that fewest have been asked about."""
+        waiting = [(m.passed, number) for number, m in enumerate(self.mutations) if not m.by]
 
-        with ThreadPoolExecutor(PROCESSORS) as pool:
-            list(pool.map(lambda one: ask_one(*one),
-                          [(n, m) for n, m in enumerate(self.mutations) if "ask" not in m.asked]))
+        def work():
+            while True:
+                with self.lock:
+                    passed, number = heappop(waiting) if waiting else (len(self.tests), 0)
+                if passed == len(self.tests):
+                    return
+                name, command, limit = self.tests[passed]
+                failed = fails(command, limit, self.of(number))
+                with self.lock:
+                    if failed:
+                        self.mutations[number].by = name
+                    else:
+                        self.mutations[number].passed += 1
+                        heappush(waiting, (passed + 1, number))
+                    self.keep()
+
+        heapify(waiting)
+        threads = [Thread(target=work) for _ in range(PROCESSORS)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
 
     def inside(self):
-        left = [m for m in self.mutations if not m.by and "inside" not in m.asked]
+        left = [m for m in self.mutations if not m.by and not m.whole]
         if not left:
             return
         tests = Tests(self.build, self.tiers, True)
@@ -219,8 +241,9 @@ class Run:
         for mutation in left:
             text = mutation.broken(self.tree)
             made = run("cmake", "--build", self.build, "-j", JOBS, "--target", *tests.programs)
-            mutation.by = "the compiler" if made.returncode else first_failure(timed)
-            mutation.asked.append("inside")
+            mutation.by = "the compiler" if made.returncode else next(
+                (name for name, command, limit in timed if fails(command, limit)), None)
+            mutation.whole = True
             (self.tree / mutation.path).write_text(text)
             self.keep()
 
