@@ -101,9 +101,8 @@ export type Precision = keyof typeof Precision;
 /**
  * How a step advances the state by dt. "implicit" is the default, with lambda = 1/2. What is bounded, and keeps
  * energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that its velocity would carry
- * it,
- * and in a ring or with bend of the way that it would fall in dt, which shows where dt is longer than 1e12 times the
- * time of the fastest swing.
+ * it, and in a ring or with bend of the way that it would fall in dt, which shows where dt is longer than 1e12 times
+ * the time of the fastest swing.
  */
 export const Method: {
   /**

@@ -63,9 +63,9 @@ typedef int32_t cd_precision;
 enum { CD_FLOAT32 = 0, CD_FLOAT64 = 1 };
 
 /* How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. What is bounded, and keeps
- * energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that its velocity would carry it,
- * and in a ring or with bend of the way that it would fall in dt, which shows where dt is longer than 1e12 times the
- * time of the fastest swing. */
+ * energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that its velocity would carry
+ * it, and in a ring or with bend of the way that it would fall in dt, which shows where dt is longer than 1e12 times
+ * the time of the fastest swing. */
 typedef int32_t cd_method;
 enum {
     CD_METHOD_IMPLICIT = 0,         /* Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is
@@ -169,7 +169,8 @@ enum {
 
 /* ---- callbacks ------------------------------------------------------------------------------------------------- */
 
-/* These tables stay as they are: what a later version asks of the caller will have a table of its own. */
+/* These tables stay as they are: what a later version asks of the caller will have a table of its own. No function
+ * tells which table an object has: it is its user's. */
 
 /* Memory from the caller. allocate returns `size` bytes aligned to `alignment` (a power of two, at most 64), or null;
  * release gets back what allocate gave, with the same size and alignment. Both are called only from inside a call on
@@ -202,6 +203,8 @@ typedef struct cd_distance {
 } cd_distance;
 
 /* ---- saved states ------------------------------------------------------------------------------------------------ */
+
+/* What 0.2.0 or a later version has saved, every later one loads. */
 
 /* The kinds of objects. */
 typedef int32_t cd_kind;

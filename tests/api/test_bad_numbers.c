@@ -152,6 +152,8 @@ static void no_shape_is_made_that_cannot_be(void** state) {
                     bad[i].status, name_and_size(bad[i].argument, bad[i].shown));
     refuses(chain, cd_chain_create(big, big, 4, CD_FLOAT64, &allocator, &out.chain), CD_ERROR_SIZE,
             name_and_size("springs", big));
+    refuses(chain, cd_chain_create(7, SIZE_MAX, 2, CD_FLOAT64, &allocator, &out.chain), CD_ERROR_SIZE,
+            "7 strands of |springs with 2 components");
     refuses(chain, cd_chain_create(1, big, 1, CD_FLOAT64, &allocator, &out.chain), CD_ERROR_MEMORY, "");
     refuses(chain, cd_chain_create(big, 1, 1, CD_FLOAT32, &allocator, &out.chain), CD_ERROR_MEMORY, "");
     assert_true(most > big);

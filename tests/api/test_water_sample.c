@@ -146,6 +146,24 @@ static void nothing_is_told_of_cells_that_are_not_there(void** state) {
     cd_water_destroy(w);
 }
 
+/* Of the four cells about a place one alone, each in its turn, lies in the water. */
+static void one_cell_tells_what_is_about_it(void** state) {
+    (void)state;
+    for (size_t there = 0; there < 4; ++there) {
+        cd_water* w = pool(2, 2, CD_FLOAT64);
+        pool_fill(w, CD_BED, 3);
+        pool_fill(w, CD_DEPTH, 0.5);
+        ok(cd_water_enable_field(w, CD_MASK));
+        for (size_t k = 0; k < 4; ++k)
+            if (k != there) pool_set(w, CD_MASK, k % 2, k / 2, 0);
+        const double place[2] = {0.9 * POOL_DX, 1.2 * POOL_DY};
+        ok(cd_water_sample(w, place, 1, CD_OUTSIDE_REFUSED, surface, depth, normal, velocity));
+        assert_near(surface[0], 3.5, 1e-14, 0);
+        assert_near(depth[0], 0.5, 1e-14, 0);
+        cd_water_destroy(w);
+    }
+}
+
 static void round_a_periodic_side_there_is_no_edge(void** state) {
     (void)state;
     cd_water* w = pool_of(POOL_TORUS, NX, NY, CD_FLOAT64, 5);
@@ -218,6 +236,7 @@ int main(void) {
         cmocka_unit_test(on_a_face_the_velocity_is_that_of_the_face),
         cmocka_unit_test(up_to_a_beach_the_water_is_level_and_behind_it_is_the_bed),
         cmocka_unit_test(nothing_is_told_of_cells_that_are_not_there),
+        cmocka_unit_test(one_cell_tells_what_is_about_it),
         cmocka_unit_test(round_a_periodic_side_there_is_no_edge),
         cmocka_unit_test(a_water_of_one_cell_is_the_same_everywhere),
         cmocka_unit_test(places_outside_are_the_nearest_or_refused),

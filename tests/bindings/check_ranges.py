@@ -203,6 +203,8 @@ class Calls:
         function, _, rest = message.partition(": ")
         check(status == OK or function == self.name and re.search(rf"(?<!\w){words}(?!\w)", rest) and shown in rest,
               f"{self.name}: {what} is refused by a message that does not name it: {message}")
+        limits = re.search(r"must be in \[(\S+), (\S+)\]", message)
+        check(not limits or float(limits[1]) <= float(limits[2]), f"{self.name}: no range: {message}")
         check(not self.wrote, f"{self.name}: {what} is refused, but an output has been written")
         check(told(self.library, self.kind, handle, "hash") == before, f"{self.name}: {what} is refused, but the state "
                                                                        "has changed")

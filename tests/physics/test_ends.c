@@ -92,6 +92,31 @@ static void two_matched_ends_let_all_energy_out(void** state) {
     cd_chain_destroy(chain);
 }
 
+/* A chain of unlike masses whose first end is matched, and its mirror image, whose last end is. */
+static void both_ends_are_matched_alike(void** state) {
+    (void)state;
+    enum { SPRINGS = 12 };
+    cd_chain* chains[2] = {NULL, NULL};
+    double x[2][SPRINGS + 1];
+    for (int last = 0; last < 2; ++last) {
+        double mass[SPRINGS + 1];
+        for (int i = 0; i <= SPRINGS; ++i) {
+            const int at = last ? SPRINGS - i : i;
+            x[last][at] = 0.1 * i * i - i;
+            mass[at] = 0.05 + 0.02 * i;
+        }
+        ok(cd_chain_create(1, SPRINGS, 1, CD_FLOAT64, NULL, &chains[last]));
+        ok(cd_chain_enable_field(chains[last], CD_MASS));
+        ok(cd_chain_write_f64(chains[last], CD_MASS, 0, 1, 0, SPRINGS + 1, mass, SPRINGS + 1));
+        ok(cd_chain_write_f64(chains[last], CD_POSITION, 0, 1, 0, SPRINGS + 1, x[last], SPRINGS + 1));
+        ok(cd_chain_set_end(chains[last], last ? CD_END_LAST : CD_END_FIRST, CD_NODE_MATCHED));
+        ok(cd_chain_step(chains[last], 0.02, 50));
+        ok(cd_chain_read_f64(chains[last], CD_POSITION, 0, 1, 0, SPRINGS + 1, x[last], SPRINGS + 1));
+        cd_chain_destroy(chains[last]);
+    }
+    for (int i = 0; i <= SPRINGS; ++i) assert_near(x[0][i], x[1][SPRINGS - i], 1e-12, 0);
+}
+
 /* ---- driven nodes ------------------------------------------------------------------------------------------------ */
 
 enum { NODES = 30 };
@@ -208,6 +233,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_matched_end_sends_no_echo_and_others_send_all),
         cmocka_unit_test(two_matched_ends_let_all_energy_out),
+        cmocka_unit_test(both_ends_are_matched_alike),
         cmocka_unit_test(a_driven_node_is_a_pinned_one_seen_in_motion),
         cmocka_unit_test(a_driven_end_makes_a_standing_wave),
     };
