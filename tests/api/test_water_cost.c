@@ -89,6 +89,34 @@ static void a_lake_is_measured_as_it_lies(void** state) {
     cd_water_destroy(w);
 }
 
+static void the_face_that_closes_a_ring_counts_once(void** state) {
+    (void)state;
+    cd_water* w = pool(5, 3, CD_FLOAT64);
+    double kinetic;
+    pool_fill(w, CD_DEPTH, 0.5);
+    ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+    for (size_t face = 0; face < 5; face += 4) {
+        pool_fill(w, CD_VELOCITY_X, 0);
+        pool_set(w, CD_VELOCITY_X, face, 1, 3);
+        ok(cd_water_get_energy(w, &kinetic, NULL));
+        assert_near(kinetic, 500 * POOL_DX * POOL_DY * 0.5 * 9, 1e-14, 0);
+    }
+    cd_water_destroy(w);
+}
+
+static void an_open_side_is_as_deep_as_both_sides_in_the_mean(void** state) {
+    (void)state;
+    cd_water* w = pool(1, 1, CD_FLOAT64); /* a cell between two walls along y */
+    double dt;
+    pool_fill(w, CD_DEPTH, 0.5);
+    for (double level = 0.1; level < 9; level *= 3) {
+        ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_OPEN, level, 0));
+        ok(cd_water_stable_dt(w, &dt));
+        assert_near(dt, 2 * POOL_DX / sqrt(2 * 9.81 * (0.5 + level) / 2), 1e-14, 0);
+    }
+    cd_water_destroy(w);
+}
+
 static void without_gravity_nothing_swings(void** state) {
     (void)state;
     cd_water* w = pool_of(0, 8, 4, CD_FLOAT32, 2);
@@ -130,6 +158,8 @@ int main(void) {
         cmocka_unit_test(a_field_adds_a_plane_and_gives_it_back),
         cmocka_unit_test(what_a_choice_costs_is_given_back_with_it),
         cmocka_unit_test(a_lake_is_measured_as_it_lies),
+        cmocka_unit_test(the_face_that_closes_a_ring_counts_once),
+        cmocka_unit_test(an_open_side_is_as_deep_as_both_sides_in_the_mean),
         cmocka_unit_test(without_gravity_nothing_swings),
         cmocka_unit_test(what_was_held_back_is_told_of_the_last_call),
     };

@@ -462,6 +462,25 @@ static void a_cut_takes_the_bend_of_its_ends_with_it(void** state) {
     cd_membrane_destroy(m);
 }
 
+/* Next to no length the energy of springs that are pressed together goes on as before. */
+static void a_sheet_in_one_point_holds_all_its_energy(void** state) {
+    (void)state;
+    double before = 0, elastic;
+    for (double size = 1; size > 1e-9; size /= 3) {
+        cd_membrane* m = flat(3, 4, 1, 1.5);
+        double x[60];
+        ok(cd_membrane_read_f64(m, CD_POSITION, 0, 0, 4, 5, x, 60));
+        for (size_t i = 0; i < 60; ++i) x[i] *= size;
+        ok(cd_membrane_write_f64(m, CD_POSITION, 0, 0, 4, 5, x, 60));
+        ok(cd_membrane_get_energy(m, NULL, &elastic, NULL));
+        if (size < 1e-3) assert_near(elastic, before, 2.1e-3, 0);
+        assert_true(elastic >= before);
+        before = elastic;
+        cd_membrane_destroy(m);
+    }
+    assert_true(before > 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_a_step_does_is_the_gradient_of_the_energy),
@@ -473,6 +492,7 @@ int main(void) {
         cmocka_unit_test(a_cut_takes_the_shear_of_its_cells_with_it),
         cmocka_unit_test(a_cut_takes_the_bend_of_its_ends_with_it),
         cmocka_unit_test(a_clamped_strip_bends_as_a_beam),
+        cmocka_unit_test(a_sheet_in_one_point_holds_all_its_energy),
     };
     return cmocka_run_group_tests_name("cloth", tests, NULL, NULL);
 }
