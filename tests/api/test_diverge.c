@@ -77,6 +77,20 @@ static void the_finite_strands_of_a_diverged_chain_are_as_ever(void** state) {
     cd_chain_destroy(chain);
 }
 
+static void what_is_pinned_is_still_in_a_diverged_chain(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        double dt, v[ALL];
+        cd_chain* chain = unstable(cases[i].precision, cases[i].method, &dt);
+        ok(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_PINNED));
+        assert_int_equal(cd_chain_step(chain, dt, 100000), CD_ERROR_DIVERGED);
+        scene_read(chain, CD_VELOCITY, v);
+        for (size_t s = 0; s < STRANDS; ++s)
+            for (size_t k = 0; k < COMPONENTS; ++k) assert_true(v[s * NODES * COMPONENTS + k] == 0);
+        cd_chain_destroy(chain);
+    }
+}
+
 static void a_diverged_chain_makes_no_step_and_changes_nothing(void** state) {
     (void)state;
     for (size_t i = 0; i < COUNT(cases); ++i) {
@@ -272,6 +286,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(divergence_is_reported_with_the_first_bad_step),
         cmocka_unit_test(the_finite_strands_of_a_diverged_chain_are_as_ever),
+        cmocka_unit_test(what_is_pinned_is_still_in_a_diverged_chain),
         cmocka_unit_test(a_diverged_chain_makes_no_step_and_changes_nothing),
         cmocka_unit_test(a_diverged_chain_is_as_new_after_a_reset),
         cmocka_unit_test(a_diverged_chain_goes_on_once_finite_numbers_are_written),

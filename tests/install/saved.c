@@ -25,6 +25,7 @@ static cd_chain* new_chain(void) {
 static cd_membrane* new_membrane(void) {
     cd_membrane* membrane;
     must(cd_membrane_create(4, 4, 3, CD_FLOAT64, NULL, &membrane));
+    must(cd_membrane_set_solver(membrane, CD_SOLVER_ALTERNATING));
     return membrane;
 }
 static cd_water* new_water(void) {

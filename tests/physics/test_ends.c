@@ -55,10 +55,10 @@ static void a_matched_end_sends_no_echo_and_others_send_all(void** state) {
                     const double matched = echo(end, CD_NODE_MATCHED, springs, rule, precision);
                     const double free_end = echo(end, CD_NODE_FREE, springs, rule, precision);
                     const double pinned = echo(end, CD_NODE_PINNED, springs, rule, precision);
-                    print_message("float%d %-12s end %d, %zu springs: echo of a matched end %+.4f, free %+.4f, pinned "
-                                  "%+.4f\n",
-                                  p ? 64 : 32, rule ? "half ends" : "equal masses", end, springs, matched, free_end,
-                                  pinned);
+                    print_message(
+                        "float%d %-12s end %d, %zu springs: echo of a matched end %+.4f, free %+.4f, pinned "
+                        "%+.4f\n",
+                        p ? 64 : 32, rule ? "half ends" : "equal masses", end, springs, matched, free_end, pinned);
                     assert_true(free_end > 0.95);
                     assert_true(pinned < -0.95);
                     /* half an end mass too much is a reflection of first order, the bare lattice one of second */

@@ -101,6 +101,27 @@ static void any_stiffness_and_step_do_in_float(void** state) {
     }
 }
 
+/* Rates (stiffness over mass) that no float holds, of positions so small that velocities are floats again. */
+static void rates_beyond_floats_do_too(void** state) {
+    (void)state;
+    enum { NODES = 9 };
+    for (int way = 0; way < 2; ++way) {
+        double x[NODES], v[2][NODES];
+        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+            cd_chain* c;
+            ok(cd_chain_create(1, NODES - 1, 1, precision, NULL, &c));
+            ok(cd_chain_set_method(c, CD_METHOD_SYMPLECTIC_EULER));
+            ok(cd_chain_set_stiffness(c, way ? 1e-50 : 1e50));
+            for (int i = 0; i < NODES; ++i) x[i] = (float)((way ? 1e30 : 1e-20) * i * i);
+            ok(cd_chain_write_f64(c, CD_POSITION, 0, 1, 0, NODES, x, NODES));
+            ok(cd_chain_step(c, way ? 1e6 : 1e-3, 1));
+            ok(cd_chain_read_f64(c, CD_VELOCITY, 0, 1, 0, NODES, v[precision == CD_FLOAT64], NODES));
+            cd_chain_destroy(c);
+        }
+        for (int i = 0; i < NODES; ++i) assert_near(v[0][i], v[1][i], 1e-6, 0);
+    }
+}
+
 /* A sheet after some steps from a random start; with masses of their own, though alike, its nodes go another way. */
 static void sheet(int columns, int rows, unsigned kind, cd_precision precision, int own_masses, double* x) {
     const size_t count = (size_t)columns * (size_t)rows;
@@ -148,6 +169,7 @@ int main(void) {
         cmocka_unit_test(a_string_in_float_keeps_its_frequencies),
         cmocka_unit_test(a_uniform_sheet_of_any_shape_is_the_one_with_masses_of_its_own),
         cmocka_unit_test(any_stiffness_and_step_do_in_float),
+        cmocka_unit_test(rates_beyond_floats_do_too),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
