@@ -79,21 +79,21 @@ SAME(water)
 
 static cd_status chain_create(size_t first, size_t second, size_t components, cd_precision precision,
                               const cd_allocator* allocator, any** out) {
-    cd_chain* made = NULL;
+    cd_chain* made = *out;
     const cd_status status = cd_chain_create(first, second, components, precision, allocator, &made);
     *out = made;
     return status;
 }
 static cd_status membrane_create(size_t first, size_t second, size_t components, cd_precision precision,
                                  const cd_allocator* allocator, any** out) {
-    cd_membrane* made = NULL;
+    cd_membrane* made = *out;
     const cd_status status = cd_membrane_create(first, second, components, precision, allocator, &made);
     *out = made;
     return status;
 }
 static cd_status water_create(size_t first, size_t second, size_t components, cd_precision precision,
                               const cd_allocator* allocator, any** out) {
-    cd_water* made = NULL;
+    cd_water* made = *out;
     (void)components;
     const cd_status status = cd_water_create(first, second, 1, 1, precision, allocator, &made);
     *out = made;
@@ -115,7 +115,7 @@ size_t kind_numbers(const struct kind* kind, const any* object, cd_field field) 
     const size_t count = kind->number == CD_KIND_CHAIN      ? chain_extent(object, field, part)
                          : kind->number == CD_KIND_MEMBRANE ? membrane_extent(object, field, part)
                                                             : water_extent(object, field, part);
-    static double numbers[1 << 14];
+    static double numbers[1 << 16];
     assert_true(count <= COUNT(numbers));
     return kind->read(object, field, numbers, count) == CD_OK ? count : 0;
 }

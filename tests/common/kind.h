@@ -1,4 +1,5 @@
-/* The three kinds of objects as one: what chains, membranes and waters all can do, for tests that are the same for each. */
+/* The three kinds of objects as one: what chains, membranes and waters all can do, for tests that are the same for
+ * each. */
 #ifndef KIND_H
 #define KIND_H
 
@@ -14,6 +15,7 @@ struct kind {
     const char* name; /* "chain" */
     cd_kind number;
     cd_field state; /* positions, or depths: what tests write where they mean the state */
+    /* `*out` must be set before, and is left alone on failure. */
     cd_status (*create)(size_t first, size_t second, size_t components, cd_precision precision,
                         const cd_allocator* allocator, any** out);
     void (*destroy)(any* object);
