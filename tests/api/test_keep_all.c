@@ -12,32 +12,31 @@ static uint64_t hash_after(const struct kind* kind, any* object, double dt, size
     return kind_hash(kind, object);
 }
 
-/* Gives an object the state of another one by loading bytes or copying. */
-static void take(const struct kind* kind, any* object, const any* source, int by_copy) {
-    struct blob blob = kind_save(kind, source);
-    if (by_copy) ok(kind->copy_state(object, source));
-    else ok(kind->load(object, blob.bytes, blob.size));
-    free(blob.bytes);
-}
-
-static void goes_on(const struct kept_kind* kept, size_t scene, cd_precision precision, cd_method method) {
+/* Two objects take the state of a third one over, by its bytes and by copying: they are the same in all that can be
+ * read, need the same memory, are saved as the same bytes, and go on bit for bit. Destroys all three. */
+static void become_one(const struct kept_kind* kept, size_t scene, any* source, any* loaded, any* copied,
+                       size_t steps) {
     const struct kind* const kind = kept->kind;
     const double dt = kept_dt(kept, scene);
-    any* source = kept_scene(kept, scene, precision, method);
-    any* fresh[2]; /* loaded and copied */
+    any* const others[2] = {loaded, copied};
+    struct blob first = kind_save(kind, source);
     for (int by_copy = 0; by_copy < 2; ++by_copy) {
-        fresh[by_copy] = kept_new(kept, NULL, precision);
-        take(kind, fresh[by_copy], source, by_copy);
-        assert_int_equal(kind_hash(kind, fresh[by_copy]), kind_hash(kind, source));
-        kind_assert_same(kind, fresh[by_copy], source);
+        kind_take(kind, others[by_copy], source, by_copy);
+        assert_int_equal(kind_hash(kind, others[by_copy]), kind_hash(kind, source));
+        kind_assert_same(kind, others[by_copy], source);
+        assert_int_equal(kind_memory(kind, others[by_copy]), kind_memory(kind, source));
+        struct blob again = kind_save(kind, others[by_copy]);
+        assert_int_equal(first.size, again.size);
+        assert_memory_equal(first.bytes, again.bytes, first.size);
+        free(again.bytes);
     }
-    const uint64_t wanted = hash_after(kind, source, dt, 100);
+    const uint64_t wanted = hash_after(kind, source, dt, steps);
     for (int by_copy = 0; by_copy < 2; ++by_copy) {
-        assert_int_equal(hash_after(kind, fresh[by_copy], dt, 100), wanted);
-        kind_assert_same(kind, fresh[by_copy], source);
-        kind->destroy(fresh[by_copy]);
+        assert_int_equal(hash_after(kind, others[by_copy], dt, steps), wanted);
+        kind_assert_same(kind, others[by_copy], source);
+        kind->destroy(others[by_copy]);
     }
-    kind->destroy(source);
+    kind->destroy(source), free(first.bytes);
 }
 
 static void a_loaded_or_copied_object_goes_on_bit_for_bit(void** state) {
@@ -46,52 +45,19 @@ static void a_loaded_or_copied_object_goes_on_bit_for_bit(void** state) {
     for (size_t scene = 0; scene < kept->scenes; ++scene)
         for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
             for (size_t method = 0; method < kept_methods(kept, scene); ++method)
-                goes_on(kept, scene, precision, (cd_method)method);
-}
-
-static void what_is_saved_again_is_the_same(void** state) {
-    (void)state;
-    FOR_KINDS(kept)
-    for (size_t scene = 0; scene < kept->scenes; ++scene)
-        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
-            any* source = kept_scene(kept, scene, precision, CD_METHOD_IMPLICIT);
-            any* fresh = kept_new(kept, NULL, precision);
-            struct blob first = kind_save(kept->kind, source);
-            ok(kept->kind->load(fresh, first.bytes, first.size));
-            struct blob second = kind_save(kept->kind, fresh);
-            assert_int_equal(first.size, second.size);
-            assert_memory_equal(first.bytes, second.bytes, first.size);
-            free(first.bytes), free(second.bytes);
-            kept->kind->destroy(source), kept->kind->destroy(fresh);
-        }
-}
-
-/* Whatever the object had before. */
-static void follows(const struct kept_kind* kept, size_t from, size_t to) {
-    static const cd_method methods[2] = {CD_METHOD_STIFF_SECOND, CD_METHOD_SYMPLECTIC_EULER};
-    const struct kind* const kind = kept->kind;
-    const double dt = kept_dt(kept, from);
-    any* source = kept_scene(kept, from, CD_FLOAT64, CD_METHOD_IMPLICIT);
-    any* others[2];
-    for (int by_copy = 0; by_copy < 2; ++by_copy) {
-        others[by_copy] = kept_scene(kept, to, CD_FLOAT64, methods[by_copy]);
-        take(kind, others[by_copy], source, by_copy);
-        kind_assert_same(kind, others[by_copy], source);
-        assert_int_equal(kind_memory(kind, others[by_copy]), kind_memory(kind, source));
-    }
-    const uint64_t wanted = hash_after(kind, source, dt, 20);
-    for (int by_copy = 0; by_copy < 2; ++by_copy) {
-        assert_int_equal(hash_after(kind, others[by_copy], dt, 20), wanted);
-        kind->destroy(others[by_copy]);
-    }
-    kind->destroy(source);
+                become_one(kept, scene, kept_scene(kept, scene, precision, (cd_method)method),
+                           kept_new(kept, NULL, precision), kept_new(kept, NULL, precision),
+                           kept->kind == &kinds[CHAIN] ? 100 : 50);
 }
 
 static void features_follow_the_bytes_and_the_source(void** state) {
     (void)state;
     FOR_KINDS(kept)
     for (size_t from = 0; from < kept->scenes; ++from)
-        for (size_t to = 0; to < kept->scenes; ++to) follows(kept, from, to);
+        for (size_t to = 0; to < kept->scenes; ++to)
+            become_one(kept, from, kept_scene(kept, from, CD_FLOAT64, CD_METHOD_IMPLICIT),
+                       kept_scene(kept, to, CD_FLOAT64, CD_METHOD_STIFF_SECOND),
+                       kept_scene(kept, to, CD_FLOAT64, CD_METHOD_SYMPLECTIC_EULER), 20);
 }
 
 static void a_rollback_in_the_same_object_repeats_itself(void** state) {
@@ -103,13 +69,13 @@ static void a_rollback_in_the_same_object_repeats_itself(void** state) {
             const double dt = kept_dt(kept, scene);
             any* object = kept_scene(kept, scene, CD_FLOAT32, CD_METHOD_IMPLICIT);
             any* snapshot = kept_new(kept, NULL, CD_FLOAT32);
-            take(kind, snapshot, object, by_copy);
+            kind_take(kind, snapshot, object, by_copy);
             const uint64_t first = hash_after(kind, object, dt, 30);
             assert_int_not_equal(first, kind_hash(kind, snapshot));
-            take(kind, object, snapshot, by_copy);
+            kind_take(kind, object, snapshot, by_copy);
             assert_int_equal(kind_hash(kind, object), kind_hash(kind, snapshot));
             assert_int_equal(hash_after(kind, object, dt, 30), first);
-            take(kind, object, object, by_copy);
+            kind_take(kind, object, object, by_copy);
             assert_int_equal(kind_hash(kind, object), first);
             kind->destroy(object), kind->destroy(snapshot);
         }
@@ -133,17 +99,13 @@ static void stiffen(const struct kept_kind* kept, any* object, bool has_lengths)
 static void the_parameters_of_the_source_act_at_once(void** state) {
     (void)state;
     FOR_KINDS(kept)
-    for (size_t scene = 0; scene < kept->scenes; ++scene)
-        for (int by_copy = 0; by_copy < 2; ++by_copy) {
-            const double dt = kept_dt(kept, scene);
-            any* soft = kept_scene(kept, scene, CD_FLOAT64, CD_METHOD_IMPLICIT);
-            any* stiff = kept_scene(kept, scene, CD_FLOAT64, CD_METHOD_IMPLICIT);
-            stiffen(kept, stiff, kept_methods(kept, scene) == 1);
-            ok(kept->kind->step(stiff, dt, 1)); /* factored for the dt to come, as is the other */
-            take(kept->kind, soft, stiff, by_copy);
-            assert_int_equal(hash_after(kept->kind, soft, dt, 5), hash_after(kept->kind, stiff, dt, 5));
-            kept->kind->destroy(soft), kept->kind->destroy(stiff);
-        }
+    for (size_t scene = 0; scene < kept->scenes; ++scene) {
+        any* objects[3];
+        for (int k = 0; k < 3; ++k) objects[k] = kept_scene(kept, scene, CD_FLOAT64, CD_METHOD_IMPLICIT);
+        stiffen(kept, objects[0], kept_methods(kept, scene) == 1);
+        ok(kept->kind->step(objects[0], kept_dt(kept, scene), 1)); /* factored for the dt to come, as are the others */
+        become_one(kept, scene, objects[0], objects[1], objects[2], 5);
+    }
 }
 
 /* The two fullest scenes in both precisions. */
@@ -197,13 +159,16 @@ static void no_damaged_byte_goes_unseen(void** state) {
         for (size_t i = 0; i < blob.size; ++i) {
             for (size_t j = 0; j < COUNT(flips); ++j) {
                 blob.bytes[i] ^= flips[j];
-                if (kind->load(object, blob.bytes, blob.size) != CD_ERROR_FORMAT || kind_hash(kind, object) != before)
+                if (kind->load(object, blob.bytes, blob.size) != CD_ERROR_FORMAT)
                     fail_msg("%s: byte %zu of %zu, flipped by 0x%02x: %s", kind->name, i, blob.size, flips[j],
                              cd_error_message());
                 said_version |= strstr(cd_error_message(), "version") != NULL;
                 said_kind |= strstr(cd_error_message(), "kind") != NULL;
                 blob.bytes[i] ^= flips[j];
             }
+            if (kind_hash(kind, object) != before)
+                fail_msg("%s: damage to byte %zu of %zu is refused, and yet changes the object", kind->name, i,
+                         blob.size);
         }
         assert_true(said_version && said_kind);         /* refused for what they are, not as damaged */
         for (size_t i = 0; i + 8 < blob.size; i += 3) { /* two bytes exchanged */
@@ -309,7 +274,6 @@ static void another_shape_or_precision_is_a_mismatch(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_loaded_or_copied_object_goes_on_bit_for_bit),
-        cmocka_unit_test(what_is_saved_again_is_the_same),
         cmocka_unit_test(features_follow_the_bytes_and_the_source),
         cmocka_unit_test(a_rollback_in_the_same_object_repeats_itself),
         cmocka_unit_test(the_parameters_of_the_source_act_at_once),

@@ -10,6 +10,9 @@ struct blob {
 };
 struct blob kind_save(const struct kind* kind, const any* object);
 
+/* Gives an object the state of another one, by its bytes or by copying. */
+void kind_take(const struct kind* kind, any* object, const any* source, int by_copy);
+
 /* Fails unless all getters and fields tell the same. */
 void kind_assert_same(const struct kind* kind, const any* a, const any* b);
 
@@ -32,5 +35,8 @@ double kept_dt(const struct kept_kind* kept, size_t scene);
 
 /* An object after 7 steps of a scene. */
 any* kept_scene(const struct kept_kind* kept, size_t scene, cd_precision precision, cd_method method);
+
+/* Fails unless a new object, and one with other things in it, become the same as this one by loading and by copying. */
+void kept_assert_all(const struct kept_kind* kept, const any* object, cd_precision precision);
 
 #endif
