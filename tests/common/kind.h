@@ -1,4 +1,4 @@
-/* The three kinds of objects as one: what chains, membranes and waters all can do, for tests that are the same for all. */
+/* The three kinds of objects as one, with what chains, membranes and waters all can do: for tests that are the same. */
 #ifndef KIND_H
 #define KIND_H
 
