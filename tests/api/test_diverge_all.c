@@ -31,8 +31,9 @@ static void divergence_is_reported_with_the_first_bad_step(void** state) {
         while (kind_is_finite(kind, slow)) {
             const cd_status status = kind->step(slow, dt, 1);
             ++first_bad;
-            assert_true(first_bad < 5000);
-            assert_int_equal(status, kind_is_finite(kind, slow) ? CD_OK : CD_ERROR_DIVERGED);
+            assert_true(first_bad < 5000 && (status == CD_OK || status == CD_ERROR_DIVERGED));
+            if ((status == CD_OK) != kind_is_finite(kind, slow))
+                fail_msg("%s %zu: step %d gives %s", kind->name, i, (int)first_bad, cd_status_name(status));
         }
         assert_true(first_bad > u->least);
         assert_told(kind, first_bad);
@@ -73,13 +74,12 @@ static void a_diverged_object_is_as_new_after_a_reset(void** state) {
         double dt, small;
         any* both[2] = {unstable_diverged(u, i, &dt, &small), unstable_new(u, i, &dt, &small)};
         for (int k = 0; k < 2; ++k) ok(u->kind->reset(both[k]));
-        assert_int_equal(kind_hash(u->kind, both[0]), kind_hash(u->kind, both[1]));
         kind_assert_same(u->kind, both[0], both[1]);
         for (int k = 0; k < 2; ++k) {
             unstable_lay_out(u, both[k]);
             ok(u->kind->step(both[k], small, 20));
         }
-        assert_int_equal(kind_hash(u->kind, both[0]), kind_hash(u->kind, both[1]));
+        kind_assert_same(u->kind, both[0], both[1]);
         for (int k = 0; k < 2; ++k) u->kind->destroy(both[k]);
     }
 }
@@ -144,7 +144,7 @@ static void a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loa
         any* both[2] = {unstable_diverged(u, i, &dt, &small), unstable_new(u, i, &dt, &small)};
         any* good = unstable_new(u, i, &dt, &small);
         kind_take(kind, both[1], both[0], by_copy);
-        assert_int_equal(kind_hash(kind, both[1]), kind_hash(kind, both[0]));
+        assert_int_equal(kind_hash(kind, both[1]), kind_hash(kind, both[0])); /* signs of NaN are not kept */
         kind_refuses(kind, both[1], step, (both[1], dt, 1), CD_ERROR_DIVERGED, "");
         unstable_calm(u, good);
         ok(kind->step(good, small, 7));
@@ -154,7 +154,7 @@ static void a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loa
         }
         ok(kind->step(good, small, 20));
         for (int k = 0; k < 2; ++k) {
-            assert_int_equal(kind_hash(kind, both[k]), kind_hash(kind, good));
+            kind_assert_same(kind, both[k], good);
             kind->destroy(both[k]);
         }
         kind->destroy(good);

@@ -7,11 +7,6 @@
 
 #define FOR_KINDS(kept) for (const struct kept_kind* kept = kept_kinds; kept < kept_kinds + KINDS; ++kept)
 
-static uint64_t hash_after(const struct kind* kind, any* object, double dt, size_t steps) {
-    ok(kind->step(object, dt, steps));
-    return kind_hash(kind, object);
-}
-
 /* Two objects take the state of a third one over, by its bytes and by copying: they are the same in all that can be
  * read, need the same memory, are saved as the same bytes, and go on bit for bit. Destroys all three. */
 static void become_one(const struct kept_kind* kept, size_t scene, any* source, any* loaded, any* copied,
@@ -22,7 +17,6 @@ static void become_one(const struct kept_kind* kept, size_t scene, any* source, 
     struct blob first = kind_save(kind, source);
     for (int by_copy = 0; by_copy < 2; ++by_copy) {
         kind_take(kind, others[by_copy], source, by_copy);
-        assert_int_equal(kind_hash(kind, others[by_copy]), kind_hash(kind, source));
         kind_assert_same(kind, others[by_copy], source);
         assert_int_equal(kind_memory(kind, others[by_copy]), kind_memory(kind, source));
         struct blob again = kind_save(kind, others[by_copy]);
@@ -30,9 +24,9 @@ static void become_one(const struct kept_kind* kept, size_t scene, any* source, 
         assert_memory_equal(first.bytes, again.bytes, first.size);
         free(again.bytes);
     }
-    const uint64_t wanted = hash_after(kind, source, dt, steps);
+    ok(kind->step(source, dt, steps));
     for (int by_copy = 0; by_copy < 2; ++by_copy) {
-        assert_int_equal(hash_after(kind, others[by_copy], dt, steps), wanted);
+        ok(kind->step(others[by_copy], dt, steps));
         kind_assert_same(kind, others[by_copy], source);
         kind->destroy(others[by_copy]);
     }
@@ -68,16 +62,18 @@ static void a_rollback_in_the_same_object_repeats_itself(void** state) {
             const struct kind* const kind = kept->kind;
             const double dt = kept_dt(kept, scene);
             any* object = kept_scene(kept, scene, CD_FLOAT32, CD_METHOD_IMPLICIT);
-            any* snapshot = kept_new(kept, NULL, CD_FLOAT32);
-            kind_take(kind, snapshot, object, by_copy);
-            const uint64_t first = hash_after(kind, object, dt, 30);
-            assert_int_not_equal(first, kind_hash(kind, snapshot));
-            kind_take(kind, object, snapshot, by_copy);
-            assert_int_equal(kind_hash(kind, object), kind_hash(kind, snapshot));
-            assert_int_equal(hash_after(kind, object, dt, 30), first);
+            any *before = kept_new(kept, NULL, CD_FLOAT32), *after = kept_new(kept, NULL, CD_FLOAT32);
+            kind_take(kind, before, object, by_copy);
+            ok(kind->step(object, dt, 30));
+            assert_int_not_equal(kind_hash(kind, object), kind_hash(kind, before));
+            kind_take(kind, after, object, by_copy);
+            kind_take(kind, object, before, by_copy);
+            kind_assert_same(kind, object, before);
+            ok(kind->step(object, dt, 30));
+            kind_assert_same(kind, object, after);
             kind_take(kind, object, object, by_copy);
-            assert_int_equal(kind_hash(kind, object), first);
-            kind->destroy(object), kind->destroy(snapshot);
+            kind_assert_same(kind, object, after);
+            kind->destroy(object), kind->destroy(before), kind->destroy(after);
         }
 }
 
@@ -180,7 +176,7 @@ static void no_damaged_byte_goes_unseen(void** state) {
         }
         assert_int_equal(kind_hash(kind, object), before);
         ok(kind->load(object, blob.bytes, blob.size));
-        assert_int_equal(kind_hash(kind, object), kind_hash(kind, source));
+        kind_assert_same(kind, object, source);
         free(blob.bytes);
         kind->destroy(source), kind->destroy(object);
     }

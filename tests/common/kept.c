@@ -197,10 +197,12 @@ void kind_assert_same(const struct kind* kind, const any* a, const any* b) {
     for (size_t i = 0; i < both[0].count && i < both[1].count; ++i) {
         const union slot* const x[2] = {&both[0].slots[i], &both[1].slots[i]};
         if (memcmp(x[0], x[1], sizeof *x[0]) != 0)
-            fail_msg("two %ss differ in %s: %.17g or %llu, and %.17g or %llu", kind->name, both[0].calls[i],
-                     x[0]->number, (unsigned long long)x[0]->steps, x[1]->number, (unsigned long long)x[1]->steps);
+            fail_msg("two %ss differ in %s: %.17g and %.17g, or as whole numbers %llu and %llu", kind->name,
+                     both[0].calls[i], x[0]->number, x[1]->number, (unsigned long long)x[0]->steps,
+                     (unsigned long long)x[1]->steps);
     }
     assert_int_equal(both[0].count, both[1].count);
+    if (kind_hash(kind, a) != kind_hash(kind, b)) fail_msg("two %ss differ in nothing but their hashes", kind->name);
 }
 
 void kept_assert_all(const struct kept_kind* kept, const any* object, cd_precision precision) {
@@ -210,7 +212,6 @@ void kept_assert_all(const struct kept_kind* kept, const any* object, cd_precisi
             any* other = kept_new(kept, NULL, precision);
             if (!fresh) kept->build(other, kept->fullest[1]);
             kind_take(kind, other, object, by_copy);
-            assert_int_equal(kind_hash(kind, other), kind_hash(kind, object));
             kind_assert_same(kind, other, object);
             kind->destroy(other);
         }

@@ -13,7 +13,7 @@ struct blob kind_save(const struct kind* kind, const any* object);
 /* Gives an object the state of another one, by its bytes or by copying. */
 void kind_take(const struct kind* kind, any* object, const any* source, int by_copy);
 
-/* Fails unless all getters and fields tell the same. */
+/* Fails unless all getters, fields and hashes tell the same. */
 void kind_assert_same(const struct kind* kind, const any* a, const any* b);
 
 struct kept_kind {
