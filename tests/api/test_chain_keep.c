@@ -73,42 +73,33 @@ static void what_is_set_for_ropes_is_kept_at_the_ends_of_every_range(void** stat
 static void what_is_as_in_a_new_chain_takes_no_bytes(void** state) {
     (void)state;
     cd_chain* chain = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT64);
-    size_t before, during, after;
     const uint64_t hash = hash_of(chain);
-    ok(cd_chain_save_size(chain, &before));
+    const size_t before = kind_saved_size(&kinds[CHAIN], chain);
     ok(cd_chain_set_rest_length(chain, 2));
-    ok(cd_chain_save_size(chain, &during));
+    const size_t during = kind_saved_size(&kinds[CHAIN], chain);
     assert_true(during >= before + STRANDS * SPRINGS * sizeof(double));
     ok(cd_chain_set_air(chain, 0, -0.0)); /* is none */
-    ok(cd_chain_save_size(chain, &after));
-    assert_int_equal(after, during);
+    assert_int_equal(kind_saved_size(&kinds[CHAIN], chain), during);
     ok(cd_chain_set_air(chain, 0, 1));
-    ok(cd_chain_save_size(chain, &after));
-    assert_true(after > during);
+    assert_true(kind_saved_size(&kinds[CHAIN], chain) > during);
     ok(cd_chain_set_strength(chain, INFINITY)); /* is none */
     ok(cd_chain_set_air(chain, 0, 0));
-    ok(cd_chain_save_size(chain, &after));
-    assert_int_equal(after, during);
+    assert_int_equal(kind_saved_size(&kinds[CHAIN], chain), during);
     ok(cd_chain_set_strength(chain, 1));
     ok(cd_chain_disable_field(chain, CD_REST_LENGTH)); /* is off */
-    ok(cd_chain_save_size(chain, &after));
-    assert_true(after > during);
-    const size_t until_then = after;
+    const size_t until_then = kind_saved_size(&kinds[CHAIN], chain);
+    assert_true(until_then > during);
     ok(cd_chain_set_thickness(chain, -0.0)); /* is none */
     ok(cd_chain_set_colliders(chain, 3));
-    ok(cd_chain_save_size(chain, &after));
-    assert_true(after > until_then);
+    assert_true(kind_saved_size(&kinds[CHAIN], chain) > until_then);
     ok(cd_chain_set_colliders(chain, 0));
-    ok(cd_chain_save_size(chain, &after));
-    assert_int_equal(after, until_then);
+    assert_int_equal(kind_saved_size(&kinds[CHAIN], chain), until_then);
     ok(cd_chain_set_thickness(chain, 0.5));
-    ok(cd_chain_save_size(chain, &after));
-    assert_true(after > until_then);
+    assert_true(kind_saved_size(&kinds[CHAIN], chain) > until_then);
     ok(cd_chain_set_colliders(chain, 2));
     ok(cd_chain_set_rest_length(chain, -0.0)); /* is 0 */
     ok(cd_chain_disable_field(chain, CD_STIFFNESS));
-    ok(cd_chain_save_size(chain, &after));
-    assert_int_equal(after, before);
+    assert_int_equal(kind_saved_size(&kinds[CHAIN], chain), before);
     assert_int_equal(hash_of(chain), hash);
     ok(cd_chain_set_push(chain, 1));
     const uint64_t pushes = hash_of(chain);

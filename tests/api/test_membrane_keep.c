@@ -76,23 +76,18 @@ static void what_is_set_for_cloth_is_kept_at_the_ends_of_every_range(void** stat
 static void cloth_takes_no_bytes_where_there_is_none(void** state) {
     (void)state;
     cd_membrane* m = cloth(NU, NV, COMPONENTS, CD_FLOAT64);
-    size_t before, during, after, bytes[2];
     const uint64_t hash = hash_of(m);
-    ok(cd_membrane_save_size(m, &before));
-    ok(cd_membrane_get_memory(m, &bytes[0]));
+    const size_t before = kind_saved_size(&kinds[MEMBRANE], m), bytes = kind_memory(&kinds[MEMBRANE], m);
     ok(cd_membrane_set_rest_length(m, 2, 3));
-    ok(cd_membrane_save_size(m, &during));
+    const size_t during = kind_saved_size(&kinds[MEMBRANE], m);
     assert_true(during > before);
     ok(cd_membrane_set_colliders(m, 3));
-    ok(cd_membrane_save_size(m, &after));
-    assert_int_equal(after, during + 3 * 13 * sizeof(double));
+    assert_int_equal(kind_saved_size(&kinds[MEMBRANE], m), during + 3 * 13 * sizeof(double));
     ok(cd_membrane_set_colliders(m, 0));
     ok(cd_membrane_set_breaking_strain(m, INFINITY)); /* is none */
-    ok(cd_membrane_save_size(m, &after));
-    assert_int_equal(after, during);
-    ok(cd_membrane_set_breaking_strain(m, 1));
-    ok(cd_membrane_save_size(m, &after));
-    assert_int_equal(after, during + (1 + 2 * NODES) * sizeof(double)); /* and the stiffnesses */
+    assert_int_equal(kind_saved_size(&kinds[MEMBRANE], m), during);
+    ok(cd_membrane_set_breaking_strain(m, 1)); /* switches the stiffnesses on too */
+    assert_int_equal(kind_saved_size(&kinds[MEMBRANE], m), during + (1 + 2 * NODES) * sizeof(double));
     for (cd_field field = CD_REST_LENGTH_U; field <= CD_BREAKING_STRAIN_V; ++field)
         ok(cd_membrane_enable_field(m, field));
     ok(cd_membrane_enable_field(m, CD_WIND));
@@ -104,10 +99,8 @@ static void cloth_takes_no_bytes_where_there_is_none(void** state) {
     ok(cd_membrane_set_rest_length(m, -0.0, 0)); /* is 0 */
     ok(cd_membrane_disable_field(m, CD_STIFFNESS_U)), ok(cd_membrane_disable_field(m, CD_STIFFNESS_V));
     ok(cd_membrane_set_lambda(m, 0.5));
-    ok(cd_membrane_save_size(m, &after));
-    ok(cd_membrane_get_memory(m, &bytes[1]));
-    assert_int_equal(after, before);
-    assert_int_equal(bytes[1], bytes[0]);
+    assert_int_equal(kind_saved_size(&kinds[MEMBRANE], m), before);
+    assert_int_equal(kind_memory(&kinds[MEMBRANE], m), bytes);
     assert_int_equal(hash_of(m), hash);
     cd_membrane_destroy(m);
 }

@@ -1,6 +1,7 @@
 /* What diverges, and what does not, in waters only; a diverged one can be looked at. */
 #include <math.h>
 
+#include "kept.h"
 #include "pool.h"
 #include "reference.h"
 #include "unstable.h"
@@ -72,10 +73,8 @@ static void absent_cells_of_a_diverged_water_are_dry_and_its_bytes_are_taken(voi
     (void)state;
     enum { COLUMNS = 14, CELLS = 2 * COLUMNS };
     static const size_t absent[] = {10, 14, 17, 26};
-    static unsigned char bytes[10000];
     cd_water* w;
     double mask[CELLS], depth[CELLS];
-    size_t size, written;
     ok(cd_water_create(COLUMNS, 2, 6, 6, CD_FLOAT32, NULL, &w));
     for (size_t k = 0; k < CELLS; ++k) mask[k] = 1;
     for (size_t k = 0; k < COUNT(absent); ++k) mask[absent[k]] = 0;
@@ -85,10 +84,7 @@ static void absent_cells_of_a_diverged_water_are_dry_and_its_bytes_are_taken(voi
     assert_int_equal(cd_water_step(w, 65, 15), CD_ERROR_DIVERGED);
     ok(cd_water_read_f64(w, CD_DEPTH, 0, 0, COLUMNS, 2, depth, CELLS));
     for (size_t k = 0; k < COUNT(absent); ++k) assert_true(depth[absent[k]] == 0);
-    ok(cd_water_save_size(w, &size));
-    assert_true(size <= sizeof bytes);
-    ok(cd_water_save(w, bytes, size, &written));
-    ok(cd_water_load(w, bytes, size));
+    kind_take(&kinds[WATER], w, w, 0);
     cd_water_destroy(w);
 }
 

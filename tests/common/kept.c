@@ -7,10 +7,15 @@
 #include "pool.h"
 #include "scene.h"
 
+size_t kind_saved_size(const struct kind* kind, const any* object) {
+    size_t size = 0;
+    ok(kind->save_size(object, &size));
+    return size;
+}
+
 struct blob kind_save(const struct kind* kind, const any* object) {
-    struct blob blob = {0};
+    struct blob blob = {NULL, kind_saved_size(kind, object)};
     size_t written = 0;
-    ok(kind->save_size(object, &blob.size));
     assert_true(blob.size > 0);
     blob.bytes = malloc(blob.size);
     assert_non_null(blob.bytes);

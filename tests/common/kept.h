@@ -8,6 +8,7 @@ struct blob {
     unsigned char* bytes; /* to be freed */
     size_t size;
 };
+size_t kind_saved_size(const struct kind* kind, const any* object);
 struct blob kind_save(const struct kind* kind, const any* object);
 
 /* Gives an object the state of another one, by its bytes or by copying. */
