@@ -216,7 +216,7 @@ static void foreign_bytes_are_refused(void** state) {
         for (int what = 0; what < 20; ++what) {
             const unsigned char same = what == 0 ? 0 : 0xFF;
             for (size_t i = 0; i < blob.size; ++i)
-                blob.bytes[i] = what < 2 ? same : (unsigned char)(uint64_t)(scene_noise(&seed) * 0x1p40);
+                blob.bytes[i] = what < 2 ? same : (unsigned char)(int64_t)(scene_noise(&seed) * 0x1p40);
             kind_refuses(kept->kind, object, load, (object, blob.bytes, blob.size), CD_ERROR_FORMAT, "");
         }
         free(blob.bytes);
