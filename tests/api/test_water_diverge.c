@@ -1,97 +1,18 @@
-/* A water that leaves the finite range is reported with the step, and one whose coupled solves end short of their
- * tolerance with what is left; both can be read, and used again. */
+/* What diverges, and what does not, in waters only; a diverged one can be looked at. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "check.h"
+#include "kept.h"
 #include "pool.h"
 #include "reference.h"
+#include "unstable.h"
 
 enum { NX = 9, NY = 6, MOST = (NX + 1) * (NY + 1) };
 
-static const double dt = 8;
-
-enum { GOOD = 3 };
-
-/* A lake that a source fills beyond all bounds, after the first steps have gone well. */
-static cd_water* unbounded(cd_precision precision, cd_method method) {
-    cd_water* w = pool(NX, NY, precision);
-    ok(cd_water_set_method(w, method));
-    pool_fill(w, CD_DEPTH, 1);
-    ok(cd_water_enable_field(w, CD_SOURCE));
-    ok(cd_water_step(w, dt, GOOD));
-    pool_set(w, CD_SOURCE, 4, 3, precision ? 1e307 : 1e37);
-    return w;
-}
-
-static int is_finite(const cd_water* w) {
-    static const cd_field fields[] = {CD_DEPTH, CD_VELOCITY_X, CD_VELOCITY_Y};
-    for (size_t f = 0; f < COUNT(fields); ++f) {
-        double values[MOST];
-        pool_read(w, fields[f], values);
-        for (size_t k = 0; k < pool_extent(w, fields[f]).count; ++k)
-            if (!isfinite(values[k])) return 0;
-    }
-    return 1;
-}
-
-static const struct {
-    cd_precision precision;
-    cd_method method;
-} cases[] = {{CD_FLOAT32, CD_METHOD_FORWARD_EULER},    {CD_FLOAT64, CD_METHOD_FORWARD_EULER},
-             {CD_FLOAT32, CD_METHOD_SYMPLECTIC_EULER}, {CD_FLOAT64, CD_METHOD_SYMPLECTIC_EULER},
-             {CD_FLOAT32, CD_METHOD_IMPLICIT},         {CD_FLOAT64, CD_METHOD_IMPLICIT}};
-
-static void divergence_is_reported_with_the_first_bad_step(void** state) {
-    (void)state;
-    for (size_t i = 0; i < COUNT(cases); ++i) {
-        cd_water* slow = unbounded(cases[i].precision, cases[i].method);
-        uint64_t first_bad = GOOD, steps;
-        while (is_finite(slow)) {
-            const cd_status status = cd_water_step(slow, dt, 1);
-            ++first_bad;
-            assert_true(first_bad < 1000);
-            assert_int_equal(status, is_finite(slow) ? CD_OK : CD_ERROR_DIVERGED);
-        }
-        assert_true(first_bad > GOOD);
-        assert_non_null(strstr(cd_error_message(), text_of(" %llu", (unsigned long long)first_bad)));
-        cd_water_destroy(slow);
-
-        cd_water* fast = unbounded(cases[i].precision, cases[i].method);
-        assert_int_equal(cd_water_step(fast, dt, 1000), CD_ERROR_DIVERGED);
-        assert_non_null(strstr(cd_error_message(), "cd_water_step: "));
-        /* counted from create, not from this call */
-        assert_non_null(strstr(cd_error_message(), text_of(" %llu", (unsigned long long)first_bad)));
-        ok(cd_water_get_steps(fast, &steps));
-        assert_int_equal(steps, GOOD + 1000); /* all steps are made */
-        cd_water_destroy(fast);
-    }
-}
-
-/* A state with numbers that are not finite, whatever later steps would make of it. */
-static cd_water* diverged(size_t i) {
-    cd_water* w = unbounded(cases[i].precision, cases[i].method);
-    while (is_finite(w)) (void)cd_water_step(w, dt, 1);
-    return w;
-}
-
-static void a_diverged_water_makes_no_step_and_changes_nothing(void** state) {
-    (void)state;
-    for (size_t i = 0; i < COUNT(cases); ++i) {
-        cd_water* w = diverged(i);
-        refuses(w, cd_water_step(w, dt, 1), CD_ERROR_DIVERGED, "");
-        ok(cd_water_set_method(w, CD_METHOD_IMPLICIT));
-        refuses(w, cd_water_step(w, dt, 1), CD_ERROR_DIVERGED, "");
-        ok(cd_water_step(w, dt, 0));
-        cd_water_destroy(w);
-    }
-}
-
 static void a_diverged_water_can_be_looked_at(void** state) {
     (void)state;
-    for (size_t i = 0; i < COUNT(cases); ++i) {
-        cd_water* w = diverged(i);
+    for (size_t i = 0; i < unstables[WATER].cases; ++i) {
+        double dt, small;
+        cd_water* w = unstable_diverged(&unstables[WATER], i, &dt, &small);
         const double at[] = {0, 0, 2.2, 2.6, 4.5, 4.5};
         float vertices[NX * NY][7];
         uint32_t indices[6 * NX * NY];
@@ -115,77 +36,6 @@ static void a_diverged_water_can_be_looked_at(void** state) {
     }
 }
 
-static void a_diverged_water_is_as_new_after_a_reset(void** state) {
-    (void)state;
-    for (size_t i = 0; i < COUNT(cases); ++i) {
-        cd_water* w = diverged(i);
-        cd_water* fresh = unbounded(cases[i].precision, cases[i].method);
-        ok(cd_water_reset(w));
-        ok(cd_water_reset(fresh));
-        assert_int_equal(hash_of(w), hash_of(fresh));
-        pool_fill(w, CD_SOURCE, 0);
-        pool_fill(fresh, CD_SOURCE, 0);
-        pool_beach(w);
-        pool_beach(fresh);
-        ok(cd_water_step(w, 0.02, 20));
-        ok(cd_water_step(fresh, 0.02, 20));
-        assert_int_equal(hash_of(w), hash_of(fresh));
-        cd_water_destroy(w);
-        cd_water_destroy(fresh);
-    }
-}
-
-static void a_diverged_water_goes_on_once_finite_numbers_are_written(void** state) {
-    (void)state;
-    for (size_t i = 0; i < COUNT(cases); ++i) {
-        cd_water* w = diverged(i);
-        ok(cd_water_disable_field(w, CD_SOURCE));
-        pool_fill(w, CD_DEPTH, 1);
-        const double zeros[MOST] = {0};
-        pool_write(w, CD_VELOCITY_X, zeros);
-        pool_write(w, CD_VELOCITY_Y, zeros);
-        ok(cd_water_step(w, 0.01, 3));
-        assert_true(is_finite(w));
-        double error;
-        ok(cd_water_get_account(w, NULL, NULL, NULL, &error));
-        assert_true(fabs(error) < 1e-5);
-        cd_water_destroy(w);
-    }
-}
-
-static void a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loaded(void** state) {
-    (void)state;
-    for (size_t i = 0; i < COUNT(cases); ++i)
-        for (int by_copy = 0; by_copy <= 1; ++by_copy) {
-            cd_water* w = diverged(i);
-            cd_water* other = unbounded(cases[i].precision, cases[i].method);
-            cd_water* good = unbounded(cases[i].precision, cases[i].method);
-            size_t size, written;
-            ok(cd_water_save_size(w, &size));
-            unsigned char* bytes = malloc(size);
-            assert_non_null(bytes);
-            ok(cd_water_save(w, bytes, size, &written));
-            if (by_copy) ok(cd_water_copy_state(other, w));
-            else ok(cd_water_load(other, bytes, size));
-            assert_int_equal(hash_of(other), hash_of(w));
-            refuses(other, cd_water_step(other, dt, 1), CD_ERROR_DIVERGED, "");
-            pool_set(good, CD_SOURCE, 4, 3, 0);
-            ok(cd_water_step(good, 0.01, 2));
-            ok(cd_water_save(good, bytes, size, &written));
-            if (by_copy) ok(cd_water_copy_state(other, good));
-            else ok(cd_water_load(other, bytes, size));
-            ok(cd_water_step(other, 0.01, 2));
-            ok(cd_water_step(good, 0.01, 2));
-            assert_int_equal(hash_of(other), hash_of(good));
-            free(bytes);
-            cd_water_destroy(w);
-            cd_water_destroy(other);
-            cd_water_destroy(good);
-        }
-}
-
-/* ---- numbers at the ends of their range ---- */
-
 static void enormous_depths_and_velocities_either_step_or_diverge(void** state) {
     (void)state;
     for (size_t s = 0; s < POOLS; ++s)
@@ -199,14 +49,14 @@ static void enormous_depths_and_velocities_either_step_or_diverge(void** state) 
                 if (fast) (void)cd_water_write_f64(w, CD_VELOCITY_X, 6, 2, 1, 1, &most, 1);
                 const cd_status status = cd_water_step(w, scene->dt, 3);
                 assert_true(status == CD_OK || status == CD_ERROR_DIVERGED || status == CD_ERROR_TOLERANCE);
-                assert_true(status == CD_ERROR_DIVERGED || is_finite(w));
+                assert_true(status == CD_ERROR_DIVERGED || kind_is_finite(&kinds[WATER], w));
                 uint64_t steps;
                 ok(cd_water_get_steps(w, &steps));
                 assert_int_equal(steps, 5);
                 ok(cd_water_reset(w));
                 pool_fill(w, CD_BED, 0);
                 pool_step(w, scene->dt, 3);
-                assert_true(is_finite(w));
+                assert_true(kind_is_finite(&kinds[WATER], w));
                 cd_water_destroy(w);
             }
 }
@@ -223,10 +73,8 @@ static void absent_cells_of_a_diverged_water_are_dry_and_its_bytes_are_taken(voi
     (void)state;
     enum { COLUMNS = 14, CELLS = 2 * COLUMNS };
     static const size_t absent[] = {10, 14, 17, 26};
-    static unsigned char bytes[10000];
     cd_water* w;
     double mask[CELLS], depth[CELLS];
-    size_t size, written;
     ok(cd_water_create(COLUMNS, 2, 6, 6, CD_FLOAT32, NULL, &w));
     for (size_t k = 0; k < CELLS; ++k) mask[k] = 1;
     for (size_t k = 0; k < COUNT(absent); ++k) mask[absent[k]] = 0;
@@ -236,10 +84,7 @@ static void absent_cells_of_a_diverged_water_are_dry_and_its_bytes_are_taken(voi
     assert_int_equal(cd_water_step(w, 65, 15), CD_ERROR_DIVERGED);
     ok(cd_water_read_f64(w, CD_DEPTH, 0, 0, COLUMNS, 2, depth, CELLS));
     for (size_t k = 0; k < COUNT(absent); ++k) assert_true(depth[absent[k]] == 0);
-    ok(cd_water_save_size(w, &size));
-    assert_true(size <= sizeof bytes);
-    ok(cd_water_save(w, bytes, size, &written));
-    ok(cd_water_load(w, bytes, size));
+    kind_take(&kinds[WATER], w, w, 0);
     cd_water_destroy(w);
 }
 
@@ -270,7 +115,6 @@ static void no_depth_of_a_water_that_diverged_is_negative(void** state) {
  * that have run dry is no number, but nobody keeps it. */
 static void what_is_finite_has_not_diverged(void** state) {
     (void)state;
-    static const cd_field fields[] = {CD_DEPTH, CD_VELOCITY_X, CD_VELOCITY_Y};
     const double size = 0.11015746357647377;
     cd_water* w;
     ok(cd_water_create(13, 4, size, size, CD_FLOAT32, NULL, &w));
@@ -281,11 +125,7 @@ static void what_is_finite_has_not_diverged(void** state) {
     ok(cd_water_step(w, 0.00012178729921880059, 1));
     ok(cd_water_set_side(w, CD_SIDE_Y_LAST, CD_BORDER_OPEN, -0.75230832132907843, 0));
     ok(cd_water_step(w, 11062.09931374951, 1));
-    for (size_t f = 0; f < COUNT(fields); ++f) {
-        double values[14 * 5];
-        pool_read(w, fields[f], values);
-        for (size_t k = 0; k < pool_extent(w, fields[f]).count; ++k) assert_true(isfinite(values[k]));
-    }
+    assert_true(kind_is_finite(&kinds[WATER], w));
     cd_water_destroy(w);
 }
 
@@ -293,14 +133,20 @@ static void what_is_finite_has_not_diverged(void** state) {
  * leave the range of float32. */
 static void what_a_hull_gives_the_water_is_judged_too(void** state) {
     (void)state;
-    const float depth[27] = {
-        0.59306785669283901f, 1.011950261893237f,   0.95867509928062355f, 0,
-        2.1288886136858336f,  1.0523368791203083f,  1.8837638239862244f,  2.1075816741086566f,
-        2.5629686078862153f,  1.3564952787044269f,  0.22011217339757905f, 0.11549387736820937f,
-        0.37117429381308198f, 2.5703327207724165f,  1.8604645540334439f,  2.4648855394069114f,
-        2.4059943325013413f,  0.20561999373790629f, 2.2534886120887845f,  0.080862358768355791f,
-        2.9311822222613526f,  2.5138805036421559f,  2.5693048926134376f,  0.20469868534172453f,
-        0.24375540069374002f, 0,                    1.3113046664035455f};
+    const float depth[27] = {0.59306785669283901f, 1.011950261893237f,
+                             0.95867509928062355f, 0,
+                             2.1288886136858336f,  1.0523368791203083f,
+                             1.8837638239862244f,  2.1075816741086566f,
+                             2.5629686078862153f,  1.3564952787044269f,
+                             0.22011217339757905f, 0.11549387736820937f,
+                             0.37117429381308198f, 2.5703327207724165f,
+                             1.8604645540334439f,  2.4648855394069114f,
+                             2.4059943325013413f,  0.20561999373790629f,
+                             2.2534886120887845f,  0.080862358768355791f,
+                             2.9311822222613526f,  2.5138805036421559f,
+                             2.5693048926134376f,  0.20469868534172453f,
+                             0.24375540069374002f, 0,
+                             1.3113046664035455f};
     cd_water* w;
     ok(cd_water_create(3, 9, 2.4610161216819493e+25, 4.7590447617187364, CD_FLOAT32, NULL, &w));
     ok(cd_water_set_first(w, 1));
@@ -327,18 +173,13 @@ static void what_a_hull_gives_the_water_is_judged_too(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_finite_has_not_diverged),
-        cmocka_unit_test(what_a_hull_gives_the_water_is_judged_too),
-        cmocka_unit_test(no_depth_of_a_water_that_diverged_is_negative),
-        cmocka_unit_test(divergence_is_reported_with_the_first_bad_step),
-        cmocka_unit_test(a_diverged_water_makes_no_step_and_changes_nothing),
         cmocka_unit_test(a_diverged_water_can_be_looked_at),
-        cmocka_unit_test(a_diverged_water_is_as_new_after_a_reset),
-        cmocka_unit_test(a_diverged_water_goes_on_once_finite_numbers_are_written),
-        cmocka_unit_test(a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loaded),
+        cmocka_unit_test(enormous_depths_and_velocities_either_step_or_diverge),
         cmocka_unit_test(a_source_that_overflows_a_single_cell_is_told),
         cmocka_unit_test(absent_cells_of_a_diverged_water_are_dry_and_its_bytes_are_taken),
-        cmocka_unit_test(enormous_depths_and_velocities_either_step_or_diverge),
+        cmocka_unit_test(no_depth_of_a_water_that_diverged_is_negative),
+        cmocka_unit_test(what_is_finite_has_not_diverged),
+        cmocka_unit_test(what_a_hull_gives_the_water_is_judged_too),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,6 @@
 #include "kind.h"
 
-#include "check.h"
+#include <math.h>
 
 #define SAME(kind)                                                                                                    \
     static void kind##_destroy(any* o) { cd_##kind##_destroy(o); }                                                    \
@@ -130,4 +130,22 @@ size_t kind_memory(const struct kind* kind, const any* object) {
     size_t bytes = 0;
     ok(kind->get_memory(object, &bytes));
     return bytes;
+}
+
+bool kind_is_finite(const struct kind* kind, const any* object) {
+    static const cd_field fields[KINDS][3] = {
+        {CD_POSITION, CD_VELOCITY}, {CD_POSITION, CD_VELOCITY}, {CD_DEPTH, CD_VELOCITY_X, CD_VELOCITY_Y}};
+    static double numbers[1 << 14];
+    for (size_t f = 0; f < (kind == &kinds[WATER] ? 3 : 2); ++f) {
+        const size_t count = kind_numbers(kind, object, fields[kind - kinds][f]);
+        ok(kind->read(object, fields[kind - kinds][f], numbers, count));
+        for (size_t i = 0; i < count; ++i)
+            if (!isfinite(numbers[i])) return false;
+    }
+    return true;
+}
+
+hash_function* kind_hash_function(const struct kind* kind) {
+    static hash_function* const functions[KINDS] = {hash_of_chain, hash_of_membrane, hash_of_water};
+    return functions[kind - kinds];
 }

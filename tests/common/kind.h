@@ -1,5 +1,4 @@
-/* The three kinds of objects as one: what chains, membranes and waters all can do, for tests that are the same for
- * each. */
+/* The three kinds of objects as one, with what chains, membranes and waters all can do: for tests that are the same. */
 #ifndef KIND_H
 #define KIND_H
 
@@ -8,6 +7,8 @@
 #include <stdint.h>
 
 #include <contdyn/contdyn.h>
+
+#include "check.h"
 
 typedef void any; /* a cd_chain, cd_membrane or cd_water */
 
@@ -41,11 +42,25 @@ struct kind {
 
 enum { KINDS = 3 };
 extern const struct kind kinds[KINDS];
+enum { CHAIN, MEMBRANE, WATER }; /* places in `kinds` */
 
 /* How many numbers a field of the object has; 0 if it is off, or the object has none of that name. */
 size_t kind_numbers(const struct kind* kind, const any* object, cd_field field);
 
 uint64_t kind_hash(const struct kind* kind, const any* object);
 size_t kind_memory(const struct kind* kind, const any* object);
+
+/* Whether all positions or depths and velocities are finite. */
+bool kind_is_finite(const struct kind* kind, const any* object);
+
+/* As `refuses` of check.h: kind_refuses(kind, object, load, (object, bytes, size), CD_ERROR_FORMAT, ""). */
+#define kind_refuses(kind, object, call, arguments, status, text)                                               \
+    do {                                                                                                        \
+        const char* const name_ = text_of("cd_%s_%s", (kind)->name, #call);                                     \
+        refusal_begin((object), kind_hash_function(kind), name_);                                               \
+        const cd_status refused_ = (kind)->call arguments;                                                      \
+        refusal_end((object), kind_hash_function(kind), refused_, (status), name_, (text), __FILE__, __LINE__); \
+    } while (0)
+hash_function* kind_hash_function(const struct kind* kind);
 
 #endif
