@@ -38,19 +38,19 @@ static int tear_down(void** state) {
 }
 
 /* All four transfers of one range, each refused. */
-#define refuses_transfers(chain, field, first_strand, strands, first, n, count, status, text)                          \
-    do {                                                                                                               \
-        refuses(chain, cd_chain_write_f32(chain, field, first_strand, strands, first, n, singles, count), status,      \
-                text);                                                                                                 \
-        refuses(chain, cd_chain_write_f64(chain, field, first_strand, strands, first, n, values, count), status,       \
-                text);                                                                                                 \
-        refuses(chain, cd_chain_read_f32(chain, field, first_strand, strands, first, n, out.single, count), status,    \
-                text);                                                                                                 \
-        refuses(chain, cd_chain_read_f64(chain, field, first_strand, strands, first, n, out.number, count), status,    \
-                text);                                                                                                 \
+#define refuses_transfers(chain, field, first_strand, strands, first, n, count, status, text)                       \
+    do {                                                                                                            \
+        refuses(chain, cd_chain_write_f32(chain, field, first_strand, strands, first, n, singles, count), status,   \
+                text);                                                                                              \
+        refuses(chain, cd_chain_write_f64(chain, field, first_strand, strands, first, n, values, count), status,    \
+                text);                                                                                              \
+        refuses(chain, cd_chain_read_f32(chain, field, first_strand, strands, first, n, out.single, count), status, \
+                text);                                                                                              \
+        refuses(chain, cd_chain_read_f64(chain, field, first_strand, strands, first, n, out.number, count), status, \
+                text);                                                                                              \
     } while (0)
 
-#define refuses_view(chain, field, status, text)                                                                       \
+#define refuses_view(chain, field, status, text) \
     refuses(chain, cd_chain_view(chain, field, &out.pointer, &out.size[0], &out.size[1], &out.size[2]), status, text)
 
 static void no_number_is_taken_for_a_field(void** state) {
@@ -89,7 +89,8 @@ static void only_ropes_have_the_fields_of_ropes(void** state) {
     refuses_transfers(rope, CD_WIND, 0, 1, 0, 1, COMPONENTS, CD_ERROR_DISABLED, "field|24|CD_WIND");
     ok(cd_chain_enable_field(rope, CD_WIND));
     const double strain[2] = {0.5, 0.5};
-    refuses(rope, cd_chain_write_f64(rope, CD_STRAIN, 0, 1, 0, 2, strain, 2), CD_ERROR_UNSUPPORTED, "26|CD_STRAIN|read");
+    refuses(rope, cd_chain_write_f64(rope, CD_STRAIN, 0, 1, 0, 2, strain, 2), CD_ERROR_UNSUPPORTED,
+            "26|CD_STRAIN|read");
     refuses(rope, cd_chain_disable_field(rope, CD_STRAIN), CD_ERROR_UNSUPPORTED, "field|26|CD_STRAIN");
     refuses(rope, cd_chain_disable_field(rope, CD_STIFFNESS), CD_ERROR_UNSUPPORTED, "field|4|CD_STIFFNESS");
     ok(cd_chain_disable_field(rope, CD_STRENGTH));
@@ -189,21 +190,49 @@ static const struct {
     double value;
     const char* shown;
 } bad_values[] = {
-    {CD_POSITION, NAN, "nan"},     {CD_POSITION, INFINITY, "inf"},  {CD_POSITION, -INFINITY, "-inf"},
-    {CD_VELOCITY, NAN, "nan"},     {CD_VELOCITY, INFINITY, "inf"},  {CD_VELOCITY, -INFINITY, "-inf"},
-    {CD_FORCE, NAN, "nan"},        {CD_FORCE, INFINITY, "inf"},     {CD_FORCE, -INFINITY, "-inf"},
-    {CD_TARGET, NAN, "nan"},       {CD_TARGET, INFINITY, "inf"},    {CD_TARGET, -INFINITY, "-inf"},
-    {CD_MASS, NAN, "nan"},         {CD_MASS, INFINITY, "inf"},      {CD_MASS, 0, "0"},
-    {CD_MASS, -0.5, "-0.5"},       {CD_MASS, -INFINITY, "-inf"},    {CD_STIFFNESS, NAN, "nan"},
-    {CD_STIFFNESS, -0.5, "-0.5"},  {CD_STIFFNESS, -INFINITY, "-inf"}, {CD_BEND, NAN, "nan"},
-    {CD_BEND, -0.5, "-0.5"},       {CD_BEND, -INFINITY, "-inf"},    {CD_BEND, INFINITY, "inf"},
+    {CD_POSITION, NAN, "nan"},
+    {CD_POSITION, INFINITY, "inf"},
+    {CD_POSITION, -INFINITY, "-inf"},
+    {CD_VELOCITY, NAN, "nan"},
+    {CD_VELOCITY, INFINITY, "inf"},
+    {CD_VELOCITY, -INFINITY, "-inf"},
+    {CD_FORCE, NAN, "nan"},
+    {CD_FORCE, INFINITY, "inf"},
+    {CD_FORCE, -INFINITY, "-inf"},
+    {CD_TARGET, NAN, "nan"},
+    {CD_TARGET, INFINITY, "inf"},
+    {CD_TARGET, -INFINITY, "-inf"},
+    {CD_MASS, NAN, "nan"},
+    {CD_MASS, INFINITY, "inf"},
+    {CD_MASS, 0, "0"},
+    {CD_MASS, -0.5, "-0.5"},
+    {CD_MASS, -INFINITY, "-inf"},
+    {CD_STIFFNESS, NAN, "nan"},
+    {CD_STIFFNESS, -0.5, "-0.5"},
+    {CD_STIFFNESS, -INFINITY, "-inf"},
+    {CD_BEND, NAN, "nan"},
+    {CD_BEND, -0.5, "-0.5"},
+    {CD_BEND, -INFINITY, "-inf"},
+    {CD_BEND, INFINITY, "inf"},
     {CD_PIN, NAN, "nan"},
-    {CD_PIN, 0.5, "0.5"},          {CD_PIN, -1, "-1"},              {CD_PIN, 5, "5"},
-    {CD_PIN, 1e30, "1e+30"},       {CD_PIN, INFINITY, "inf"},       {CD_PIN, CD_NODE_MATCHED, "3"},
-    {CD_REST_LENGTH, NAN, "nan"},  {CD_REST_LENGTH, 0, "0"},        {CD_REST_LENGTH, INFINITY, "inf"},
-    {CD_REST_LENGTH, -0.5, "-0.5"}, {CD_TENSION, NAN, "nan"},       {CD_TENSION, INFINITY, "inf"},
-    {CD_TENSION, -INFINITY, "-inf"}, {CD_WIND, NAN, "nan"},         {CD_WIND, INFINITY, "inf"},
-    {CD_STRENGTH, NAN, "nan"},     {CD_STRENGTH, 0, "0"},          {CD_STRENGTH, -0.5, "-0.5"},
+    {CD_PIN, 0.5, "0.5"},
+    {CD_PIN, -1, "-1"},
+    {CD_PIN, 5, "5"},
+    {CD_PIN, 1e30, "1e+30"},
+    {CD_PIN, INFINITY, "inf"},
+    {CD_PIN, CD_NODE_MATCHED, "3"},
+    {CD_REST_LENGTH, NAN, "nan"},
+    {CD_REST_LENGTH, 0, "0"},
+    {CD_REST_LENGTH, INFINITY, "inf"},
+    {CD_REST_LENGTH, -0.5, "-0.5"},
+    {CD_TENSION, NAN, "nan"},
+    {CD_TENSION, INFINITY, "inf"},
+    {CD_TENSION, -INFINITY, "-inf"},
+    {CD_WIND, NAN, "nan"},
+    {CD_WIND, INFINITY, "inf"},
+    {CD_STRENGTH, NAN, "nan"},
+    {CD_STRENGTH, 0, "0"},
+    {CD_STRENGTH, -0.5, "-0.5"},
     {CD_STRENGTH, -INFINITY, "-inf"},
 };
 
@@ -231,10 +260,10 @@ static void a_bad_value_is_found_before_anything_is_written(void** state) {
     for (size_t i = 0; i < COUNT(bad_values); ++i) {
         const cd_field field = bad_values[i].field;
         cd_chain* const c = field >= CD_REST_LENGTH ? rope : chain;
-        const size_t each = field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET ||
-                                    field == CD_WIND
-                                ? COMPONENTS
-                                : 1;
+        const size_t each =
+            field == CD_POSITION || field == CD_VELOCITY || field == CD_FORCE || field == CD_TARGET || field == CD_WIND
+                ? COMPONENTS
+                : 1;
         double doubles[3 * COMPONENTS];
         float floats[3 * COMPONENTS];
         for (size_t j = 0; j < 3 * each; ++j) {

@@ -61,8 +61,10 @@ static void nothing_moves_that_cannot_be_teleported(void** state) {
     (void)state;
     const double offset[COMPONENTS] = {1, -1}, turn[4] = {0.6, -0.8, 0.8, 0.6};
     const double skew[4] = {0.6, -0.8, 0.8, 0.600002}, larger[4] = {1.000001, 0, 0, 1};
-    refuses(chain, cd_chain_teleport(chain, 1, skew, offset, COMPONENTS), CD_ERROR_VALUE, "rotation|orthogonal|rows 0 and 1");
-    refuses(chain, cd_chain_teleport(chain, 1, larger, offset, COMPONENTS), CD_ERROR_VALUE, "rotation|orthogonal|rows 0 and 0");
+    refuses(chain, cd_chain_teleport(chain, 1, skew, offset, COMPONENTS), CD_ERROR_VALUE,
+            "rotation|orthogonal|rows 0 and 1");
+    refuses(chain, cd_chain_teleport(chain, 1, larger, offset, COMPONENTS), CD_ERROR_VALUE,
+            "rotation|orthogonal|rows 0 and 0");
     cd_chain* c = scene_chain(1, 2, 2, CD_FLOAT32);
     const double far[6] = {3e38, 0, -3e38, 3e38, 1, 1}, further[2] = {1e38, 0}, nowhere[2] = {0, 0};
     scene_write(c, CD_POSITION, far);
@@ -146,10 +148,10 @@ static void no_shape_is_made_that_cannot_be(void** state) {
     };
     for (size_t i = 0; i < COUNT(bad); ++i)
         for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
-            refuses(chain,
-                    cd_chain_create(bad[i].strands, bad[i].springs, bad[i].components, precision, &allocator,
-                                    &out.chain),
-                    bad[i].status, name_and_size(bad[i].argument, bad[i].shown));
+            refuses(
+                chain,
+                cd_chain_create(bad[i].strands, bad[i].springs, bad[i].components, precision, &allocator, &out.chain),
+                bad[i].status, name_and_size(bad[i].argument, bad[i].shown));
     refuses(chain, cd_chain_create(big, big, 4, CD_FLOAT64, &allocator, &out.chain), CD_ERROR_SIZE,
             name_and_size("springs", big));
     refuses(chain, cd_chain_create(7, SIZE_MAX, 2, CD_FLOAT64, &allocator, &out.chain), CD_ERROR_SIZE,

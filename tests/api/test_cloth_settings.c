@@ -157,8 +157,10 @@ static void only_sheets_of_three_components_with_springs_both_ways_are_cloth(voi
     static const struct {
         size_t nu, nv, components;
         const char* text;
-    } none[] = {{3, 3, 1, "along_u|0.5|1 components|needs|3 components"}, {3, 3, 2, "along_u|0.5|2 components"},
-                {3, 3, 4, "along_u|0.5|4 components"}, {0, 3, 3, "along_u|0.5|0 and 3 springs|needs springs both ways"},
+    } none[] = {{3, 3, 1, "along_u|0.5|1 components|needs|3 components"},
+                {3, 3, 2, "along_u|0.5|2 components"},
+                {3, 3, 4, "along_u|0.5|4 components"},
+                {0, 3, 3, "along_u|0.5|0 and 3 springs|needs springs both ways"},
                 {3, 0, 3, "along_u|0.5|3 and 0 springs"}};
     for (size_t i = 0; i < COUNT(none); ++i) {
         cd_membrane* m = cloth(none[i].nu, none[i].nv, none[i].components, CD_FLOAT32);

@@ -48,29 +48,44 @@ static const struct change {
     const char* name;
     void (*make)(cd_chain*);
 } changes[] = {{"lambda", lambda},
-               {"mass", mass},               {"mass rule", mass_rule},
-               {"stiffness", stiffness},     {"bend", bend},
-               {"drag", drag},               {"damping", damping},
-               {"end", end},                 {"pin", pin},
-               {"node mass", node_mass},     {"spring stiffness", spring_stiffness},
-               {"node bend", node_bend},     {"attach", attach},
-               {"detach", detach},           {"cut", cut},
+               {"mass", mass},
+               {"mass rule", mass_rule},
+               {"stiffness", stiffness},
+               {"bend", bend},
+               {"drag", drag},
+               {"damping", damping},
+               {"end", end},
+               {"pin", pin},
+               {"node mass", node_mass},
+               {"spring stiffness", spring_stiffness},
+               {"node bend", node_bend},
+               {"attach", attach},
+               {"detach", detach},
+               {"cut", cut},
                {"weld", weld}};
 
 /* Of ropes. */
-static const struct change rope_changes[] = {
-    {"lambda", lambda},       {"mass", mass},
-    {"mass rule", mass_rule}, {"stiffness", stiffness},
-    {"drag", drag},           {"end", end},
-    {"pin", pin},             {"node mass", node_mass},
-    {"spring stiffness", spring_stiffness},
-    {"attach", attach},       {"detach", detach},
-    {"cut", cut},             {"weld", weld},
-    {"rest length", length},  {"spring length", spring_length},
-    {"infinite stiffness", rigid},
-    {"push", push},           {"tolerance", tolerance},
-    {"thickness", thickness}, {"plane", plane},
-    {"no plane", no_plane}};
+static const struct change rope_changes[] = {{"lambda", lambda},
+                                             {"mass", mass},
+                                             {"mass rule", mass_rule},
+                                             {"stiffness", stiffness},
+                                             {"drag", drag},
+                                             {"end", end},
+                                             {"pin", pin},
+                                             {"node mass", node_mass},
+                                             {"spring stiffness", spring_stiffness},
+                                             {"attach", attach},
+                                             {"detach", detach},
+                                             {"cut", cut},
+                                             {"weld", weld},
+                                             {"rest length", length},
+                                             {"spring length", spring_length},
+                                             {"infinite stiffness", rigid},
+                                             {"push", push},
+                                             {"tolerance", tolerance},
+                                             {"thickness", thickness},
+                                             {"plane", plane},
+                                             {"no plane", no_plane}};
 
 static cd_chain* with_lengths(struct heap* heap) {
     const cd_allocator allocator = heap_allocator(heap);
@@ -138,8 +153,7 @@ static void each_change_costs_one_factorization_at_the_next_step_and_no_memory(v
         assert_int_equal(factorizations(chain), 1);
         ok(cd_chain_step(chain, 0.01, 1));
         ok(cd_chain_step(chain, 0.01, 1));
-        if (factorizations(chain) != 2)
-            fail_msg("%s: %d factorizations", changes[i].name, (int)factorizations(chain));
+        if (factorizations(chain) != 2) fail_msg("%s: %d factorizations", changes[i].name, (int)factorizations(chain));
         if (heap.allocations != allocations || heap.live_bytes != live)
             fail_msg("%s: %zu allocations", changes[i].name, heap.allocations - allocations);
         cd_chain_destroy(chain);

@@ -11,7 +11,7 @@ enum { STRANDS = 3, SPRINGS = 6, NODES = SPRINGS + 1, COMPONENTS = 2, ALL = STRA
 static const struct field {
     cd_field field;
     int optional, per_strand;
-} fields[] = {{CD_POSITION, 0, 1}, {CD_VELOCITY, 0, 1}, {CD_FORCE, 1, 1}, {CD_TARGET, 1, 1},
+} fields[] = {{CD_POSITION, 0, 1}, {CD_VELOCITY, 0, 1},  {CD_FORCE, 1, 1}, {CD_TARGET, 1, 1},
               {CD_MASS, 1, 0},     {CD_STIFFNESS, 1, 0}, {CD_BEND, 1, 0},  {CD_PIN, 0, 0}};
 
 static cd_chain* chain_with(cd_precision precision, cd_field field) {

@@ -13,7 +13,7 @@ static void a_chain_tells_the_shape_it_was_given(void** state) {
     static const struct {
         size_t strands, springs, components;
         cd_precision precision;
-    } shapes[] = {{1, 0, 1, CD_FLOAT32}, {1, 1, 2, CD_FLOAT64},     {3, 7, 3, CD_FLOAT32},  {37, 1, 4, CD_FLOAT64},
+    } shapes[] = {{1, 0, 1, CD_FLOAT32}, {1, 1, 2, CD_FLOAT64},     {3, 7, 3, CD_FLOAT32},   {37, 1, 4, CD_FLOAT64},
                   {1, 0, 4, CD_FLOAT64}, {1000, 12, 1, CD_FLOAT32}, {2, 4095, 3, CD_FLOAT64}};
     for (size_t i = 0; i < COUNT(shapes); ++i) {
         cd_chain* chain = scene_chain(shapes[i].strands, shapes[i].springs, shapes[i].components, shapes[i].precision);

@@ -13,8 +13,7 @@ static cd_membrane* m;     /* everything on */
 static cd_membrane* plain; /* nothing on */
 static cd_membrane* sail;  /* cloth with all that only cloth has */
 
-static const cd_field optional[] = {CD_FORCE,       CD_MASS,        CD_PIN, CD_TARGET,
-                                    CD_STIFFNESS_U, CD_STIFFNESS_V, CD_MASK};
+static const cd_field optional[] = {CD_FORCE, CD_MASS, CD_PIN, CD_TARGET, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_MASK};
 static const cd_field single[] = {CD_MASS, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_PIN, CD_MASK};
 static const cd_field state_fields[] = {CD_POSITION, CD_VELOCITY, CD_FORCE, CD_TARGET};
 
@@ -40,28 +39,28 @@ static int tear_down(void** state) {
 }
 
 /* All four transfers of one rectangle, each refused. */
-#define refuses_transfers(membrane, field, first_u, first_v, n_u, n_v, count, status, text)                            \
-    do {                                                                                                               \
-        refuses(membrane, cd_membrane_write_f32(membrane, field, first_u, first_v, n_u, n_v, singles, count), status,  \
-                text);                                                                                                 \
-        refuses(membrane, cd_membrane_write_f64(membrane, field, first_u, first_v, n_u, n_v, values, count), status,   \
-                text);                                                                                                 \
-        refuses(membrane, cd_membrane_read_f32(membrane, field, first_u, first_v, n_u, n_v, out.single, count),        \
-                status, text);                                                                                         \
-        refuses(membrane, cd_membrane_read_f64(membrane, field, first_u, first_v, n_u, n_v, out.number, count),        \
-                status, text);                                                                                         \
+#define refuses_transfers(membrane, field, first_u, first_v, n_u, n_v, count, status, text)                           \
+    do {                                                                                                              \
+        refuses(membrane, cd_membrane_write_f32(membrane, field, first_u, first_v, n_u, n_v, singles, count), status, \
+                text);                                                                                                \
+        refuses(membrane, cd_membrane_write_f64(membrane, field, first_u, first_v, n_u, n_v, values, count), status,  \
+                text);                                                                                                \
+        refuses(membrane, cd_membrane_read_f32(membrane, field, first_u, first_v, n_u, n_v, out.single, count),       \
+                status, text);                                                                                        \
+        refuses(membrane, cd_membrane_read_f64(membrane, field, first_u, first_v, n_u, n_v, out.number, count),       \
+                status, text);                                                                                        \
     } while (0)
 
-#define refuses_view(membrane, field, status, text)                                                                    \
-    refuses(membrane, cd_membrane_view(membrane, field, &out.pointer, &out.size[0], &out.size[1], &out.size[2]),       \
+#define refuses_view(membrane, field, status, text)                                                              \
+    refuses(membrane, cd_membrane_view(membrane, field, &out.pointer, &out.size[0], &out.size[1], &out.size[2]), \
             status, text)
 
-#define refuses_field(field, status, text)                                                                             \
-    do {                                                                                                               \
-        refuses(m, cd_membrane_enable_field(m, field), status, text);                                                  \
-        refuses(m, cd_membrane_disable_field(m, field), status, text);                                                 \
-        refuses_transfers(m, field, 0, 0, 1, 1, 1, status, text);                                                      \
-        refuses_view(m, field, status, text);                                                                          \
+#define refuses_field(field, status, text)                             \
+    do {                                                               \
+        refuses(m, cd_membrane_enable_field(m, field), status, text);  \
+        refuses(m, cd_membrane_disable_field(m, field), status, text); \
+        refuses_transfers(m, field, 0, 0, 1, 1, 1, status, text);      \
+        refuses_view(m, field, status, text);                          \
     } while (0)
 
 static void no_number_is_taken_for_a_field(void** state) {
@@ -137,10 +136,24 @@ static const char* part_text(const char* argument, const char* direction, size_t
 
 static void no_rectangle_beyond_the_end_is_taken(void** state) {
     (void)state;
-    static const cd_field fields[] = {CD_POSITION,      CD_VELOCITY,      CD_FORCE,       CD_TARGET,   CD_MASS,
-                                      CD_PIN,           CD_STIFFNESS_U,   CD_STIFFNESS_V, CD_MASK,     CD_REST_LENGTH_U,
-                                      CD_REST_LENGTH_V, CD_TENSION_U,     CD_TENSION_V,   CD_STRAIN_U, CD_STRAIN_V,
-                                      CD_WIND,          CD_BREAKING_STRAIN_U, CD_BREAKING_STRAIN_V};
+    static const cd_field fields[] = {CD_POSITION,
+                                      CD_VELOCITY,
+                                      CD_FORCE,
+                                      CD_TARGET,
+                                      CD_MASS,
+                                      CD_PIN,
+                                      CD_STIFFNESS_U,
+                                      CD_STIFFNESS_V,
+                                      CD_MASK,
+                                      CD_REST_LENGTH_U,
+                                      CD_REST_LENGTH_V,
+                                      CD_TENSION_U,
+                                      CD_TENSION_V,
+                                      CD_STRAIN_U,
+                                      CD_STRAIN_V,
+                                      CD_WIND,
+                                      CD_BREAKING_STRAIN_U,
+                                      CD_BREAKING_STRAIN_V};
     const size_t most = SIZE_MAX;
     for (size_t i = 0; i < 2 * COUNT(fields); ++i) {
         const cd_field f = fields[i / 2];
@@ -202,26 +215,63 @@ static const struct {
     double value;
     const char* shown;
 } bad_values[] = {
-    {CD_POSITION, NAN, "nan"},          {CD_POSITION, INFINITY, "inf"},        {CD_POSITION, -INFINITY, "-inf"},
-    {CD_VELOCITY, NAN, "nan"},          {CD_VELOCITY, INFINITY, "inf"},        {CD_VELOCITY, -INFINITY, "-inf"},
-    {CD_FORCE, NAN, "nan"},             {CD_FORCE, INFINITY, "inf"},           {CD_FORCE, -INFINITY, "-inf"},
-    {CD_TARGET, NAN, "nan"},            {CD_TARGET, INFINITY, "inf"},          {CD_TARGET, -INFINITY, "-inf"},
-    {CD_MASS, NAN, "nan"},              {CD_MASS, INFINITY, "inf"},            {CD_MASS, 0, "0"},
-    {CD_MASS, -0.5, "-0.5"},            {CD_MASS, 1e61, "1e+61"},              {CD_MASS, 1e-61, "1e-61"},
-    {CD_STIFFNESS_U, NAN, "nan"},       {CD_STIFFNESS_U, -0.5, "-0.5"},        {CD_STIFFNESS_U, INFINITY, "inf"},
-    {CD_STIFFNESS_V, NAN, "nan"},       {CD_STIFFNESS_V, -0.5, "-0.5"},        {CD_STIFFNESS_V, INFINITY, "inf"},
-    {CD_STIFFNESS_V, 1e61, "1e+61"},    {CD_PIN, NAN, "nan"},                  {CD_PIN, 0.5, "0.5"},
-    {CD_PIN, -1, "-1"},                 {CD_PIN, 5, "5"},                      {CD_PIN, 1e30, "1e+30"},
-    {CD_PIN, CD_NODE_MATCHED, "3"},     {CD_MASK, NAN, "nan"},                 {CD_MASK, 0.5, "0.5"},
-    {CD_MASK, 2, "2"},                  {CD_MASK, -1, "-1"},                   {CD_MASK, 256, "256"},
-    {CD_REST_LENGTH_U, NAN, "nan"},     {CD_REST_LENGTH_U, INFINITY, "inf"},   {CD_REST_LENGTH_U, 0, "0"},
-    {CD_REST_LENGTH_U, -0.5, "-0.5"},   {CD_REST_LENGTH_U, 1e61, "1e+61"},     {CD_REST_LENGTH_U, 1e-61, "1e-61"},
-    {CD_REST_LENGTH_V, NAN, "nan"},     {CD_REST_LENGTH_V, -INFINITY, "-inf"}, {CD_REST_LENGTH_V, 0, "0"},
-    {CD_REST_LENGTH_V, -0.5, "-0.5"},   {CD_REST_LENGTH_V, 1e61, "1e+61"},     {CD_REST_LENGTH_V, 1e-61, "1e-61"},
-    {CD_BREAKING_STRAIN_U, NAN, "nan"}, {CD_BREAKING_STRAIN_U, 0, "0"},        {CD_BREAKING_STRAIN_U, 1e61, "1e+61"},
-    {CD_BREAKING_STRAIN_U, 1e-61, "1e-61"}, {CD_BREAKING_STRAIN_V, -0.5, "-0.5"},
+    {CD_POSITION, NAN, "nan"},
+    {CD_POSITION, INFINITY, "inf"},
+    {CD_POSITION, -INFINITY, "-inf"},
+    {CD_VELOCITY, NAN, "nan"},
+    {CD_VELOCITY, INFINITY, "inf"},
+    {CD_VELOCITY, -INFINITY, "-inf"},
+    {CD_FORCE, NAN, "nan"},
+    {CD_FORCE, INFINITY, "inf"},
+    {CD_FORCE, -INFINITY, "-inf"},
+    {CD_TARGET, NAN, "nan"},
+    {CD_TARGET, INFINITY, "inf"},
+    {CD_TARGET, -INFINITY, "-inf"},
+    {CD_MASS, NAN, "nan"},
+    {CD_MASS, INFINITY, "inf"},
+    {CD_MASS, 0, "0"},
+    {CD_MASS, -0.5, "-0.5"},
+    {CD_MASS, 1e61, "1e+61"},
+    {CD_MASS, 1e-61, "1e-61"},
+    {CD_STIFFNESS_U, NAN, "nan"},
+    {CD_STIFFNESS_U, -0.5, "-0.5"},
+    {CD_STIFFNESS_U, INFINITY, "inf"},
+    {CD_STIFFNESS_V, NAN, "nan"},
+    {CD_STIFFNESS_V, -0.5, "-0.5"},
+    {CD_STIFFNESS_V, INFINITY, "inf"},
+    {CD_STIFFNESS_V, 1e61, "1e+61"},
+    {CD_PIN, NAN, "nan"},
+    {CD_PIN, 0.5, "0.5"},
+    {CD_PIN, -1, "-1"},
+    {CD_PIN, 5, "5"},
+    {CD_PIN, 1e30, "1e+30"},
+    {CD_PIN, CD_NODE_MATCHED, "3"},
+    {CD_MASK, NAN, "nan"},
+    {CD_MASK, 0.5, "0.5"},
+    {CD_MASK, 2, "2"},
+    {CD_MASK, -1, "-1"},
+    {CD_MASK, 256, "256"},
+    {CD_REST_LENGTH_U, NAN, "nan"},
+    {CD_REST_LENGTH_U, INFINITY, "inf"},
+    {CD_REST_LENGTH_U, 0, "0"},
+    {CD_REST_LENGTH_U, -0.5, "-0.5"},
+    {CD_REST_LENGTH_U, 1e61, "1e+61"},
+    {CD_REST_LENGTH_U, 1e-61, "1e-61"},
+    {CD_REST_LENGTH_V, NAN, "nan"},
+    {CD_REST_LENGTH_V, -INFINITY, "-inf"},
+    {CD_REST_LENGTH_V, 0, "0"},
+    {CD_REST_LENGTH_V, -0.5, "-0.5"},
+    {CD_REST_LENGTH_V, 1e61, "1e+61"},
+    {CD_REST_LENGTH_V, 1e-61, "1e-61"},
+    {CD_BREAKING_STRAIN_U, NAN, "nan"},
+    {CD_BREAKING_STRAIN_U, 0, "0"},
+    {CD_BREAKING_STRAIN_U, 1e61, "1e+61"},
+    {CD_BREAKING_STRAIN_U, 1e-61, "1e-61"},
+    {CD_BREAKING_STRAIN_V, -0.5, "-0.5"},
     {CD_BREAKING_STRAIN_V, -INFINITY, "-inf"},
-    {CD_WIND, NAN, "nan"},              {CD_WIND, INFINITY, "inf"},            {CD_WIND, -INFINITY, "-inf"},
+    {CD_WIND, NAN, "nan"},
+    {CD_WIND, INFINITY, "inf"},
+    {CD_WIND, -INFINITY, "-inf"},
 };
 
 /* The bad value in a 2 x 2 square, the others good, so that a half-done write would show. */

@@ -33,10 +33,22 @@ static void detach(cd_membrane* m) { ok(cd_membrane_detach(m, 3, 2)); }
 static const struct change {
     const char* name;
     void (*make)(cd_membrane*);
-} changes[] = {{"lambda", lambda},       {"mass", mass},       {"mass rule", mass_rule}, {"stiffness", stiffness},
-               {"bend", bend},           {"drag", drag},       {"damping", damping},     {"edge", edge},
-               {"matched edge", matched}, {"pin", pin},        {"mask", mask},           {"node mass", node_mass},
-               {"spring along u", along_u}, {"spring along v", along_v}, {"attach", attach}, {"detach", detach}};
+} changes[] = {{"lambda", lambda},
+               {"mass", mass},
+               {"mass rule", mass_rule},
+               {"stiffness", stiffness},
+               {"bend", bend},
+               {"drag", drag},
+               {"damping", damping},
+               {"edge", edge},
+               {"matched edge", matched},
+               {"pin", pin},
+               {"mask", mask},
+               {"node mass", node_mass},
+               {"spring along u", along_u},
+               {"spring along v", along_v},
+               {"attach", attach},
+               {"detach", detach}};
 
 static cd_membrane* everything(struct heap* heap, cd_solver solver) {
     const cd_allocator allocator = heap_allocator(heap);

@@ -35,8 +35,8 @@ static cd_membrane* moving(cd_precision precision) {
 static size_t at(size_t u, size_t v, size_t component) { return (v * COLUMNS + u) * COMPONENTS + component; }
 
 static bool on_edge(cd_edge edge, size_t u, size_t v) {
-    return edge == CD_EDGE_U_FIRST  ? u == 0
-           : edge == CD_EDGE_U_LAST ? u == NU
+    return edge == CD_EDGE_U_FIRST   ? u == 0
+           : edge == CD_EDGE_U_LAST  ? u == NU
            : edge == CD_EDGE_V_FIRST ? v == 0
                                      : v == NV;
 }
@@ -85,8 +85,7 @@ static void edges_hold_their_nodes_with_and_without_the_pin_field(void** state) 
         assert_same_bits(&energy[0], &energy[1], 1);
         assert_int_equal(hash_of(m), hash_of(before));
         for (size_t u = 0; u < COLUMNS; ++u)
-            for (size_t w = 0; w < ROWS; ++w)
-                assert_true(sheet_get(m, CD_PIN, u, w) == kind_by_edges(edges, u, w));
+            for (size_t w = 0; w < ROWS; ++w) assert_true(sheet_get(m, CD_PIN, u, w) == kind_by_edges(edges, u, w));
         cd_membrane_destroy(m);
         cd_membrane_destroy(before);
     }
@@ -118,7 +117,7 @@ static void edges_hold_again_when_the_pin_field_goes(void** state) {
     ok(cd_membrane_write_f64(m, CD_VELOCITY, 0, 2, 1, 1, v, COMPONENTS));
     ok(cd_membrane_disable_field(m, CD_PIN));
     ok(cd_membrane_read_f64(m, CD_VELOCITY, 0, 2, 1, 1, back, COMPONENTS));
-    assert_true(back[0] == 0 && back[1] == 0); /* pinned again, and so at rest */
+    assert_true(back[0] == 0 && back[1] == 0);                            /* pinned again, and so at rest */
     ok(cd_membrane_write_f64(m, CD_VELOCITY, 4, 2, 1, 1, v, COMPONENTS)); /* free again */
     cd_membrane_destroy(m);
 }

@@ -13,11 +13,20 @@ enum { NU = 5, NV = 3, COLUMNS = NU + 1, ROWS = NV + 1, COMPONENTS = 3, ALL = CO
 static const struct field {
     cd_field field;
     bool is_state, optional;
-} fields[] = {{CD_POSITION, true, false},  {CD_VELOCITY, true, false},   {CD_FORCE, true, true},
-              {CD_TARGET, true, true},     {CD_MASS, false, true},       {CD_STIFFNESS_U, false, true},
-              {CD_STIFFNESS_V, false, true}, {CD_PIN, false, true},      {CD_MASK, false, true},
-              {CD_REST_LENGTH_U, false, true}, {CD_REST_LENGTH_V, false, true}, {CD_WIND, true, true},
-              {CD_BREAKING_STRAIN_U, false, true}, {CD_BREAKING_STRAIN_V, false, true}};
+} fields[] = {{CD_POSITION, true, false},
+              {CD_VELOCITY, true, false},
+              {CD_FORCE, true, true},
+              {CD_TARGET, true, true},
+              {CD_MASS, false, true},
+              {CD_STIFFNESS_U, false, true},
+              {CD_STIFFNESS_V, false, true},
+              {CD_PIN, false, true},
+              {CD_MASK, false, true},
+              {CD_REST_LENGTH_U, false, true},
+              {CD_REST_LENGTH_V, false, true},
+              {CD_WIND, true, true},
+              {CD_BREAKING_STRAIN_U, false, true},
+              {CD_BREAKING_STRAIN_V, false, true}};
 enum { OF_ALL = COUNT(fields) - 5 }; /* the rest are of cloth */
 
 static void give_lengths_for(cd_membrane* m, cd_field field) {
@@ -96,8 +105,8 @@ static void a_rectangle_touches_what_it_names_and_nothing_else(void** state) {
                         fill(f->field, part, size, seed++);
                         ok(cd_membrane_write_f64(m, f->field, u, v, n_u, n_v, part, size));
                         for (size_t row = 0; row < n_v; ++row)
-                            memcpy(&model[((v + row) * e.columns + u) * e.components],
-                                   &part[row * n_u * e.components], n_u * e.components * sizeof *part);
+                            memcpy(&model[((v + row) * e.columns + u) * e.components], &part[row * n_u * e.components],
+                                   n_u * e.components * sizeof *part);
                         cloth_read(m, f->field, back);
                         assert_same_bits(back, model, e.count);
                         memset(back, 0, sizeof back);

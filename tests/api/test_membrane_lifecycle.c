@@ -11,7 +11,7 @@ static void a_membrane_tells_the_shape_it_was_given(void** state) {
     static const struct {
         size_t nu, nv, components;
         cd_precision precision;
-    } shapes[] = {{0, 0, 1, CD_FLOAT32}, {1, 0, 2, CD_FLOAT64},  {0, 9, 3, CD_FLOAT32},   {1, 1, 4, CD_FLOAT64},
+    } shapes[] = {{0, 0, 1, CD_FLOAT32}, {1, 0, 2, CD_FLOAT64},  {0, 9, 3, CD_FLOAT32},    {1, 1, 4, CD_FLOAT64},
                   {7, 3, 4, CD_FLOAT64}, {3, 12, 1, CD_FLOAT32}, {255, 511, 3, CD_FLOAT64}};
     for (size_t i = 0; i < COUNT(shapes); ++i) {
         cd_membrane* m = cloth(shapes[i].nu, shapes[i].nv, shapes[i].components, shapes[i].precision);
@@ -90,8 +90,7 @@ static void a_new_membrane_lies_at_rest_at_the_origin_and_holds_nothing_optional
     (void)state;
     enum { ALL = 5 * 4 * 3 };
     cd_membrane* m = cloth(4, 3, 3, CD_FLOAT32);
-    static const cd_field optional[] = {CD_FORCE,       CD_MASS,        CD_PIN, CD_TARGET,
-                                        CD_STIFFNESS_U, CD_STIFFNESS_V, CD_MASK};
+    static const cd_field optional[] = {CD_FORCE, CD_MASS, CD_PIN, CD_TARGET, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_MASK};
     double values[ALL];
     for (cd_field field = CD_POSITION; field <= CD_VELOCITY; ++field) {
         memset(values, 0x33, sizeof values);

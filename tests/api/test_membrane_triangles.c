@@ -237,10 +237,9 @@ static void open_cells_of_cloth_have_no_triangles(void** state) {
             for (size_t v = 0; v < rows; ++v)
                 for (size_t u = 0; u < columns; ++u) {
                     const size_t next_u = (u + 1) % 8, next_v = (v + 1) % 7;
-                    const int left = (sheet_get(m, CD_STIFFNESS_U, u, v) > 0) +
-                                     (sheet_get(m, CD_STIFFNESS_U, u, next_v) > 0) +
-                                     (sheet_get(m, CD_STIFFNESS_V, u, v) > 0) +
-                                     (sheet_get(m, CD_STIFFNESS_V, next_u, v) > 0);
+                    const int left =
+                        (sheet_get(m, CD_STIFFNESS_U, u, v) > 0) + (sheet_get(m, CD_STIFFNESS_U, u, next_v) > 0) +
+                        (sheet_get(m, CD_STIFFNESS_V, u, v) > 0) + (sheet_get(m, CD_STIFFNESS_V, next_u, v) > 0);
                     if (left <= 2) continue;
                     const uint32_t first[3] = {(uint32_t)(v * 8 + u), (uint32_t)(v * 8 + next_u),
                                                (uint32_t)(next_v * 8 + next_u)};

@@ -10,9 +10,9 @@ enum { STRANDS = 3, SPRINGS = 8, NODES = SPRINGS + 1, COMPONENTS = 2, ALL = STRA
 static const struct {
     cd_method method;
     double lambda;
-} methods[] = {{CD_METHOD_IMPLICIT, 0.5},         {CD_METHOD_IMPLICIT, 1}, {CD_METHOD_IMPLICIT, 0},
-               {CD_METHOD_IMPLICIT, 0.6875},      {CD_METHOD_FORWARD_EULER, 0.5},
-               {CD_METHOD_SYMPLECTIC_EULER, 0.5}, {CD_METHOD_STIFF_SECOND, 0.5}};
+} methods[] = {{CD_METHOD_IMPLICIT, 0.5},    {CD_METHOD_IMPLICIT, 1},        {CD_METHOD_IMPLICIT, 0},
+               {CD_METHOD_IMPLICIT, 0.6875}, {CD_METHOD_FORWARD_EULER, 0.5}, {CD_METHOD_SYMPLECTIC_EULER, 0.5},
+               {CD_METHOD_STIFF_SECOND, 0.5}};
 
 static cd_chain* moving_chain(cd_precision precision) {
     cd_chain* chain = scene_chain(STRANDS, SPRINGS, COMPONENTS, precision);
@@ -67,8 +67,7 @@ static void only_nodes_on_a_border_can_be_matched(void** state) {
     const double matched = CD_NODE_MATCHED;
     for (size_t node = 0; node < NODES; ++node) {
         if (node == 0 || node == NODES - 1) scene_set(chain, CD_PIN, node, matched);
-        else
-            refuses(chain, cd_chain_write_f64(chain, CD_PIN, 0, 1, node, 1, &matched, 1), CD_ERROR_VALUE, "values|3");
+        else refuses(chain, cd_chain_write_f64(chain, CD_PIN, 0, 1, node, 1, &matched, 1), CD_ERROR_VALUE, "values|3");
     }
     cd_chain_destroy(chain);
 }

@@ -11,11 +11,11 @@ static const struct way {
     cd_method method;
     double lambda;
     int bends, ring;
-} ways[] = {{CD_METHOD_IMPLICIT, 0.5, 0, 0},      {CD_METHOD_IMPLICIT, 1, 0, 0},
-            {CD_METHOD_IMPLICIT, 0.75, 1, 0},     {CD_METHOD_IMPLICIT, 0.5, 0, 1},
-            {CD_METHOD_IMPLICIT, 1, 1, 1},        {CD_METHOD_FORWARD_EULER, 0.5, 0, 0},
-            {CD_METHOD_STIFF_SECOND, 0.5, 0, 0},  {CD_METHOD_SYMPLECTIC_EULER, 0.5, 1, 0},
-            {CD_METHOD_STIFF_SECOND, 0.5, 1, 1},  {CD_METHOD_SYMPLECTIC_EULER, 0.5, 0, 1},
+} ways[] = {{CD_METHOD_IMPLICIT, 0.5, 0, 0},     {CD_METHOD_IMPLICIT, 1, 0, 0},
+            {CD_METHOD_IMPLICIT, 0.75, 1, 0},    {CD_METHOD_IMPLICIT, 0.5, 0, 1},
+            {CD_METHOD_IMPLICIT, 1, 1, 1},       {CD_METHOD_FORWARD_EULER, 0.5, 0, 0},
+            {CD_METHOD_STIFF_SECOND, 0.5, 0, 0}, {CD_METHOD_SYMPLECTIC_EULER, 0.5, 1, 0},
+            {CD_METHOD_STIFF_SECOND, 0.5, 1, 1}, {CD_METHOD_SYMPLECTIC_EULER, 0.5, 0, 1},
             {CD_METHOD_IMPLICIT, 0, 0, 0}};
 
 static double at(const double* values, size_t strand, size_t node, size_t component) {
@@ -49,8 +49,7 @@ static void assert_one_velocity(const cd_chain* chain, const size_t* nodes, size
     scene_read(chain, CD_VELOCITY, v);
     for (size_t s = 0; s < STRANDS; ++s)
         for (size_t c = 0; c < COMPONENTS; ++c)
-            for (size_t i = 1; i < count; ++i) 
-                assert_near(at(v, s, nodes[i], c), at(v, s, nodes[0], c), rounding, 1);
+            for (size_t i = 1; i < count; ++i) assert_near(at(v, s, nodes[i], c), at(v, s, nodes[0], c), rounding, 1);
 }
 
 static void welded_nodes_share_the_mean_velocity_at_once(void** state) {
@@ -305,8 +304,7 @@ static void welded_nodes_of_a_rod_share_one_velocity_whatever_holds_them(void** 
             cd_chain* chain = scene_chain(1, n - 1, 1, CD_FLOAT64);
             double v[MOST];
             size_t size, written;
-            for (size_t i = 0; i < n; ++i)
-                v[i] = held == CD_NODE_PINNED && i == n - 3 ? 0 : (double)(i * 7 % 11) / 10;
+            for (size_t i = 0; i < n; ++i) v[i] = held == CD_NODE_PINNED && i == n - 3 ? 0 : (double)(i * 7 % 11) / 10;
             ok(cd_chain_set_bend(chain, 0.01));
             scene_write(chain, CD_VELOCITY, v);
             scene_set(chain, CD_PIN, n - 3, held);
@@ -327,7 +325,7 @@ static void welded_nodes_share_one_velocity_at_any_lambda(void** state) {
     (void)state;
     enum { NODES = 138 };
     for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
-        for (double lambda = 0; lambda < 1; lambda = lambda > 0 ? 1e15 * lambda : 1e-61) {
+        for (double lambda = 0; lambda<1; lambda = lambda> 0 ? 1e15 * lambda : 1e-61) {
             cd_chain* chain = scene_chain(1, NODES - 1, 1, precision);
             double v[NODES] = {0};
             for (size_t i = 0; i < 9; ++i) v[40 + i] = v[51 + i] = pow(0.1, 140 - 5.0 * (double)i);

@@ -138,9 +138,15 @@ static void beds_have_as_many_heights_as_places(void** state) {
 
 static void callbacks_are_functions_that_tell_distances(void** state) {
     (void)state;
-    static const struct { double wrong[2]; const char* shown; } answers[] = {
-        {{NAN, 0}, "distance of nan|length 1"}, {{INFINITY, 0}, "distance of inf"}, {{-1e61, 0}, "-1e+61"},
-        {{0, 0.002}, "length 1.002"},           {{0, -1}, "length 0"},              {{0, NAN}, "length nan"}};
+    static const struct {
+        double wrong[2];
+        const char* shown;
+    } answers[] = {{{NAN, 0}, "distance of nan|length 1"},
+                   {{INFINITY, 0}, "distance of inf"},
+                   {{-1e61, 0}, "-1e+61"},
+                   {{0, 0.002}, "length 1.002"},
+                   {{0, -1}, "length 0"},
+                   {{0, NAN}, "length nan"}};
     const double place[3] = {0.5, 0, 0};
     const cd_distance floor = {NULL, tell_floor}, none = {NULL, NULL};
     HANDLE* b = new_body();
@@ -252,8 +258,9 @@ static void beds_and_callbacks_give_their_memory_back(void** state) {
     CALL(destroy)(b);
 }
 
-#define SURROUNDINGS_TESTS                                                                                             \
-    cmocka_unit_test(only_springs_that_have_a_length_feel_air),                                \
-        cmocka_unit_test(only_springs_that_have_a_length_touch_things),                        \
-        cmocka_unit_test(beds_have_as_many_heights_as_places), cmocka_unit_test(callbacks_are_functions_that_tell_distances), \
-        cmocka_unit_test(callbacks_are_not_kept), cmocka_unit_test(beds_and_callbacks_give_their_memory_back)
+#define SURROUNDINGS_TESTS                                                                                       \
+    cmocka_unit_test(only_springs_that_have_a_length_feel_air),                                                  \
+        cmocka_unit_test(only_springs_that_have_a_length_touch_things),                                          \
+        cmocka_unit_test(beds_have_as_many_heights_as_places),                                                   \
+        cmocka_unit_test(callbacks_are_functions_that_tell_distances), cmocka_unit_test(callbacks_are_not_kept), \
+        cmocka_unit_test(beds_and_callbacks_give_their_memory_back)

@@ -41,11 +41,11 @@ int is_taken(size_t number, size_t part);
 
 #define ok(call) check_ok((call), #call, __FILE__, __LINE__)
 
-#define refuses(object, call, status, text)                                                                            \
-    do {                                                                                                               \
-        refusal_begin((object), hash_function_of(object), #call);                                                      \
-        const cd_status refused_ = (call);                                                                             \
-        refusal_end((object), hash_function_of(object), refused_, (status), #call, (text), __FILE__, __LINE__);        \
+#define refuses(object, call, status, text)                                                                     \
+    do {                                                                                                        \
+        refusal_begin((object), hash_function_of(object), #call);                                               \
+        const cd_status refused_ = (call);                                                                      \
+        refusal_end((object), hash_function_of(object), refused_, (status), #call, (text), __FILE__, __LINE__); \
     } while (0)
 
 /* Numbers that are out of some range, and how a message shows them. */
@@ -57,10 +57,10 @@ enum { NOT_FINITE = 3, NEGATIVE = 2, TOO_LARGE = 2, TOO_SMALL = 2 };
 extern const struct bad_number not_finite[NOT_FINITE], negative[NEGATIVE], too_large[TOO_LARGE], too_small[TOO_SMALL];
 
 /* A call with `bad` among its arguments, for each bad number in the table. */
-#define refuses_each(object, call, argument, table)                                                                    \
-    for (size_t i_ = 0; i_ < COUNT(table); ++i_) {                                                                     \
-        const double bad = (table)[i_].value;                                                                          \
-        refuses((object), call, CD_ERROR_VALUE, text_of("%s|%s", argument, (table)[i_].shown));                        \
+#define refuses_each(object, call, argument, table)                                             \
+    for (size_t i_ = 0; i_ < COUNT(table); ++i_) {                                              \
+        const double bad = (table)[i_].value;                                                   \
+        refuses((object), call, CD_ERROR_VALUE, text_of("%s|%s", argument, (table)[i_].shown)); \
     }
 
 #ifdef __MINGW_PRINTF_FORMAT /* C's formats, which GCC on Windows does not take for granted */
@@ -75,7 +75,7 @@ const char* name_and_size(const char* name, size_t value);
 
 /* The hash of a chain's, a membrane's or a water's state; fails the test if there is none. Of NULL: 0. */
 #define hash_of(object) (hash_function_of(object)(object))
-#define hash_function_of(object)                                                                                       \
+#define hash_function_of(object) \
     _Generic((object), cd_chain*: hash_of_chain, const cd_chain*: hash_of_chain, cd_membrane*: hash_of_membrane,       \
              const cd_membrane*: hash_of_membrane, cd_water*: hash_of_water, const cd_water*: hash_of_water,           \
              void*: hash_of_nothing)

@@ -4,8 +4,8 @@
 
 #include "check.h"
 
-const char* const lattice_names[LATTICES] = {"free-free",   "fixed-free", "free-fixed",  "fixed-fixed",   "half ends",
-                                             "ring",        "hinged",     "hinged both", "ring with bend"};
+const char* const lattice_names[LATTICES] = {"free-free", "fixed-free", "free-fixed",  "fixed-fixed",   "half ends",
+                                             "ring",      "hinged",     "hinged both", "ring with bend"};
 
 const struct time_step time_steps[TIME_STEPS] = {
     [FORWARD_EULER] = {"forward Euler", CD_METHOD_FORWARD_EULER, 0, 1, 1},
@@ -27,8 +27,7 @@ static int last_is_fixed(enum lattice ends) {
     return ends == FREE_FIXED || ends == FIXED_FIXED || ends == HINGED || ends == HINGED_BOTH;
 }
 
-cd_chain* make_lattice_chain(const struct lattice_chain* l, size_t strands, size_t components,
-                             cd_precision precision) {
+cd_chain* make_lattice_chain(const struct lattice_chain* l, size_t strands, size_t components, cd_precision precision) {
     cd_chain* chain = NULL;
     ok(cd_chain_create(strands, l->nodes - 1, components, precision, NULL, &chain));
     ok(cd_chain_set_mass(chain, l->mass));
@@ -150,7 +149,6 @@ struct matrix2 step_matrix(const struct time_step* step, long double dt, long do
         return matrix_times(stage, matrix_times(stage, shifted((1 - 2 * g) * dt, omega, c)));
     }
     default:
-        return matrix_times(inverse_shifted(step->lambda * dt, omega, c),
-                            shifted((1 - step->lambda) * dt, omega, c));
+        return matrix_times(inverse_shifted(step->lambda * dt, omega, c), shifted((1 - step->lambda) * dt, omega, c));
     }
 }

@@ -16,8 +16,9 @@ static void* zeros(size_t count, size_t size) {
 }
 
 static size_t arrays_of(struct reference* r, long double** out[11]) {
-    long double** const arrays[11] = {&r->x,      &r->v,      &r->mass, &r->stretch, &r->bend, &r->force,
-                                      &r->target, &r->weight, &r->a,    &r->anchor_stiffness, &r->anchor_damping};
+    long double** const arrays[11] = {
+        &r->x,      &r->v,      &r->mass, &r->stretch,          &r->bend,          &r->force,
+        &r->target, &r->weight, &r->a,    &r->anchor_stiffness, &r->anchor_damping};
     memcpy(out, arrays, sizeof arrays);
     return COUNT(arrays);
 }
@@ -152,8 +153,7 @@ static void factor(struct reference* r, long double h) {
             long double sum = 0;
             for (int i = 0; i < a->terms; ++i)
                 for (int j = 0; j < b->terms; ++j)
-                    if (a->node[i] == b->node[j])
-                        sum += a->coefficient[i] * b->coefficient[j] * r->weight[a->node[i]];
+                    if (a->node[i] == b->node[j]) sum += a->coefficient[i] * b->coefficient[j] * r->weight[a->node[i]];
             AT(p, q) = sum;
         }
         AT(p, p) += a->pull / a->kappa;

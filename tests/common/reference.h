@@ -34,7 +34,7 @@ struct reference {
         long double coefficient[3], kappa, target;
         int terms, kind;
         long double lag, pull; /* h + beta, and 1 / (h (h + beta)) */
-    }* row;
+    } * row;
     long double *weight, *band, *tau, *a;
     long double factored_for;
 };

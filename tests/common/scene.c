@@ -338,9 +338,14 @@ void scene_links(cd_chain* chain) {
 const struct scene rope_scenes[ROPE_SCENES] = {{"lengths", scene_lengths}, {"links", scene_links}};
 
 const struct scene scenes[SCENES] = {
-    {"rope", scene_rope},           {"net", scene_net},
-    {"hair", scene_hair},           {"ring", scene_ring},
-    {"bent ring", scene_bent_ring}, {"welded", scene_welded},
-    {"attached", scene_attached},   {"driven", scene_driven},
-    {"everything", scene_everything}, {"everything, ring", scene_everything_ring},
+    {"rope", scene_rope},
+    {"net", scene_net},
+    {"hair", scene_hair},
+    {"ring", scene_ring},
+    {"bent ring", scene_bent_ring},
+    {"welded", scene_welded},
+    {"attached", scene_attached},
+    {"driven", scene_driven},
+    {"everything", scene_everything},
+    {"everything, ring", scene_everything_ring},
 };
