@@ -319,9 +319,10 @@ void clear_beyond(Membrane& m) {
 
 MembraneOutcome step_springs(Membrane& m, double dt, size_t count) {
     const bool anew = must_prepare(m, dt);
-    if (anew) m.taken = solver_for(m, dt);
     MembraneFeatures with = features(m);
-    with.solver = m.taken;
+    with.solver = anew ? solver_for(m, dt) : m.taken;
+    if (with.solver != m.taken) clear_work(m);
+    m.taken = with.solver;
     Carver coefficients{m.coefficients.data}, scratch{m.scratch.data};
     Work work(m, with, coefficients, scratch);
     if (anew) {

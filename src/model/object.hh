@@ -58,13 +58,17 @@ struct Object {
     uint64_t factorizations;
 };
 
-// Whether the coefficients have to be made for steps of dt. What steps compute with follows from the object's settings
-// and state alone: where more than dt has changed, its layout may be another, and both arrays start from zeros.
+// What steps compute with follows from the object's settings and state alone: where its layout may be another, both
+// arrays start from zeros.
+inline void clear_work(Object& o) {
+    for (const Array<double>& array : {o.coefficients, o.scratch})
+        if (array) memset(array.data, 0, array.bytes());
+}
+
+// Whether the coefficients have to be made for steps of dt. Where more than dt has changed the layout may be another.
 inline bool must_prepare(Object& o, double dt) {
     if (o.prepared_dt == dt) return false;
-    if (o.prepared_dt == 0)
-        for (const Array<double>& array : {o.coefficients, o.scratch})
-            if (array) memset(array.data, 0, array.bytes());
+    if (o.prepared_dt == 0) clear_work(o);
     o.prepared_dt = dt;
     return true;
 }

@@ -70,6 +70,26 @@ static void a_sheet_steps_as_its_fresh_copy_does(void** state) {
             }
 }
 
+/* Left to the library, the solver changes with dt alone. */
+static void a_sheet_of_another_dt_steps_as_its_fresh_copy_does(void** state) {
+    (void)state;
+    static const double dts[] = {0.01, 20, 1, 0.02, 300};
+    for (size_t first = 0; first < COUNT(changes); ++first)
+        for (size_t second = 0; second < COUNT(changes); ++second) {
+            cd_membrane *m = wild_sheet(COLUMNS, ROWS), *fresh = NULL;
+            changes[first](m), changes[second](m);
+            ok(cd_membrane_set_solver(m, CD_SOLVER_AUTO));
+            for (size_t k = 0; k < COUNT(dts); ++k) {
+                fresh = wild_sheet(COLUMNS, ROWS);
+                ok(cd_membrane_copy_state(fresh, m));
+                assert_int_equal(cd_membrane_step(m, dts[k], 2), cd_membrane_step(fresh, dts[k], 2));
+                assert_int_equal(hash_of(m), hash_of(fresh));
+                cd_membrane_destroy(fresh);
+            }
+            cd_membrane_destroy(m);
+        }
+}
+
 static void a_diverged_sheet_leaves_no_trace_after_a_reset(void** state) {
     (void)state;
     const double far = 1e308, gravity = -9;
@@ -153,10 +173,9 @@ static void tied(cd_chain* c) {
     for (size_t strand = 0; strand < scene_own_strands(c); ++strand) ok(cd_chain_attach(c, strand, 5, 30, 1, NULL, 0));
 }
 static void less_implicit(cd_chain* c) { ok(cd_chain_set_lambda(c, 0.75)); }
-static void (*const chain_changes[])(cd_chain* c) = {lengths,    short_lengths, no_lengths, pushing, rigid, welds,
-                                                     cuts,       tolerant,      own_masses, own_lengths,
-                                                     pinned,     tied,          less_implicit, windy,
-                                                     meeting,    not_meeting};
+static void (*const chain_changes[])(cd_chain* c) = {
+    lengths,    short_lengths, no_lengths, pushing, rigid,         welds, cuts,    tolerant,
+    own_masses, own_lengths,   pinned,     tied,    less_implicit, windy, meeting, not_meeting};
 
 /* A rope unless a change makes it none. */
 static cd_chain* strands(size_t count) {
@@ -279,6 +298,7 @@ int main(void) {
         cmocka_unit_test(a_sheet_steps_as_its_fresh_copy_does),
         cmocka_unit_test(a_rope_steps_as_its_fresh_copy_does),
         cmocka_unit_test(cloth_steps_as_its_fresh_copy_does),
+        cmocka_unit_test(a_sheet_of_another_dt_steps_as_its_fresh_copy_does),
         cmocka_unit_test(a_diverged_sheet_leaves_no_trace_after_a_reset),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
