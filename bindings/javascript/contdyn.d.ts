@@ -77,7 +77,7 @@ export const Status: {
   readonly errorUnsupported: 9;
   /** the state left the finite range during a step, or has not come back to it */
   readonly errorDiverged: 10;
-  /** the bytes to load are damaged, or of another version or kind */
+  /** the bytes to load are damaged, or of a later version or another kind */
   readonly errorFormat: 11;
   /** the two objects, or the object and the bytes, differ in shape or precision */
   readonly errorMismatch: 12;
@@ -323,7 +323,7 @@ export function errorMessage(): string;
  * What save made these bytes of: the kind of object, and what its create function has to be given so that it loads
  * them: of a chain strands and springs, of a membrane nu and nv, of water nx and ny; components, of water 1; and the
  * precision. Water's dx and dy, allocators and callbacks may be others., and is left alone on
- * failure. Errors: "errorFormat" for bytes that are damaged, cut short or of another version.
+ * failure. Errors: "errorFormat" for bytes that are damaged, cut short or of a later version.
  */
 export function savedShape(bytes: ArrayBuffer | ArrayBufferView): { kind: Kind; first: number; second: number; components: number; precision: Precision };
 
@@ -963,7 +963,7 @@ export class Chain extends Handle {
    * endian
    * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
    * load needs a chain of the same shape and precision; it switches fields on and off as they were. Bytes that are
-   * damaged, cut short, of another version or kind are refused and change nothing.
+   * damaged, cut short, of a later version or another kind are refused and change nothing.
    * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
    */
   saveSize(): number;
@@ -973,7 +973,7 @@ export class Chain extends Handle {
    * endian
    * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
    * load needs a chain of the same shape and precision; it switches fields on and off as they were. Bytes that are
-   * damaged, cut short, of another version or kind are refused and change nothing.
+   * damaged, cut short, of a later version or another kind are refused and change nothing.
    * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
    */
   save(): Uint8Array;
@@ -983,7 +983,7 @@ export class Chain extends Handle {
    * endian
    * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
    * load needs a chain of the same shape and precision; it switches fields on and off as they were. Bytes that are
-   * damaged, cut short, of another version or kind are refused and change nothing.
+   * damaged, cut short, of a later version or another kind are refused and change nothing.
    * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
    */
   load(bytes: ArrayBuffer | ArrayBufferView): void;
@@ -1722,7 +1722,7 @@ export class Membrane extends Handle {
    * endian
    * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
    * load needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are
-   * damaged, cut short, of another version or kind are refused and change nothing.
+   * damaged, cut short, of a later version or another kind are refused and change nothing.
    * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
    */
   saveSize(): number;
@@ -1732,7 +1732,7 @@ export class Membrane extends Handle {
    * endian
    * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
    * load needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are
-   * damaged, cut short, of another version or kind are refused and change nothing.
+   * damaged, cut short, of a later version or another kind are refused and change nothing.
    * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
    */
   save(): Uint8Array;
@@ -1742,7 +1742,7 @@ export class Membrane extends Handle {
    * endian
    * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
    * load needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are
-   * damaged, cut short, of another version or kind are refused and change nothing.
+   * damaged, cut short, of a later version or another kind are refused and change nothing.
    * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
    */
   load(bytes: ArrayBuffer | ArrayBufferView): void;
@@ -2386,7 +2386,7 @@ export class Water extends Handle {
    * Little-endian on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it
    * wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and switches fields
    * on
-   * and off as they were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing.
+   * and off as they were. Bytes that are damaged, cut short, of a later version or another kind are refused.
    * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
    */
   saveSize(): number;
@@ -2396,7 +2396,7 @@ export class Water extends Handle {
    * Little-endian on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it
    * wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and switches fields
    * on
-   * and off as they were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing.
+   * and off as they were. Bytes that are damaged, cut short, of a later version or another kind are refused.
    * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
    */
   save(): Uint8Array;
@@ -2406,7 +2406,7 @@ export class Water extends Handle {
    * Little-endian on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it
    * wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and switches fields
    * on
-   * and off as they were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing.
+   * and off as they were. Bytes that are damaged, cut short, of a later version or another kind are refused.
    * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
    */
   load(bytes: ArrayBuffer | ArrayBufferView): void;

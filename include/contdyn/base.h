@@ -41,7 +41,7 @@ enum {
     CD_ERROR_DISABLED = 8,    /* the field is not switched on: see cd_*_enable_field */
     CD_ERROR_UNSUPPORTED = 9, /* what this object cannot do, or what was left out of this build: see cd_build_info */
     CD_ERROR_DIVERGED = 10,   /* the state left the finite range during a step, or has not come back to it */
-    CD_ERROR_FORMAT = 11,     /* the bytes to load are damaged, or of another version or kind */
+    CD_ERROR_FORMAT = 11,     /* the bytes to load are damaged, or of a later version or another kind */
     CD_ERROR_MISMATCH = 12,   /* the two objects, or the object and the bytes, differ in shape or precision */
     CD_ERROR_TOLERANCE = 13,  /* steps were made, but an iterative solve ended short of its tolerance */
     CD_ERROR_CALLBACK = 14    /* steps were made, but a callback gave numbers that it may not */
@@ -213,7 +213,7 @@ enum { CD_KIND_CHAIN = 1, CD_KIND_MEMBRANE = 2, CD_KIND_WATER = 3 };
 /* What cd_*_save made these bytes of: the kind of object, and what its create function has to be given so that it loads
  * them: of a chain strands and springs, of a membrane nu and nv, of water nx and ny; components, of water 1; and the
  * precision. Water's dx and dy, allocators and callbacks may be others. Each output may be null, and is left alone on
- * failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut short or of another version. */
+ * failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut short or of a later version. */
 CD_API cd_status cd_saved_shape(const void* bytes, size_t size, cd_kind* out_kind, size_t* out_first,
                                 size_t* out_second, size_t* out_components, cd_precision* out_precision);
 

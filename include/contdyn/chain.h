@@ -436,7 +436,7 @@ CD_API cd_status cd_chain_hash(const cd_chain* chain, uint64_t* out_hash);
 /* The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
  * on every machine, versioned, with a checksum. save needs size >= cd_chain_save_size and tells what it wrote.
  * load needs a chain of the same shape and precision; it switches fields on and off as they were. Bytes that are
- * damaged, cut short, of another version or kind are refused and change nothing.
+ * damaged, cut short, of a later version or another kind are refused and change nothing.
  * Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
 CD_API cd_status cd_chain_save_size(const cd_chain* chain, size_t* out_size);
 CD_API cd_status cd_chain_save(const cd_chain* chain, void* buffer, size_t size, size_t* out_written);

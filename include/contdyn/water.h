@@ -455,7 +455,7 @@ CD_API cd_status cd_water_write_indices(const cd_water* water, int32_t skip_dry,
 /* The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but the callbacks.
  * Little-endian on every machine, versioned, with a checksum. save needs size >= cd_water_save_size and tells what it
  * wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and switches fields on
- * and off as they were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing.
+ * and off as they were. Bytes that are damaged, cut short, of a later version or another kind are refused.
  * Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
 CD_API cd_status cd_water_save_size(const cd_water* water, size_t* out_size);
 CD_API cd_status cd_water_save(const cd_water* water, void* buffer, size_t size, size_t* out_written);

@@ -5,7 +5,7 @@
  *
  * Beside the scene, which something moves for ever, stands a body without damping that is left alone: what it should
  * keep must not drift. Every frame the scene is read; every second it is saved, and what is loaded must have the same
- * hash and go the same way; every ten seconds a scene is made anew beside it and thrown away.
+ * hash and the same bytes; every ten seconds a scene is made anew beside it and thrown away.
  * Printed every minute: memory, the drift so far, and the median time of a frame. Exit status 0: the scene's memory is
  * as large as at the start, all that the library took is given back at the end, nothing drifts, all numbers are finite,
  * and in ten minutes or more the program's memory has not grown since the first tenth. */
@@ -346,7 +346,7 @@ static int ascending(const void* a, const void* b) {
     return (x > y) - (x < y);
 }
 
-/* What is loaded is what was saved, and takes the same next step. */
+/* What is loaded is what was saved. */
 static void check_saved(const soaked* object, void* scene, void* other) {
     void* bytes;
     void* again;

@@ -32,7 +32,7 @@ namespace Contdyn
         ErrorUnsupported = 9,
         /// <summary>the state left the finite range during a step, or has not come back to it</summary>
         ErrorDiverged = 10,
-        /// <summary>the bytes to load are damaged, or of another version or kind</summary>
+        /// <summary>the bytes to load are damaged, or of a later version or another kind</summary>
         ErrorFormat = 11,
         /// <summary>the two objects, or the object and the bytes, differ in shape or precision</summary>
         ErrorMismatch = 12,
@@ -400,7 +400,7 @@ namespace Contdyn
         /// given so that it loads them: of a chain strands and springs, of a membrane nu and nv, of water nx and ny;
         /// components, of water 1; and the precision. Water's dx and dy, allocators and callbacks may be others. Each
         /// output may be null, and is left alone on failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut
-        /// short or of another version.</summary>
+        /// short or of a later version.</summary>
         public static SavedShape SavedShape<T>(T[] bytes) where T : struct
         {
             using (var bytesPinned = new Pinned<T>(bytes))
@@ -412,7 +412,7 @@ namespace Contdyn
         /// given so that it loads them: of a chain strands and springs, of a membrane nu and nv, of water nx and ny;
         /// components, of water 1; and the precision. Water's dx and dy, allocators and callbacks may be others. Each
         /// output may be null, and is left alone on failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut
-        /// short or of another version.</summary>
+        /// short or of a later version.</summary>
         public static SavedShape SavedShape(ReadOnlySpan<byte> bytes)
         {
             fixed (byte* bytesPointer = &MemoryMarshal.GetReference(bytes))
@@ -1996,8 +1996,8 @@ namespace Contdyn
         /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
         /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_chain_save_size and tells what it wrote. load needs a chain of the same shape and precision; it switches
-        /// fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are refused
-        /// and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// fields on and off as they were. Bytes that are damaged, cut short, of a later version or another kind are
+        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
         /// CD_ERROR_MEMORY.</summary>
         public long SaveSize()
         {
@@ -2009,8 +2009,8 @@ namespace Contdyn
         /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
         /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_chain_save_size and tells what it wrote. load needs a chain of the same shape and precision; it switches
-        /// fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are refused
-        /// and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// fields on and off as they were. Bytes that are damaged, cut short, of a later version or another kind are
+        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
         /// CD_ERROR_MEMORY.</summary>
         public long Save<T>(T[] buffer) where T : struct
         {
@@ -2022,8 +2022,8 @@ namespace Contdyn
         /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
         /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_chain_save_size and tells what it wrote. load needs a chain of the same shape and precision; it switches
-        /// fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are refused
-        /// and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// fields on and off as they were. Bytes that are damaged, cut short, of a later version or another kind are
+        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
         /// CD_ERROR_MEMORY.</summary>
         public long Save(Span<byte> buffer)
         {
@@ -2051,8 +2051,8 @@ namespace Contdyn
         /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
         /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_chain_save_size and tells what it wrote. load needs a chain of the same shape and precision; it switches
-        /// fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are refused
-        /// and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// fields on and off as they were. Bytes that are damaged, cut short, of a later version or another kind are
+        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
         /// CD_ERROR_MEMORY.</summary>
         public void Load<T>(T[] bytes) where T : struct
         {
@@ -2064,8 +2064,8 @@ namespace Contdyn
         /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
         /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_chain_save_size and tells what it wrote. load needs a chain of the same shape and precision; it switches
-        /// fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are refused
-        /// and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// fields on and off as they were. Bytes that are damaged, cut short, of a later version or another kind are
+        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
         /// CD_ERROR_MEMORY.</summary>
         public void Load(ReadOnlySpan<byte> bytes)
         {
@@ -3857,8 +3857,8 @@ namespace Contdyn
         /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
         /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
-        /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
-        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another
+        /// kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
         /// CD_ERROR_MEMORY.</summary>
         public long SaveSize()
         {
@@ -3870,8 +3870,8 @@ namespace Contdyn
         /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
         /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
-        /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
-        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another
+        /// kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
         /// CD_ERROR_MEMORY.</summary>
         public long Save<T>(T[] buffer) where T : struct
         {
@@ -3883,8 +3883,8 @@ namespace Contdyn
         /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
         /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
-        /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
-        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another
+        /// kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
         /// CD_ERROR_MEMORY.</summary>
         public long Save(Span<byte> buffer)
         {
@@ -3912,8 +3912,8 @@ namespace Contdyn
         /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
         /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
-        /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
-        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another
+        /// kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
         /// CD_ERROR_MEMORY.</summary>
         public void Load<T>(T[] bytes) where T : struct
         {
@@ -3925,8 +3925,8 @@ namespace Contdyn
         /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
         /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
-        /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
-        /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
+        /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another
+        /// kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
         /// CD_ERROR_MEMORY.</summary>
         public void Load(ReadOnlySpan<byte> bytes)
         {
@@ -5370,8 +5370,8 @@ namespace Contdyn
         /// the callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_water_save_size and tells what it wrote. load needs a water of as many cells and the same precision,
         /// takes the cells' size over, and switches fields on and off as they were. Bytes that are damaged, cut short,
-        /// of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
-        /// CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
+        /// of a later version or another kind are refused. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT,
+        /// CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
         public long SaveSize()
         {
             UIntPtr outSize;
@@ -5383,8 +5383,8 @@ namespace Contdyn
         /// the callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_water_save_size and tells what it wrote. load needs a water of as many cells and the same precision,
         /// takes the cells' size over, and switches fields on and off as they were. Bytes that are damaged, cut short,
-        /// of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
-        /// CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
+        /// of a later version or another kind are refused. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT,
+        /// CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
         public long Save<T>(T[] buffer) where T : struct
         {
             using (var bufferPinned = new Pinned<T>(buffer))
@@ -5396,8 +5396,8 @@ namespace Contdyn
         /// the callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_water_save_size and tells what it wrote. load needs a water of as many cells and the same precision,
         /// takes the cells' size over, and switches fields on and off as they were. Bytes that are damaged, cut short,
-        /// of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
-        /// CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
+        /// of a later version or another kind are refused. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT,
+        /// CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
         public long Save(Span<byte> buffer)
         {
             fixed (byte* bufferPointer = &MemoryMarshal.GetReference(buffer))
@@ -5425,8 +5425,8 @@ namespace Contdyn
         /// the callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_water_save_size and tells what it wrote. load needs a water of as many cells and the same precision,
         /// takes the cells' size over, and switches fields on and off as they were. Bytes that are damaged, cut short,
-        /// of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
-        /// CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
+        /// of a later version or another kind are refused. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT,
+        /// CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
         public void Load<T>(T[] bytes) where T : struct
         {
             using (var bytesPinned = new Pinned<T>(bytes))
@@ -5438,8 +5438,8 @@ namespace Contdyn
         /// the callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
         /// cd_water_save_size and tells what it wrote. load needs a water of as many cells and the same precision,
         /// takes the cells' size over, and switches fields on and off as they were. Bytes that are damaged, cut short,
-        /// of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
-        /// CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
+        /// of a later version or another kind are refused. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT,
+        /// CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
         public void Load(ReadOnlySpan<byte> bytes)
         {
             fixed (byte* bytesPointer = &MemoryMarshal.GetReference(bytes))

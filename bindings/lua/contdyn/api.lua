@@ -411,7 +411,7 @@ api["status"] = support.enumeration("cd_status", {
   ["error_unsupported"] = 9,
   -- the state left the finite range during a step, or has not come back to it
   ["error_diverged"] = 10,
-  -- the bytes to load are damaged, or of another version or kind
+  -- the bytes to load are damaged, or of a later version or another kind
   ["error_format"] = 11,
   -- the two objects, or the object and the bytes, differ in shape or precision
   ["error_mismatch"] = 12,
@@ -668,7 +668,7 @@ end
 -- What cd_*_save made these bytes of: the kind of object, and what its create function has to be given so that it loads
 -- them: of a chain strands and springs, of a membrane nu and nv, of water nx and ny; components, of water 1; and the
 -- precision. Water's dx and dy, allocators and callbacks may be others. Each output may be null, and is left alone on
--- failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut short or of another version.
+-- failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut short or of a later version.
 function api.saved_shape(bytes)
   local where = "cd_saved_shape"
   local p_bytes, n_bytes = bytes_in(bytes, where, "bytes")
@@ -1687,7 +1687,7 @@ end
 -- The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
 -- on every machine, versioned, with a checksum. save needs size >= cd_chain_save_size and tells what it wrote. load
 -- needs a chain of the same shape and precision; it switches fields on and off as they were. Bytes that are damaged,
--- cut short, of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+-- cut short, of a later version or another kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
 -- CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
 function Chain:save_size()
   local where = "cd_chain_save_size"
@@ -1699,7 +1699,7 @@ end
 -- The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
 -- on every machine, versioned, with a checksum. save needs size >= cd_chain_save_size and tells what it wrote. load
 -- needs a chain of the same shape and precision; it switches fields on and off as they were. Bytes that are damaged,
--- cut short, of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+-- cut short, of a later version or another kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
 -- CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
 function Chain:save(buffer)
   local where = "cd_chain_save"
@@ -1714,7 +1714,7 @@ end
 -- The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
 -- on every machine, versioned, with a checksum. save needs size >= cd_chain_save_size and tells what it wrote. load
 -- needs a chain of the same shape and precision; it switches fields on and off as they were. Bytes that are damaged,
--- cut short, of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+-- cut short, of a later version or another kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
 -- CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
 function Chain:load(bytes)
   local where = "cd_chain_load"
@@ -2889,7 +2889,7 @@ end
 -- The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
 -- on every machine, versioned, with a checksum. save needs size >= cd_membrane_save_size and tells what it wrote. load
 -- needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are damaged,
--- cut short, of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+-- cut short, of a later version or another kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
 -- CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
 function Membrane:save_size()
   local where = "cd_membrane_save_size"
@@ -2901,7 +2901,7 @@ end
 -- The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
 -- on every machine, versioned, with a checksum. save needs size >= cd_membrane_save_size and tells what it wrote. load
 -- needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are damaged,
--- cut short, of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+-- cut short, of a later version or another kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
 -- CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
 function Membrane:save(buffer)
   local where = "cd_membrane_save"
@@ -2916,7 +2916,7 @@ end
 -- The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
 -- on every machine, versioned, with a checksum. save needs size >= cd_membrane_save_size and tells what it wrote. load
 -- needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are damaged,
--- cut short, of another version or kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+-- cut short, of a later version or another kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
 -- CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
 function Membrane:load(bytes)
   local where = "cd_membrane_load"
@@ -3864,8 +3864,8 @@ end
 -- The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but the callbacks.
 -- Little-endian on every machine, versioned, with a checksum. save needs size >= cd_water_save_size and tells what it
 -- wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and switches fields on
--- and off as they were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing.
--- Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
+-- and off as they were. Bytes that are damaged, cut short, of a later version or another kind are refused. Errors:
+-- save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
 function Water:save_size()
   local where = "cd_water_save_size"
   local out_size = size_t_1()
@@ -3876,8 +3876,8 @@ end
 -- The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but the callbacks.
 -- Little-endian on every machine, versioned, with a checksum. save needs size >= cd_water_save_size and tells what it
 -- wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and switches fields on
--- and off as they were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing.
--- Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
+-- and off as they were. Bytes that are damaged, cut short, of a later version or another kind are refused. Errors:
+-- save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
 function Water:save(buffer)
   local where = "cd_water_save"
   local p_buffer, n_buffer = bytes_out(buffer, self:save_size(), where, "buffer")
@@ -3891,8 +3891,8 @@ end
 -- The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but the callbacks.
 -- Little-endian on every machine, versioned, with a checksum. save needs size >= cd_water_save_size and tells what it
 -- wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and switches fields on
--- and off as they were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing.
--- Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
+-- and off as they were. Bytes that are damaged, cut short, of a later version or another kind are refused. Errors:
+-- save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
 function Water:load(bytes)
   local where = "cd_water_load"
   local p_bytes, n_bytes = bytes_in(bytes, where, "bytes")

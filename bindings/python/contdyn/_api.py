@@ -31,7 +31,7 @@ class Status(IntEnum):
     ERROR_UNSUPPORTED = 9
     #: the state left the finite range during a step, or has not come back to it
     ERROR_DIVERGED = 10
-    #: the bytes to load are damaged, or of another version or kind
+    #: the bytes to load are damaged, or of a later version or another kind
     ERROR_FORMAT = 11
     #: the two objects, or the object and the bytes, differ in shape or precision
     ERROR_MISMATCH = 12

@@ -77,7 +77,7 @@ class DivergedError(Error, ArithmeticError):
 
 
 class FormatError(Error, ValueError):
-    """The bytes to load are damaged, or of another version or kind."""
+    """The bytes to load are damaged, or of a later version or another kind."""
 
     status = Status.ERROR_FORMAT
 

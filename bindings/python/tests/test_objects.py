@@ -71,8 +71,10 @@ class Everyone(unittest.TestCase):
         self.assertGreater(moving(Water).stable_dt(), 0)
 
     def test_fields_take_memory_only_while_they_are_on(self):
-        for kind, field in ((Chain, Field.FORCE), (Membrane, Field.FORCE), (Water, Field.SOURCE)):
+        for kind, field in ((Chain, Field.FORCE), (Membrane, Field.MASK), (Water, Field.SOURCE)):
             made = make(kind)
+            if kind is Membrane:
+                made.solver = Solver.ALTERNATING  # coupled, a sheet with a mask may take less
             before = made.memory
             made.enable_field(field)
             self.assertGreater(made.memory, before)

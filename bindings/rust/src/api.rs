@@ -28,7 +28,7 @@ pub enum Status {
     ErrorUnsupported = 9,
     /// the state left the finite range during a step, or has not come back to it
     ErrorDiverged = 10,
-    /// the bytes to load are damaged, or of another version or kind
+    /// the bytes to load are damaged, or of a later version or another kind
     ErrorFormat = 11,
     /// the two objects, or the object and the bytes, differ in shape or precision
     ErrorMismatch = 12,
@@ -571,7 +571,7 @@ pub struct SavedShape {
 /// What cd_\*_save made these bytes of: the kind of object, and what its create function has to be given so that it
 /// loads them: of a chain strands and springs, of a membrane nu and nv, of water nx and ny; components, of water 1;
 /// and the precision. Water's dx and dy, allocators and callbacks may be others. Each output may be null, and is
-/// left alone on failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut short or of another version.
+/// left alone on failure. Errors: CD_ERROR_FORMAT for bytes that are damaged, cut short or of a later version.
 pub fn saved_shape(bytes: &[u8]) -> Result<SavedShape> {
     let size = bytes.len();
     let mut out_kind = 0;
@@ -1581,8 +1581,8 @@ impl Chain {
     /// The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks.
     /// Little-endian on every machine, versioned, with a checksum. save needs size \>= cd_chain_save_size and tells
     /// what it wrote. load needs a chain of the same shape and precision; it switches fields on and off as they were.
-    /// Bytes that are damaged, cut short, of another version or kind are refused and change nothing. Errors: save:
-    /// CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
+    /// Bytes that are damaged, cut short, of a later version or another kind are refused and change nothing. Errors:
+    /// save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
     pub fn save_size(&self) -> Result<usize> {
         let mut out_size = 0;
         check(unsafe { sys::cd_chain_save_size(self.as_ptr(), &mut out_size) })?;
@@ -1592,8 +1592,8 @@ impl Chain {
     /// The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks.
     /// Little-endian on every machine, versioned, with a checksum. save needs size \>= cd_chain_save_size and tells
     /// what it wrote. load needs a chain of the same shape and precision; it switches fields on and off as they were.
-    /// Bytes that are damaged, cut short, of another version or kind are refused and change nothing. Errors: save:
-    /// CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
+    /// Bytes that are damaged, cut short, of a later version or another kind are refused and change nothing. Errors:
+    /// save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
     pub fn save_into(&self, buffer: &mut [u8]) -> Result<usize> {
         let size = buffer.len();
         let mut out_written = 0;
@@ -1612,8 +1612,8 @@ impl Chain {
     /// The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks.
     /// Little-endian on every machine, versioned, with a checksum. save needs size \>= cd_chain_save_size and tells
     /// what it wrote. load needs a chain of the same shape and precision; it switches fields on and off as they were.
-    /// Bytes that are damaged, cut short, of another version or kind are refused and change nothing. Errors: save:
-    /// CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
+    /// Bytes that are damaged, cut short, of a later version or another kind are refused and change nothing. Errors:
+    /// save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
     pub fn load(&mut self, bytes: &[u8]) -> Result<()> {
         let size = bytes.len();
         check(unsafe { sys::cd_chain_load(self.as_ptr(), bytes.as_ptr().cast(), size) })
@@ -2806,8 +2806,8 @@ impl Membrane {
     /// The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks.
     /// Little-endian on every machine, versioned, with a checksum. save needs size \>= cd_membrane_save_size and tells
     /// what it wrote. load needs a membrane of the same shape and precision; it switches fields on and off as they
-    /// were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing. Errors:
-    /// save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
+    /// were. Bytes that are damaged, cut short, of a later version or another kind are refused and change nothing.
+    /// Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
     pub fn save_size(&self) -> Result<usize> {
         let mut out_size = 0;
         check(unsafe { sys::cd_membrane_save_size(self.as_ptr(), &mut out_size) })?;
@@ -2817,8 +2817,8 @@ impl Membrane {
     /// The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks.
     /// Little-endian on every machine, versioned, with a checksum. save needs size \>= cd_membrane_save_size and tells
     /// what it wrote. load needs a membrane of the same shape and precision; it switches fields on and off as they
-    /// were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing. Errors:
-    /// save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
+    /// were. Bytes that are damaged, cut short, of a later version or another kind are refused and change nothing.
+    /// Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
     pub fn save_into(&self, buffer: &mut [u8]) -> Result<usize> {
         let size = buffer.len();
         let mut out_written = 0;
@@ -2837,8 +2837,8 @@ impl Membrane {
     /// The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks.
     /// Little-endian on every machine, versioned, with a checksum. save needs size \>= cd_membrane_save_size and tells
     /// what it wrote. load needs a membrane of the same shape and precision; it switches fields on and off as they
-    /// were. Bytes that are damaged, cut short, of another version or kind are refused and change nothing. Errors:
-    /// save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
+    /// were. Bytes that are damaged, cut short, of a later version or another kind are refused and change nothing.
+    /// Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
     pub fn load(&mut self, bytes: &[u8]) -> Result<()> {
         let size = bytes.len();
         check(unsafe { sys::cd_membrane_load(self.as_ptr(), bytes.as_ptr().cast(), size) })
@@ -3773,9 +3773,8 @@ impl Water {
     /// The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but the callbacks.
     /// Little-endian on every machine, versioned, with a checksum. save needs size \>= cd_water_save_size and tells
     /// what it wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and
-    /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
-    /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
-    /// CD_ERROR_MEMORY.
+    /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another kind
+    /// are refused. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
     pub fn save_size(&self) -> Result<usize> {
         let mut out_size = 0;
         check(unsafe { sys::cd_water_save_size(self.as_ptr(), &mut out_size) })?;
@@ -3785,9 +3784,8 @@ impl Water {
     /// The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but the callbacks.
     /// Little-endian on every machine, versioned, with a checksum. save needs size \>= cd_water_save_size and tells
     /// what it wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and
-    /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
-    /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
-    /// CD_ERROR_MEMORY.
+    /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another kind
+    /// are refused. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
     pub fn save_into(&self, buffer: &mut [u8]) -> Result<usize> {
         let size = buffer.len();
         let mut out_written = 0;
@@ -3806,9 +3804,8 @@ impl Water {
     /// The whole state as bytes: shape, parameters, fields, time, account: all the future depends on but the callbacks.
     /// Little-endian on every machine, versioned, with a checksum. save needs size \>= cd_water_save_size and tells
     /// what it wrote. load needs a water of as many cells and the same precision, takes the cells' size over, and
-    /// switches fields on and off as they were. Bytes that are damaged, cut short, of another version or kind are
-    /// refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
-    /// CD_ERROR_MEMORY.
+    /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another kind
+    /// are refused. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
     pub fn load(&mut self, bytes: &[u8]) -> Result<()> {
         let size = bytes.len();
         check(unsafe { sys::cd_water_load(self.as_ptr(), bytes.as_ptr().cast(), size) })
