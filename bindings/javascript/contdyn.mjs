@@ -1791,6 +1791,20 @@ export class Water extends Handle {
     };
   }
 
+  get sleep() {
+    check(wasm.cd_water_get_sleep(addressOf(this, Water), result(0)));
+    return real(0);
+  }
+
+  set sleep(height) {
+    check(wasm.cd_water_set_sleep(addressOf(this, Water), number(height, "height")));
+  }
+
+  get awake() {
+    check(wasm.cd_water_get_awake(addressOf(this, Water), result(0)));
+    return whole(0);
+  }
+
   get volume() {
     check(wasm.cd_water_get_volume(addressOf(this, Water), result(0)));
     return real(0);

@@ -104,10 +104,25 @@ cd_status cd_water_get_side(const cd_water* water, cd_side side, cd_border* out_
     return CD_OK;
 }
 
+// ---- sleep ----------------------------------------------------------------------------------------------------------
+
+CD_GETTER(water, get_sleep, double, out_height, x.sleep)
+CD_GETTER(water, get_awake, size_t, out_cells, x.awake)
+
+cd_status cd_water_set_sleep(cd_water* water, double height) {
+    CD_OPEN(water, w);
+    CD_CHECK(in_range(__func__, "height", height, 0, kMost));
+    WaterFeatures wanted = features(w);
+    wanted.sleep = height > 0;
+    CD_CHECK(shared::change_features(__func__, w, wanted));
+    w.sleep = height;
+    return CD_OK;
+}
+
 // ---- time -----------------------------------------------------------------------------------------------------------
 
 cd_status cd_water_step(cd_water* water, double dt, size_t count) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     CD_CHECK(shared::can_step(__func__, w, dt, count));
     if (count == 0) return CD_OK;
     const uint64_t diverged_at = step_water(w, dt, count);

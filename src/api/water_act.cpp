@@ -45,7 +45,7 @@ cd_status add_rate(const char* function, Water& w, const Shares& shares, double 
 // ---- acting on it ---------------------------------------------------------------------------------------------------
 
 cd_status cd_water_add_volume(cd_water* water, double x, double y, double radius, double volume, double* out_added) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     const Disc disc{x, y, radius};
     CD_CHECK(is_disc(__func__, w, disc));
     CD_CHECK(is_amount(__func__, "volume", volume));
@@ -54,7 +54,7 @@ cd_status cd_water_add_volume(cd_water* water, double x, double y, double radius
 
 cd_status cd_water_add_volume_rectangle(cd_water* water, size_t first_x, size_t first_y, size_t n_x, size_t n_y,
                                         double volume, double* out_added) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     const CellRectangle part{first_x, first_y, n_x, n_y};
     CD_CHECK(is_rectangle(__func__, w, part));
     CD_CHECK(is_amount(__func__, "volume", volume));
@@ -79,7 +79,7 @@ cd_status cd_water_add_source_rectangle(cd_water* water, size_t first_x, size_t 
 }
 
 cd_status cd_water_splash(cd_water* water, double x, double y, double radius, double height) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     const Disc disc{x, y, radius};
     CD_CHECK(is_disc(__func__, w, disc));
     CD_CHECK(in_range(__func__, "height", height, 0, kMost));
@@ -87,7 +87,7 @@ cd_status cd_water_splash(cd_water* water, double x, double y, double radius, do
 }
 
 cd_status cd_water_impulse(cd_water* water, double x, double y, double radius, double impulse_x, double impulse_y) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     const Disc disc{x, y, radius};
     CD_CHECK(is_disc(__func__, w, disc));
     CD_CHECK(is_amount(__func__, "impulse_x", impulse_x));

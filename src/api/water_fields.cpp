@@ -131,7 +131,10 @@ struct Rectangle {
     void written(Water& w) const {
         if (n_x == 0 || n_y == 0) return;
         w.prepared_dt = 0;
-        if (is_bytes(field)) stop_closed(w);
+        const bool closes = is_bytes(field), on_seam = per(field) != Per::kCell && (periodic(w, kX) || periodic(w, kY));
+        if (closes) stop_closed(w);
+        if (closes || on_seam) disturb(w); // elsewhere too
+        else disturb(w, {first_x, first_y, n_x, n_y});
         if (field == CD_BED) w.account.add(deeper.value() * cell_area(w));
         if (field == CD_DEPTH || field == CD_SURFACE || field == CD_MASK) restart_account(w);
     }
@@ -141,13 +144,13 @@ struct Rectangle {
 
 cd_status cd_water_write_f32(cd_water* water, cd_field field, size_t first_x, size_t first_y, size_t n_x, size_t n_y,
                              const float* values, size_t count) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     return write_part(__func__, w, Rectangle{field, first_x, first_y, n_x, n_y}, values, count);
 }
 
 cd_status cd_water_write_f64(cd_water* water, cd_field field, size_t first_x, size_t first_y, size_t n_x, size_t n_y,
                              const double* values, size_t count) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     return write_part(__func__, w, Rectangle{field, first_x, first_y, n_x, n_y}, values, count);
 }
 

@@ -12,6 +12,17 @@ template <> struct Behind<cd_water> {
     static constexpr const char* name = "water";
 };
 
+// Any call that may change a water may wake all of it, but for those that open it quietly: they tell themselves which
+// cells they change, or change none.
+inline Water& quiet(cd_water* water) { return *reinterpret_cast<Water*>(water); }
+inline Water& behind(cd_water* water) {
+    disturb(quiet(water));
+    return quiet(water);
+}
+#define CD_OPEN_QUIETLY(water, name)       \
+    CD_CHECK(is_living(__func__, water)); \
+    Water& name = quiet(water)
+
 inline cd_status is_field(const char* function, const Water&, cd_field field) {
     CD_CHECK(is_enum(function, "field", field, CD_WALL_Y));
     if (field >= CD_MASK) return CD_OK;

@@ -85,7 +85,7 @@ cd_status cd_water_get_hulls(const cd_water* water, size_t* out_count, size_t* o
 
 cd_status cd_water_set_hull(cd_water* water, size_t index, double mass, double length, double width,
                             const double* heights, size_t count) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     CD_CHECK(is_hull(__func__, w, index));
     CD_CHECK(in_range(__func__, "mass", mass, kLeastHull, kMostHull));
     CD_CHECK(is_size(__func__, w, "length", length));
@@ -108,7 +108,7 @@ cd_status cd_water_set_hull(cd_water* water, size_t index, double mass, double l
 }
 
 cd_status cd_water_set_disc(cd_water* water, size_t index, double mass, double radius) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     CD_CHECK(is_hull(__func__, w, index));
     CD_CHECK(in_range(__func__, "mass", mass, kLeastHull, kMostHull));
     CD_CHECK(is_size(__func__, w, "radius", radius));
@@ -150,7 +150,7 @@ cd_status cd_water_get_hull(const cd_water* water, size_t index, double* out_mas
 }
 
 cd_status cd_water_remove_hull(cd_water* water, size_t index) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     CD_CHECK(is_hull(__func__, w, index));
     memset(&hull(w, index), 0, w.hull_shape.numbers() * sizeof(double));
     return CD_OK;
@@ -178,7 +178,7 @@ cd_status cd_water_launch_hull(cd_water* water, size_t index, double x, double y
 }
 
 cd_status cd_water_set_hull_pose(cd_water* water, size_t index, const double* pose, size_t count) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     CD_CHECK(is_hull(__func__, w, index));
     CD_CHECK(is_vector(__func__, "pose", pose, count, kPose, kMostPose));
     for (Axis a : {kX, kY}) CD_CHECK(in_range(__func__, a == kX ? "pose[0]" : "pose[1]", pose[a], 0, length_of(w, a)));
@@ -211,7 +211,7 @@ cd_status cd_water_get_hull_floor(const cd_water* water, size_t index, double* o
 }
 
 cd_status cd_water_set_hull_velocity(cd_water* water, size_t index, const double* velocity, size_t count) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     CD_CHECK(is_hull(__func__, w, index));
     CD_CHECK(is_vector(__func__, "velocity", velocity, count, kWays, kMostPose));
     take(hull(w, index).velocity, velocity, kWays);
@@ -219,7 +219,7 @@ cd_status cd_water_set_hull_velocity(cd_water* water, size_t index, const double
 }
 
 cd_status cd_water_set_hull_force(cd_water* water, size_t index, const double* force, size_t count) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     CD_CHECK(is_hull(__func__, w, index));
     CD_CHECK(is_vector(__func__, "force", force, count, kWays, kMostHullForce));
     take(hull(w, index).force, force, kWays);
@@ -237,7 +237,7 @@ CD_HULL_NUMBERS(force, out_force, force)
 CD_HULL_NUMBERS(load, out_load, water)
 
 cd_status cd_water_set_hull_drag(cd_water* water, size_t index, double along, double across, double friction) {
-    CD_OPEN(water, w);
+    CD_OPEN_QUIETLY(water, w);
     CD_CHECK(is_hull(__func__, w, index));
     CD_CHECK(in_range(__func__, "along", along, 0, kMostHullForce));
     CD_CHECK(in_range(__func__, "across", across, 0, kMostHullForce));

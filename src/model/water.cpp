@@ -37,6 +37,8 @@ struct WaterChanges {
     Change<char> depth, bed, velocity_x, velocity_y, source, pressure, force_x, force_y;
     Change<uint8_t> mask, wall_x, wall_y;
     Change<double> hulls, scratch;
+    Change<TileStir> stir;
+    Change<uint8_t> marks;
 
     WaterChanges(Water& w, const WaterFeatures& wanted, size_t scratch_needed)
         : WaterChanges(w, wanted, scratch_needed, w.plane * number_size(w), (w.cells[kX] + 1) * (w.cells[kY] + 1)) {}
@@ -54,11 +56,14 @@ struct WaterChanges {
           wall_x{w.wall[kX], wanted.wall[kX] ? bytes : 0},
           wall_y{w.wall[kY], wanted.wall[kY] ? bytes : 0},
           hulls{w.hulls, wanted.hulls.count * wanted.hulls.numbers()},
-          scratch{w.scratch, scratch_needed} {}
+          scratch{w.scratch, scratch_needed},
+          stir{w.tiles.stir, wanted.sleep ? w.tiles.size() : 0},
+          marks{w.tiles.marks, wanted.sleep ? w.tiles.size() : 0} {}
 
     template <class F> bool all(F f) {
         return f(depth) && f(bed) && f(velocity_x) && f(velocity_y) && f(source) && f(pressure) && f(force_x) &&
-               f(force_y) && f(mask) && f(wall_x) && f(wall_y) && f(hulls) && f(scratch);
+               f(force_y) && f(mask) && f(wall_x) && f(wall_y) && f(hulls) && f(scratch) && f(stir) &&
+               f(marks);
     }
 };
 
@@ -73,7 +78,8 @@ WaterFeatures features(const Water& w) {
             bool(w.mask),
             {bool(w.wall[kX]), bool(w.wall[kY])},
             w.parallel.run != nullptr,
-            w.hull_shape};
+            w.hull_shape,
+            w.sleep > 0};
 }
 
 bool set_features(Water& w, const WaterFeatures& wanted) {
@@ -168,6 +174,9 @@ cd_status create_water(const char* function, size_t nx, size_t ny, double dx, do
     shape.kernels = &best_kernels<WaterKernels>();
     shape.cells[kX] = nx;
     shape.cells[kY] = ny;
+    shape.tiles.count[kX] = tiles_of(nx);
+    shape.tiles.count[kY] = tiles_of(ny);
+    shape.tiles.all_awake = true;
     shape.size[kX] = dx;
     shape.size[kY] = dy;
     shape.precision = precision;
@@ -181,6 +190,7 @@ cd_status create_water(const char* function, size_t nx, size_t ny, double dx, do
     shape.lambda = kLinearLambda;
     shape.gravity = 9.81;
     shape.density = 1000;
+    shape.awake = nx * ny;
 
     out = make(shape, kWaterTag);
     if (!out) return fail(CD_ERROR_MEMORY, function, "no memory for nx %zu and ny %zu cells", nx, ny);

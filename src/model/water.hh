@@ -4,6 +4,7 @@
 #include "contdyn/water.h"
 #include "model/draw.hh"
 #include "model/object.hh"
+#include "model/water_sleep.hh"
 
 namespace cd {
 
@@ -30,6 +31,7 @@ struct WaterSettings : ObjectSettings {
     int32_t first;     // the axis that the next step sweeps first
     WaterSide side[4]; // by cd_side
     double gravity, density, drag, manning;
+    double sleep; // the height below which waves let water fall asleep; 0: it never does
     Account account;
 };
 
@@ -57,6 +59,11 @@ struct Water : Object, WaterSettings {
     // what the last call of step did
     uint64_t limited_cells;
     double limited_volume;
+    size_t awake; // cells that its last step moved
+
+    // which parts of it are asleep; surveyed: only what the tiles' marks tell has changed since they were looked at
+    WaterTiles tiles;
+    bool surveyed;
 
     // f(array, array of another water...) for each field, in the order in which they are kept; and for every array.
     template <class F, class... W> static void each_field(F f, W&... w) {
@@ -66,7 +73,7 @@ struct Water : Object, WaterSettings {
     }
     template <class F> static void each_array(F f, Water& w) {
         each_field(f, w);
-        f(w.scratch);
+        f(w.scratch), f(w.tiles.stir), f(w.tiles.marks);
     }
 };
 
@@ -81,6 +88,7 @@ struct WaterFeatures {
     cd_momentum momentum;
     bool source, pressure, force[2], mask, wall[2], parallel;
     HullShape hulls;
+    bool sleep;
 };
 
 // ---- shape and parameters (water.cpp) -------------------------------------------------------------------------------

@@ -21,6 +21,7 @@ double as_stored(const Water& w, double value) { return w.precision == CD_FLOAT6
 double change_depth(Water& w, size_t i, size_t j, double depth) {
     const double old = depth_at(w, i, j);
     set_number(w, w.depth, place(w, i, j), depth > 0 ? depth : 0);
+    disturb(w, {i, j, 1, 1});
     return depth_at(w, i, j) - old;
 }
 
@@ -238,6 +239,8 @@ bool impulse(Water& w, const Disc& disc, double x, double y) {
         const size_t at = place(w, i, j);
         set_number(w, w.velocity[a], at, get_number(w, w.velocity[a], at) + change);
         set_number(w, w.velocity[a], same_face(w, a, i, j), get_number(w, w.velocity[a], at));
+        if (same_face(w, a, i, j) == at) disturb(w, {i, j, 1, 1});
+        else disturb(w);
     });
     return true;
 }

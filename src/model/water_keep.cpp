@@ -13,11 +13,12 @@ static WaterFeatures taken_over(const Water& w, WaterFeatures features) {
 namespace {
 
 constexpr uint32_t bit(cd_field field) { return 1u << field; }
-constexpr uint32_t kHullBit = 1u << 31; // the hulls' number and shape follow, and their numbers come last
+constexpr uint32_t kHullBit = 1u << 31;  // the hulls' number and shape follow, and their numbers come last
+constexpr uint32_t kSleepBit = 1u << 30; // the height of what lets it sleep follows
 
 struct KeptWater {
     WaterSettings own;
-    uint32_t fields; // a bit per optional field, by cd_field; kHullBit
+    uint32_t fields; // a bit per optional field, by cd_field; kHullBit, kSleepBit
     HullShape hulls;
 
     bool on(cd_field field) const { return (fields & bit(field)) != 0; }
@@ -113,6 +114,7 @@ struct WaterKeep {
     static Settings settings_of(const Water& w) {
         Settings s{w, 0, w.hull_shape};
         if (w.hull_shape.count > 0) s.fields |= kHullBit;
+        if (w.sleep > 0) s.fields |= kSleepBit;
         if (w.mask) s.fields |= bit(CD_MASK);
         if (w.wall[kX]) s.fields |= bit(CD_WALL_X);
         if (w.wall[kY]) s.fields |= bit(CD_WALL_Y);
@@ -133,7 +135,8 @@ struct WaterKeep {
                 s.on(CD_MASK),
                 {s.on(CD_WALL_X), s.on(CD_WALL_Y)},
                 false,
-                s.hulls};
+                s.hulls,
+                s.own.sleep > 0};
     }
 
     template <class W> static void walk_settings(W& w, Settings& s) {
@@ -145,6 +148,7 @@ struct WaterKeep {
         walk(w, o.gravity), walk(w, o.density), walk(w, o.drag), walk(w, o.manning);
         walk(w, o.account.initial), walk(w, o.account.in), walk(w, o.account.out);
         walk(w, o.clock.start), walk(w, o.clock.dt), walk(w, o.clock.counted), walk(w, o.clock.steps);
+        if ((s.fields & kSleepBit) != 0) walk(w, o.sleep);
         if ((s.fields & kHullBit) == 0) return;
         for (size_t* size : {&s.hulls.count, &s.hulls.along, &s.hulls.across}) {
             uint64_t number = *size;
@@ -169,7 +173,8 @@ struct WaterKeep {
         for (cd_field field : {CD_MASK, CD_WALL_X, CD_WALL_Y, CD_SOURCE, CD_PRESSURE, CD_FORCE_X, CD_FORCE_Y})
             optional |= bit(field);
         const auto is_one_of_two = [](int32_t choice) { return choice == 0 || choice == 1; };
-        bool good = (s.fields & ~(optional | kHullBit)) == 0 && valid_hulls(s);
+        bool good = (s.fields & ~(optional | kHullBit | kSleepBit)) == 0 && valid_hulls(s);
+        good &= (s.fields & kSleepBit) == 0 || (o.sleep > 0 && o.sleep <= kMost);
         good &= o.method >= CD_METHOD_IMPLICIT && o.method <= CD_METHOD_SYMPLECTIC_EULER;
         good &= is_one_of_two(o.momentum) && is_one_of_two(o.bed_rule) && is_one_of_two(o.first);
         for (const WaterSide& side : o.side) good &= valid_side(side);

@@ -82,6 +82,9 @@ struct Stepper {
     // Makes a step. False if a number left the finite range.
     bool step() {
         finite = true;
+        if (w.sleep > 0) choose_awake(w, moved(), dt);
+        else w.tiles.all_awake = true;
+        w.awake = w.tiles.all_awake ? w.cells[kX] * w.cells[kY] : awake_cells(w);
         if (w.source) add_sources();
         const Axis first = Axis(w.first);
         sweep_under_hulls(first, true);
@@ -92,6 +95,7 @@ struct Stepper {
                 settle_hulls(w, work.hulls);
                 finite &= hulls_finite(w);
             }
+        if (w.sleep > 0) survey_awake(w);
         w.first = other(first);
         done += 1;
         return finite;
@@ -122,10 +126,35 @@ struct Stepper {
         if (along.cells == 1 && along.closed() && !along.ring()) return; // nothing moves
         const WaterLines lines = lines_along(a);
         in_tasks(a, lines.lines, [&](double* place, size_t first, size_t count) {
-            return kernels().sweep(along, lines, place, first, count);
+            if (w.tiles.all_awake) return kernels().sweep(along, lines, place, first, count);
+            bool good = true;
+            for (size_t pack = first; pack < first + count; ++pack) good &= sweep_awake(a, along, lines, place, pack);
+            return good;
         });
         count_up(lines.lines);
         if (CD_WITH_ADVECTED && work.moved) carry(a);
+    }
+
+    // A pack of lines of which parts are asleep: each run of awake tiles is a line of its own, with a wall where it
+    // meets tiles that sleep.
+    bool sweep_awake(Axis a, const WaterSweep& along, const WaterLines& lines, double* place, size_t pack) {
+        const size_t first = pack * kTile, count = first + kTile < lines.lines ? kTile : lines.lines - first;
+        double* const tally = lines.tally + first * kTallies;
+        double sums[kTile * kTallies] = {};
+        bool good = true;
+        w.tiles.each_run(a, pack, along.cells, [&](size_t from, size_t end) {
+            WaterSweep run = along;
+            run.cells = end - from;
+            if (from > 0) run.end[0] = {End::kWall, 0, 0, 0};
+            if (end < along.cells) run.end[1] = {End::kWall, 0, 0, 0};
+            good &= kernels().sweep(run, lines.from(from), place, pack, 1);
+            for (size_t k = 0; k < count * kTallies; ++k) {
+                if (k % kTallies != kParts) sums[k] += tally[k];
+                else if (tally[k] > sums[k]) sums[k] = tally[k];
+            }
+        });
+        memcpy(tally, sums, count * kTallies * sizeof(double));
+        return good;
     }
 
     WaterSweep sweep_along(Axis a) const {
@@ -181,6 +210,7 @@ struct Stepper {
 
     // What moves along `a` carries of the velocities across it, which lie on the faces between the lines.
     void carry(Axis a) {
+        if (!w.tiles.all_awake) return carry_awake(a);
         const size_t last = w.cells[other(a)] - 1, step = stride(other(a));
         carry_faces(a, 1, last, 0);
         if (!periodic(w, other(a))) return;
@@ -189,28 +219,48 @@ struct Stepper {
         for (size_t i = 0; i < w.cells[a]; ++i) v.put(i * stride(a) + (last + 1) * step, v[i * stride(a)]);
     }
 
+    // Through faces of tiles that sleep nothing has gone.
+    void carry_awake(Axis a) {
+        in_tasks(a, lines_of(w, a), [&](double* place, size_t first, size_t count) {
+            bool good = true;
+            for (size_t pack = first; pack < first + count; ++pack) {
+                const size_t from = pack > 0 ? pack * kTile : 1;
+                const size_t end = (pack + 1) * kTile < lines_of(w, a) ? (pack + 1) * kTile : lines_of(w, a);
+                if (end <= from) continue;
+                const WaterAcross across = across_faces(a, from, end - from, from - 1);
+                w.tiles.each_run(a, pack, w.cells[a], [&](size_t begin, size_t after) {
+                    good &= kernels().carry_across(across.run(begin, after), place, 0, 1);
+                });
+            }
+            return good;
+        });
+    }
+
     // The faces [first, first + count) between lines, and the line of cells before the first one.
     void carry_faces(Axis a, size_t first, size_t count, size_t before) {
+        const WaterAcross across = across_faces(a, first, count, before);
+        in_tasks(a, count, [&](double* place, size_t from, size_t packs) {
+            return kernels().carry_across(across, place, from, packs);
+        });
+    }
+    WaterAcross across_faces(Axis a, size_t first, size_t count, size_t before) const {
         const Axis over = other(a);
         const size_t here = first * stride(over), there = before * stride(over);
         const size_t byte_here = first * byte_stride(over), byte_there = before * byte_stride(over);
         const uint8_t *const mask = w.mask.data, *const wall = w.wall[over].data;
         const StateNumbers depth = state_of(w, w.depth), moved = this->moved();
-        const WaterAcross across{w.cells[a],
-                                 count,
-                                 stride(a),
-                                 stride(over),
-                                 periodic(w, a),
-                                 state_of(w, w.velocity[over]).from(here),
-                                 {depth.from(there), depth.from(here)},
-                                 {moved.from(there), moved.from(here)},
-                                 {mask ? mask + byte_there : nullptr, mask ? mask + byte_here : nullptr},
-                                 wall ? wall + byte_here : nullptr,
-                                 byte_stride(a),
-                                 byte_stride(over)};
-        in_tasks(a, count, [&](double* place, size_t from, size_t packs) {
-            return kernels().carry_across(across, place, from, packs);
-        });
+        return {w.cells[a],
+                count,
+                stride(a),
+                stride(over),
+                periodic(w, a),
+                state_of(w, w.velocity[over]).from(here),
+                {depth.from(there), depth.from(here)},
+                {moved.from(there), moved.from(here)},
+                {mask ? mask + byte_there : nullptr, mask ? mask + byte_here : nullptr},
+                wall ? wall + byte_here : nullptr,
+                byte_stride(a),
+                byte_stride(over)};
     }
 
     // Adds up what `lines` lines have to tell; of their parts the most.
@@ -230,23 +280,32 @@ struct Stepper {
         w.factorizations += uint64_t(parts);
     }
 
+    // f(cell) for those of a line that are awake, as all are that have sources.
+    template <class F> void each_awake(Axis along, size_t line, F f) const {
+        const auto run = [&](size_t first, size_t end) {
+            for (size_t k = first; k < end; ++k) f(k);
+        };
+        if (w.tiles.all_awake) run(0, w.cells[along]);
+        else w.tiles.each_run(along, line / kTile, w.cells[along], run);
+    }
+
     // What rounding takes from a cell the next wet one gets, line by line: small sources are not lost on deep water.
     void add_sources() {
         Sum in, out;
         const Axis along = Axis(w.first);
         const StateNumbers depth = state_of(w, w.depth), sources = state_of(w, w.source);
         Rounding<1> rounding{depth.wide()};
-        for (size_t line = 0; line < lines_of(w, along); ++line) {
-            for (size_t k = 0; k < w.cells[along]; ++k) {
-                const size_t i = along == kX ? k : line, j = along == kX ? line : k, at = place(w, i, j);
-                const double source = sources[at], d = depth[at];
-                if (source == 0 || !present(w, i, j)) continue;
-                const double added = dt * source > -d ? dt * source : -d;
-                (added > 0 ? in : out).add(added > 0 ? added : -added);
-                depth.put(at, rounding({d + added}).v);
-                finite &= depth[at] <= most_of(w);
-            }
-        }
+        const auto add_to = [&](size_t i, size_t j) {
+            const size_t at = place(w, i, j);
+            const double source = sources[at], d = depth[at];
+            if (source == 0 || !present(w, i, j)) return;
+            const double added = dt * source > -d ? dt * source : -d;
+            (added > 0 ? in : out).add(added > 0 ? added : -added);
+            depth.put(at, rounding({d + added}).v);
+            finite &= depth[at] <= most_of(w);
+        };
+        for (size_t line = 0; line < lines_of(w, along); ++line)
+            each_awake(along, line, [&](size_t k) { along == kX ? add_to(k, line) : add_to(line, k); });
         w.account.in += in.value() * cell_area(w);
         w.account.out += out.value() * cell_area(w);
     }

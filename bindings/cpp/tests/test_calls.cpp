@@ -487,6 +487,9 @@ void waters() {
     CHECK(GET(pool.get_gravity()) == 9);
     OK(pool.set_density(900));
     CHECK(GET(pool.get_density()) == 900);
+    OK(pool.set_sleep(0.125));
+    CHECK(GET(pool.get_sleep()) == 0.125 && GET(pool.get_awake()) == 30);
+    OK(pool.set_sleep(0));
     OK(pool.set_manning(0.03));
     CHECK(GET(pool.get_manning()) == 0.03);
     OK(pool.set_momentum(momentum::advected));

@@ -5156,6 +5156,42 @@ namespace Contdyn
             return new WaterLimited(outCells, outVolume);
         }
 
+        /// <summary>Lets water sleep that hardly moves: steps leave square parts of 16 x 16 cells as they are, and take
+        /// no time for them, where all waves are lower than `height` [m], in [0, 1e60], and as far around as a step
+        /// carries higher ones; they wake before such waves reach them. Default 0: nothing sleeps. What that neglects
+        /// is at each face a rise of the surface below height / 16 from cell to cell and a velocity below height sqrt(g
+        /// / d), and what stands less than the height over the higher bed; velocities are 0 of what falls asleep, so
+        /// energy is lost and none gained, and no water. A wave that comes to sleeping water meets it as a wall as long
+        /// as it is that low. Parts awake are moved as ever, to the same bits if all are. Awake always are parts with
+        /// sources or forces, under hulls, and beside open, level and inflow sides; all of a water, once waves reach a
+        /// side of it that is periodic. Every other call that may change the water makes the next step look at all of
+        /// it, at about a tenth of what a step of all costs. A height costs memory, some bytes a cell or less; it is
+        /// kept with the state. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
+        public double Sleep
+        {
+            get
+            {
+                double outHeight;
+                Check(Native.cd_water_get_sleep(Handle, &outHeight));
+                return outHeight;
+            }
+            set
+            {
+                var height = value;
+                Changed();
+                Check(Native.cd_water_set_sleep(Handle, height));
+            }
+        }
+
+        /// <summary>How many cells were awake in the last step; all, before it and where nothing sleeps. Not part of
+        /// the saved state.</summary>
+        public long GetAwake()
+        {
+            UIntPtr outCells;
+            Check(Native.cd_water_get_awake(Handle, &outCells));
+            return (long)outCells;
+        }
+
         /// <summary>Volume [m^3]: the sum of all depths times the cells' area.</summary>
         public double GetVolume()
         {

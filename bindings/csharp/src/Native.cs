@@ -847,6 +847,15 @@ namespace Contdyn
         internal static extern int cd_water_get_limited(WaterHandle water, ulong* outCells, double* outVolume);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_set_sleep(WaterHandle water, double height);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_get_sleep(WaterHandle water, double* outHeight);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_get_awake(WaterHandle water, UIntPtr* outCells);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_water_get_volume(WaterHandle water, double* outVolume);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

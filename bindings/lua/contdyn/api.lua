@@ -332,6 +332,9 @@ cd_status cd_water_get_time(const cd_water* water, double* out_time);
 cd_status cd_water_get_steps(const cd_water* water, uint64_t* out_steps);
 cd_status cd_water_get_factorizations(const cd_water* water, uint64_t* out_count);
 cd_status cd_water_get_limited(const cd_water* water, uint64_t* out_cells, double* out_volume);
+cd_status cd_water_set_sleep(cd_water* water, double height);
+cd_status cd_water_get_sleep(const cd_water* water, double* out_height);
+cd_status cd_water_get_awake(const cd_water* water, size_t* out_cells);
 cd_status cd_water_get_volume(const cd_water* water, double* out_volume);
 cd_status cd_water_get_account(const cd_water* water, double* out_initial, double* out_in, double* out_out,
     double* out_error);
@@ -3717,6 +3720,48 @@ function Water:get_limited()
   local out_volume = double_1()
   check(lib.cd_water_get_limited(handle_of(self), out_cells, out_volume))
   return out_cells[0], tonumber(out_volume[0])
+end
+
+-- Lets water sleep that hardly moves: steps leave square parts of 16 x 16 cells as they are, and take no time for them,
+-- where all waves are lower than `height` [m], in [0, 1e60], and as far around as a step carries higher ones; they wake
+-- before such waves reach them. Default 0: nothing sleeps. What that neglects is at each face a rise of the surface
+-- below height / 16 from cell to cell and a velocity below height sqrt(g / d), and what stands less than the height
+-- over the higher bed; velocities are 0 of what falls asleep, so energy is lost and none gained, and no water. A wave
+-- that comes to sleeping water meets it as a wall as long as it is that low. Parts awake are moved as ever, to the same
+-- bits if all are. Awake always are parts with sources or forces, under hulls, and beside open, level and inflow sides;
+-- all of a water, once waves reach a side of it that is periodic. Every other call that may change the water makes the
+-- next step look at all of it, at about a tenth of what a step of all costs. A height costs memory, some bytes a cell
+-- or less; it is kept with the state. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+function Water:set_sleep(height)
+  local where = "cd_water_set_sleep"
+  height = number_in(height, where, "height")
+  self._version = self._version + 1
+  check(lib.cd_water_set_sleep(handle_of(self), height))
+end
+
+-- Lets water sleep that hardly moves: steps leave square parts of 16 x 16 cells as they are, and take no time for them,
+-- where all waves are lower than `height` [m], in [0, 1e60], and as far around as a step carries higher ones; they wake
+-- before such waves reach them. Default 0: nothing sleeps. What that neglects is at each face a rise of the surface
+-- below height / 16 from cell to cell and a velocity below height sqrt(g / d), and what stands less than the height
+-- over the higher bed; velocities are 0 of what falls asleep, so energy is lost and none gained, and no water. A wave
+-- that comes to sleeping water meets it as a wall as long as it is that low. Parts awake are moved as ever, to the same
+-- bits if all are. Awake always are parts with sources or forces, under hulls, and beside open, level and inflow sides;
+-- all of a water, once waves reach a side of it that is periodic. Every other call that may change the water makes the
+-- next step look at all of it, at about a tenth of what a step of all costs. A height costs memory, some bytes a cell
+-- or less; it is kept with the state. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+function Water:get_sleep()
+  local where = "cd_water_get_sleep"
+  local out_height = double_1()
+  check(lib.cd_water_get_sleep(handle_of(self), out_height))
+  return tonumber(out_height[0])
+end
+
+-- How many cells were awake in the last step; all, before it and where nothing sleeps. Not part of the saved state.
+function Water:get_awake()
+  local where = "cd_water_get_awake"
+  local out_cells = size_t_1()
+  check(lib.cd_water_get_awake(handle_of(self), out_cells))
+  return tonumber(out_cells[0])
 end
 
 -- Volume [m^3]: the sum of all depths times the cells' area.

@@ -819,6 +819,17 @@ return {
     {name = "cd_water_get_limited", call = function(o, other, saved)
       return o:get_limited()
     end},
+    {name = "cd_water_set_sleep", call = function(o, other, saved)
+      return o:set_sleep(0.1)
+    end, told = function(o)
+      return {o:get_sleep()}, {0.1}
+    end},
+    {name = "cd_water_get_sleep", call = function(o, other, saved)
+      return o:get_sleep()
+    end},
+    {name = "cd_water_get_awake", call = function(o, other, saved)
+      return o:get_awake()
+    end},
     {name = "cd_water_get_volume", may_fail = true, call = function(o, other, saved)
       return o:get_volume()
     end},

@@ -671,6 +671,9 @@ FUNCTIONS: Dict[str, str] = {
     "cd_water_get_steps": "status: water handle, out_steps uint64*",
     "cd_water_get_factorizations": "status: water handle, out_count uint64*",
     "cd_water_get_limited": "status: water handle, out_cells uint64*, out_volume double*",
+    "cd_water_set_sleep": "status: water handle, height double",
+    "cd_water_get_sleep": "status: water handle, out_height double*",
+    "cd_water_get_awake": "status: water handle, out_cells size*",
     "cd_water_get_volume": "status: water handle, out_volume double*",
     "cd_water_get_account": ("status: water handle, out_initial double*, out_in double*, out_out double*, out_error "
                              "double*"),

@@ -165,6 +165,7 @@ class Water(Sheet, kind="water"):
     gravity = Setting(float, "Gravity [m/s^2], in [0, 1e6]; default 9.81.")
     density = Setting(float, "Density [kg/m^3], in [1e-6, 1e6]; default 1000.")
     manning = Setting(float, "Manning's roughness of the bed [s/m^(1/3)], in [0, 1e3]; default 0.")
+    sleep = Setting(float, "The height of waves [m] below which water sleeps, in [0, 1e60]; default 0: it never does.")
     bed_rule = Setting(BedRule, "What a write of the bed leaves as it is, a BedRule; default BedRule.LIFTS_WATER.")
 
     def set_side(self, side: Side, kind: Border, value: float = 0.0, rate: float = 0.0) -> None:
@@ -351,6 +352,7 @@ class Water(Sheet, kind="water"):
     # ---- measuring --------------------------------------------------------------------------------------------------
 
     limited = Reading(Limited, "What the last call of step held back: (cells, volume [m^3]).")
+    awake = Reading(int, "How many cells were awake in the last step.")
     volume = Reading(float, "Volume [m^3].")
     account = Reading(Account, "The volume account [m^3]: (initial, came_in, went_out, error).")
     energy = Reading(WaterEnergy, "Energies [J]: (kinetic, potential).")

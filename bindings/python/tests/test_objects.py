@@ -31,7 +31,7 @@ class Everyone(unittest.TestCase):
                        "compression": 3.25, "effort": (3, 20), "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0),
                        "colliders": 3, "thickness": 0.25, "breaking_strain": 0.5},
             Water: {"momentum": Momentum.ADVECTED, "first": 1, "gravity": 1.5, "density": 900.0, "manning": 0.03,
-                    "bed_rule": BedRule.KEEPS_SURFACE},
+                    "bed_rule": BedRule.KEEPS_SURFACE, "sleep": 0.125},
         }
         for kind in KINDS.values():
             for name, value in {**shared, **own[kind]}.items():

@@ -523,6 +523,9 @@ extern "C" {
     pub fn cd_water_get_steps(water: *const cd_water, out_steps: *mut u64) -> cd_status;
     pub fn cd_water_get_factorizations(water: *const cd_water, out_count: *mut u64) -> cd_status;
     pub fn cd_water_get_limited(water: *const cd_water, out_cells: *mut u64, out_volume: *mut f64) -> cd_status;
+    pub fn cd_water_set_sleep(water: *mut cd_water, height: f64) -> cd_status;
+    pub fn cd_water_get_sleep(water: *const cd_water, out_height: *mut f64) -> cd_status;
+    pub fn cd_water_get_awake(water: *const cd_water, out_cells: *mut usize) -> cd_status;
     pub fn cd_water_get_volume(water: *const cd_water, out_volume: *mut f64) -> cd_status;
     pub fn cd_water_get_account(water: *const cd_water, out_initial: *mut f64, out_in: *mut f64, out_out: *mut f64,
         out_error: *mut f64) -> cd_status;

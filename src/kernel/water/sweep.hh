@@ -4,6 +4,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include <initializer_list>
+
 #include "kernel/lanes.hh"
 #include "kernel/lines.hh"
 
@@ -47,6 +49,17 @@ struct WaterLines {
     size_t byte_along, byte_across;
     StateNumbers moved; // out, for carry_across: what went through faces, as depths [m]
     double* tally;      // out: kTallies numbers per line
+
+    // The same from a cell on.
+    WaterLines from(size_t cell) const {
+        WaterLines part = *this;
+        for (StateNumbers* numbers :
+             {&part.depth, &part.velocity, &part.bed, &part.pressure, &part.force, &part.load, &part.stiff, &part.moved})
+            if (*numbers) *numbers = numbers->from(cell * along);
+        if (mask) part.mask += cell * byte_along;
+        if (wall) part.wall += cell * byte_along;
+        return part;
+    }
 };
 
 // What a line let in and out at its ends, what the limiter held back, all as depths [m]; in how many cells; and the
@@ -62,6 +75,17 @@ struct WaterAcross {
     // what closes faces, see WaterLines: the cells before and behind them, walls on them
     const uint8_t *mask[2], *wall;
     size_t byte_along, byte_across;
+
+    // Of cells [first, end) of each line, with walls at both ends.
+    WaterAcross run(size_t first, size_t end) const {
+        WaterAcross part = *this;
+        part.cells = end - first, part.ring = false;
+        for (StateNumbers* numbers : {&part.velocity, &part.depth[0], &part.depth[1], &part.moved[0], &part.moved[1]})
+            *numbers = numbers->from(first * along);
+        for (const uint8_t** bytes : {&part.mask[0], &part.mask[1], &part.wall})
+            if (*bytes) *bytes += first * byte_along;
+        return part;
+    }
 };
 
 // Lines that are worked on side by side, the panels of numbers that they need, and what panels have room for beside

@@ -1482,6 +1482,13 @@ public:
         return call(cd_water_sample_heads, at.data(), heads.size(), static_cast<cd_outside>(o), heads.data());
     }
 
+    // ---- sleep ----
+
+    // The height [m] of waves below which water sleeps, 0: never; how many cells were awake in the last step.
+    outcome<> set_sleep(double height) { return call(cd_water_set_sleep, height); }
+    outcome<double> get_sleep() const { return value<double>(cd_water_get_sleep); }
+    outcome<std::size_t> get_awake() const { return value<std::size_t>(cd_water_get_awake); }
+
     // ---- time ----
 
     // Makes steps of dt [s]; the longest dt of the symplectic method.

@@ -1093,7 +1093,7 @@ pub fn make_water() -> Water {
     Water::new(5, 4, 1.0, 2.0, Precision::Float64).unwrap()
 }
 
-pub const WATER: [Call<Water>; 79] = [
+pub const WATER: [Call<Water>; 82] = [
     Call {
         name: "cd_water_get_shape",
         may_fail: false,
@@ -1470,6 +1470,24 @@ pub const WATER: [Call<Water>; 79] = [
         name: "cd_water_get_limited",
         may_fail: false,
         call: |o, _other, _saved| o.get_limited().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_set_sleep",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_sleep(0.1).map(drop),
+        told: |o| o.get_sleep().unwrap() == 0.1,
+    },
+    Call {
+        name: "cd_water_get_sleep",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_sleep().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_get_awake",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_awake().map(drop),
         told: |_| true,
     },
     Call {

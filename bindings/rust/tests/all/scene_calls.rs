@@ -154,6 +154,7 @@ pub fn call_water(o: &mut Water, name: &str, w: &Words) -> std::result::Result<(
         "set_hull_force" => o.set_hull_force(w.size(0), w.doubles(1).as_deref().unwrap()).map(drop),
         "set_hull_drag" => o.set_hull_drag(w.size(0), w.number(1), w.number(2), w.number(3)).map(drop),
         "step" => o.step(w.number(0), w.size(1)).map(drop),
+        "set_sleep" => o.set_sleep(w.number(0)).map(drop),
         "restart_account" => o.restart_account().map(drop),
         "reset" => o.reset().map(drop),
         _ => panic!("no call {name}"),
