@@ -245,8 +245,10 @@ struct Chooser {
     }
 
     void put_to_sleep(size_t x, size_t y, StateNumbers moved) {
-        const size_t first = x * kTile, columns = first + kTile < w.cells[kX] ? kTile : w.cells[kX] - first;
-        for (size_t j = y * kTile; j < (y + 1) * kTile && j < w.cells[kY]; ++j) {
+        const size_t first = x * kTile;
+        const size_t columns = first + kTile < w.cells[kX] ? kTile : w.cells[kX] + 1 - first; // the last side's faces too
+        const size_t end = (y + 1) * kTile < w.cells[kY] ? (y + 1) * kTile : w.cells[kY] + 1;
+        for (size_t j = y * kTile; j < end; ++j) {
             const size_t from = place(w, first, j);
             for (const StateNumbers v : {state_of(w, w.velocity[kX]), state_of(w, w.velocity[kY]), moved})
                 if (v) memset(v.from(from).data, 0, columns * v.number_size());

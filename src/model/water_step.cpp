@@ -122,6 +122,7 @@ struct Stepper {
     }
 
     void sweep(Axis a) {
+        if (w.awake == 0) return;
         const WaterSweep along = sweep_along(a);
         if (along.cells == 1 && along.closed() && !along.ring()) return; // nothing moves
         const WaterLines lines = lines_along(a);

@@ -147,7 +147,8 @@ inline void WaterScene::act(Handle* water, Random& random, Returned& returned) c
     static const cd_field optional[] = {CD_MASK, CD_WALL_X, CD_WALL_Y, CD_SOURCE, CD_PRESSURE, CD_FORCE_X, CD_FORCE_Y};
     const cd_field field = optional[random.below(7)];
     const double speed = sqrt(9.81 * depth) * random.any_of({0.1, 1, 3});
-    switch (random.below(23)) {
+    switch (random.below(24)) {
+    case 23: returned += cd_water_set_sleep(water, random.any_of({0, 1e-4 * depth, 0.01 * depth, depth})); break;
     case 20:
     case 21:
     case 22: return float_hulls(water, random, returned);

@@ -42,6 +42,7 @@ void Water::act_by_kind() {
     case 20: sample(); break;
     case 21: write_vertices(); break;
     case 22: write_indices(); break;
+    case 23: set_number("set_sleep", cd_water_set_sleep, chance(0.2) ? 0 : pick_number(-8, 0), {0, kHuge}, 0); break;
     default: get_parameter();
     }
 }

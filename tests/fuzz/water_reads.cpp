@@ -39,6 +39,9 @@ void Water::get_limited() {
     both("get_limited", kReads,
          [&](cd_water* water, int) { return cd_water_get_limited(water, some ? nullptr : &cells, &volume); });
     if (volume < 0) problem("get_limited tells %g m^3", volume); // NaN of a call that diverged
+    size_t awake = 0;
+    both("get_awake", kReads, [&](cd_water* water, int) { return cd_water_get_awake(water, &awake); });
+    if (awake > nx * ny) problem("get_awake tells %zu of %zu cells", awake, nx * ny);
 }
 
 void Water::get_side() {
@@ -67,7 +70,8 @@ void Water::get_shape() {
 }
 
 void Water::get_parameter() {
-    switch (below(6)) {
+    switch (below(7)) {
+    case 6: get("get_sleep", cd_water_get_sleep); break;
     case 0: get("get_gravity", cd_water_get_gravity); break;
     case 1: get("get_density", cd_water_get_density); break;
     case 2: get("get_manning", cd_water_get_manning); break;

@@ -153,6 +153,22 @@ static void happens(cd_water* w, uint64_t which) {
     }
 }
 
+/* Along a periodic direction the last faces are the first. */
+static void ends_are_one(const cd_water* w) {
+    static double u[2 * CELLS];
+    for (int along_y = 0; along_y < 2; ++along_y) {
+        cd_border kind;
+        ok(cd_water_get_side(w, along_y ? CD_SIDE_Y_FIRST : CD_SIDE_X_FIRST, &kind, NULL, NULL));
+        if (kind != CD_BORDER_PERIODIC) continue;
+        const struct pool_extent all = pool_extent(w, along_y ? CD_VELOCITY_Y : CD_VELOCITY_X);
+        pool_read(w, along_y ? CD_VELOCITY_Y : CD_VELOCITY_X, u);
+        const size_t lines = along_y ? all.columns : all.rows, across = along_y ? 1 : all.columns;
+        const size_t last = along_y ? all.columns * (all.rows - 1) : all.columns - 1;
+        for (size_t k = 0; k < lines; ++k)
+            if (u[k * across] != u[k * across + last]) fail_msg("two velocities on one face");
+    }
+}
+
 /* One water has only what happens to it, one is also looked at anew before each step; one goes on as a copy, and one
  * is run by threads. */
 static void which_parts_sleep_follows_from_the_state(void** state) {
@@ -187,6 +203,7 @@ static void which_parts_sleep_follows_from_the_state(void** state) {
                         fail_msg("%s, height %g, water %d, step %d: another one, %zu of %zu cells awake",
                                  pools[scene].name, heights[h], how, (int)step, awake(w[how]), awake(w[ONE]));
                 }
+                ends_are_one(w[ONE]);
                 if (awake(w[ONE]) > 0 && awake(w[ONE]) < 7000) ++part_asleep;
             }
             for (int how = 0; how < HOW; ++how) cd_water_destroy(w[how]);
@@ -233,6 +250,41 @@ static void what_acts_keeps_it_awake(void** state) {
         cd_water_destroy(w);
         cd_water_destroy(never);
     }
+}
+
+/* A surface that pressure holds aslant is at rest; what diverged is awake. */
+static void what_is_at_rest_sleeps_and_what_diverged_does_not(void** state) {
+    (void)state;
+    cd_water* w = lake(N, M, CD_FLOAT64, &ways[LINEAR]);
+    static double aslant[CELLS], pressure[CELLS];
+    for (size_t k = 0; k < CELLS; ++k) {
+        aslant[k] = 0.05 * (double)(k % N) / N;
+        pressure[k] = 9810 * (0.05 - aslant[k]);
+    }
+    basin_fill(w, CD_BED, level, NULL);
+    basin_write(w, CD_DEPTH, aslant);
+    ok(cd_water_add_volume_rectangle(w, 0, 0, N, M, CELLS, NULL));
+    ok(cd_water_set_sleep(w, height));
+    basin_step(w, 0.1, 1);
+    assert_int_equal(awake(w), CELLS);
+    basin_write(w, CD_DEPTH, aslant);
+    ok(cd_water_add_volume_rectangle(w, 0, 0, N, M, CELLS, NULL));
+    basin_fill(w, CD_VELOCITY_X, level, NULL);
+    basin_fill(w, CD_VELOCITY_Y, level, NULL);
+    ok(cd_water_enable_field(w, CD_PRESSURE));
+    basin_write(w, CD_PRESSURE, pressure);
+    basin_step(w, 0.1, 1);
+    assert_int_equal(awake(w), 0);
+
+    ok(cd_water_enable_field(w, CD_SOURCE));
+    basin_set(w, CD_SOURCE, 4, 3, 1e307);
+    size_t steps = 0;
+    while (cd_water_step(w, 8, 1) != CD_ERROR_DIVERGED && steps < 100) ++steps;
+    assert_true(steps < 100);
+    basin_set(w, CD_SOURCE, 4, 3, 0);
+    assert_int_equal(cd_water_step(w, 0.1, 1), CD_ERROR_DIVERGED);
+    assert_int_equal(awake(w), CELLS);
+    cd_water_destroy(w);
 }
 
 /* The tide rises at one side, waves go out through another, and run round through a periodic one. */
@@ -333,7 +385,7 @@ int main(void) {
         cmocka_unit_test(it_falls_asleep_again),        cmocka_unit_test(which_parts_sleep_follows_from_the_state),
         cmocka_unit_test(awake_it_moves_as_ever),       cmocka_unit_test(what_acts_keeps_it_awake),
         cmocka_unit_test(sides_keep_it_awake),          cmocka_unit_test(a_boat_wakes_its_own_place),
-        cmocka_unit_test(the_height_is_kept),
+        cmocka_unit_test(the_height_is_kept),           cmocka_unit_test(what_is_at_rest_sleeps_and_what_diverged_does_not),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

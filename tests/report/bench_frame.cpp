@@ -1,5 +1,5 @@
 // What a frame takes beside its steps, and what makes a step dearer: numbers read and written, vertices with normals, a
-// copy of the state, a time step of its own every frame, a pinned node in a sheet.
+// copy of the state, a time step of its own every frame, a pinned node in a sheet; and what sleeping water saves.
 #include <cmath>
 #include <cstring>
 
@@ -134,6 +134,30 @@ Bench a_pinned_node() {
             }};
 }
 
+// A large lake, on which something splashes every 50 frames and the waves die out by drag. Sleeping, only they cost.
+Bench a_sleeping_lake() {
+    static constexpr std::size_t kLake = 1024;
+    return {"frame.sleep.water", [] {
+                const auto lake = [](double height, bool splashes) {
+                    const auto water = std::make_shared<Water>(kLake, kLake, 1, 1, CD_FLOAT32);
+                    water->write(CD_DEPTH, std::vector<double>(kLake * kLake, 1));
+                    check(cd_water_set_drag(water->get(), 1));
+                    check(cd_water_set_sleep(water->get(), height));
+                    const auto frame = std::make_shared<std::size_t>(0);
+                    return [water, frame, splashes] {
+                        if (splashes && (*frame)++ % 50 == 0)
+                            check(cd_water_splash(water->get(), 0.3 * kLake, 0.6 * kLake, 5, 0.5));
+                        check(cd_water_step(water->get(), kFrame, 1));
+                    };
+                };
+                Case it{"frame.sleep.water", kLake * kLake, {}, "what is awake"};
+                it.subjects = {{"never sleeps", lake(0, true)},
+                               {"sleeps below 1e-3 m", lake(1e-3, true)},
+                               {"all asleep", lake(1e-3, false)}};
+                return it;
+            }};
+}
+
 } // namespace
 
 std::vector<Bench> frame_benches() {
@@ -153,7 +177,8 @@ std::vector<Bench> frame_benches() {
         time_steps("frame.dt.sheet", kNodes, rolling_sheet,
                    [](cd_membrane* x, double dt) { return cd_membrane_step(x, dt, 1); }),
         time_steps("frame.dt.water", kNodes, a_pool, [](cd_water* x, double dt) { return cd_water_step(x, dt, 1); }),
-        a_pinned_node()};
+        a_pinned_node(),
+        a_sleeping_lake()};
 }
 
 } // namespace report

@@ -18,6 +18,8 @@ CLOTH = "../model/membrane_cloth.cpp"
 CLOTH_STEP = "../model/membrane_cloth_step.cpp"
 CLOTH_ACT = "../model/membrane_cloth_act.cpp"
 CLOTH_TEAR = "../model/membrane_cloth_tear.cpp"
+SLEEP = "../model/water_sleep.cpp"
+SLEEPS = ["physics_water_sleep"]
 HULL = "../model/water_hull.hh"
 HULL_PLATES = "../model/water_hull_plates.hh"
 HULL_STEP = "../model/water_hull_step.cpp"
@@ -94,6 +96,23 @@ RULES = {
         "water/velocity.hh", "larger(-most, smaller(most, u))", "u", ["physics_water_symmetry"]),
     "what rounding takes is handed on": (
         "water/sweep.cpp", "rest.owed = rest.owed + one.owed;", "(void)one;", ["physics_water_lake"]),
+    "waves wake what a step carries them into": (
+        SLEEP, "left > weakest && ", "false && ", SLEEPS),
+    "what acts may raise waves at once": (SLEEP, "kStrong = 1024;", "kStrong = 1;", SLEEPS),
+    "a face belongs to the part behind it": (
+        SLEEP, "return marked(x, y) || marked(x_before, y) || marked(x, y_before);",
+        "return marked(x, y) || (x_before > x && y_before > y);", SLEEPS),
+    "what falls asleep is still": (SLEEP, "chooser.put_to_sleep(x, y, moved), ", "", SLEEPS),
+    "on the last side too, which may be the first": (
+        SLEEP, "kTile : w.cells[kX] + 1 - first;", "kTile : w.cells[kX] - first;", SLEEPS),
+    "what changes is looked at": ("../model/water_act.cpp", "depth : 0);\n    disturb(w, {i, j, 1, 1});", "depth : 0);", SLEEPS),
+    "sources and forces keep awake": (SLEEP, "acts |= ", "acts = false && ", SLEEPS),
+    "and sides": (SLEEP, "    chooser.mark_sides();\n", "", SLEEPS),
+    "and hulls": (SLEEP, "    chooser.mark_hulls();\n", "", SLEEPS),
+    "runs do not go round": (SLEEP, "        if (meets_seam()) wake_all();\n", "", SLEEPS),
+    "what pressure holds up is at rest": (SLEEP, " += by_pressure * pressure[at + c];", " += 0 * pressure[at + c];", SLEEPS),
+    "what is shallower than the height lies still": (SLEEP, "select((deep - least)", "select(deep", SLEEPS),
+    "what diverged is awake": (SLEEP, "if (w.diverged) chooser.wake_all();", "if (false) chooser.wake_all();", SLEEPS),
     "a rope's step makes no energy": (
         "rope_step.cpp", "share(seen.gained, worth + seen.rounding)", "L{}", ["stability_ropes"]),
     "springs that only pull push nothing": (
