@@ -390,16 +390,19 @@ CD_API cd_status cd_water_get_factorizations(const cd_water* water, uint64_t* ou
  * null. */
 CD_API cd_status cd_water_get_limited(const cd_water* water, uint64_t* out_cells, double* out_volume);
 
-/* Lets water sleep that hardly moves: steps leave square parts of 16 x 16 cells as they are, and take no time for them,
- * where all waves are lower than `height` [m], in [0, 1e60], and as far around as a step carries higher ones; they wake
- * before such waves reach them. Default 0: nothing sleeps. What that neglects is at each face a rise of the surface below
- * height / 16 from cell to cell and a velocity below height sqrt(g / d), and what stands less than the height over the
- * higher bed; velocities are 0 of what falls asleep, so energy is lost and none gained, and no water. A wave that comes to
- * sleeping water meets it as a wall as long as it is that low. Parts awake are moved as ever, to the same bits if all are.
- * Awake always are parts with sources or forces, under hulls, and beside open, level and inflow sides; all of a water,
- * once waves reach a side of it that is periodic. Every other call that may change the water makes the next step look at
- * all of it, at about a tenth of what a step of all costs. A height costs memory, some bytes a cell or less; it is kept
- * with the state. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
+/* Lets water sleep where it hardly moves: steps leave parts of 16 x 16 cells as they are, at no cost, where all waves
+ * are lower than `height` [m], in [0, 1e60], and so are all that a step could carry there. Default 0: nothing sleeps.
+ * Neglected are, at each face, a rise of the surface below height / 16, a velocity below height sqrt(g / d), and water
+ * that stands less than the height over the higher bed. What falls asleep stops, so energy is lost and none gained;
+ * volume is kept. Waves lower than the height meet sleeping water as a wall.
+ * Awake stay parts with sources or forces, under hulls, and at open, level and inflow sides; and all of the water
+ * while there are higher waves at a periodic side. Which parts sleep follows from the state alone, whatever hook and
+ * kernels; where all are awake a step has the bits of one of water that never sleeps.
+ * A step's time is in proportion to the cells awake, each up to half as dear again. A splash, a volume, an impulse, a
+ * write of cells or faces and what is set of a hull wake what they touch; after any other call that may change the
+ * water the next step looks at all of it, in half a step's time. Costs a byte for ten cells. The height is kept with
+ * the state.
+ * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
 CD_API cd_status cd_water_set_sleep(cd_water* water, double height);
 CD_API cd_status cd_water_get_sleep(const cd_water* water, double* out_height);
 

@@ -99,8 +99,8 @@ cd_status cd_water_impulse(cd_water* water, double x, double y, double radius, d
 
 // ---- at places ------------------------------------------------------------------------------------------------------
 
-cd_status cd_water_sample(const cd_water* water, const double* at, size_t n, cd_outside outside,
-                          double* out_surface, double* out_depth, double* out_normal, double* out_velocity) {
+cd_status cd_water_sample(const cd_water* water, const double* at, size_t n, cd_outside outside, double* out_surface,
+                          double* out_depth, double* out_normal, double* out_velocity) {
     CD_OPEN(water, w);
     CD_CHECK(are_places(__func__, w, at, n, outside));
     for (size_t k = 0; k < n; ++k) {

@@ -19,7 +19,7 @@ inline Water& behind(cd_water* water) {
     disturb(quiet(water));
     return quiet(water);
 }
-#define CD_OPEN_QUIETLY(water, name)       \
+#define CD_OPEN_QUIETLY(water, name)      \
     CD_CHECK(is_living(__func__, water)); \
     Water& name = quiet(water)
 
@@ -48,8 +48,7 @@ inline double length_of(const Water& w, Axis a) { return double(w.cells[a]) * w.
 // Whether n places are in the scene, or may be outside.
 inline cd_status are_places(const char* function, const Water& w, const double* at, size_t n, cd_outside outside) {
     CD_CHECK(can_sample(function, at, n, outside));
-    for (size_t k = 0; k < 2 * n; ++k)
-        CD_CHECK(is_place(function, at, k, length_of(w, k % 2 == 0 ? kX : kY), outside));
+    for (size_t k = 0; k < 2 * n; ++k) CD_CHECK(is_place(function, at, k, length_of(w, k % 2 == 0 ? kX : kY), outside));
     return CD_OK;
 }
 

@@ -62,8 +62,7 @@ struct WaterChanges {
 
     template <class F> bool all(F f) {
         return f(depth) && f(bed) && f(velocity_x) && f(velocity_y) && f(source) && f(pressure) && f(force_x) &&
-               f(force_y) && f(mask) && f(wall_x) && f(wall_y) && f(hulls) && f(scratch) && f(stir) &&
-               f(marks);
+               f(force_y) && f(mask) && f(wall_x) && f(wall_y) && f(hulls) && f(scratch) && f(stir) && f(marks);
     }
 };
 

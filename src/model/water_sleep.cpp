@@ -97,7 +97,8 @@ struct Survey {
                                larger(cells(l.bed + from + k), cells(r.bed + k + 1));
             const Cells rise = cells(r.head + k + 1) - cells(l.head + from + k), speed = size_of(cells(u + k));
             const Cells stir = larger(by_rise * (rise * rise), deep * (speed * speed));
-            larger(select((deep - least) - cells(closed + k), stir, Cells{}), cells(most.stir + k)).store(most.stir + k);
+            larger(select((deep - least) - cells(closed + k), stir, Cells{}), cells(most.stir + k))
+                .store(most.stir + k);
             larger(speed, cells(most.fastest + k)).store(most.fastest + k);
         }
     }
@@ -237,7 +238,8 @@ struct Chooser {
     bool meets_seam() const {
         for (Axis a : {kX, kY})
             for (size_t line = 0; periodic(w, a) && line < tiles.count[other(a)]; ++line)
-                if (tiles.awake(tiles.at(a, 0, line)) || tiles.awake(tiles.at(a, tiles.count[a] - 1, line))) return true;
+                if (tiles.awake(tiles.at(a, 0, line)) || tiles.awake(tiles.at(a, tiles.count[a] - 1, line)))
+                    return true;
         return false;
     }
     void wake_all() {
@@ -246,7 +248,8 @@ struct Chooser {
 
     void put_to_sleep(size_t x, size_t y, StateNumbers moved) {
         const size_t first = x * kTile;
-        const size_t columns = first + kTile < w.cells[kX] ? kTile : w.cells[kX] + 1 - first; // the last side's faces too
+        const size_t columns =
+            first + kTile < w.cells[kX] ? kTile : w.cells[kX] + 1 - first; // the last side's faces too
         const size_t end = (y + 1) * kTile < w.cells[kY] ? (y + 1) * kTile : w.cells[kY] + 1;
         for (size_t j = y * kTile; j < end; ++j) {
             const size_t from = place(w, first, j);

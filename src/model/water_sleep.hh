@@ -39,8 +39,8 @@ enum TileMark : uint8_t {
 };
 
 struct WaterTiles {
-    size_t count[2];       // along the axes
-    Array<TileStir> stir;  // of each tile, row by row; empty where nothing sleeps
+    size_t count[2];      // along the axes
+    Array<TileStir> stir; // of each tile, row by row; empty where nothing sleeps
     Array<uint8_t> marks;
     bool all_awake;
 

@@ -54,6 +54,7 @@ private:
     void get_volume();
     void get_convergence();
     void get_shape();
+    void get_solver_taken();
     void get_parameter();
     void write_vertices();
     void write_indices();

@@ -56,6 +56,14 @@ void Membrane::get_shape() {
         problem("get_shape tells another shape");
 }
 
+// The twin may be a copy that has not stepped yet: they need not agree.
+void Membrane::get_solver_taken() {
+    cd_solver taken = CD_SOLVER_AUTO;
+    both("get_solver_taken", kReads,
+         [&](cd_membrane* membrane, int) { return cd_membrane_get_solver_taken(membrane, &taken); });
+    if (taken < CD_SOLVER_ALTERNATING || taken > CD_SOLVER_AUTO) problem("get_solver_taken tells %d", int(taken));
+}
+
 void Membrane::get_parameter() {
     double pair[2][2] = {};
     size_t iterations[2] = {};
@@ -66,7 +74,7 @@ void Membrane::get_parameter() {
     case 2: get("get_bend", cd_membrane_get_bend); break;
     case 3: get("get_stiffness_damping", cd_membrane_get_stiffness_damping); break;
     case 4: get("get_pressure", cd_membrane_get_pressure); break;
-    case 5: get("get_solver", chance(0.5) ? cd_membrane_get_solver : cd_membrane_get_solver_taken); break;
+    case 5: chance(0.5) ? get("get_solver", cd_membrane_get_solver) : get_solver_taken(); break;
     case 6: get("get_index_count", cd_membrane_get_index_count); break;
     case 7: get_gravity(cd_membrane_get_gravity); break;
     case 8:

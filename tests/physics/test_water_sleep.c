@@ -93,7 +93,8 @@ static void waves_wake_what_is_ahead_of_them(void** state) {
                                  courants[c], s, off);
                 }
                 assert_true(fabs(basin_volume_off(w)) < (precision ? 1e-13 : 1e-7));
-                if (ways[way].momentum == CD_MOMENTUM_ADVECTED) assert_true(basin_energy(w) <= energy + 1e-9 * fabs(energy));
+                if (ways[way].momentum == CD_MOMENTUM_ADVECTED)
+                    assert_true(basin_energy(w) <= energy + 1e-9 * fabs(energy));
                 cd_water_destroy(w);
                 cd_water_destroy(never);
             }
@@ -381,11 +382,11 @@ static void the_height_is_kept(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_lake_at_rest_sleeps),        cmocka_unit_test(waves_wake_what_is_ahead_of_them),
-        cmocka_unit_test(it_falls_asleep_again),        cmocka_unit_test(which_parts_sleep_follows_from_the_state),
-        cmocka_unit_test(awake_it_moves_as_ever),       cmocka_unit_test(what_acts_keeps_it_awake),
-        cmocka_unit_test(sides_keep_it_awake),          cmocka_unit_test(a_boat_wakes_its_own_place),
-        cmocka_unit_test(the_height_is_kept),           cmocka_unit_test(what_is_at_rest_sleeps_and_what_diverged_does_not),
+        cmocka_unit_test(a_lake_at_rest_sleeps),  cmocka_unit_test(waves_wake_what_is_ahead_of_them),
+        cmocka_unit_test(it_falls_asleep_again),  cmocka_unit_test(which_parts_sleep_follows_from_the_state),
+        cmocka_unit_test(awake_it_moves_as_ever), cmocka_unit_test(what_acts_keeps_it_awake),
+        cmocka_unit_test(sides_keep_it_awake),    cmocka_unit_test(a_boat_wakes_its_own_place),
+        cmocka_unit_test(the_height_is_kept),     cmocka_unit_test(what_is_at_rest_sleeps_and_what_diverged_does_not),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -541,7 +541,8 @@ void waters() {
     OK(lake.set_hull(0, 1000, 4, 2, {0, 0.25}));
     OK(lake.set_disc(1, 500, 1.5));
     std::array<double, 2> heights{};
-    CHECK(GET(lake.get_hull(0, heights)).area == 8 && heights[1] == 0.25 && near(GET(lake.get_hull(1)).area, 7.0685834705770345));
+    CHECK(GET(lake.get_hull(0, heights)).area == 8 && heights[1] == 0.25 &&
+          near(GET(lake.get_hull(1)).area, 7.0685834705770345));
     OK(lake.set_hull(0, 1000, 4, 2));
     OK(lake.set_hull_drag(0, 10, 20, 0.5));
     CHECK(GET(lake.get_hull_drag(0)).across == 20);

@@ -53,8 +53,8 @@ struct WaterLines {
     // The same from a cell on.
     WaterLines from(size_t cell) const {
         WaterLines part = *this;
-        for (StateNumbers* numbers :
-             {&part.depth, &part.velocity, &part.bed, &part.pressure, &part.force, &part.load, &part.stiff, &part.moved})
+        for (StateNumbers* numbers : {&part.depth, &part.velocity, &part.bed, &part.pressure, &part.force, &part.load,
+                                      &part.stiff, &part.moved})
             if (*numbers) *numbers = numbers->from(cell * along);
         if (mask) part.mask += cell * byte_along;
         if (wall) part.wall += cell * byte_along;
