@@ -213,11 +213,11 @@ struct Chooser {
         }
     }
 
-    // Tiles that a step carries what stirs into, beyond the height over the length of a tile.
+    // How far a step carries what stirs before it is as weak as what sleeps.
     size_t reach(Axis a) const {
         const double courant = (sqrt(w.gravity * most.deepest) + most.fastest) * dt / w.size[a];
         const double theta = w.method == CD_METHOD_IMPLICIT ? w.lambda : 0, part = reaching(theta, courant, kTile);
-        const double weakest = sqrt(limit / most.stir) / double(kTile);
+        const double weakest = sqrt(limit / most.stir);
         size_t tiles_along = 1;
         for (double left = part; left > weakest && tiles_along < tiles.count[a]; left *= part) ++tiles_along;
         return tiles_along;
@@ -282,8 +282,7 @@ void choose_awake(Water& w, StateNumbers moved, double dt) {
     chooser.mark_stirring();
     chooser.mark_sides();
     chooser.mark_hulls();
-    if (w.diverged) chooser.wake_all(); // what is not finite
-    else chooser.mark_awake();
+    chooser.mark_awake();
     tiles.all_awake = true;
     for (size_t y = 0; y < tiles.count[kY]; ++y)
         for (size_t x = 0; x < tiles.count[kX]; ++x) {

@@ -112,7 +112,6 @@ RULES = {
     "runs do not go round": (SLEEP, "        if (meets_seam()) wake_all();\n", "", SLEEPS),
     "what pressure holds up is at rest": (SLEEP, " += by_pressure * pressure[at + c];", " += 0 * pressure[at + c];", SLEEPS),
     "what is shallower than the height lies still": (SLEEP, "select((deep - least)", "select(deep", SLEEPS),
-    "what diverged is awake": (SLEEP, "if (w.diverged) chooser.wake_all();", "if (false) chooser.wake_all();", SLEEPS),
     "a rope's step makes no energy": (
         "rope_step.cpp", "share(seen.gained, worth + seen.rounding)", "L{}", ["stability_ropes"]),
     "springs that only pull push nothing": (
