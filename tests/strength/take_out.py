@@ -97,7 +97,7 @@ RULES = {
     "what rounding takes is handed on": (
         "water/sweep.cpp", "rest.owed = rest.owed + one.owed;", "(void)one;", ["physics_water_lake"]),
     "waves wake what a step carries them into": (
-        SLEEP, "left > weakest && ", "false && ", SLEEPS),
+        SLEEP, "left > weakest && ", "left > 1e300 * weakest && ", SLEEPS),
     "what acts may raise waves at once": (SLEEP, "kStrong = 1024;", "kStrong = 1;", SLEEPS),
     "a face belongs to the part behind it": (
         SLEEP, "return marked(x, y) || marked(x_before, y) || marked(x, y_before);",
