@@ -30,12 +30,12 @@ struct TileStir {
     }
 };
 
-// What is known of a tile. kNear: see spread in water_sleep.cpp.
+// What is known of a tile. kReached: see spread in water_sleep.cpp.
 enum TileMark : uint8_t {
     kAwake = 1,   // the last step moved it
     kStill = 2,   // nothing moves on its faces
     kChanged = 4, // by something else than a step, since it was looked at
-    kNear = 8
+    kReached = 8
 };
 
 struct WaterTiles {
@@ -62,12 +62,18 @@ struct WaterTiles {
     }
 };
 
+// What acts from outside, a source, a force, a hull or what is beyond an open side, may raise waves of so many times
+// the height in one step before a step reflects them at tiles that still sleep.
+constexpr double kStrong = 1024;
+
 inline size_t tiles_of(size_t cells) { return (cells + kTile - 1) / kTile; }
 
 // Something has changed cells, or the faces before or below them; or anything.
 void disturb(Water& w, const CellRectangle& cells);
 void disturb(Water& w);
 
+// Measures how much tiles with a mark stir, and those behind them, which the faces between belong to.
+void survey_marked(const Water& w, uint8_t mark);
 // Before a step of dt: which tiles it moves. Water falls still on the faces of those that fall asleep; `moved` is the
 // plane of what has gone through faces, see WaterLines, and is 0 there too.
 void choose_awake(Water& w, StateNumbers moved, double dt);

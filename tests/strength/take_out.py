@@ -19,6 +19,7 @@ CLOTH_STEP = "../model/membrane_cloth_step.cpp"
 CLOTH_ACT = "../model/membrane_cloth_act.cpp"
 CLOTH_TEAR = "../model/membrane_cloth_tear.cpp"
 SLEEP = "../model/water_sleep.cpp"
+SURVEY = "../model/water_survey.cpp"
 SLEEPS = ["physics_water_sleep"]
 HULL = "../model/water_hull.hh"
 HULL_PLATES = "../model/water_hull_plates.hh"
@@ -98,20 +99,20 @@ RULES = {
         "water/sweep.cpp", "rest.owed = rest.owed + one.owed;", "(void)one;", ["physics_water_lake"]),
     "waves wake what a step carries them into": (
         SLEEP, "left > weakest && ", "left > 1e300 * weakest && ", SLEEPS),
-    "what acts may raise waves at once": (SLEEP, "kStrong = 1024;", "kStrong = 1;", SLEEPS),
+    "what acts may raise waves at once": ("../model/water_sleep.hh", "kStrong = 1024;", "kStrong = 1;", SLEEPS),
     "a face belongs to the part behind it": (
-        SLEEP, "return marked(x, y) || marked(x_before, y) || marked(x, y_before);",
+        SURVEY, "return marked(x, y) || marked(x_before, y) || marked(x, y_before);",
         "return marked(x, y) || (x_before > x && y_before > y);", SLEEPS),
     "what falls asleep is still": (SLEEP, "chooser.put_to_sleep(x, y, moved), ", "", SLEEPS),
     "on the last side too, which may be the first": (
         SLEEP, "kTile : w.cells[kX] + 1 - first;", "kTile : w.cells[kX] - first;", SLEEPS),
     "what changes is looked at": ("../model/water_act.cpp", "depth : 0);\n    disturb(w, {i, j, 1, 1});", "depth : 0);", SLEEPS),
-    "sources and forces keep awake": (SLEEP, "acts |= ", "acts = false && ", SLEEPS),
+    "sources and forces keep awake": (SURVEY, "acts |= ", "acts = false && ", SLEEPS),
     "and sides": (SLEEP, "    chooser.mark_sides();\n", "", SLEEPS),
     "and hulls": (SLEEP, "    chooser.mark_hulls();\n", "", SLEEPS),
     "runs do not go round": (SLEEP, "        if (meets_seam()) wake_all();\n", "", SLEEPS),
-    "what pressure holds up is at rest": (SLEEP, " += by_pressure * pressure[at + c];", " += 0 * pressure[at + c];", SLEEPS),
-    "what is shallower than the height lies still": (SLEEP, "select((deep - least)", "select(deep", SLEEPS),
+    "what pressure holds up is at rest": (SURVEY, " += by_pressure * pressure[at + c];", " += 0 * pressure[at + c];", SLEEPS),
+    "what is shallower than the height lies still": (SURVEY, "select((deep - least)", "select(deep", SLEEPS),
     "a rope's step makes no energy": (
         "rope_step.cpp", "share(seen.gained, worth + seen.rounding)", "L{}", ["stability_ropes"]),
     "springs that only pull push nothing": (
