@@ -152,7 +152,7 @@ static void no_damaged_byte_goes_unseen(void** state) {
         struct blob blob = kind_save(kind, source);
         assert_true(blob.size > 500);
         bool said_version = false, said_kind = false;
-        for (size_t i = 0; i < blob.size; ++i) {
+        for (size_t i = 0; i < blob.size; i += is_brief() ? 3 : 1) {
             for (size_t j = 0; j < COUNT(flips); ++j) {
                 blob.bytes[i] ^= flips[j];
                 if (kind->load(object, blob.bytes, blob.size) != CD_ERROR_FORMAT)
@@ -166,8 +166,8 @@ static void no_damaged_byte_goes_unseen(void** state) {
                 fail_msg("%s: damage to byte %zu of %zu is refused, and yet changes the object", kind->name, i,
                          blob.size);
         }
-        assert_true(said_version && said_kind);         /* refused for what they are, not as damaged */
-        for (size_t i = 0; i + 8 < blob.size; i += 3) { /* two bytes exchanged */
+        assert_true(said_version && said_kind); /* refused for what they are, not as damaged */
+        for (size_t i = 0; i + 8 < blob.size; i += is_brief() ? 15 : 3) { /* two bytes exchanged */
             const unsigned char a = blob.bytes[i], b = blob.bytes[i + 8];
             if (a == b) continue;
             blob.bytes[i] = b, blob.bytes[i + 8] = a;
@@ -189,7 +189,7 @@ static void no_other_length_is_loaded(void** state) {
         any *source = fullest(kept, k), *object = other(kept, k);
         const uint64_t before = kind_hash(kind, object);
         struct blob blob = kind_save(kind, source);
-        for (size_t size = 0; size < blob.size; ++size) {
+        for (size_t size = 0; size < blob.size; size += is_brief() ? 3 : 1) {
             unsigned char* cut = malloc(size ? size : 1); /* its own block, so that a read past it is seen */
             assert_non_null(cut);
             memcpy(cut, blob.bytes, size);

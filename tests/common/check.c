@@ -132,4 +132,6 @@ void check_near(double a, double b, double tolerance, double size, const char* w
 
 int is_long(void) { return getenv("CD_LONG") != NULL; }
 
+int is_brief(void) { return getenv("CD_BRIEF") != NULL; }
+
 int is_taken(size_t number, size_t part) { return is_long() || number % part == 0; }

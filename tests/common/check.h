@@ -36,6 +36,8 @@ void refusal_end(const void* object, hash_function* hash, cd_status got, cd_stat
 
 /* Whether sweeps are to be whole: CD_LONG=1 in the environment. Else they take a part of it, each time the same. */
 int is_long(void);
+/* Or as short as where every instruction is watched: CD_BRIEF=1. Only sweeps that are long there ask. */
+int is_brief(void);
 /* Of the things that a sweep counts from 0 on, those that are looked at: each, or without CD_LONG one of `part`. */
 int is_taken(size_t number, size_t part);
 

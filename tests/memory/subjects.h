@@ -114,6 +114,8 @@ static struct made water_call(any* w, size_t number) {
     CALL(cd_water_add_source_rectangle(w, 1, 1, 3, 2, 0.125));
     CALL(cd_water_set_hulls(w, 5, 8, 3));
     CALL(cd_water_set_hulls(w, 0, 0, 0));
+    CALL(cd_water_set_sleep(w, 0.001));
+    CALL(cd_water_set_sleep(w, 0));
     NEVER(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_OPEN, 0.125, 0));
     NEVER(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_PERIODIC, 0, 0));
     NEVER(cd_water_add_volume(w, 1, 1, 1, 0.125, NULL));
