@@ -8,6 +8,8 @@ namespace {
 double square(double x) { return x * x; }
 double larger(double x, double y) { return x > y ? x : y; }
 
+double stir_of(const Water& w, double height) { return w.gravity * square(height); }
+
 // How much of what a step moves at an end of a run of tiles reaches a tile beyond it, `cells` away: of the implicit
 // step the solution of (1 - (theta c)^2 d_xx) x = 0 that dies out, c the Courant number.
 double reaching(double theta, double courant, size_t cells) {
@@ -34,7 +36,7 @@ void spread(uint8_t* marks, size_t step, size_t n, size_t reach, uint8_t from, u
 
 struct Chooser {
     Water& w;
-    double dt, limit = w.gravity * square(w.sleep);
+    double dt, limit = stir_of(w, w.sleep);
     WaterTiles& tiles = w.tiles;
     TileStir most{};
 
@@ -59,7 +61,7 @@ struct Chooser {
         }
         for (size_t y = from[kY]; y < to[kY]; ++y)
             for (size_t x = from[kX]; x < to[kX]; ++x) tiles.marks[tiles.at(kX, x, y)] |= kReached;
-        most.stir = larger(square(kStrong) * limit, most.stir);
+        most.stir = larger(stir_of_acting(w), most.stir);
     }
     void mark_sides() {
         for (Axis a : {kX, kY})
@@ -132,6 +134,9 @@ struct Chooser {
 };
 
 } // namespace
+
+// More than nothing without gravity, too.
+double stir_of_acting(const Water& w) { return stir_of(w, kStrong * w.sleep) + 1e-300; }
 
 void disturb(Water& w) { w.surveyed = false; }
 

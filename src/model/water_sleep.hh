@@ -65,6 +65,7 @@ struct WaterTiles {
 // What acts from outside, a source, a force, a hull or what is beyond an open side, may raise waves of so many times
 // the height in one step before a step reflects them at tiles that still sleep.
 constexpr double kStrong = 1024;
+double stir_of_acting(const Water& w);
 
 inline size_t tiles_of(size_t cells) { return (cells + kTile - 1) / kTile; }
 

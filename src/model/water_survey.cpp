@@ -106,7 +106,7 @@ struct Survey {
             for (const StateNumbers& field : acting)
                 for (size_t k = 0; field && k < columns; ++k) acts |= field[place(w, first_x + k, j)] != 0;
         }
-        TileStir all{acts ? square(kStrong) * w.gravity * square(w.sleep) : 0, 0, 0};
+        TileStir all{acts ? stir_of_acting(w) : 0, 0, 0};
         for (size_t k = 0; k < kTile; ++k) all.add({most.stir[k], most.deepest[k], most.fastest[k]});
         return all;
     }
@@ -121,6 +121,7 @@ template <class Wanted> void survey(const Water& w, Wanted wanted) {
     };
     parallel_for(w.parallel, w.tiles.count[kY], row);
 }
+
 } // namespace
 
 void survey_marked(const Water& w, uint8_t mark) {

@@ -271,6 +271,28 @@ static void what_acts_keeps_it_awake(void** state) {
     }
 }
 
+/* Without gravity only what moves is awake, and what acts. */
+static void without_gravity_sources_act(void** state) {
+    (void)state;
+    cd_water* w = lake(N, M, CD_FLOAT64, &ways[LINEAR]);
+    ok(cd_water_set_gravity(w, 0));
+    ok(cd_water_set_sleep(w, height));
+    basin_step(w, 0.1, 1);
+    assert_int_equal(awake(w), 0);
+    ok(cd_water_add_source(w, 40, 40, 3, 2));
+    const double before = basin_volume(w);
+    basin_step(w, 0.1, 10);
+    assert_true(awake(w) > 0 && awake(w) < CELLS);
+    assert_true(fabs(basin_volume(w) - before - 2) < 1e-3);
+    ok(cd_water_disable_field(w, CD_SOURCE));
+    basin_step(w, 0.1, 1);
+    assert_int_equal(awake(w), 0);
+    ok(cd_water_impulse(w, 40, 40, 3, 100, 0));
+    basin_step(w, 0.1, 1);
+    assert_true(awake(w) > 0 && awake(w) < CELLS);
+    cd_water_destroy(w);
+}
+
 /* A surface that pressure holds aslant is at rest. */
 static void what_pressure_holds_aslant_sleeps(void** state) {
     (void)state;
@@ -393,11 +415,17 @@ static void the_height_is_kept(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_lake_at_rest_sleeps),  cmocka_unit_test(waves_wake_what_is_ahead_of_them),
-        cmocka_unit_test(it_falls_asleep_again),  cmocka_unit_test(which_parts_sleep_follows_from_the_state),
-        cmocka_unit_test(awake_it_moves_as_ever), cmocka_unit_test(what_acts_keeps_it_awake),
-        cmocka_unit_test(sides_keep_it_awake),    cmocka_unit_test(a_boat_wakes_its_own_place),
-        cmocka_unit_test(the_height_is_kept),     cmocka_unit_test(what_pressure_holds_aslant_sleeps),
+        cmocka_unit_test(a_lake_at_rest_sleeps),
+        cmocka_unit_test(waves_wake_what_is_ahead_of_them),
+        cmocka_unit_test(it_falls_asleep_again),
+        cmocka_unit_test(which_parts_sleep_follows_from_the_state),
+        cmocka_unit_test(awake_it_moves_as_ever),
+        cmocka_unit_test(what_acts_keeps_it_awake),
+        cmocka_unit_test(sides_keep_it_awake),
+        cmocka_unit_test(a_boat_wakes_its_own_place),
+        cmocka_unit_test(without_gravity_sources_act),
+        cmocka_unit_test(the_height_is_kept),
+        cmocka_unit_test(what_pressure_holds_aslant_sleeps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
