@@ -2306,7 +2306,8 @@ export class Water extends Handle {
    * Neglected are, at each face, a rise of the surface below height / 16, a velocity below height sqrt(g / d), and
    * water
    * that stands less than the height over the higher bed. What falls asleep stops, so energy is lost and none gained;
-   * volume is kept. Waves lower than the height meet sleeping water as a wall.
+   * volume is kept. Waves lower than the height meet sleeping water as a wall. The energy bound of long steps, which is
+   * one of whole lines, is then one of what is awake of a line.
    * Awake stay parts with sources or forces, under hulls, and at open, level and inflow sides; and all of the water
    * while there are higher waves at a periodic side. Which parts sleep follows from the state alone, whatever hook and
    * kernels; where all are awake a step has the bits of one of water that never sleeps.

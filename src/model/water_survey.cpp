@@ -6,8 +6,7 @@ namespace cd {
 
 namespace {
 
-double square(double x) { return x * x; }
-
+constexpr double kEndless = 1e300; // [m]: a bed that no water reaches
 constexpr size_t kSideBySide = 4;
 using Cells = Lanes<kSideBySide>;
 Cells cells(const double* from) { return Cells::load(from); }
@@ -17,7 +16,7 @@ struct RowOfTile {
     double bed[kTile + 1], surface[kTile + 1], head[kTile + 1]; // [0]: of the cell before the first
 
     // No cell, as if the bed were endlessly high.
-    void clear(size_t k) { bed[k] = surface[k] = head[k] = 1e300; }
+    void clear(size_t k) { bed[k] = surface[k] = head[k] = kEndless; }
 };
 
 // Of the cells of a tile, column by column.
@@ -30,7 +29,7 @@ struct Survey {
     const StateNumbers depth = state_of(w, w.depth), bed = state_of(w, w.bed), pressure = state_of(w, w.pressure);
     const StateNumbers velocity[2] = {state_of(w, w.velocity[kX]), state_of(w, w.velocity[kY])};
     const StateNumbers acting[3] = {state_of(w, w.source), state_of(w, w.force[kX]), state_of(w, w.force[kY])};
-    const double by_rise = w.gravity * square(double(kTile));
+    const double by_rise = w.gravity * double(kTile * kTile);
     const double by_pressure = w.gravity > 0 ? 1 / (w.density * w.gravity) : 0;
 
     static Cells stored(StateNumbers numbers, size_t at) {
@@ -73,7 +72,7 @@ struct Survey {
         for (; k < columns; ++k) u[k] = velocity[a][at + k];
         double closed[kTile] = {};
         for (k = 0; w.wall[a] && k < columns; ++k)
-            if (w.wall[a][byte_place(w, i + k, j)] != 0) closed[k] = 1e300;
+            if (w.wall[a][byte_place(w, i + k, j)] != 0) closed[k] = kEndless;
         const Cells least = Cells::splat(w.sleep);
         for (k = 0; k < kTile; k += kSideBySide) {
             const Cells deep = larger(cells(l.surface + from + k), cells(r.surface + k + 1)) -

@@ -3649,14 +3649,15 @@ impl Water {
     /// waves are lower than `height` \[m\], in \[0, 1e60\], and so are all that a step could carry there. Default 0:
     /// nothing sleeps. Neglected are, at each face, a rise of the surface below height / 16, a velocity below height
     /// sqrt(g / d), and water that stands less than the height over the higher bed. What falls asleep stops, so energy
-    /// is lost and none gained; volume is kept. Waves lower than the height meet sleeping water as a wall. Awake stay
-    /// parts with sources or forces, under hulls, and at open, level and inflow sides; and all of the water while there
-    /// are higher waves at a periodic side. Which parts sleep follows from the state alone, whatever hook and kernels;
-    /// where all are awake a step has the bits of one of water that never sleeps. A step's time is in proportion to the
-    /// cells awake, each up to half as dear again. A splash, a volume, an impulse, a write of cells or faces and what
-    /// is set of a hull wake what they touch; after any other call that may change the water the next step looks at all
-    /// of it, in half a step's time. Costs a byte for ten cells. The height is kept with the state. Errors:
-    /// CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    /// is lost and none gained; volume is kept. Waves lower than the height meet sleeping water as a wall. The energy
+    /// bound of long steps, which is one of whole lines, is then one of what is awake of a line. Awake stay parts with
+    /// sources or forces, under hulls, and at open, level and inflow sides; and all of the water while there are higher
+    /// waves at a periodic side. Which parts sleep follows from the state alone, whatever hook and kernels; where all
+    /// are awake a step has the bits of one of water that never sleeps. A step's time is in proportion to the cells
+    /// awake, each up to half as dear again. A splash, a volume, an impulse, a write of cells or faces and what is set
+    /// of a hull wake what they touch; after any other call that may change the water the next step looks at all of it,
+    /// in half a step's time. Costs a byte for ten cells. The height is kept with the state. Errors: CD_ERROR_VALUE;
+    /// CD_ERROR_MEMORY.
     pub fn set_sleep(&mut self, height: f64) -> Result<()> {
         check(unsafe { sys::cd_water_set_sleep(self.as_ptr(), height) })
     }
@@ -3665,14 +3666,15 @@ impl Water {
     /// waves are lower than `height` \[m\], in \[0, 1e60\], and so are all that a step could carry there. Default 0:
     /// nothing sleeps. Neglected are, at each face, a rise of the surface below height / 16, a velocity below height
     /// sqrt(g / d), and water that stands less than the height over the higher bed. What falls asleep stops, so energy
-    /// is lost and none gained; volume is kept. Waves lower than the height meet sleeping water as a wall. Awake stay
-    /// parts with sources or forces, under hulls, and at open, level and inflow sides; and all of the water while there
-    /// are higher waves at a periodic side. Which parts sleep follows from the state alone, whatever hook and kernels;
-    /// where all are awake a step has the bits of one of water that never sleeps. A step's time is in proportion to the
-    /// cells awake, each up to half as dear again. A splash, a volume, an impulse, a write of cells or faces and what
-    /// is set of a hull wake what they touch; after any other call that may change the water the next step looks at all
-    /// of it, in half a step's time. Costs a byte for ten cells. The height is kept with the state. Errors:
-    /// CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    /// is lost and none gained; volume is kept. Waves lower than the height meet sleeping water as a wall. The energy
+    /// bound of long steps, which is one of whole lines, is then one of what is awake of a line. Awake stay parts with
+    /// sources or forces, under hulls, and at open, level and inflow sides; and all of the water while there are higher
+    /// waves at a periodic side. Which parts sleep follows from the state alone, whatever hook and kernels; where all
+    /// are awake a step has the bits of one of water that never sleeps. A step's time is in proportion to the cells
+    /// awake, each up to half as dear again. A splash, a volume, an impulse, a write of cells or faces and what is set
+    /// of a hull wake what they touch; after any other call that may change the water the next step looks at all of it,
+    /// in half a step's time. Costs a byte for ten cells. The height is kept with the state. Errors: CD_ERROR_VALUE;
+    /// CD_ERROR_MEMORY.
     pub fn get_sleep(&self) -> Result<f64> {
         let mut out_height = 0.0;
         check(unsafe { sys::cd_water_get_sleep(self.as_ptr(), &mut out_height) })?;
