@@ -99,8 +99,10 @@ struct ShiftedStep {
     bool carries; // see sweep_down
 };
 
-// The most planes whose energies with each other can be asked for, and how many those are.
-constexpr int kMostDirections = 5, kPairs = 15;
+// The most planes whose energies can be asked for, and how many numbers tell them: see energies.
+constexpr int kMostDirections = 5;
+constexpr int energies_of(int planes) { return planes * (planes + 1) / 2 + planes; }
+constexpr int kEnergies = energies_of(kMostDirections);
 
 // Where a node starts from and what it is moved by: dw = sum of factor[k] change[k], w = v + dw,
 //     v <- v + overshoot dw,    x <- x + move (v + follow dw).
@@ -177,9 +179,9 @@ void pull_general(const Grid& grid, const GeneralSheet& sheet, const double* x, 
 void apply(const Grid& grid, const GeneralSheet& sheet, const double* z, double* out, double* energy, size_t first,
            size_t count);
 void moments(const Grid& grid, const GeneralSheet& sheet, const double* x, size_t first, size_t count);
-// sums[row][pair] = z_a S z_b for a <= b of n planes, pairs in the order 00 01 02 ... 11 12 ...
-void energies(const Grid& grid, const GeneralSheet& sheet, const double* const* z, int n, double* sums, size_t first,
-              size_t count);
+// sums[row]: z_a S z_b for a <= b of n planes, in the order 00 01 02 ... 11 12 ..., then z_a b.
+void energies(const Grid& grid, const GeneralSheet& sheet, const double* const* z, int n, const double* b, double* sums,
+              size_t first, size_t count);
 
 // ---- lines down the columns (sheet_lines.cpp) ----
 

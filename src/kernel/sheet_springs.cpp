@@ -101,28 +101,57 @@ General general_row(const Grid& grid, const GeneralSheet& sheet, const double* x
     return {sheet, Rows(grid, x, r), Rows(grid, sheet.spring[0], r), Rows(grid, sheet.spring[1], r), r * grid.pitch};
 }
 
-// One of the energies between planes z_a and z_b.
-struct Pair {
+// The energies between all planes, and their products with b. Each plane is looked at once, for all its pairs. What a
+// spring's energy is made of is multiplied first: two planes that are nearly one then have nearly the same energies.
+struct Energies {
     const Grid& grid;
     const GeneralSheet& sheet;
-    const double *a, *b;
+    const double* const* z;
+    int n;
+    const double* b;
     size_t r;
 
-    template <int N> Lanes<N> operator()(size_t u) const {
-        using L = Lanes<N>;
-        const Rows p(grid, a, r), q(grid, b, r);
-        const size_t here = r * grid.pitch + u;
-        const L x = at<N>(p.here, u), y = at<N>(q.here, u);
-        L sum = L::load(sheet.ground + here) * (x * y);
-        sum = select(L::load(sheet.mass + here), sum, L{});
-        sum = sum + L::load(sheet.spring[0] + here) * ((after<N>(p.here, u) - x) * (after<N>(q.here, u) - y));
-        sum = sum + L::load(sheet.spring[1] + here) * ((at<N>(p.below, u) - x) * (at<N>(q.below, u) - y));
-        if (sheet.bends()) {
-            sum = sum + L::load(sheet.bend[0] + here) * (turn_u<N>(p, u) * turn_u<N>(q, u));
-            sum = sum + L::load(sheet.bend[1] + here) * (turn_v<N>(p, u) * turn_v<N>(q, u));
-            sum = sum + L::load(sheet.twist + here) * (twist<N>(p, u) * twist<N>(q, u));
+    // What the node, its springs and its bends see of a plane, in lanes.
+    template <int N> struct Seen {
+        Lanes<N> here, right, below, turn_u, turn_v, twist;
+
+        void look(const Rows& x, size_t u, bool bends) {
+            here = at<N>(x.here, u);
+            right = after<N>(x.here, u) - here;
+            below = at<N>(x.below, u) - here;
+            if (!bends) return;
+            turn_u = cd::CD_ISA::turn_u<N>(x, u);
+            turn_v = cd::CD_ISA::turn_v<N>(x, u);
+            twist = cd::CD_ISA::twist<N>(x, u);
         }
-        return sum;
+    };
+
+    template <int N, class Add> void each(size_t u, const Add& add) const {
+        using L = Lanes<N>;
+        const bool bends = sheet.bends();
+        const size_t row = r * grid.pitch + u;
+        Seen<N> seen[kMostDirections];
+        for (int k = 0; k < n; ++k) seen[k].look(Rows(grid, z[k], r), u, bends);
+        const L ground = select(L::load(sheet.mass + row), L::load(sheet.ground + row), L{});
+        const L spring_u = L::load(sheet.spring[0] + row), spring_v = L::load(sheet.spring[1] + row);
+        int pair = 0;
+        for (int k = 0; k < n; ++k) {
+            const Seen<N>& p = seen[k];
+            for (int j = k; j < n; ++j, ++pair) {
+                const Seen<N>& q = seen[j];
+                L sum = ground * (p.here * q.here);
+                sum = sum + spring_u * (p.right * q.right);
+                sum = sum + spring_v * (p.below * q.below);
+                if (bends) {
+                    sum = sum + L::load(sheet.bend[0] + row) * (p.turn_u * q.turn_u);
+                    sum = sum + L::load(sheet.bend[1] + row) * (p.turn_v * q.turn_v);
+                    sum = sum + L::load(sheet.twist + row) * (p.twist * q.twist);
+                }
+                add(pair, sum);
+            }
+        }
+        const L right = L::load(b + row);
+        for (int k = 0; k < n; ++k) add(pair + k, seen[k].here * right);
     }
 };
 
@@ -157,13 +186,10 @@ void moments(const Grid& grid, const GeneralSheet& sheet, const double* x, size_
     }
 }
 
-void energies(const Grid& grid, const GeneralSheet& sheet, const double* const* z, int n, double* sums, size_t first,
-              size_t count) {
-    for (size_t r = first; r < first + count; ++r) {
-        double* to = sums + r * kPairs;
-        for (int a = 0; a < n; ++a)
-            for (int b = a; b < n; ++b) *to++ = row_sum(grid.columns, Pair{grid, sheet, z[a], z[b], r});
-    }
+void energies(const Grid& grid, const GeneralSheet& sheet, const double* const* z, int n, const double* b, double* sums,
+              size_t first, size_t count) {
+    for (size_t r = first; r < first + count; ++r)
+        row_sums<kEnergies>(grid.columns, energies_of(n), Energies{grid, sheet, z, n, b, r}, sums + r * kEnergies);
 }
 
 } // namespace CD_ISA

@@ -53,8 +53,10 @@ inline void turn(size_t rows, size_t columns, const T* from, size_t from_pitch, 
             const size_t c = column + kSide < columns ? column : columns - kSide;
             const size_t r = row + kSide < rows ? row : rows - kSide;
             typename S::Row square[kSide];
+#pragma GCC unroll 8
             for (size_t i = 0; i < kSide; ++i) memcpy(&square[i], from + (r + i) * from_pitch + c, sizeof square[i]);
             S::turn(square);
+#pragma GCC unroll 8
             for (size_t i = 0; i < kSide; ++i) memcpy(to + (c + i) * to_pitch + r, &square[i], sizeof square[i]);
         }
 }

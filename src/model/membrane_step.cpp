@@ -234,18 +234,20 @@ struct Stepper {
             for (size_t u = 0; u < w.grid.columns; ++u) w.residual[r * w.grid.pitch + u] += w.row_change[r];
     }
 
-    // plane = S_d plane, nearly; with bend the product of two factors.
-    void solve_lines(Direction d, double* plane) const {
+    // to = S_d from, nearly; with bend the product of two factors. They may be one plane.
+    void solve_lines(Direction d, const double* from, double* to) const {
+        const Grid& grid = d == kU ? w.turned : w.grid;
+        double* const lines = d == kU ? w.turned_plane : to;
+        if (d == kU) w.system.turn(from, lines);
+        const double* right = d == kU ? lines : from;
         for (int f = 0; f < w.factors(); ++f) {
             const LineFactors factors = w.line[f][d].factors();
-            double* const lines = d == kU ? w.turned_plane : plane;
-            const Grid& grid = d == kU ? w.turned : w.grid;
-            if (d == kU) w.system.turn(plane, lines);
             in_parts(m.parallel, grid.columns, grid.rows, [&](size_t first, size_t count) {
-                sheet().solve_lines(grid, factors, lines, lines, first, count);
+                sheet().solve_lines(grid, factors, right, lines, first, count);
             });
-            if (d == kU) w.system.turn_back(lines, plane);
+            right = lines;
         }
+        if (d == kU) w.system.turn_back(lines, to);
     }
 
     // Takes the best multiple 1 - share of v out of w.residual; returns share. applied: scratch.
@@ -259,17 +261,14 @@ struct Stepper {
     // Moves by the best of v, of a motion of all nodes alike, and of n answers, given the residual that is left beside
     // (1 - share) v. It keeps the momentum of a free sheet, and of each part of it, whatever the answers are.
     void move_by_nearest(SheetMove& by, double share, double* const* answers, int n, const double* residual) const {
-        double *planes[kMostDirections] = {w.free_v}, rhs[kMostDirections], taken[kMostDirections] = {};
+        double *planes[kMostDirections] = {w.free_v}, taken[kMostDirections] = {};
         const bool parts_apart = m.parts > 1 || m.mean_apart;
         int count = 1;
         if (!parts_apart) planes[count++] = w.one;
         for (int k = 0; k < n; ++k) planes[count++] = answers[k];
         if (parts_apart) separate_parts(m, w, planes, count, share, residual, taken);
-        for (int k = 0; k < count; ++k) {
-            rhs[k] = w.system.dot(planes[k], residual);
-            by.change[k] = planes[k];
-        }
-        w.system.project(planes, count, rhs, taken, by.factor);
+        for (int k = 0; k < count; ++k) by.change[k] = planes[k];
+        w.system.project(planes, count, residual, taken, by.factor);
         by.factor[0] -= share;
         if (parts_apart) {
             by.change[count] = w.one;
@@ -281,14 +280,12 @@ struct Stepper {
     void alternate_nearest(SheetMove& by) const {
         double *const both = w.answer[0], *const along_u = w.answer[1], *const along_v = w.answer[2];
         const double share = take_out_velocity(w.scaled);
-        w.system.copy(w.residual, along_u);
-        solve_lines(kU, along_u);
-        w.system.copy(w.residual, along_v);
-        solve_lines(kV, along_v);
+        solve_lines(kU, w.residual, along_u);
+        solve_lines(kV, w.residual, along_v);
         w.system.multiply(w.ground, along_u, both);
-        solve_lines(kV, both);
+        solve_lines(kV, both, both);
         w.system.multiply(w.ground, along_v, w.scaled);
-        solve_lines(kU, w.scaled);
+        solve_lines(kU, w.scaled, w.scaled);
         w.system.combine(1, both, 1, w.scaled);
         move_by_nearest(by, share, w.answer, 3, w.residual);
     }

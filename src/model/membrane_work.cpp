@@ -77,9 +77,9 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
     GeneralSheet& sheet = system.sheet;
     sheet = {mass, ground, {spring[kU], spring[kV]}, {bend[kU], bend[kV]}, twist, {}};
     for (double*& moment : sheet.moment) moment = plane(scratch, bends);
-    size_t pairs = 0;
-    scratch.fits = scratch.fits && multiply(m.rows, kPairs, pairs);
-    system.sums = general ? scratch.numbers(pairs) : nullptr;
+    size_t energies = 0;
+    scratch.fits = scratch.fits && multiply(m.rows, kEnergies, energies);
+    system.sums = general ? scratch.numbers(energies) : nullptr;
 
     const bool lines_differ = solves && !coupled && general && !edges_only(m, f);
     one = plane(coefficients, lines_differ || coupled);

@@ -67,19 +67,21 @@ void SheetSystem::turn_back(const double* from, double* to) const {
     columns([&](size_t first, size_t count) { kernels->transpose(turned, from, to, grid.pitch, first, count); });
 }
 
-void SheetSystem::project(double* const* planes, int n, const double* rhs, const double* taken, double* factors) const {
+void SheetSystem::project(double* const* planes, int n, const double* b, const double* taken, double* factors) const {
     for (int k = 0; k < n; ++k) wrap(planes[k]);
-    rows([&](size_t first, size_t count) { kernels->energies(grid, sheet, planes, n, sums, first, count); });
-    double g[kMostDirections][kMostDirections] = {}, c[kMostDirections] = {};
-    for (int a = 0, pair = 0; a < n; ++a)
-        for (int b = a; b < n; ++b, ++pair)
-            for (size_t r = 0; r < grid.rows; ++r) g[a][b] += sums[r * kPairs + size_t(pair)];
+    rows([&](size_t first, size_t count) { kernels->energies(grid, sheet, planes, n, b, sums, first, count); });
+    double all[kEnergies] = {}, g[kMostDirections][kMostDirections] = {}, c[kMostDirections];
+    for (size_t r = 0; r < grid.rows; ++r)
+        for (int i = 0; i < energies_of(n); ++i) all[i] += sums[r * kEnergies + size_t(i)];
+    const double* next = all;
+    for (int j = 0; j < n; ++j)
+        for (int k = j; k < n; ++k) g[j][k] = *next++;
+    for (int k = 0; k < n; ++k) c[k] = *next++;
 
     // Cholesky's elimination, by rows of the upper half. What is left of a plane's energy once the others' share is
     // taken away tells whether it adds anything.
     constexpr double kNothing = 1e-12;
     bool adds[kMostDirections];
-    for (int a = 0; a < n; ++a) c[a] = rhs[a];
     for (int a = 0; a < n; ++a) {
         double whole = g[a][a] + taken[a];
         for (int k = 0; k < a; ++k) whole += adds[k] ? g[k][a] * g[k][a] / g[k][k] : 0;

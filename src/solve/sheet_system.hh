@@ -12,7 +12,7 @@ struct SheetSystem {
     Grid grid, turned; // turned: rows and columns exchanged
     bool ring[2];      // along u and v
     GeneralSheet sheet;
-    double* sums; // kPairs numbers per row
+    double* sums; // kEnergies numbers per row
 
     template <class Body> void rows(const Body& body) const { in_parts(*parallel, grid.rows, grid.columns, body); }
     template <class Body> void columns(const Body& body) const { in_parts(*parallel, grid.columns, grid.rows, body); }
@@ -35,9 +35,9 @@ struct SheetSystem {
     void turn_back(const double* from, double* to) const; // from it
 
     // The w in the span of n <= kMostDirections planes that comes nearest to S w = b in energy: the residual is then
-    // orthogonal to it. rhs: the planes times b. Planes that add nothing new to those before them, or to what has been
-    // taken out of them before, of which `taken` has the energy, get the factor 0.
-    void project(double* const* planes, int n, const double* rhs, const double* taken, double* factors) const;
+    // orthogonal to it. Planes that add nothing new to those before them, or to what has been taken out of them before,
+    // of which `taken` has the energy, get the factor 0.
+    void project(double* const* planes, int n, const double* b, const double* taken, double* factors) const;
 };
 
 } // namespace cd

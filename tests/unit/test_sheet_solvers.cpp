@@ -70,7 +70,7 @@ struct Sheet {
         system.ring[1] = o.ring_v;
         system.sheet = {mass, mass, {spring[0], spring[1]}, {bend[0], bend[1]}, twist, {}};
         for (double*& moment : system.sheet.moment) moment = o.bend ? plane() : nullptr;
-        system.sums = carve.numbers(o.rows * cd::kPairs);
+        system.sums = carve.numbers(o.rows * cd::kEnergies);
         r = plane();
         x = plane();
         y = plane();
@@ -206,10 +206,9 @@ void the_nearest_answer_leaves_nothing_in_the_space(void**) {
             double* const planes[3] = {sheet.x, sheet.y, sheet.gradient.start};
             for (unsigned k = 0; k < 3; ++k) sheet.fill(planes[k], 17 + (repeat && k == 2 ? 1 : k));
             sheet.fill(sheet.r, 23);
-            double rhs[3], factor[3];
             const double taken[3] = {};
-            for (int k = 0; k < 3; ++k) rhs[k] = sheet.system.dot(planes[k], sheet.r);
-            sheet.system.project(planes, 3, rhs, taken, factor);
+            double factor[3];
+            sheet.system.project(planes, 3, sheet.r, taken, factor);
             if (repeat) assert_true(factor[2] == 0);
             double* const sum = sheet.gradient.direction;
             sheet.system.clear(sum);
@@ -217,7 +216,8 @@ void the_nearest_answer_leaves_nothing_in_the_space(void**) {
             sheet.system.apply(sum, sheet.gradient.applied);
             const double size = sqrt(sheet.system.dot(sheet.gradient.applied, sheet.gradient.applied));
             for (int k = 0; k < 3; ++k) {
-                const double left = rhs[k] - sheet.system.dot(planes[k], sheet.gradient.applied);
+                const double left =
+                    sheet.system.dot(planes[k], sheet.r) - sheet.system.dot(planes[k], sheet.gradient.applied);
                 assert_true(fabs(left) < 1e-10 * size * sqrt(sheet.system.dot(planes[k], planes[k])));
             }
         }
