@@ -367,6 +367,7 @@ MembraneOutcome step_cloth(Membrane& m, double dt, size_t count) {
     const bool tears = can_tear(m, kU) || can_tear(m, kV);
     uint64_t bad = 0;
     for (size_t s = 0; s < count; ++s) {
+        memset(m.scratch.data, 0, m.scratch.bytes()); // a step that went too far may have left what is not finite
         if (must_prepare(m, dt)) prepare(m, work, h, dt);
         Clock clock = m.clock;
         clock.advance(dt, s);
@@ -376,10 +377,7 @@ MembraneOutcome step_cloth(Membrane& m, double dt, size_t count) {
         if (!finite && bad == 0) bad = m.clock.steps + s + 1;
         if (tears && finite) m.broken += tear_springs(m, work);
     }
-    if (bad) {
-        stop_nodes(m);
-        m.prepared_dt = 0; // what is not finite stays in the scratch until it is cleared
-    }
+    if (bad) stop_nodes(m);
     return {bad, true};
 }
 
