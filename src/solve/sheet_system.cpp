@@ -75,29 +75,37 @@ void SheetSystem::project(double* const* planes, int n, const double* b, const d
         for (int i = 0; i < energies_of(n); ++i) all[i] += sums[r * kEnergies + size_t(i)];
     const double* next = all;
     for (int j = 0; j < n; ++j)
-        for (int k = j; k < n; ++k) g[j][k] = *next++;
+        for (int k = j; k < n; ++k) g[j][k] = g[k][j] = *next++;
     for (int k = 0; k < n; ++k) c[k] = *next++;
 
-    // Cholesky's elimination, by rows of the upper half. What is left of a plane's energy once the others' share is
-    // taken away tells whether it adds anything.
+    // Cholesky's elimination. The plane that has most left of its energy, once the others' shares are taken away, comes
+    // next: planes that hardly differ would otherwise leave their rounding in those that come later.
     constexpr double kNothing = 1e-12;
-    bool adds[kMostDirections];
-    for (int a = 0; a < n; ++a) {
-        double whole = g[a][a] + taken[a];
-        for (int k = 0; k < a; ++k) whole += adds[k] ? g[k][a] * g[k][a] / g[k][k] : 0;
-        adds[a] = g[a][a] > kNothing * whole;
-        if (!adds[a]) continue;
-        for (int b = a + 1; b < n; ++b) {
+    double whole[kMostDirections];
+    int order[kMostDirections], count = 0;
+    bool done[kMostDirections] = {};
+    for (int k = 0; k < n; ++k) whole[k] = g[k][k] + taken[k], factors[k] = 0;
+    for (; count < n; ++count) {
+        int a = -1;
+        double most = kNothing;
+        for (int k = 0; k < n; ++k)
+            if (!done[k] && g[k][k] > most * whole[k]) a = k, most = g[k][k] / whole[k];
+        if (a < 0) break;
+        order[count] = a;
+        done[a] = true;
+        for (int b = 0; b < n; ++b) {
+            if (done[b]) continue;
             const double share = g[a][b] / g[a][a];
-            for (int d = b; d < n; ++d) g[b][d] -= share * g[a][d];
+            for (int d = 0; d < n; ++d)
+                if (!done[d]) g[b][d] -= share * g[a][d];
             c[b] -= share * c[a];
         }
     }
-    for (int a = n; a-- > 0;) {
-        factors[a] = 0;
-        if (!adds[a]) continue;
+    while (count-- > 0) {
+        const int a = order[count];
         double sum = c[a];
-        for (int b = a + 1; b < n; ++b) sum -= g[a][b] * factors[b];
+        for (int k = 0; k < n; ++k)
+            if (k != a) sum -= g[a][k] * factors[k];
         factors[a] = sum / g[a][a];
     }
 }

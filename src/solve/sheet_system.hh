@@ -35,7 +35,7 @@ struct SheetSystem {
     void turn_back(const double* from, double* to) const; // from it
 
     // The w in the span of n <= kMostDirections planes that comes nearest to S w = b in energy: the residual is then
-    // orthogonal to it. Planes that add nothing new to those before them, or to what has been taken out of them before,
+    // orthogonal to it. Planes that add nothing new to the others, or to what has been taken out of them before,
     // of which `taken` has the energy, get the factor 0.
     void project(double* const* planes, int n, const double* b, const double* taken, double* factors) const;
 };

@@ -3,62 +3,62 @@
 {0, 1, 0, {0x12703e5684a333d0, 0x4241c5d8158f445f}}, /* drum */
 {0, 2, 0, {0x0f4bf319ab1256f2, 0xbef7fd62e239a030}}, /* drum */
 {0, 3, 0, {0xa7a4463f4cad5c7a, 0x4be95e5f2adc83f9}}, /* drum */
-{0, 0, 1, {0xd47d00385974bb0e, 0x0e44ec2d7b61cd5a}}, /* drum */
-{0, 3, 1, {0xbdf0ef636bcf205e, 0x8524895720fbd198}}, /* drum */
+{0, 0, 1, {0xd47d00385974bb0e, 0xc64e954d27bb982f}}, /* drum */
+{0, 3, 1, {0xbdf0ef636bcf205e, 0x1187194efc26663b}}, /* drum */
 {1, 0, 0, {0xb046f38353bde6f4, 0x3fa0f41a08dd4a60}}, /* curtain */
 {1, 1, 0, {0x0eed559c3549a2ea, 0x13de0283d04fb96f}}, /* curtain */
 {1, 2, 0, {0xf69971f077716d25, 0x5ef85df938b0aaa9}}, /* curtain */
 {1, 3, 0, {0xbfee793fdb934e65, 0x31d39c3ee3353d0f}}, /* curtain */
-{1, 0, 1, {0x8628636a7793fe90, 0x7df5ebfcf16c6f08}}, /* curtain */
-{1, 3, 1, {0xf43ddb81193da0b6, 0x358a31d42da30d33}}, /* curtain */
+{1, 0, 1, {0x8628636a7793fe90, 0x79c22ad8a2dd5292}}, /* curtain */
+{1, 3, 1, {0xf43ddb81193da0b6, 0xd618ea758a77bfed}}, /* curtain */
 {2, 0, 0, {0xc88c35d792a5e0a1, 0xbd69f39f71ae0fcd}}, /* flag */
 {2, 1, 0, {0xe5a88bd0d32c7faa, 0xe3d2df33f8ec01ab}}, /* flag */
 {2, 2, 0, {0xeec52f2840e0bac0, 0x75ab4c5d80670fc9}}, /* flag */
 {2, 3, 0, {0x3cd2410beb61bb08, 0x71c8b76095346323}}, /* flag */
-{2, 0, 1, {0x9fb8e48ae944014c, 0xdb1f3dca9a20bfdb}}, /* flag */
-{2, 3, 1, {0x6d9eec69ef652e10, 0x581d1c4cb07be1bb}}, /* flag */
+{2, 0, 1, {0x9fb8e48ae944014c, 0xea47e75fd943e08b}}, /* flag */
+{2, 3, 1, {0x6d9eec69ef652e10, 0xf2a7646e3ff263cd}}, /* flag */
 {3, 0, 0, {0x04d2792853ab7b57, 0x97f58f67dcdb32d8}}, /* plate */
 {3, 1, 0, {0xea85fea299701f04, 0xe5dc292e76cd287a}}, /* plate */
 {3, 2, 0, {0x85ead6767913d304, 0x67efd6c8c1531f3f}}, /* plate */
 {3, 3, 0, {0x2a84ce77ee889810, 0xd5a82982fcf1fec9}}, /* plate */
-{3, 0, 1, {0xbb8aee28be501bd9, 0xa670f15c7a23be57}}, /* plate */
-{3, 3, 1, {0x55afa0f429205b46, 0x3ecb430e450182c4}}, /* plate */
-{4, 0, 0, {0x0031f91666abe52f, 0x73fd452a09457785}}, /* tube */
+{3, 0, 1, {0xbb8aee28be501bd9, 0xc94854a87dcd8bfa}}, /* plate */
+{3, 3, 1, {0x55afa0f429205b46, 0x9b1763e3e7e96711}}, /* plate */
+{4, 0, 0, {0x0031f91666abe52f, 0xc6642a1695d2f564}}, /* tube */
 {4, 1, 0, {0xa3ed2edc69e7b6f7, 0x0c4f61c0a2297fea}}, /* tube */
 {4, 2, 0, {0x346313534836d27c, 0x9caf93e0ad468686}}, /* tube */
-{4, 3, 0, {0x31143eca0409760c, 0x0a06193e05a08fb5}}, /* tube */
-{4, 0, 1, {0x90e4474e39b801a4, 0xccd12828ca06b1a1}}, /* tube */
-{4, 3, 1, {0xc4dc688506f57838, 0x7f4383a1302492fd}}, /* tube */
+{4, 3, 0, {0x31143eca0409760c, 0x33f8d32d9e25c2e7}}, /* tube */
+{4, 0, 1, {0x90e4474e39b801a4, 0x959c57f1f08eadba}}, /* tube */
+{4, 3, 1, {0xc4dc688506f57838, 0xc9b36eea3290d05f}}, /* tube */
 {5, 0, 0, {0x128a8930ab03d4ee, 0x8085226491d73634}}, /* torus */
 {5, 1, 0, {0xb860b65a2d1b5315, 0xa021bf6a1c12d05f}}, /* torus */
 {5, 2, 0, {0x33578f39606f4740, 0x67a3c5bc3ccca816}}, /* torus */
 {5, 3, 0, {0x909b6e95678b21b8, 0xd59aac492df35cee}}, /* torus */
-{5, 0, 1, {0xf2a09f2614062dfc, 0x6eb7b04bf10a4e18}}, /* torus */
-{5, 3, 1, {0x016433d611255177, 0x9b17bdb63885c6f9}}, /* torus */
-{6, 0, 0, {0x52abf360e5e1f6e2, 0x1a21559c24d46469}}, /* torn */
+{5, 0, 1, {0xf2a09f2614062dfc, 0x29b74a663a74deaf}}, /* torus */
+{5, 3, 1, {0x016433d611255177, 0x2129b337f9fcc6f1}}, /* torus */
+{6, 0, 0, {0x52abf360e5e1f6e2, 0x01c5f1edd76fe067}}, /* torn */
 {6, 1, 0, {0xc3ecc9c6c2b19db0, 0x0548acff8057e509}}, /* torn */
 {6, 2, 0, {0x096c7eac64bc1cfa, 0x1dbf5909b5f7e258}}, /* torn */
-{6, 3, 0, {0xf7b00c8328af8a98, 0x67f6e82191a113d0}}, /* torn */
-{6, 0, 1, {0xebfa7a864019019e, 0xc9c1bac0b45a16ae}}, /* torn */
-{6, 3, 1, {0x486914f5d826ee19, 0xec78fd0ffa3b567a}}, /* torn */
-{7, 0, 0, {0x298627ce53f03b45, 0x9c83b27a3afd3ee0}}, /* tied */
+{6, 3, 0, {0xf7b00c8328af8a98, 0xb2cb227fd0549972}}, /* torn */
+{6, 0, 1, {0xebfa7a864019019e, 0x9bd3fbb7b393d10c}}, /* torn */
+{6, 3, 1, {0x486914f5d826ee19, 0xe2ebb7a2562489db}}, /* torn */
+{7, 0, 0, {0x298627ce53f03b45, 0xedda6645bd5340bf}}, /* tied */
 {7, 1, 0, {0x7a24da4792344fdd, 0xca02ad651d64dbb6}}, /* tied */
 {7, 2, 0, {0x3a7a7e355a386344, 0x5a19a91e55a393aa}}, /* tied */
-{7, 3, 0, {0xf923d91ffa68589d, 0xf8f03315454dfd75}}, /* tied */
-{7, 0, 1, {0xb9432015831b7060, 0x9f3fd3ec5f01eb90}}, /* tied */
-{7, 3, 1, {0x6396af62d428a4d0, 0x9bd83bb1c4375f2a}}, /* tied */
-{8, 0, 0, {0x2ffe0619e282e2c8, 0x3c82548acf23e46c}}, /* everything */
+{7, 3, 0, {0xf923d91ffa68589d, 0x9a8b08f7704087b6}}, /* tied */
+{7, 0, 1, {0xb9432015831b7060, 0x24c93d6b254c7185}}, /* tied */
+{7, 3, 1, {0x6396af62d428a4d0, 0xb32cadccd0faa7f8}}, /* tied */
+{8, 0, 0, {0x2ffe0619e282e2c8, 0xefa4e800e446b7c3}}, /* everything */
 {8, 1, 0, {0x3af754ebc287b48f, 0xeece48ebe1d451f5}}, /* everything */
 {8, 2, 0, {0x1ad83564a8a1bd2e, 0xd6b1437bc8be1c74}}, /* everything */
-{8, 3, 0, {0x8b6cbd35ec388059, 0xef78e592e6c7ba93}}, /* everything */
-{8, 0, 1, {0x966b5c90b99aedbc, 0x8df55ee89a2e5420}}, /* everything */
-{8, 3, 1, {0x686bdfb652a5b995, 0xfd2c6cbcf0ffbed2}}, /* everything */
-{9, 0, 0, {0xe8a5ff0b91679182, 0x15393da55946ca2d}}, /* everything, tube */
+{8, 3, 0, {0x8b6cbd35ec388059, 0x4f31239df50f5e7e}}, /* everything */
+{8, 0, 1, {0x966b5c90b99aedbc, 0xf93271df2b7f3a5d}}, /* everything */
+{8, 3, 1, {0x686bdfb652a5b995, 0x790d6ea4b12b61f7}}, /* everything */
+{9, 0, 0, {0xe8a5ff0b91679182, 0xda629aab1e86f719}}, /* everything, tube */
 {9, 1, 0, {0x08a93167d0329b7a, 0x34cf84c253419d23}}, /* everything, tube */
 {9, 2, 0, {0x66cfafd6b74572f5, 0xaacea143fc5fdf12}}, /* everything, tube */
-{9, 3, 0, {0x3d0fe91e35e3c78f, 0x13e574cf65ab894a}}, /* everything, tube */
-{9, 0, 1, {0xa4ef117df485c60e, 0x3aa02685528d926d}}, /* everything, tube */
-{9, 3, 1, {0xf5289829d0c361ab, 0xb0aa63d2596dfa77}}, /* everything, tube */
+{9, 3, 0, {0x3d0fe91e35e3c78f, 0xf875ebadc490f80b}}, /* everything, tube */
+{9, 0, 1, {0xa4ef117df485c60e, 0x14d89cabd29caa64}}, /* everything, tube */
+{9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
 {10, 0, 0, {0x1e8276c80c157d2f, 0x5882769cb8229713}}, /* sail */
 {11, 0, 0, {0x1db817c121151461, 0x9c543d1b6f605bfa}}, /* lengths */
 {12, 0, 0, {0x15093751113cb4cb, 0x361a219ce5e547b4}}, /* lengths, tube */
