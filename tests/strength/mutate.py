@@ -278,7 +278,7 @@ def main():
     only = None
     if arguments[:1] == ["--only"]:
         only, arguments = arguments[1], arguments[2:]
-    if not arguments or only not in (None, "make", "ask", "inside"):
+    if not arguments or arguments[0].startswith("-") or only not in (None, "make", "ask", "inside"):
         sys.exit(__doc__)
     count, seed = (int(arguments[i]) if len(arguments) > i else default for i, default in ((1, 200), (2, 1)))
     of = Run(arguments[0], count, seed,
