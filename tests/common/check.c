@@ -134,4 +134,9 @@ int is_long(void) { return getenv("CD_LONG") != NULL; }
 
 int is_brief(void) { return getenv("CD_BRIEF") != NULL; }
 
+uint64_t other_scenes(void) {
+    const char* const seed = getenv("CD_SEED");
+    return seed ? strtoull(seed, NULL, 0) : 0;
+}
+
 int is_taken(size_t number, size_t part) { return is_long() || number % part == 0; }

@@ -38,6 +38,8 @@ void refusal_end(const void* object, hash_function* hash, cd_status got, cd_stat
 int is_long(void);
 /* Or as short as where every instruction is watched: CD_BRIEF=1. Only sweeps that are long there ask. */
 int is_brief(void);
+/* What all seeds of random scenes are changed by: CD_SEED in the environment, 0 without it. */
+uint64_t other_scenes(void);
 /* Of the things that a sweep counts from 0 on, those that are looked at: each, or without CD_LONG one of `part`. */
 int is_taken(size_t number, size_t part);
 

@@ -245,7 +245,7 @@ void reference_step(struct reference* r, cd_method method, double lambda, long d
 }
 
 double random_number(uint64_t* state) {
-    uint64_t z = *state += 0x9E3779B97F4A7C15u;
+    uint64_t z = (*state += 0x9E3779B97F4A7C15u) ^ other_scenes();
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;

@@ -90,7 +90,7 @@ void scene_set(cd_chain* chain, cd_field field, size_t item, double value) {
 }
 
 double scene_noise(uint64_t* seed) { /* splitmix64 */
-    uint64_t z = (*seed += 0x9E3779B97F4A7C15u);
+    uint64_t z = (*seed += 0x9E3779B97F4A7C15u) ^ other_scenes();
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
     z ^= z >> 31;
