@@ -322,7 +322,8 @@ static void cloth_that_was_far_away_steps_as_its_fresh_copy_does(void** state) {
             }
 }
 
-/* The same of sheets of springs and of strands, with and without lengths. What diverges there may do so again, where a tie has gone with it. */
+/* The same of sheets of springs and of strands, with and without lengths. What diverges there may do so again, where a
+ * tie has gone with it. */
 static void sheets_and_strands_that_were_far_away_step_as_their_fresh_copies_do(void** state) {
     (void)state;
     static const double distances[] = {1e154, 1e250, 1e308};
