@@ -157,7 +157,7 @@ static void a_single_row_or_column_moves_as_the_chain(void** state) {
 }
 
 /* Where a ring that drifts has nearly come to rest, its velocity, a drift, and the change of a step are nearly one motion.
- * Little else than these differ by is left of the step then, and stays right to 1e-6 of it. */
+ * The step keeps its digits even so. */
 static void a_drifting_ring_comes_to_rest_as_the_chain(void** state) {
     (void)state;
     const double turn = 2 * acos(-1) / NODES;
