@@ -111,6 +111,8 @@ WHEN = {
     ("cd_chain", "rows"): "with 3 components; 1 with 2",
     ("cd_chain", "row_spacing"): "with 3 components",
     ("cd_chain_set_callback", "friction"): "where origin is given or the collider is no callback yet",
+    ("cd_chain_set_sleep", "seconds"): "where speed is not 0",
+    ("cd_membrane_set_sleep", "seconds"): "where speed is not 0",
     ("cd_membrane", "stride"): "with normals; 12 without",
     ("cd_water", "stride"): "with normals and depths; 12 less without normals, 4 less without depths",
     ("cd_water_set_side", "value"): "but for CD_BORDER_WALL and CD_BORDER_PERIODIC",
@@ -171,6 +173,8 @@ UNITS = {
 DEFAULTS = {
     ("cd_chain_set_stiffness", "stiffness"): "1",
     ("cd_chain_set_ring", "ring"): "0",
+    ("cd_chain_set_sleep", "speed"): "0",
+    ("cd_membrane_set_sleep", "speed"): "0",
     ("cd_membrane", "solver"): "CD_SOLVER_AUTO",
     ("cd_membrane_set_stiffness", "along_u"): "1",
     ("cd_membrane_set_stiffness", "along_v"): "1",

@@ -402,6 +402,7 @@ export interface ChainOptions {
   stiffnessDamping?: number;
   gravity?: Numbers;
   ring?: boolean;
+  sleep?: { speed?: number; seconds?: number };
   restLength?: number;
   push?: boolean;
   strength?: number;
@@ -552,6 +553,27 @@ export class Chain extends Handle {
    */
   get ring(): boolean;
   set ring(value: boolean);
+
+  /**
+   * Lets what has come to rest sleep: steps leave it as it is, at no cost. Strands of a rope do so one by one, others
+   * all
+   * together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step left a free node of it
+   * faster
+   * than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and none gained.
+   * Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity, or what is thrown
+   * may
+   * stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0.
+   * Colliders that move, or ask a callback, keep everything awake. What changes a strand wakes it, with whatever
+   * numbers:
+   * a write, an impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the kernels and the
+   * tolerance. Who sleeps is part of the state, and the same whatever hook and kernels.
+   * Errors: "errorValue"; "errorMemory".
+   */
+  get sleep(): { speed: number; seconds: number };
+  set sleep(value: { speed?: number; seconds?: number });
+
+  /** How many nodes are awake: those that the next step moves. */
+  get awake(): number;
 
   // ---- ropes: springs that have a length ----------------------------------------------------------------------------
   // A rope is a chain with a rest length: the components of a node, 1 to 3, are directions of space, and a spring pulls
@@ -1057,6 +1079,7 @@ export interface MembraneOptions {
   gravity?: Numbers;
   pressure?: number;
   ring?: { alongU?: boolean; alongV?: boolean };
+  sleep?: { speed?: number; seconds?: number };
   restLength?: { alongU?: number; alongV?: number };
   shear?: number;
   compression?: number;
@@ -1073,8 +1096,7 @@ export interface MembraneOptions {
 }
 
 /**
- * contdyn: a membrane: a sheet of nodes joined by springs in two directions: drum, balloon, thin plate; with rest
- * lengths cloth, flags and capes.
+ * contdyn: a membrane: nodes joined by springs in two directions: drum, balloon, plate, and with rest lengths cloth.
  *
  * A membrane has `nu` springs along u and `nv` along v, and (nu + 1) (nv + 1) nodes; node (u, v) has the number
  * v (nu + 1) + u wherever nodes are listed. A node has 1 to 4 components that never mix. A direction can be closed to a
@@ -1114,14 +1136,12 @@ export interface MembraneOptions {
  * Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance;
  * the momentum of a free sheet is kept too, of one torn into parts that of each part, however stiff they are (uniform
  * free sheets, alternating, up to a stiffness of 1e19 times mass / h^2). On uniform sheets, alternating, the energy so
- * kept counts the extra mass in what moves; in "float32" each rounding of a velocity is then a kick of
- * so many times its energy: take "float64" or the coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with
- * stiffness damping are first order in time under the alternating solver, all else is second.
+ * kept counts the extra mass in what moves; in "float32" each rounding of a velocity is then a kick of so many times
+ * its energy: take "float64" or the coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with stiffness damping
+ * are first order in time under the alternating solver, all else is second.
  *
- * All computing is done in double precision; "float32" is what positions, velocities, forces and targets are stored
- * in. (Steps of symplectic Euler on uniform sheets without damping and forces compute in float32 and are as exact.)
- * Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are taken for 0 where a step
- * stores them, so that a scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
+ * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
+ * 1e60, masses as small as 1e-60.
  *
  * Every function returns "errorNull" for a null pointer and "errorHandle" for a handle of another kind; the
  * comments name the other errors. Functions that the chain has too mean the same here.
@@ -1153,10 +1173,7 @@ export class Membrane extends Handle {
   get solver(): Solver;
   set solver(value: Solver);
 
-  /**
-   * Which of the two the last call of step took; "auto" if it had no such system to solve, or there
-   * was none. Not part of the saved state.
-   */
+  /** Which of the two the last call of step took; "auto": neither. Not part of the saved state. */
   get solverTaken(): Solver;
 
   /**
@@ -1284,12 +1301,28 @@ export class Membrane extends Handle {
   getEdge(edge: Edge): Node;
 
   /**
-   * Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and
-   * the fields of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors: "errorValue" for
-   * anything but 0 and 1; "errorUnsupported" with fewer than 3 nodes or a matched edge; "errorMemory".
+   * Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and fields
+   * of
+   * masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors: "errorValue" for anything but 0 and
+   * 1; "errorUnsupported" with fewer than 3 nodes or a matched edge; "errorMemory".
    */
   get ring(): { alongU: boolean; alongV: boolean };
   set ring(value: { alongU?: boolean; alongV?: boolean });
+
+  /**
+   * Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s],
+   * in
+   * [1e-30, 1e60]: as sleep says. Errors: "errorValue"; "errorMemory".
+   */
+  get sleep(): { speed: number; seconds: number };
+  set sleep(value: { speed?: number; seconds?: number });
+
+  /**
+   * Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s],
+   * in
+   * [1e-30, 1e60]: as sleep says. Errors: "errorValue"; "errorMemory".
+   */
+  get awake(): number;
 
   // ---- cloth: springs that have a length ----------------------------------------------------------------------------
   // Cloth is a membrane with rest lengths. The 3 components of a node are directions of space, and a spring of
@@ -1308,8 +1341,7 @@ export class Membrane extends Handle {
   // 10 mass / dt^2 [N/m] falls to 5% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass
   // /
   // dt^2 it falls a quarter too slowly, and far beyond as through syrup. lambda = 1 damps motion that a step does not
-  // resolve, lambda nearer 1/2 less of it, for more effort; steps are first order in time. A free sheet keeps its
-  // momentum.
+  // resolve, lambda nearer 1/2 less of it, for more effort; steps are first order in time. Momentum is kept.
   // Cloth needs "implicit" with lambda in [1/2, 1], no matched edge and no stiffness damping: step
   // says "errorUnsupported". It has a solver of its own: solver and set_tolerance do not matter.
 

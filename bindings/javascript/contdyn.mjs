@@ -337,6 +337,24 @@ export class Chain extends Handle {
     check(wasm.cd_chain_set_ring(addressOf(this, Chain), flag(ring, "ring")));
   }
 
+  get sleep() {
+    check(wasm.cd_chain_get_sleep(addressOf(this, Chain), result(0), result(1)));
+    return {
+      speed: real(0),
+      seconds: real(1),
+    };
+  }
+
+  set sleep(numbers) {
+    const { speed, seconds } = several(numbers, () => this.sleep, "sleep", ["speed", "seconds"]);
+    check(wasm.cd_chain_set_sleep(addressOf(this, Chain), number(speed, "speed"), number(seconds, "seconds")));
+  }
+
+  get awake() {
+    check(wasm.cd_chain_get_awake(addressOf(this, Chain), result(0)));
+    return whole(0);
+  }
+
   get restLength() {
     check(wasm.cd_chain_get_rest_length(addressOf(this, Chain), result(0)));
     return real(0);
@@ -933,6 +951,24 @@ export class Membrane extends Handle {
   set ring(numbers) {
     const { alongU, alongV } = several(numbers, () => this.ring, "ring", ["alongU", "alongV"]);
     check(wasm.cd_membrane_set_ring(addressOf(this, Membrane), flag(alongU, "alongU"), flag(alongV, "alongV")));
+  }
+
+  get sleep() {
+    check(wasm.cd_membrane_get_sleep(addressOf(this, Membrane), result(0), result(1)));
+    return {
+      speed: real(0),
+      seconds: real(1),
+    };
+  }
+
+  set sleep(numbers) {
+    const { speed, seconds } = several(numbers, () => this.sleep, "sleep", ["speed", "seconds"]);
+    check(wasm.cd_membrane_set_sleep(addressOf(this, Membrane), number(speed, "speed"), number(seconds, "seconds")));
+  }
+
+  get awake() {
+    check(wasm.cd_membrane_get_awake(addressOf(this, Membrane), result(0)));
+    return whole(0);
   }
 
   get restLength() {

@@ -124,6 +124,21 @@ CD_API cd_status cd_chain_get_end(const cd_chain* chain, cd_end end, cd_node* ou
 CD_API cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring);
 CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
 
+/* Lets what has come to rest sleep: steps leave it as it is, at no cost. Strands of a rope do so one by one, others all
+ * together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step left a free node of it faster
+ * than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and none gained.
+ * Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity, or what is thrown may
+ * stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0.
+ * Colliders that move, or ask a callback, keep everything awake. What changes a strand wakes it, with whatever numbers:
+ * a write, an impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the kernels and the
+ * tolerance. Who sleeps is part of the state, and the same whatever hook and kernels.
+ * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
+CD_API cd_status cd_chain_set_sleep(cd_chain* chain, double speed, double seconds);
+CD_API cd_status cd_chain_get_sleep(const cd_chain* chain, double* out_speed, double* out_seconds);
+
+/* How many nodes are awake: those that the next step moves. */
+CD_API cd_status cd_chain_get_awake(const cd_chain* chain, size_t* out_nodes);
+
 /* ---- ropes: springs that have a length --------------------------------------------------------------------------- */
 /* A rope is a chain with a rest length: the components of a node, 1 to 3, are directions of space, and a spring pulls
  * along itself by k_i (|x_{i+1} - x_i| - length_i) once it is longer than its length; shorter it is slack. k_i may be

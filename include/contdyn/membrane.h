@@ -1,5 +1,4 @@
-/* contdyn: a membrane: a sheet of nodes joined by springs in two directions: drum, balloon, thin plate; with rest
- * lengths cloth, flags and capes.
+/* contdyn: a membrane: nodes joined by springs in two directions: drum, balloon, plate, and with rest lengths cloth.
  *
  * A membrane has `nu` springs along u and `nv` along v, and (nu + 1) (nv + 1) nodes; node (u, v) has the number
  * v (nu + 1) + u wherever nodes are listed. A node has 1 to 4 components that never mix. A direction can be closed to a
@@ -38,14 +37,12 @@
  * Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance;
  * the momentum of a free sheet is kept too, of one torn into parts that of each part, however stiff they are (uniform
  * free sheets, alternating, up to a stiffness of 1e19 times mass / h^2). On uniform sheets, alternating, the energy so
- * kept counts the extra mass in what moves; in CD_FLOAT32 each rounding of a velocity is then a kick of
- * so many times its energy: take CD_FLOAT64 or the coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with
- * stiffness damping are first order in time under the alternating solver, all else is second.
+ * kept counts the extra mass in what moves; in CD_FLOAT32 each rounding of a velocity is then a kick of so many times
+ * its energy: take CD_FLOAT64 or the coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with stiffness damping
+ * are first order in time under the alternating solver, all else is second.
  *
- * All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are stored
- * in. (Steps of symplectic Euler on uniform sheets without damping and forces compute in float32 and are as exact.)
- * Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are taken for 0 where a step
- * stores them, so that a scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
+ * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
+ * 1e60, masses as small as 1e-60.
  *
  * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
  * comments name the other errors. Functions that the chain has too mean the same here. */
@@ -98,8 +95,7 @@ CD_API cd_status cd_membrane_get_lambda(const cd_membrane* membrane, double* out
 /* How implicit steps solve their system; see above. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_set_solver(cd_membrane* membrane, cd_solver solver);
 CD_API cd_status cd_membrane_get_solver(const cd_membrane* membrane, cd_solver* out_solver);
-/* Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO if it had no such system to solve, or there
- * was none. Not part of the saved state. */
+/* Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO: neither. Not part of the saved state. */
 CD_API cd_status cd_membrane_get_solver_taken(const cd_membrane* membrane, cd_solver* out_solver);
 
 /* When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
@@ -186,11 +182,17 @@ CD_API cd_status cd_membrane_get_pressure(const cd_membrane* membrane, double* o
 CD_API cd_status cd_membrane_set_edge(cd_membrane* membrane, cd_edge edge, cd_node kind);
 CD_API cd_status cd_membrane_get_edge(const cd_membrane* membrane, cd_edge edge, cd_node* out_kind);
 
-/* Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and
- * the fields of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors: CD_ERROR_VALUE for
- * anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge; CD_ERROR_MEMORY. */
+/* Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and fields of
+ * masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors: CD_ERROR_VALUE for anything but 0 and
+ * 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge; CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_set_ring(cd_membrane* membrane, int32_t along_u, int32_t along_v);
 CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_along_u, int32_t* out_along_v);
+
+/* Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s], in
+ * [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
+CD_API cd_status cd_membrane_set_sleep(cd_membrane* membrane, double speed, double seconds);
+CD_API cd_status cd_membrane_get_sleep(const cd_membrane* membrane, double* out_speed, double* out_seconds);
+CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_nodes);
 
 /* ---- cloth: springs that have a length --------------------------------------------------------------------------- */
 /* Cloth is a membrane with rest lengths. The 3 components of a node are directions of space, and a spring of stiffness
@@ -206,8 +208,7 @@ CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_
  * colliders that move. What a step does not reach, slows the sheet down: with the default effort one of a stiffness of
  * 10 mass / dt^2 [N/m] falls to 5% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass /
  * dt^2 it falls a quarter too slowly, and far beyond as through syrup. lambda = 1 damps motion that a step does not
- * resolve, lambda nearer 1/2 less of it, for more effort; steps are first order in time. A free sheet keeps its
- * momentum.
+ * resolve, lambda nearer 1/2 less of it, for more effort; steps are first order in time. Momentum is kept.
  * Cloth needs CD_METHOD_IMPLICIT with lambda in [1/2, 1], no matched edge and no stiffness damping: cd_membrane_step
  * says CD_ERROR_UNSUPPORTED. It has a solver of its own: cd_membrane_set_solver and set_tolerance do not matter. */
 

@@ -87,6 +87,7 @@ struct Part {
 
     void written(Chain& c) const {
         if (!is_state(field)) c.prepared_dt = 0;
+        if (n > 0) wake(c, first_strand, strands);
         if (field == CD_PIN) stop_pinned(c);
         if (field == CD_VELOCITY || !is_state(field)) merge_velocities(c, 0, c.lines);
     }
@@ -161,6 +162,7 @@ cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const do
             const size_t at = place(c, strand, (group.first + k) % c.nodes, j);
             set_number(c, c.velocity, at, get_number(c, c.velocity, at) + impulse[j] / mass);
         }
+    wake(c, strand, 1);
     return CD_OK;
 }
 
@@ -191,9 +193,11 @@ cd_status cd_chain_teleport(cd_chain* chain, size_t strand, const double* rotati
                             size_t count) {
     CD_OPEN(chain, c);
     CD_CHECK(is_index(__func__, "strand", strand, c.strands));
-    return shared::teleport(__func__, c, rotation, offset, count, 1, [&](auto f) {
+    CD_CHECK(shared::teleport(__func__, c, rotation, offset, count, 1, [&](auto f) {
         for (size_t i = 0; i < c.nodes; ++i) f(place(c, strand, i, 0));
-    });
+    }));
+    wake(c, strand, 1);
+    return CD_OK;
 }
 
 // A node or spring of a strand that has its own, or of all strands.
@@ -232,6 +236,7 @@ cd_status cd_chain_cut(cd_chain* chain, size_t strand, size_t spring) {
     CD_CHECK(shared::switch_field(__func__, c, CD_STIFFNESS, true));
     c.spring_stiffness[own_place(c, strand, spring)] = 0;
     c.prepared_dt = 0;
+    wake(c, strand, 1);
     return CD_OK;
 }
 
@@ -245,6 +250,7 @@ cd_status cd_chain_weld(cd_chain* chain, size_t strand, size_t spring) {
     CD_CHECK(shared::switch_field(__func__, c, CD_STIFFNESS, true));
     c.spring_stiffness[own_place(c, strand, spring)] = double(INFINITY);
     c.prepared_dt = 0;
+    wake(c, strand, 1);
     merge_velocities(c, 0, c.lines);
     return CD_OK;
 }

@@ -69,7 +69,7 @@ cd_status cd_membrane_set_stiffness(cd_membrane* membrane, double along_u, doubl
     m.stiffness[kV] = along_v;
     fill_uniform(m, CD_STIFFNESS_U);
     fill_uniform(m, CD_STIFFNESS_V);
-    m.prepared_dt = 0;
+    change(m);
     return CD_OK;
 }
 
@@ -92,6 +92,7 @@ cd_status cd_membrane_set_pressure(cd_membrane* membrane, double pressure) {
     wanted.pressure = pressure != 0;
     CD_CHECK(shared::change_features(__func__, m, wanted));
     m.pressure = pressure;
+    wake(m);
     return CD_OK;
 }
 

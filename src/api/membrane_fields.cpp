@@ -87,6 +87,7 @@ struct Rectangle {
 
     void written(Membrane& m) const {
         if (!is_state(field)) m.prepared_dt = 0;
+        if (n_u > 0 && n_v > 0) wake(m);
         if (field == CD_PIN || field == CD_MASK) stop_nodes(m);
     }
 };
@@ -173,14 +174,17 @@ cd_status cd_membrane_impulse(cd_membrane* membrane, double u, double v, double 
         return fail(CD_ERROR_VALUE, __func__, "impulse[%zu] is %g: a node's velocity would be %g", bad, impulse[bad],
                     most);
     each([&](size_t, size_t at, double velocity) { set_number(m, m.velocity, at, velocity); });
+    wake(m);
     return CD_OK;
 }
 
 cd_status cd_membrane_teleport(cd_membrane* membrane, const double* rotation, const double* offset, size_t count) {
     CD_OPEN(membrane, m);
-    return shared::teleport(__func__, m, rotation, offset, count, m.plane, [&](auto f) {
+    CD_CHECK(shared::teleport(__func__, m, rotation, offset, count, m.plane, [&](auto f) {
         for (size_t i = 0; i < m.nodes; ++i) f(place(m, i % m.columns, i / m.columns, 0));
-    });
+    }));
+    wake(m);
+    return CD_OK;
 }
 
 cd_status cd_membrane_attach(cd_membrane* membrane, size_t u, size_t v, double stiffness, double damping,

@@ -71,7 +71,7 @@ inline cd_status set_parameter(const char* function, Object& o, const char* name
                                double least = 0, double most = kMost) {
     CD_CHECK(in_range(function, name, value, least, most));
     parameter = value;
-    o.prepared_dt = 0;
+    change(o);
     return CD_OK;
 }
 
@@ -101,7 +101,7 @@ template <class X> cd_status set_mass_rule(const char* function, X& x, cd_mass_r
     CD_CHECK(is_enum(function, "rule", rule, CD_MASS_HALF_ENDS));
     x.mass_rule = rule;
     for (cd_field field : {CD_MASS, CD_STIFFNESS_U, CD_STIFFNESS_V}) fill_uniform(x, field);
-    x.prepared_dt = 0;
+    change(x);
     return CD_OK;
 }
 
@@ -112,7 +112,7 @@ template <class X> cd_status set_bend(const char* function, X& x, double bend) {
     CD_CHECK(change_features(function, x, wanted));
     x.bend = bend;
     fill_uniform(x, CD_BEND);
-    x.prepared_dt = 0;
+    change(x);
     return CD_OK;
 }
 
@@ -121,6 +121,7 @@ inline cd_status set_gravity(const char* function, Body& b, const double* gravit
     CD_CHECK(is_count(function, "count", count, b.components));
     CD_CHECK(are_numbers(function, "gravity", gravity, count, b.precision == CD_FLOAT64 ? kMost : 1e30));
     memcpy(b.gravity, gravity, count * sizeof(double));
+    wake(b);
     return CD_OK;
 }
 
@@ -128,6 +129,24 @@ inline cd_status get_gravity(const char* function, const Body& b, double* out_gr
     CD_CHECK(not_null(function, "out_gravity", out_gravity));
     CD_CHECK(is_count(function, "count", count, b.components));
     memcpy(out_gravity, b.gravity, count * sizeof(double));
+    return CD_OK;
+}
+
+template <class X> cd_status set_sleep(const char* function, X& x, double speed, double seconds) {
+    CD_CHECK(in_range(function, "speed", speed, 0, kMost));
+    if (speed > 0) CD_CHECK(in_range(function, "seconds", seconds, kLeastStep, kMost));
+    auto wanted = features(x);
+    wanted.sleep = speed > 0;
+    CD_CHECK(change_features(function, x, wanted));
+    x.sleep_speed = speed + 0.0; // not -0
+    x.sleep_seconds = speed > 0 ? seconds : 0;
+    wake(x);
+    return CD_OK;
+}
+inline cd_status get_sleep(const char* function, const Body& b, double* out_speed, double* out_seconds) {
+    CD_CHECK(not_null(function, "out_seconds", out_seconds));
+    CD_CHECK(tell(function, "out_speed", out_speed, b.sleep_speed));
+    *out_seconds = b.sleep_seconds;
     return CD_OK;
 }
 
@@ -171,7 +190,7 @@ template <class X> cd_status disable_field(const char* function, X& x, cd_field 
 
 // ---- attachments ----------------------------------------------------------------------------------------------------
 
-// each_place(f) makes f(component, place) for every number that the node has in an array of the state.
+// node: where a field per node has its number. each_place(f) makes f(component, place) for every number that the node has in an array of the state.
 template <class X, class EachPlace> cd_status attach(const char* function, X& x, size_t node, double stiffness,
                                                      double damping, const double* target, size_t count,
                                                      EachPlace each_place) {
@@ -187,6 +206,7 @@ template <class X, class EachPlace> cd_status attach(const char* function, X& x,
         set_number(x, x.target, at, target ? target[component] : get_number(x, x.position, at));
     });
     x.prepared_dt = 0;
+    wake(x, node, 1);
     return CD_OK;
 }
 
@@ -194,6 +214,7 @@ inline cd_status detach(Body& b, size_t node) {
     if (!b.target) return CD_OK;
     b.attach_stiffness[node] = b.attach_damping[node] = 0;
     b.prepared_dt = 0;
+    wake(b, node, 1);
     return CD_OK;
 }
 
@@ -404,23 +425,27 @@ template <class X, class Handle> cd_status copy_state(const char* function, X& x
     }
 
 // And what a body has.
-#define CD_BODY_FUNCTIONS(object)                                                                            \
-    CD_FUNCTION(object, , set_mass, (double mass), shared::set_mass(__func__, x, mass))                      \
-    CD_GETTER(object, get_mass, double, out_mass, x.mass)                                                    \
-    CD_FUNCTION(object, , set_mass_rule, (cd_mass_rule rule), shared::set_mass_rule(__func__, x, rule))      \
-    CD_GETTER(object, get_mass_rule, cd_mass_rule, out_rule, x.mass_rule)                                    \
-    CD_FUNCTION(object, , set_bend, (double bend), shared::set_bend(__func__, x, bend))                      \
-    CD_GETTER(object, get_bend, double, out_bend, x.bend)                                                    \
-    CD_FUNCTION(object, , set_drag, (double drag), shared::set_parameter(__func__, x, "drag", drag, x.drag)) \
-    CD_GETTER(object, get_drag, double, out_drag, x.drag)                                                    \
-    CD_FUNCTION(object, , set_stiffness_damping, (double seconds),                                           \
-                shared::set_parameter(__func__, x, "seconds", seconds, x.damping))                           \
-    CD_GETTER(object, get_stiffness_damping, double, out_seconds, x.damping)                                 \
-    CD_FUNCTION(object, , set_gravity, (const double* gravity, size_t count),                                \
-                shared::set_gravity(__func__, x, gravity, count))                                            \
-    CD_FUNCTION(object, const, get_gravity, (double* out_gravity, size_t count),                             \
-                shared::get_gravity(__func__, x, out_gravity, count))                                        \
-    CD_FUNCTION(object, const, get_energy, (double* out_kinetic, double* out_elastic, double* out_gravity),  \
-                shared::get_energy(x, out_kinetic, out_elastic, out_gravity))                                \
-    CD_FUNCTION(object, const, get_momentum, (double* out_momentum, size_t count),                           \
+#define CD_BODY_FUNCTIONS(object)                                                                                    \
+    CD_FUNCTION(object, , set_mass, (double mass), shared::set_mass(__func__, x, mass))                              \
+    CD_GETTER(object, get_mass, double, out_mass, x.mass)                                                            \
+    CD_FUNCTION(object, , set_mass_rule, (cd_mass_rule rule), shared::set_mass_rule(__func__, x, rule))              \
+    CD_GETTER(object, get_mass_rule, cd_mass_rule, out_rule, x.mass_rule)                                            \
+    CD_FUNCTION(object, , set_bend, (double bend), shared::set_bend(__func__, x, bend))                              \
+    CD_GETTER(object, get_bend, double, out_bend, x.bend)                                                            \
+    CD_FUNCTION(object, , set_drag, (double drag), shared::set_parameter(__func__, x, "drag", drag, x.drag))         \
+    CD_GETTER(object, get_drag, double, out_drag, x.drag)                                                            \
+    CD_FUNCTION(object, , set_stiffness_damping, (double seconds),                                                   \
+                shared::set_parameter(__func__, x, "seconds", seconds, x.damping))                                   \
+    CD_GETTER(object, get_stiffness_damping, double, out_seconds, x.damping)                                         \
+    CD_FUNCTION(object, , set_gravity, (const double* gravity, size_t count),                                        \
+                shared::set_gravity(__func__, x, gravity, count))                                                    \
+    CD_FUNCTION(object, const, get_gravity, (double* out_gravity, size_t count),                                     \
+                shared::get_gravity(__func__, x, out_gravity, count))                                                \
+    CD_FUNCTION(object, , set_sleep, (double speed, double seconds), shared::set_sleep(__func__, x, speed, seconds)) \
+    CD_FUNCTION(object, const, get_sleep, (double* out_speed, double* out_seconds),                                  \
+                shared::get_sleep(__func__, x, out_speed, out_seconds))                                              \
+    CD_GETTER(object, get_awake, size_t, out_nodes, awake_nodes(x))                                                  \
+    CD_FUNCTION(object, const, get_energy, (double* out_kinetic, double* out_elastic, double* out_gravity),          \
+                shared::get_energy(x, out_kinetic, out_elastic, out_gravity))                                        \
+    CD_FUNCTION(object, const, get_momentum, (double* out_momentum, size_t count),                                   \
                 shared::get_momentum(__func__, x, out_momentum, count))

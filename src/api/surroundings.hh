@@ -19,6 +19,7 @@ template <class X> cd_status set_air(const char* function, X& x, double along, d
     CD_CHECK(change_features(function, x, wanted));
     air_of(x).along = along + 0.0; // not -0
     air_of(x).across = across + 0.0;
+    wake(x);
     return CD_OK;
 }
 
@@ -36,6 +37,7 @@ template <class X> cd_status set_wind(const char* function, X& x, const double* 
     CD_CHECK(feels_air(function, x));
     for (size_t k = 0; k < count; ++k) air_of(x).wind[k] = velocity[k] + 0.0; // not -0
     fill_uniform(x, CD_WIND);
+    wake(x);
     return CD_OK;
 }
 
@@ -71,10 +73,11 @@ template <class X> cd_status set_colliders(const char* function, X& x, size_t co
 
 // name: what the distance is called
 template <class X>
-cd_status set_thickness(const char* function, const X& x, const char* name, double distance, double& thickness) {
+cd_status set_thickness(const char* function, X& x, const char* name, double distance, double& thickness) {
     CD_CHECK(in_range(function, name, distance, 0, kMost));
     CD_CHECK(touches(function, x));
     thickness = distance + 0.0; // not -0
+    wake(x);
     return CD_OK;
 }
 
@@ -103,6 +106,7 @@ template <class X> cd_status reshape(const char* function, X& x, size_t index, c
     for (int k = 0; k < 3; ++k) made.velocity[k] = to.velocity[k];
     to = made;
     forget_callbacks(x);
+    wake(x);
     return CD_OK;
 }
 
@@ -151,10 +155,9 @@ inline cd_status is_lattice(const char* function, size_t components, size_t colu
                 rows);
 }
 
-template <class X>
-cd_status set_bed(const char* function, X& x, size_t index, const double* origin, size_t count, size_t columns,
-                  size_t rows, double column_spacing, double row_spacing, const double* heights, size_t height_count,
-                  double friction) {
+template <class X> cd_status set_bed(const char* function, X& x, size_t index, const double* origin, size_t count,
+                                     size_t columns, size_t rows, double column_spacing, double row_spacing,
+                                     const double* heights, size_t height_count, double friction) {
     CD_CHECK(is_collider(function, x, index, count));
     CD_CHECK(is_vector(function, "origin", origin, count));
     CD_CHECK(is_lattice(function, count, columns, rows, height_count));
@@ -219,6 +222,7 @@ cd_status set_collider_velocity(const char* function, X& x, size_t index, const 
     const double now = x.clock.time();
     for (size_t k = 0; k < count; ++k) to.point[k] = to.place(int(k), now), to.velocity[k] = velocity[k];
     to.since = now;
+    wake(x);
     return CD_OK;
 }
 
@@ -265,7 +269,7 @@ template <class X> cd_status get_collider(const char* function, const X& x, size
                 shared::set_bed(__func__, x, index, origin, count, columns, rows, column_spacing, row_spacing,         \
                                 heights, height_count, friction))                                                      \
     CD_FUNCTION(object, const, get_bed,                                                                                \
-                (size_t index, size_t * out_columns, size_t* out_rows, double* out_heights, size_t height_count),      \
+                (size_t index, size_t * out_columns, size_t * out_rows, double* out_heights, size_t height_count),     \
                 shared::get_bed(__func__, x, index, out_columns, out_rows, out_heights, height_count))                 \
     CD_FUNCTION(object, , set_callback,                                                                                \
                 (size_t index, const cd_distance* distance, const double* origin, size_t count, double friction),      \

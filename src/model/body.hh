@@ -12,6 +12,7 @@ namespace cd {
 struct BodySettings : ObjectSettings {
     cd_mass_rule mass_rule;
     double mass, drag, damping, gravity[4];
+    double sleep_speed, sleep_seconds; // see model/sleep.hh; both 0: no part may sleep
 };
 
 // The air around ropes and cloth.
@@ -151,12 +152,13 @@ inline void clear_state(Body& b) {
     memset(b.position.data, 0, b.position.bytes());
     memset(b.velocity.data, 0, b.velocity.bytes());
     b.clock = {};
+    wake(b);
 }
 
 // What costs memory, in one value, so that features change all together or not at all.
 struct BodyFeatures {
     cd_method method;
-    bool node_mass, force, target, bend, air, wind;
+    bool node_mass, force, target, bend, air, wind, sleep;
     ColliderSizes colliders;
 };
 
@@ -169,12 +171,13 @@ inline const char* left_out(const BodyFeatures& f) {
 
 // The memory that such features change.
 struct BodyChanges {
-    Change<double> mass, attach_stiffness, attach_damping, coefficients, scratch, colliders, beds;
+    Change<double> mass, attach_stiffness, attach_damping, coefficients, scratch, colliders, beds, calm;
     Change<cd_distance> callbacks;
     Change<char> force, target, wind;
 
-    // numbers: of a field that has one per node, or one per node and strand
-    BodyChanges(Body& b, const BodyFeatures& wanted, size_t numbers, size_t coefficients_needed, size_t scratch_needed)
+    // numbers: of a field that has one per node, or one per node and strand; parts: that may sleep
+    BodyChanges(Body& b, const BodyFeatures& wanted, size_t numbers, size_t parts, size_t coefficients_needed,
+                size_t scratch_needed)
         : mass{b.node_mass, wanted.node_mass ? numbers : 0},
           attach_stiffness{b.attach_stiffness, wanted.target ? numbers : 0},
           attach_damping{b.attach_damping, wanted.target ? numbers : 0},
@@ -182,6 +185,7 @@ struct BodyChanges {
           scratch{b.scratch, scratch_needed},
           colliders{b.colliders, wanted.colliders.count * kColliderNumbers},
           beds{b.beds, wanted.colliders.beds},
+          calm{b.calm, wanted.sleep ? parts : 0},
           callbacks{b.callbacks, wanted.colliders.callbacks > 0 ? wanted.colliders.count : 0},
           force{b.force, wanted.force ? b.position.count : 0},
           target{b.target, wanted.target ? b.position.count : 0},
@@ -189,13 +193,14 @@ struct BodyChanges {
 
     template <class F> bool all(F f) {
         return f(mass) && f(attach_stiffness) && f(attach_damping) && f(coefficients) && f(scratch) && f(colliders) &&
-               f(beds) && f(callbacks) && f(force) && f(target) && f(wind);
+               f(beds) && f(calm) && f(callbacks) && f(force) && f(target) && f(wind);
     }
     // Before they are put: what there is of colliders stays.
     void carry_over() const { colliders.carry_over(), beds.carry_over(), callbacks.carry_over(); }
     // A new target is the present position. New masses and winds are for the object to fill.
     void fill(Body& b) const {
         if (target.is_new()) memcpy(b.target.data, b.position.data, b.target.count);
+        if (calm.is_new()) wake(b);
     }
 };
 

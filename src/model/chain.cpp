@@ -64,7 +64,7 @@ static bool line_pitch(size_t lines, size_t number, size_t& out) {
 
 Features features(const Chain& c) {
     return {{c.method, bool(c.node_mass), bool(c.force), bool(c.target), c.bend > 0, c.air.resists(), bool(c.wind),
-             collider_sizes(c, collider_count(c))},
+             c.sleep_speed > 0, collider_sizes(c, collider_count(c))},
             bool(c.spring_stiffness),
             bool(c.node_bend),
             c.ring != 0,
@@ -100,7 +100,7 @@ bool set_features(Chain& c, const Features& wanted) {
     const Needs needs = needs_of(c, wanted);
     const size_t springs = c.springs + (wanted.ring ? 1 : 0);
     const size_t own = wanted.length ? c.strands : 1;
-    BodyChanges body(c, wanted, c.nodes * own, needs.coefficients, needs.scratch);
+    BodyChanges body(c, wanted, c.nodes * own, own, needs.coefficients, needs.scratch);
     Change<uint8_t> pin{c.pin, c.nodes * own};
     Change<double> stiffness{c.spring_stiffness, wanted.spring_stiffness ? springs * own : 0};
     Change<double> bend{c.node_bend, wanted.node_bend ? c.nodes * own : 0};
@@ -130,7 +130,7 @@ bool set_features(Chain& c, const Features& wanted) {
     if (strength.is_new()) fill_uniform(c, CD_STRENGTH);
     if (body.wind.is_new()) fill_uniform(c, CD_WIND);
     body.fill(c);
-    c.prepared_dt = 0;
+    change(c);
     return true;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contdyn/chain.h"
-#include "model/body.hh"
+#include "model/sleep.hh"
 
 namespace cd {
 
@@ -59,7 +59,7 @@ struct Chain : Body, ChainSettings {
         f(c.pin...), f(c.node_mass...), f(c.spring_stiffness...), f(c.node_bend...), f(c.spring_length...);
         f(c.spring_strength...);
         f(c.attach_stiffness...), f(c.attach_damping...), f(c.position...), f(c.velocity...), f(c.force...);
-        f(c.target...), f(c.tension...), f(c.wind...), f(c.colliders...), f(c.beds...);
+        f(c.target...), f(c.tension...), f(c.wind...), f(c.colliders...), f(c.beds...), f(c.calm...);
     }
     template <class F> static void each_array(F f, Chain& c) {
         each_field(f, c);
@@ -194,6 +194,20 @@ void hold_nodes(Chain& c);
 uint64_t step_chain(Chain& c, double dt, size_t count);
 double stable_dt(const Chain& c); // chain_limit.cpp
 
+// Part of a chain that sleeps as a whole, see model/sleep.hh: a strand, where strands are individuals, or all of them.
+struct ChainPart {
+    const Chain& c;
+    size_t number, strands, nodes;
+    static constexpr size_t step = 1;
+
+    ChainPart(const Chain& chain, size_t part)
+        : c(chain), number(part), strands(c.strands / own_strands(c)), nodes(c.nodes * strands) {}
+    size_t place(size_t i) const { return cd::place(c, number + i % strands, i / strands, 0); }
+    bool held(size_t i) const { return cd::held(c, own_place(c, number + i % strands, i / strands)); }
+};
+
+inline size_t awake_nodes(const Chain& c) { return (own_strands(c) - sleeping_parts(c)) * ChainPart(c, 0).nodes; }
+
 // ---- springs that have a length (chain_rope.cpp) --------------------------------------------------------------------
 
 // Why such a chain can't make its next step, or null.
@@ -206,7 +220,7 @@ struct RopeNeeds {
 size_t rope_scratch(const Chain& c, const RopeNeeds& needs);
 size_t rope_coefficients(const Chain& c, size_t colliders);
 // As step_chain; leaves `iterations`, `residual` and `broken`.
-uint64_t step_ropes(Chain& c, double dt, size_t count);
+uint64_t step_ropes(Chain& c, double dt, size_t count, bool may_sleep);
 // Positions, velocities, tensions and time back to 0.
 void clear_state(Chain& c);
 

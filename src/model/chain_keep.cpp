@@ -60,7 +60,8 @@ struct ChainKeep {
     template <class W> static void walk_numbers(W& w, ChainSettings& s) { walk(w, s.stiffness), walk(w, s.bend); }
 
     static bool valid(const Chain& c, const Settings& s) {
-        const uint32_t optional = 1u << CD_MASS | 1u << CD_STIFFNESS | 1u << CD_BEND | 1u << CD_FORCE | 1u << CD_TARGET;
+        const uint32_t optional =
+            1u << CD_MASS | 1u << CD_STIFFNESS | 1u << CD_BEND | 1u << CD_FORCE | 1u << CD_TARGET | KeptBody::kOfSleep;
         const uint32_t of_ropes = s.fields & (kOfRopes | kOfAir | kOfStrength | kOfContacts | kOfShapes |
                                               1u << CD_REST_LENGTH | 1u << CD_WIND | 1u << CD_STRENGTH);
         return valid_body(s) && (s.fields & ~(optional | of_ropes)) == 0 &&
@@ -116,7 +117,7 @@ struct ChainKeep {
             check.numbers<double>(springs, [](double t, size_t) { return valid_mass(t) || (isinf(t) && t > 0); });
         const SavedNumbers velocity = check_ties_and_state(check, c, layout_of(c), s, nodes);
         if (rope) check.numbers<double>(springs, [](double t, size_t) { return isfinite(t) != 0; });
-        if (!check_surroundings(check, c, layout_of(c), s)) return false;
+        if (!check_surroundings(check, c, layout_of(c), s, own)) return false;
         return rope ? pinned_rest(c, pin, velocity) : nodes_are_held(c, s.own.ring != 0, pin, stiffness, velocity);
     }
 

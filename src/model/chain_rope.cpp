@@ -31,14 +31,10 @@ RopeParameters parameters_of(Chain& c, bool changed) {
     const auto own = [&](const Array<double>& field, const double* common, size_t of_item) {
         return field ? RopeNumbers<double>{field.data, c.strands, 1} : RopeNumbers<double>{common, of_item, 0};
     };
-    return {own(c.node_mass, mass, 1),
-            own(c.attach_stiffness, one + 2, 0),
-            own(c.attach_damping, one + 2, 0),
-            own(c.spring_length, one, 0),
-            own(c.spring_stiffness, one + 1, 0),
-            own(c.node_bend, one + 3, 0),
-            {c.pin.data, c.strands, 1},
-            c.drag};
+    return {own(c.node_mass, mass, 1),           own(c.attach_stiffness, one + 2, 0),
+            own(c.attach_damping, one + 2, 0),   own(c.spring_length, one, 0),
+            own(c.spring_stiffness, one + 1, 0), own(c.node_bend, one + 3, 0),
+            {c.pin.data, c.strands, 1},          c.drag};
 }
 
 // Cuts, of each of these strands, the spring whose tension is most beyond its strength; tells how many.
@@ -54,9 +50,20 @@ size_t break_springs(Chain& c, size_t first, size_t strands) {
         }
         if (worst == c.tension.count) continue;
         c.spring_stiffness[worst] = c.tension[worst] = 0;
+        wake(c, s, 1);
         ++broken;
     }
     return broken;
+}
+
+// f(first, count) for each run of strands, from `first` to before `end`, that are awake.
+template <class F> void each_awake(const Chain& c, size_t first, size_t end, F f) {
+    while (first < end) {
+        size_t next = first;
+        while (next < end && !sleeps(c, next)) ++next;
+        if (next > first) f(first, next - first);
+        first = next + 1;
+    }
 }
 
 } // namespace
@@ -87,7 +94,7 @@ void clear_state(Chain& c) {
     if (c.tension) memset(c.tension.data, 0, c.tension.bytes());
 }
 
-uint64_t step_ropes(Chain& c, double dt, size_t count) {
+uint64_t step_ropes(Chain& c, double dt, size_t count, bool may_sleep) {
     const bool changed = c.prepared_dt == 0 && must_prepare(c, dt); // they are the same at any dt
     const RopeParameters parameters = parameters_of(c, changed);
     const Ropes ropes = {c.nodes,
@@ -137,10 +144,13 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                 Clock clock = c.clock;
                 clock.advance(dt, s), now.time_before = clock.time();
                 clock.advance(dt, 1), now.time_after = clock.time();
-                const RopeResult result = c.kernels->rope_step(ropes, parameters, now, scratch, first, strands);
-                results[t].add(result);
-                if (!result.finite && s < bad[t]) bad[t] = s;
-                if (can_break(c)) broken[t] += break_springs(c, first, strands);
+                each_awake(c, first, first + strands, [&](size_t from, size_t awake) {
+                    const RopeResult result = c.kernels->rope_step(ropes, parameters, now, scratch, from, awake);
+                    results[t].add(result);
+                    if (!result.finite && s < bad[t]) bad[t] = s;
+                    if (can_break(c)) broken[t] += break_springs(c, from, awake);
+                    for (size_t i = from; i < from + awake && may_sleep; ++i) fall_asleep(c, ChainPart(c, i), dt);
+                });
             }
         }
     };

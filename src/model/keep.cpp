@@ -71,10 +71,8 @@ KeptBody keep_body(const Body& b) {
     const ColliderSizes colliders = collider_sizes(b, collider_count(b));
     return {b,
             bit(bool(b.node_mass), CD_MASS) | bit(bool(b.force), CD_FORCE) | bit(bool(b.target), CD_TARGET) |
-                bit(bool(b.wind), CD_WIND),
-            colliders.count,
-            colliders.beds,
-            colliders.callbacks};
+                bit(bool(b.wind), CD_WIND) | (b.sleep_speed > 0 ? KeptBody::kOfSleep : 0),
+            colliders.count, colliders.beds, colliders.callbacks};
 }
 
 bool valid_body(const KeptBody& kept) {
@@ -84,12 +82,14 @@ bool valid_body(const KeptBody& kept) {
     good &= s.lambda >= 0 && s.lambda <= 1 && valid_mass(s.mass);
     good &= valid_parameter(s.drag) && valid_parameter(s.damping);
     for (double g : s.gravity) good &= fabs(g) <= kMost;
+    if (kept.sleeps()) good &= s.sleep_speed > 0 && s.sleep_speed <= kMost && valid_calm_time(s.sleep_seconds);
     return good && s.clock.is_possible();
 }
 
 BodyFeatures features_of_body(const KeptBody& s, bool bend, const AirSettings& air) {
-    return {s.body.method, s.on(CD_MASS), s.on(CD_FORCE), s.on(CD_TARGET),
-            bend,          air.resists(), s.on(CD_WIND),  {size_t(s.colliders), size_t(s.beds), size_t(s.callbacks)}};
+    return {s.body.method,   s.on(CD_MASS), s.on(CD_FORCE),
+            s.on(CD_TARGET), bend,          air.resists(),
+            s.on(CD_WIND),   s.sleeps(),    {size_t(s.colliders), size_t(s.beds), size_t(s.callbacks)}};
 }
 
 bool valid_air(const Body& b, const AirSettings& air) {
@@ -171,7 +171,7 @@ static bool colliders_are_shaped(const Body& b, const KeptBody& s, SavedNumbers 
     return good && bed_numbers == s.beds && callbacks == s.callbacks;
 }
 
-bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s) {
+bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s, size_t parts) {
     by_precision(b, [&](auto zero) {
         if (s.on(CD_WIND))
             check.numbers<decltype(zero)>(layout.rows * layout.width,
@@ -182,6 +182,10 @@ bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, 
     const SavedNumbers beds = check.here<double>();
     if (s.beds > size_t(check.reader.end - check.reader.from) / sizeof(double)) return false;
     check.numbers<double>(size_t(s.beds), [](double, size_t) { return true; });
+    if (s.sleeps())
+        check.numbers<double>(parts, [&](double calm, size_t) {
+            return calm == kStirred || (calm >= 0 && calm <= s.body.sleep_seconds);
+        });
     return check.all_good() && colliders_are_shaped(b, s, colliders, beds);
 }
 

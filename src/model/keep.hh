@@ -24,7 +24,7 @@
 namespace cd {
 
 struct Kind {
-    uint32_t number; // a cd_kind
+    uint32_t number;             // a cd_kind
     const char *name, *sizes[2]; // for messages
 };
 
@@ -189,8 +189,12 @@ struct KeptBody {
     uint64_t beds;      // numbers of all beds
     uint64_t callbacks; // how many colliders are CD_SHAPE_CALLBACK
 
+    // Among the bits, where a field of water alone would stand: when parts fall asleep, and how calm each is, follow.
+    static constexpr uint32_t kOfSleep = 1u << 21;
+
     bool has_shapes() const { return beds > 0 || callbacks > 0; }
 
+    bool sleeps() const { return (fields & kOfSleep) != 0; }
     bool on(cd_field field) const { return (fields >> field & 1) != 0; }
 };
 
@@ -206,6 +210,7 @@ template <class K, class W> void walk_body(W& w, typename K::Settings& s) {
     walk(w, b.drag), walk(w, b.damping);
     for (double& g : b.gravity) walk(w, g);
     walk(w, b.clock.start), walk(w, b.clock.dt), walk(w, b.clock.counted), walk(w, b.clock.steps);
+    if (s.sleeps()) walk(w, b.sleep_speed), walk(w, b.sleep_seconds);
 }
 
 KeptBody keep_body(const Body& b);
@@ -226,7 +231,7 @@ inline bool valid_shared_mass(double value, size_t) { return value >= 1e-100 && 
 // What comes after an object's own fields: attachments, `ties` nodes', and the state. Tells where the velocities lie.
 SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s,
                                   size_t ties);
-// What comes last: winds, colliders and beds. Whether these and all that was checked are good.
-bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s);
+// What comes last: winds, colliders, beds and how calm each part is. Whether these and all that was checked are good.
+bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s, size_t parts);
 
 } // namespace cd

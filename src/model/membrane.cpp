@@ -149,9 +149,9 @@ double drag_of(const Membrane& m, size_t u, size_t v) {
 
 MembraneFeatures features(const Membrane& m) {
     MembraneFeatures f{};
-    static_cast<BodyFeatures&>(f) = {
-        m.method,    bool(m.node_mass), bool(m.force), bool(m.target),
-        has_bend(m), m.cloth.resists(), bool(m.wind),  collider_sizes(m, collider_count(m))};
+    static_cast<BodyFeatures&>(f) = {m.method,       bool(m.node_mass), bool(m.force),
+                                     bool(m.target), has_bend(m),       m.cloth.resists(),
+                                     bool(m.wind),   m.sleep_speed > 0, collider_sizes(m, collider_count(m))};
     for (Direction d : {kU, kV}) {
         f.spring_stiffness[d] = bool(m.spring_stiffness[d]);
         f.spring_length[d] = bool(m.spring_length[d]);
@@ -170,7 +170,7 @@ MembraneFeatures features(const Membrane& m) {
 bool set_features(Membrane& m, const MembraneFeatures& wanted) {
     MembraneNeeds needs;
     if (!needs_of(m, wanted, needs)) return false;
-    BodyChanges body(m, wanted, m.nodes, needs.coefficients, needs.scratch);
+    BodyChanges body(m, wanted, m.nodes, 1, needs.coefficients, needs.scratch);
     Change<double> along_u{m.spring_stiffness[kU], wanted.spring_stiffness[kU] ? m.nodes : 0};
     Change<double> along_v{m.spring_stiffness[kV], wanted.spring_stiffness[kV] ? m.nodes : 0};
     Change<double> length_u{m.spring_length[kU], wanted.spring_length[kU] ? m.nodes : 0};
@@ -207,7 +207,7 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
         m.pin[i] = uint8_t(kind_by_edges(m, m.edge, i % m.columns, i / m.columns));
     body.fill(m);
     if (!same_edges || !same_pin) stop_nodes(m);
-    m.prepared_dt = 0;
+    change(m);
     return true;
 }
 
@@ -255,7 +255,7 @@ bool set_edge(Membrane& m, cd_edge edge, cd_node kind) {
             set_number(m, m.target, place(m, u, v, k), get_number(m, m.position, place(m, u, v, k)));
     }
     stop_nodes(m);
-    m.prepared_dt = 0;
+    change(m);
     return true;
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "contdyn/membrane.h"
-#include "model/body.hh"
 #include "model/draw.hh"
+#include "model/sleep.hh"
 
 namespace cd {
 
@@ -50,7 +50,7 @@ struct Membrane : Body, MembraneSettings {
     double residual;
 
     // what steps need, none of it state: see membrane_step.cpp
-    cd_solver taken; // by the last call of step; CD_SOLVER_AUTO: none
+    cd_solver taken;       // by the last call of step; CD_SOLVER_AUTO: none
     Array<double> pressed; // the force of the pressure, laid out like the positions
     double stiffest;       // the largest diagonal entry of the system, where there is one
     bool whole;            // see membrane_step.cpp
@@ -63,7 +63,7 @@ struct Membrane : Body, MembraneSettings {
         f(m.pin...), f(m.mask...), f(m.node_mass...), f(m.spring_stiffness[kU]...), f(m.spring_stiffness[kV]...);
         f(m.spring_length[kU]...), f(m.spring_length[kV]...), f(m.breaking_strain[kU]...), f(m.breaking_strain[kV]...);
         f(m.attach_stiffness...), f(m.attach_damping...), f(m.position...), f(m.velocity...), f(m.force...);
-        f(m.target...), f(m.wind...), f(m.colliders...), f(m.beds...);
+        f(m.target...), f(m.wind...), f(m.colliders...), f(m.beds...), f(m.calm...);
     }
     template <class F> static void each_array(F f, Membrane& m) {
         each_field(f, m);
@@ -184,8 +184,10 @@ struct MembraneOutcome {
     bool converged;       // of all coupled solves
 };
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count);
-double stable_dt(const Membrane& m);               // membrane_limit.cpp
+double stable_dt(const Membrane& m);                // membrane_limit.cpp
 cd_solver solver_for(const Membrane& m, double dt); // likewise: what a step of springs takes; CD_SOLVER_AUTO: none
+
+inline size_t awake_nodes(const Membrane& m) { return sleeping_parts(m) > 0 ? 0 : m.nodes; }
 
 // ---- cloth (membrane_cloth.cpp, which a build without it leaves out) ------------------------------------------------
 

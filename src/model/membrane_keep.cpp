@@ -97,7 +97,7 @@ struct MembraneKeep {
 
     static bool valid(const Membrane& m, const Settings& s) {
         const MembraneSettings& own = s.own;
-        uint32_t optional = 0;
+        uint32_t optional = KeptBody::kOfSleep;
         for (cd_field field : {CD_MASS, CD_FORCE, CD_TARGET, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_PIN, CD_MASK})
             optional |= 1u << field;
         const bool is_cloth = (s.fields & kOfCloth) != 0;
@@ -141,7 +141,7 @@ struct MembraneKeep {
         for (Direction d : {kU, kV})
             of_springs(tears(s, d), d, [](double t, size_t) { return valid_mass(t) || (isinf(t) && t > 0); });
         const SavedNumbers velocity = check_ties_and_state(check, m, layout_of(m), s, m.nodes);
-        if (!check_surroundings(check, m, layout_of(m), s)) return false;
+        if (!check_surroundings(check, m, layout_of(m), s, 1)) return false;
         bool good = true;
         for (size_t k = 0; k < m.components; ++k)
             for (size_t i = 0; i < n; ++i) {

@@ -361,11 +361,50 @@ static MembraneOutcome make_steps(Membrane& m, double dt, size_t count) {
     return step_springs(m, dt, count);
 }
 
+namespace {
+
+// All of a membrane, as what sleeps: see model/sleep.hh.
+struct Whole {
+    const Membrane& m;
+    size_t number = 0, nodes = m.nodes, step = m.plane;
+
+    size_t place(size_t i) const { return cd::place(m, i % m.columns, i / m.columns, 0); }
+    bool held(size_t i) const {
+        const size_t u = i % m.columns, v = i / m.columns;
+        return cd::held(m, u, v) || !present(m, u, v);
+    }
+};
+
+} // namespace
+
+// As make_steps, of a membrane that may sleep.
+static MembraneOutcome step_until_asleep(Membrane& m, double dt, size_t count) {
+    MembraneOutcome all{0, true};
+    Convergence worst{};
+    const Clock start = m.clock;
+    for (size_t s = 0; s < count && !sleeps(m, 0); ++s) {
+        const size_t broken = m.broken;
+        const MembraneOutcome one = make_steps(m, dt, 1);
+        m.clock.advance(dt, 1);
+        if (all.diverged_at == 0) all.diverged_at = one.diverged_at;
+        all.converged &= one.converged;
+        if (m.iterations > worst.iterations) worst.iterations = m.iterations;
+        if (m.residual > worst.residual) worst.residual = m.residual;
+        if (m.broken > broken) wake(m);
+        fall_asleep(m, Whole{m}, dt);
+    }
+    m.iterations = worst.iterations;
+    m.residual = worst.residual;
+    m.clock = start;
+    return all;
+}
+
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
     pose_nodes(m, dt * double(count));
     m.bad_answer = {};
     m.broken = 0;
-    const MembraneOutcome outcome = make_steps(m, dt, count);
+    const bool may_sleep = can_fall_asleep(m);
+    const MembraneOutcome outcome = may_sleep ? step_until_asleep(m, dt, count) : make_steps(m, dt, count);
     m.clock.advance(dt, count);
     m.diverged = outcome.diverged_at != 0;
     return outcome;

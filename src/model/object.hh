@@ -56,7 +56,25 @@ struct Object {
     Array<double> coefficients, scratch;
     double prepared_dt; // what those are for; 0: out of date
     uint64_t factorizations;
+
+    // For how long each part of it has been slow [s], or kStirred: see model/sleep.hh. Empty where no part may sleep.
+    Array<double> calm;
 };
+
+// Of a part that was not slow at the end of its last step, or has been woken since.
+constexpr double kStirred = -1;
+
+// Wakes `count` parts from `first`; an object that is one part has no other.
+inline void wake(Object& o, size_t first, size_t count) {
+    for (size_t i = first; o.calm && i < first + count; ++i) o.calm[i % o.calm.count] = kStirred;
+}
+inline void wake(Object& o) { wake(o, 0, o.calm.count); }
+
+// What steps prepare for has changed.
+inline void change(Object& o) {
+    o.prepared_dt = 0;
+    wake(o);
+}
 
 // What steps compute with follows from the object's settings and state alone: where its layout may be another, both
 // arrays start from zeros.
@@ -74,6 +92,8 @@ inline bool must_prepare(Object& o, double dt) {
 }
 
 inline bool valid_parameter(double value) { return value >= 0 && value <= kMost; }
+// Of how long a part must be slow before it sleeps [s].
+inline bool valid_calm_time(double seconds) { return seconds >= kLeastStep && seconds <= kMost; }
 inline bool valid_mass(double value) { return value >= kLeastMass && value <= kMost; }
 
 inline bool is_explicit(cd_method method) {

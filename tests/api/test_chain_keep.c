@@ -45,6 +45,7 @@ static void what_is_set_for_ropes_is_kept_at_the_ends_of_every_range(void** stat
         ok(cd_chain_set_stiffness(chain, ropes[i].stiffness));
         ok(cd_chain_set_tolerance(chain, ropes[i].tolerance, ropes[i].most_iterations));
         ok(cd_chain_set_push(chain, ropes[i].push));
+        if (i > 0) ok(cd_chain_set_sleep(chain, i == 1 ? 1e60 : 5e-324, i == 2 ? 1e60 : 1e-30));
         if (ropes[i].each > 0) {
             ok(cd_chain_enable_field(chain, CD_REST_LENGTH));
             scene_set(chain, CD_REST_LENGTH, SPRINGS - 1, ropes[i].each);
@@ -75,6 +76,10 @@ static void what_is_as_in_a_new_chain_takes_no_bytes(void** state) {
     cd_chain* chain = scene_chain(STRANDS, SPRINGS, COMPONENTS, CD_FLOAT64);
     const uint64_t hash = hash_of(chain);
     const size_t before = kind_saved_size(&kinds[CHAIN], chain);
+    ok(cd_chain_set_sleep(chain, 1, 2));
+    assert_true(kind_saved_size(&kinds[CHAIN], chain) == before + 3 * sizeof(double)); /* and how calm it is */
+    ok(cd_chain_set_sleep(chain, 0, 2));
+    assert_int_equal(kind_saved_size(&kinds[CHAIN], chain), before);
     ok(cd_chain_set_rest_length(chain, 2));
     const size_t during = kind_saved_size(&kinds[CHAIN], chain);
     assert_true(during >= before + STRANDS * SPRINGS * sizeof(double));

@@ -74,6 +74,9 @@ static void ring(cd_chain* c) {
 static void tolerance(cd_chain* c) { ok(cd_chain_set_tolerance(c, 1e-8, 100)); }
 static void most_iterations(cd_chain* c) { ok(cd_chain_set_tolerance(c, 1e-9, 101)); }
 static void push(cd_chain* c) { ok(cd_chain_set_push(c, 1)); }
+static void may_sleep(cd_chain* c) { ok(cd_chain_set_sleep(c, 1e-9, 1)); }
+static void may_sleep_faster(cd_chain* c) { ok(cd_chain_set_sleep(c, 2e-9, 1)); }
+static void may_sleep_later(cd_chain* c) { ok(cd_chain_set_sleep(c, 1e-9, 2)); }
 static void length(cd_chain* c) { ok(cd_chain_set_rest_length(c, 2)); }
 static void strength(cd_chain* c) { ok(cd_chain_set_strength(c, 1e4)); }
 static const double low[COMPONENTS] = {-3, -3}, lower[COMPONENTS] = {-3, -4}, left[COMPONENTS] = {-0.5, 0};
@@ -152,7 +155,10 @@ static void wind_last(cd_chain* c) {
 static void no_winds(cd_chain* c) { ok(cd_chain_disable_field(c, CD_WIND)); }
 static void rigid(cd_chain* c) { ok(cd_chain_set_stiffness(c, (double)INFINITY)); }
 
-static void (*const rope_changes[])(cd_chain*) = {tolerance,
+static void (*const rope_changes[])(cd_chain*) = {may_sleep,
+                                                  may_sleep_faster,
+                                                  may_sleep_later,
+                                                  tolerance,
                                                   most_iterations,
                                                   push,
                                                   length,

@@ -34,6 +34,25 @@ static cd_status read_winds(const cd_membrane* c, double* winds) {
 #define BODY membrane
 #include "bad_surroundings.h"
 
+/* With speed 0 seconds mean nothing. */
+static void only_what_sleeps_needs_seconds(void** state) {
+    (void)state;
+    double speed = -1, seconds = -1;
+    cd_membrane* const c = new_body();
+    ok(cd_membrane_get_sleep(c, &speed, &seconds));
+    assert_true(speed == 0 && seconds == 0);
+    refuses_each(c, cd_membrane_set_sleep(c, 1, bad), "seconds", not_finite);
+    refuses(c, cd_membrane_set_sleep(c, 1, 0), CD_ERROR_VALUE, "seconds|0");
+    ok(cd_membrane_set_sleep(c, 2, 1e-30));
+    ok(cd_membrane_set_sleep(c, 1e60, 1e60));
+    ok(cd_membrane_get_sleep(c, &speed, &seconds));
+    assert_true(speed == 1e60 && seconds == 1e60);
+    ok(cd_membrane_set_sleep(c, -0.0, (double)NAN));
+    ok(cd_membrane_get_sleep(c, &speed, &seconds));
+    assert_true(speed == 0 && !signbit(speed) && seconds == 0);
+    cd_membrane_destroy(c);
+}
+
 static void only_cloth_tears_where_it_has_stiffnesses(void** state) {
     (void)state;
     double strain = 0;
@@ -174,6 +193,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         SURROUNDINGS_TESTS,
         cmocka_unit_test(no_cloth_takes_numbers_outside_their_range),
+        cmocka_unit_test(only_what_sleeps_needs_seconds),
         cmocka_unit_test(only_cloth_tears_where_it_has_stiffnesses),
         cmocka_unit_test(an_impulse_too_strong_for_the_precision_changes_nothing),
         cmocka_unit_test(no_time_is_too_short_for_no_steps),

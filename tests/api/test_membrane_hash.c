@@ -101,6 +101,9 @@ static void length_v(cd_membrane* m) { ok(cd_membrane_set_rest_length(m, 0.6, 0.
 static void no_length(cd_membrane* m) { ok(cd_membrane_set_rest_length(m, 0, 0)); }
 static void no_length_u(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_REST_LENGTH_U)); }
 static void no_length_v(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_REST_LENGTH_V)); }
+static void may_sleep(cd_membrane* m) { ok(cd_membrane_set_sleep(m, 1e-9, 1)); }
+static void may_sleep_faster(cd_membrane* m) { ok(cd_membrane_set_sleep(m, 2e-9, 1)); }
+static void may_sleep_later(cd_membrane* m) { ok(cd_membrane_set_sleep(m, 1e-9, 2)); }
 static void shear(cd_membrane* m) { ok(cd_membrane_set_shear(m, 151)); }
 static void no_shear(cd_membrane* m) { ok(cd_membrane_set_shear(m, 0)); }
 static void compression(cd_membrane* m) { ok(cd_membrane_set_compression(m, 7)); }
@@ -137,14 +140,62 @@ static void plane_moves(cd_membrane* m) { ok(cd_membrane_set_collider_velocity(m
 static void ball_moves(cd_membrane* m) { ok(cd_membrane_set_collider_velocity(m, 1, pull[0], COMPONENTS)); }
 static void ball_falls(cd_membrane* m) { ok(cd_membrane_set_collider_velocity(m, 1, pull[1], COMPONENTS)); }
 
-static void (*const cloth_changes[])(cd_membrane*) = {
-    lambda_1,    length_u,     length_v,       no_length,     no_length_u,  no_length_v, shear,         no_shear,
-    compression, newton,       gradient,       air_along,     air_across,   wind_0,      wind_2,        no_winds,
-    thickness,   no_colliders, collider_less,  collider_more, no_plane,     plane,       plane_turned,  plane_rough,
-    capsule,     capsule_back, capsule_thick,  plane_moves,   ball_moves,   ball_falls,  mass,          bend,
-    pressure,    ring_v,       no_force,       no_along_u,    no_pin,       no_mask,     tie_stiffness, impulse,
-    step,        two_steps,    reset,          bed,           bed_turned,   bed_smaller, bed_longer,    breaking,
-    breaking_u,  breaking_v,   breaking_later, no_breaking_u, no_breaking_v};
+static void (*const cloth_changes[])(cd_membrane*) = {may_sleep,
+                                                      may_sleep_faster,
+                                                      may_sleep_later,
+                                                      lambda_1,
+                                                      length_u,
+                                                      length_v,
+                                                      no_length,
+                                                      no_length_u,
+                                                      no_length_v,
+                                                      shear,
+                                                      no_shear,
+                                                      compression,
+                                                      newton,
+                                                      gradient,
+                                                      air_along,
+                                                      air_across,
+                                                      wind_0,
+                                                      wind_2,
+                                                      no_winds,
+                                                      thickness,
+                                                      no_colliders,
+                                                      collider_less,
+                                                      collider_more,
+                                                      no_plane,
+                                                      plane,
+                                                      plane_turned,
+                                                      plane_rough,
+                                                      capsule,
+                                                      capsule_back,
+                                                      capsule_thick,
+                                                      plane_moves,
+                                                      ball_moves,
+                                                      ball_falls,
+                                                      mass,
+                                                      bend,
+                                                      pressure,
+                                                      ring_v,
+                                                      no_force,
+                                                      no_along_u,
+                                                      no_pin,
+                                                      no_mask,
+                                                      tie_stiffness,
+                                                      impulse,
+                                                      step,
+                                                      two_steps,
+                                                      reset,
+                                                      bed,
+                                                      bed_turned,
+                                                      bed_smaller,
+                                                      bed_longer,
+                                                      breaking,
+                                                      breaking_u,
+                                                      breaking_v,
+                                                      breaking_later,
+                                                      no_breaking_u,
+                                                      no_breaking_v};
 
 static void every_change_of_cloth_gives_another_hash(void** state) {
     (void)state;

@@ -52,6 +52,7 @@ static void what_is_set_for_cloth_is_kept_at_the_ends_of_every_range(void** stat
         ok(cd_membrane_set_rest_length(m, kept[i].along_u, kept[i].along_v));
         ok(cd_membrane_set_shear(m, kept[i].shear));
         ok(cd_membrane_set_compression(m, kept[i].compression));
+        if (i > 0) ok(cd_membrane_set_sleep(m, i == 1 ? 1e60 : 5e-324, i == 2 ? 1e60 : 1e-30));
         ok(cd_membrane_set_breaking_strain(m, kept[i].breaking));
         ok(cd_membrane_set_effort(m, kept[i].newton, kept[i].gradient));
         ok(cd_membrane_set_air(m, kept[i].along, kept[i].across));

@@ -130,6 +130,8 @@ static void is_any(cd_status status) { assert_true(status == CD_OK || status == 
         ok(cd_##body##_get_gravity(o, NUMBERS(get_gravity, components), components));                               \
         ok(cd_##body##_get_wind(o, NUMBERS(get_wind, components), components));                                     \
         ok(cd_##body##_get_air(o, NUMBERS(get_air, 1), NUMBERS(get_air, 1)));                                       \
+        ok(cd_##body##_get_sleep(o, NUMBERS(get_sleep, 1), NUMBERS(get_sleep, 1)));                                 \
+        ok(cd_##body##_get_awake(o, SIZES(get_awake)));                                                             \
         for (size_t i = 0; i < colliders; ++i) {                                                                    \
             double* const x = NUMBERS(get_collider, 3 * components + 2);                                            \
             double *const second = x + components, *const v = second + components, *const radius = v + components;  \

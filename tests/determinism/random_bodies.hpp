@@ -155,8 +155,8 @@ void meet_things(Handle* handle, size_t components, double size, Random& random,
         else if (kind == 6) returned += Api::remove(handle, index);
         else if (kind == 7) lie_on_a_bed<Api>(handle, index, components, size, random, returned);
         else if (kind == 8)
-            returned += Api::set_callback(handle, index, &distance, random.chance(0.2) ? nullptr : first, components,
-                                          friction);
+            returned +=
+                Api::set_callback(handle, index, &distance, random.chance(0.2) ? nullptr : first, components, friction);
         for (size_t k = 0; k < 3; ++k) first[k] += radius, normal[k] += 0.25;
     }
     if (random.chance(0.3)) returned += Api::set_thickness(handle, size * random.any_of({0, 0.001, 0.05}));
@@ -388,7 +388,7 @@ inline void ChainScene::act(Handle* chain, Random& random, Returned& returned) c
     const auto number = [&] { return size * random.uniform(-1, 1); };
     double vector[4];
     for (double& x : vector) x = number();
-    switch (random.below(21)) {
+    switch (random.below(22)) {
     case 20: {
         const size_t strand = random.below(strands);
         returned += cd_chain_teleport(chain, strand, Turn(random, components).rotation, vector, components);
@@ -411,6 +411,9 @@ inline void ChainScene::act(Handle* chain, Random& random, Returned& returned) c
             return random.chance(0.1) ? random.any_of({1, 2, CD_NODE_POSED}) : 0;
         });
     case 7: returned += cd_chain_set_mass(chain, random.decades(-1, 1)); break;
+    case 21:
+        returned += cd_chain_set_sleep(chain, random.chance(0.2) ? 0 : random.decades(-6, 2), random.decades(-2, 0));
+        break;
     case 8: returned += cd_chain_set_stiffness(chain, random.chance(0.1) ? 0 : random.decades(-1, 4)); break;
     case 9: returned += cd_chain_set_bend(chain, random.chance(0.5) ? 0 : random.decades(-5, -1)); break;
     case 10: returned += cd_chain_set_drag(chain, random.any_of({0, 0.1, 3})); break;

@@ -76,6 +76,25 @@ template <class Api> void Body<Api>::get_gravity(cd_status (*getter)(const Handl
     this->must_agree("get_gravity", gravity[0], gravity[1], 4);
 }
 
+template <class Api> size_t Body<Api>::awake_nodes(cd_status (*getter)(const Handle*, size_t*)) const {
+    size_t awake = 0;
+    getter(this->first(), &awake);
+    return awake;
+}
+
+template <class Api> void Body<Api>::set_sleep(cd_status (*setter)(Handle*, double, double)) {
+    const double speed = chance(0.2) ? 0 : pick_number(-6, 2), seconds = pick_number(-3, 1);
+    this->both(text("set_sleep %.17g %.17g", speed, seconds), 0,
+               [&](Handle* handle, int) { return setter(handle, speed, seconds); });
+}
+
+template <class Api> void Body<Api>::get_sleep(cd_status (*getter)(const Handle*, double*, double*)) {
+    double pair[2][2] = {};
+    this->both("get_sleep", kReads,
+               [&](Handle* handle, int which) { return getter(handle, &pair[which][0], &pair[which][1]); });
+    this->must_agree("get_sleep", pair[0], pair[1], 2);
+}
+
 template <class Api> void Body<Api>::get_energy(cd_status (*getter)(const Handle*, double*, double*, double*)) {
     double energies[2][3] = {};
     const bool only_one = chance(0.1);

@@ -51,6 +51,10 @@ protected:
     void set_thickness();
     void get_collider();
 
+    virtual bool sleeps() const = 0; // some part
+    size_t awake_nodes(cd_status (*getter)(const Handle*, size_t*)) const;
+    void set_sleep(cd_status (*setter)(Handle*, double, double));
+    void get_sleep(cd_status (*getter)(const Handle*, double*, double*));
     void set_gravity(cd_status (*setter)(Handle*, const double*, size_t));
     void get_gravity(cd_status (*getter)(const Handle*, double*, size_t));
     void get_energy(cd_status (*getter)(const Handle*, double*, double*, double*));

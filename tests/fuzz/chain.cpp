@@ -186,7 +186,7 @@ void Chain::act_by_kind() {
     case 21: get_end(); break;
     case 22: get_parameter(); break;
     case 23: teleport(); break;
-    case 24:
+    case 24: chance(0.5) ? set_sleep(cd_chain_set_sleep) : get_sleep(cd_chain_get_sleep); break;
     case 25:
     case 26:
     case 27: set_rest_length(); break;
@@ -250,10 +250,9 @@ void Chain::impulse() {
 void Chain::teleport() {
     const size_t strand = pick_index(strands);
     const Move move = pick_move();
-    const cd_status status = both(text("teleport %zu, by %.17g.., count %zu", strand, move.offset[0], move.count),
-                                  kNoMemory, [&](cd_chain* chain, int) {
-                                      return cd_chain_teleport(chain, strand, move.turn(), move.offset, move.count);
-                                  });
+    const cd_status status = both(
+        text("teleport %zu, by %.17g.., count %zu", strand, move.offset[0], move.count), kNoMemory,
+        [&](cd_chain* chain, int) { return cd_chain_teleport(chain, strand, move.turn(), move.offset, move.count); });
     if (status == CD_OK && !(move.moderate && run.sane)) past.moderate = false;
 }
 
@@ -315,7 +314,8 @@ void Chain::get_shape() {
 }
 
 void Chain::get_parameter() {
-    switch (below(12)) {
+    switch (below(13)) {
+    case 12: get("get_awake", cd_chain_get_awake); break;
     case 9: get("get_strength", cd_chain_get_strength); break;
     case 10: get("get_colliders", cd_chain_get_colliders); break;
     case 11: get("get_thickness", cd_chain_get_thickness); break;

@@ -25,6 +25,7 @@ protected:
     double heaviest() const override;
     double gravity() const override;
     bool is_ring() const override { return springs_now() > springs; }
+    bool sleeps() const override { return awake_nodes(cd_chain_get_awake) < strands * nodes; }
     bool falls_astray() const override;
     bool is_driven() const override;
     bool keeps_its_energy() const override { return !ended_short; }
@@ -75,7 +76,7 @@ private:
     void set_wind();
     void get_convergence();
     void set_strength();
-    size_t cut_springs() const; // of those that have a stiffness of their own
+    size_t cut_springs() const;                                // of those that have a stiffness of their own
     double deepest(const std::vector<Thing>& of) const;        // of all free nodes
     double room_for_depth(const std::vector<Thing>& of) const; // that a step may leave
     double longest() const;

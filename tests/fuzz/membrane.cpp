@@ -196,7 +196,7 @@ void Membrane::act_by_kind() {
     case 25: get_convergence(); break;
     case 26: get_shape(); break;
     case 27: chance(0.5) ? get_edge() : get_attachment(); break;
-    case 28: teleport(); break;
+    case 28: chance(0.5) ? teleport() : set_sleep(cd_membrane_set_sleep); break;
     case 29: get_of_cloth(); break;
     case 30: set_air(); break;
     case 31: chance(0.5) ? set_shear() : set_compression(); break;

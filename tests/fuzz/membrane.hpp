@@ -26,6 +26,7 @@ protected:
     double heaviest() const override;
     double gravity() const override;
     bool is_ring() const override { return rings().u + rings().v > 0; }
+    bool sleeps() const override { return awake_nodes(cd_membrane_get_awake) < nodes; }
     bool is_driven() const override;
     bool keeps_its_energy() const override;
     bool has_lengths() const override;

@@ -170,6 +170,7 @@ void Membrane::check_cloth(const Step& s) {
     if (iterations[0] > (newton + 4) * gradient)
         return problem("cloth: %zu iterations, with an effort of %zu and %zu", iterations[0], newton, gradient);
     check_held();
+    if (sleeps()) return;
     if (run.sane && past.moderate && !past.crafted && s.count == 1 && is_free() && !run.broken) check_momentum(s);
 }
 

@@ -68,7 +68,9 @@ void Membrane::get_parameter() {
     double pair[2][2] = {};
     size_t iterations[2] = {};
     int32_t ring[2][2] = {};
-    switch (below(11)) {
+    switch (below(13)) {
+    case 11: get_sleep(cd_membrane_get_sleep); break;
+    case 12: get("get_awake", cd_membrane_get_awake); break;
     case 0: get("get_mass", cd_membrane_get_mass); break;
     case 1: get("get_mass_rule", cd_membrane_get_mass_rule); break;
     case 2: get("get_bend", cd_membrane_get_bend); break;

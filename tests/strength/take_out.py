@@ -21,6 +21,7 @@ CLOTH_TEAR = "../model/membrane_cloth_tear.cpp"
 SLEEP = "../model/water_sleep.cpp"
 SURVEY = "../model/water_survey.cpp"
 SLEEPS = ["physics_water_sleep"]
+BODIES = ["physics_sleep"]
 HULL = "../model/water_hull.hh"
 HULL_PLATES = "../model/water_hull_plates.hh"
 HULL_STEP = "../model/water_hull_step.cpp"
@@ -113,6 +114,15 @@ RULES = {
     "runs do not go round": (SLEEP, "        if (meets_seam()) wake_all();\n", "", SLEEPS),
     "what pressure holds up is at rest": (SURVEY, " += by_pressure * pressure[at + c];", " += 0 * pressure[at + c];", SLEEPS),
     "what is shallower than the height lies still": (SURVEY, "select((deep - least)", "select(deep", SLEEPS),
+    "what is held must not move": ("../model/sleep.hh", "part.held(i) ? 0 : most", "most", BODIES),
+    "nor what is touched": ("../model/sleep.hh", "moves |= it.shape != CD_SHAPE_NONE && v != 0;", "(void)v;", BODIES),
+    "nor what a callback knows": ("../model/sleep.hh", "moves |= it.shape == CD_SHAPE_CALLBACK;", "", BODIES),
+    "time counts from the first step that ends slow": (
+        "../model/sleep.hh", "calm < 0 ? 0 : fmin", "fmin", BODIES),
+    "what sleeps has stopped": (
+        "../model/sleep.hh", "part.nodes && sleeps(b, part.number)", "part.nodes && false", BODIES),
+    "what breaks wakes": ("../model/chain_rope.cpp", "        wake(c, s, 1);\n", "", BODIES),
+    "and what tears": ("../model/membrane_step.cpp", "        if (m.broken > broken) wake(m);\n", "", BODIES),
     "a rope's step makes no energy": (
         "rope_step.cpp", "share(seen.gained, worth + seen.rounding)", "L{}", ["stability_ropes"]),
     "springs that only pull push nothing": (

@@ -185,6 +185,10 @@ void ropes() {
     OK(rope.set_strength(HUGE_VAL));
     OK(rope.disable_field(field::strength));
 
+    CHECK(GET(rope.get_sleep()).speed == 0 && GET(rope.get_awake()) == 10);
+    OK(rope.set_sleep(0.125, 0.5));
+    CHECK(GET(rope.get_sleep()).speed == 0.125 && GET(rope.get_sleep()).seconds == 0.5);
+    OK(rope.set_sleep(0, 0));
     OK(rope.set_air(0.25, 2));
     CHECK(GET(rope.get_air()).along == 0.25 && GET(rope.get_air()).across == 2);
     OK(rope.set_wind({1, 0, -1}));
@@ -300,6 +304,10 @@ void cloth() {
     CHECK(GET(sheet.get_compression()) == 0.5);
     CHECK(GET(sheet.get_effort()).newton > 0 && GET(sheet.get_effort()).gradient > 0);
     OK(sheet.set_effort(8, 60));
+    OK(sheet.set_sleep(0.125, 0.5));
+    CHECK(GET(sheet.get_sleep()).speed == 0.125 && GET(sheet.get_sleep()).seconds == 0.5);
+    CHECK(GET(sheet.get_awake()) == 20);
+    OK(sheet.set_sleep(0, 0));
     CHECK(GET(sheet.get_effort()).newton == 8 && GET(sheet.get_effort()).gradient == 60);
     CHECK(std::isinf(GET(sheet.get_breaking_strain())) && GET(sheet.get_broken()) == 0);
     OK(sheet.set_gravity({0, 0, -10}));

@@ -507,6 +507,19 @@ namespace Contdyn
         }
     }
 
+    /// <summary>What Chain.GetSleep tells.</summary>
+    public struct ChainSleep
+    {
+        public readonly double Speed;
+        public readonly double Seconds;
+
+        internal ChainSleep(double speed, double seconds)
+        {
+            Speed = speed;
+            Seconds = seconds;
+        }
+    }
+
     /// <summary>What Chain.GetAir tells.</summary>
     public struct ChainAir
     {
@@ -968,6 +981,46 @@ namespace Contdyn
                 Changed();
                 Check(Native.cd_chain_set_ring(Handle, ring ? 1 : 0));
             }
+        }
+
+        /// <summary>Lets what has come to rest sleep: steps leave it as it is, at no cost. Strands of a rope do so one
+        /// by one, others all together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step
+        /// left a free node of it faster than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and
+        /// none gained. Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity,
+        /// or what is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and
+        /// is 0. Colliders that move, or ask a callback, keep everything awake. What changes a strand wakes it, with
+        /// whatever numbers: a write, an impulse, a teleport, an attachment, a cut; what is set wakes all, but for the
+        /// hook, the kernels and the tolerance. Who sleeps is part of the state, and the same whatever hook and
+        /// kernels. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
+        public void SetSleep(double speed, double seconds)
+        {
+            Changed();
+            Check(Native.cd_chain_set_sleep(Handle, speed, seconds));
+        }
+
+        /// <summary>Lets what has come to rest sleep: steps leave it as it is, at no cost. Strands of a rope do so one
+        /// by one, others all together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step
+        /// left a free node of it faster than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and
+        /// none gained. Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity,
+        /// or what is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and
+        /// is 0. Colliders that move, or ask a callback, keep everything awake. What changes a strand wakes it, with
+        /// whatever numbers: a write, an impulse, a teleport, an attachment, a cut; what is set wakes all, but for the
+        /// hook, the kernels and the tolerance. Who sleeps is part of the state, and the same whatever hook and
+        /// kernels. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
+        public ChainSleep GetSleep()
+        {
+            double outSpeed;
+            double outSeconds;
+            Check(Native.cd_chain_get_sleep(Handle, &outSpeed, &outSeconds));
+            return new ChainSleep(outSpeed, outSeconds);
+        }
+
+        /// <summary>How many nodes are awake: those that the next step moves.</summary>
+        public long GetAwake()
+        {
+            UIntPtr outNodes;
+            Check(Native.cd_chain_get_awake(Handle, &outNodes));
+            return (long)outNodes;
         }
 
         /// <summary>Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length /
@@ -2168,6 +2221,19 @@ namespace Contdyn
         }
     }
 
+    /// <summary>What Membrane.GetSleep tells.</summary>
+    public struct MembraneSleep
+    {
+        public readonly double Speed;
+        public readonly double Seconds;
+
+        internal MembraneSleep(double speed, double seconds)
+        {
+            Speed = speed;
+            Seconds = seconds;
+        }
+    }
+
     /// <summary>What Membrane.GetRestLength tells.</summary>
     public struct MembraneRestLength
     {
@@ -2263,8 +2329,8 @@ namespace Contdyn
         }
     }
 
-    /// <summary>contdyn: a membrane: a sheet of nodes joined by springs in two directions: drum, balloon, thin
-    /// plate; with rest lengths cloth, flags and capes.
+    /// <summary>contdyn: a membrane: nodes joined by springs in two directions: drum, balloon, plate, and with rest
+    /// lengths cloth.
     /// A membrane has `nu` springs along u and `nv` along v, and (nu + 1) (nv + 1) nodes; node (u, v) has the
     /// number v (nu + 1) + u wherever nodes are listed. A node has 1 to 4 components that never mix. A direction
     /// can be closed to a ring: its last nodes are then joined to the first by one spring more.
@@ -2302,11 +2368,8 @@ namespace Contdyn
     /// velocity is then a kick of so many times its energy: take CD_FLOAT64 or the coupled solver where (w_u h)
     /// (w_v h) is beyond 1e4. Plates with stiffness damping are first order in time under the alternating solver,
     /// all else is second.
-    /// All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are
-    /// stored in. (Steps of symplectic Euler on uniform sheets without damping and forces compute in float32 and
-    /// are as exact.) Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are
-    /// taken for 0 where a step stores them, so that a scene at rest is never slow. Parameters may be as large as
-    /// 1e60, masses as small as 1e-60.
+    /// What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as
+    /// large as 1e60, masses as small as 1e-60.
     /// Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind;
     /// the comments name the other errors. Functions that the chain has too mean the same here.</summary>
     public sealed unsafe class Membrane : LibraryObject
@@ -2450,8 +2513,8 @@ namespace Contdyn
             }
         }
 
-        /// <summary>Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO if it had no such system to
-        /// solve, or there was none. Not part of the saved state.</summary>
+        /// <summary>Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO: neither. Not part of the
+        /// saved state.</summary>
         public Solver GetSolverTaken()
         {
             int outSolver;
@@ -2749,7 +2812,7 @@ namespace Contdyn
         }
 
         /// <summary>Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out
-        /// anew, and the fields of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors:
+        /// anew, and fields of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors:
         /// CD_ERROR_VALUE for anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge;
         /// CD_ERROR_MEMORY.</summary>
         public void SetRing(bool alongU, bool alongV)
@@ -2759,7 +2822,7 @@ namespace Contdyn
         }
 
         /// <summary>Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out
-        /// anew, and the fields of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors:
+        /// anew, and fields of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors:
         /// CD_ERROR_VALUE for anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge;
         /// CD_ERROR_MEMORY.</summary>
         public MembraneRing GetRing()
@@ -2768,6 +2831,36 @@ namespace Contdyn
             int outAlongV;
             Check(Native.cd_membrane_get_ring(Handle, &outAlongU, &outAlongV));
             return new MembraneRing(outAlongU != 0, outAlongV != 0);
+        }
+
+        /// <summary>Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some
+        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE;
+        /// CD_ERROR_MEMORY.</summary>
+        public void SetSleep(double speed, double seconds)
+        {
+            Changed();
+            Check(Native.cd_membrane_set_sleep(Handle, speed, seconds));
+        }
+
+        /// <summary>Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some
+        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE;
+        /// CD_ERROR_MEMORY.</summary>
+        public MembraneSleep GetSleep()
+        {
+            double outSpeed;
+            double outSeconds;
+            Check(Native.cd_membrane_get_sleep(Handle, &outSpeed, &outSeconds));
+            return new MembraneSleep(outSpeed, outSeconds);
+        }
+
+        /// <summary>Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some
+        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE;
+        /// CD_ERROR_MEMORY.</summary>
+        public long GetAwake()
+        {
+            UIntPtr outNodes;
+            Check(Native.cd_membrane_get_awake(Handle, &outNodes));
+            return (long)outNodes;
         }
 
         /// <summary>Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both

@@ -120,6 +120,15 @@ namespace Contdyn
         internal static extern int cd_chain_get_ring(ChainHandle chain, int* outRing);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_chain_set_sleep(ChainHandle chain, double speed, double seconds);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_chain_get_sleep(ChainHandle chain, double* outSpeed, double* outSeconds);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_chain_get_awake(ChainHandle chain, UIntPtr* outNodes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_chain_set_rest_length(ChainHandle chain, double length);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -423,6 +432,15 @@ namespace Contdyn
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_membrane_get_ring(MembraneHandle membrane, int* outAlongU, int* outAlongV);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_set_sleep(MembraneHandle membrane, double speed, double seconds);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_get_sleep(MembraneHandle membrane, double* outSpeed, double* outSeconds);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_get_awake(MembraneHandle membrane, UIntPtr* outNodes);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_membrane_set_rest_length(MembraneHandle membrane, double alongU, double alongV);

@@ -69,6 +69,9 @@ cd_status cd_chain_set_end(cd_chain* chain, cd_end end_, cd_node kind);
 cd_status cd_chain_get_end(const cd_chain* chain, cd_end end_, cd_node* out_kind);
 cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring);
 cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
+cd_status cd_chain_set_sleep(cd_chain* chain, double speed, double seconds);
+cd_status cd_chain_get_sleep(const cd_chain* chain, double* out_speed, double* out_seconds);
+cd_status cd_chain_get_awake(const cd_chain* chain, size_t* out_nodes);
 cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
 cd_status cd_chain_set_push(cd_chain* chain, int32_t push);
@@ -178,6 +181,9 @@ cd_status cd_membrane_set_edge(cd_membrane* membrane, cd_edge edge, cd_node kind
 cd_status cd_membrane_get_edge(const cd_membrane* membrane, cd_edge edge, cd_node* out_kind);
 cd_status cd_membrane_set_ring(cd_membrane* membrane, int32_t along_u, int32_t along_v);
 cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_along_u, int32_t* out_along_v);
+cd_status cd_membrane_set_sleep(cd_membrane* membrane, double speed, double seconds);
+cd_status cd_membrane_get_sleep(const cd_membrane* membrane, double* out_speed, double* out_seconds);
+cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_nodes);
 cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, double along_v);
 cd_status cd_membrane_get_rest_length(const cd_membrane* membrane, double* out_along_u, double* out_along_v);
 cd_status cd_membrane_set_shear(cd_membrane* membrane, double stiffness);
@@ -1016,6 +1022,46 @@ function Chain:get_ring()
   return out_ring[0] ~= 0
 end
 
+-- Lets what has come to rest sleep: steps leave it as it is, at no cost. Strands of a rope do so one by one, others all
+-- together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step left a free node of it faster
+-- than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and none gained. Neglected is a mean
+-- acceleration of up to 2 speed / seconds: let that be little beside gravity, or what is thrown may stay in the air.
+-- speed 0, the default: nothing sleeps, and seconds means nothing and is 0. Colliders that move, or ask a callback,
+-- keep everything awake. What changes a strand wakes it, with whatever numbers: a write, an impulse, a teleport, an
+-- attachment, a cut; what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the
+-- state, and the same whatever hook and kernels. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+function Chain:set_sleep(speed, seconds)
+  local where = "cd_chain_set_sleep"
+  speed = number_in(speed, where, "speed")
+  seconds = number_in(seconds, where, "seconds")
+  self._version = self._version + 1
+  check(lib.cd_chain_set_sleep(handle_of(self), speed, seconds))
+end
+
+-- Lets what has come to rest sleep: steps leave it as it is, at no cost. Strands of a rope do so one by one, others all
+-- together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step left a free node of it faster
+-- than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and none gained. Neglected is a mean
+-- acceleration of up to 2 speed / seconds: let that be little beside gravity, or what is thrown may stay in the air.
+-- speed 0, the default: nothing sleeps, and seconds means nothing and is 0. Colliders that move, or ask a callback,
+-- keep everything awake. What changes a strand wakes it, with whatever numbers: a write, an impulse, a teleport, an
+-- attachment, a cut; what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the
+-- state, and the same whatever hook and kernels. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+function Chain:get_sleep()
+  local where = "cd_chain_get_sleep"
+  local out_speed = double_1()
+  local out_seconds = double_1()
+  check(lib.cd_chain_get_sleep(handle_of(self), out_speed, out_seconds))
+  return tonumber(out_speed[0]), tonumber(out_seconds[0])
+end
+
+-- How many nodes are awake: those that the next step moves.
+function Chain:get_awake()
+  local where = "cd_chain_get_awake"
+  local out_nodes = size_t_1()
+  check(lib.cd_chain_get_awake(handle_of(self), out_nodes))
+  return tonumber(out_nodes[0])
+end
+
 -- Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
 -- where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
 -- its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
@@ -1742,8 +1788,7 @@ function Chain:reset()
   check(lib.cd_chain_reset(handle_of(self)))
 end
 
--- contdyn: a membrane: a sheet of nodes joined by springs in two directions: drum, balloon, thin plate; with rest
--- lengths cloth, flags and capes.
+-- contdyn: a membrane: nodes joined by springs in two directions: drum, balloon, plate, and with rest lengths cloth.
 -- A membrane has `nu` springs along u and `nv` along v, and (nu + 1) (nv + 1) nodes; node (u, v) has the number v (nu +
 -- 1) + u wherever nodes are listed. A node has 1 to 4 components that never mix. A direction can be closed to a ring:
 -- its last nodes are then joined to the first by one spring more.
@@ -1778,10 +1823,8 @@ end
 -- alternating, the energy so kept counts the extra mass in what moves; in CD_FLOAT32 each rounding of a velocity is
 -- then a kick of so many times its energy: take CD_FLOAT64 or the coupled solver where (w_u h) (w_v h) is beyond 1e4.
 -- Plates with stiffness damping are first order in time under the alternating solver, all else is second.
--- All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are stored
--- in. (Steps of symplectic Euler on uniform sheets without damping and forces compute in float32 and are as exact.)
--- Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are taken for 0 where a step
--- stores them, so that a scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
+-- What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
+-- 1e60, masses as small as 1e-60.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 -- comments name the other errors. Functions that the chain has too mean the same here.
 local Membrane = support.class("Membrane", lib.cd_membrane_destroy)
@@ -1881,8 +1924,7 @@ function Membrane:get_solver()
   return enum_out("cd_solver", out_solver[0])
 end
 
--- Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO if it had no such system to solve, or there
--- was none. Not part of the saved state.
+-- Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO: neither. Not part of the saved state.
 function Membrane:get_solver_taken()
   local where = "cd_membrane_get_solver_taken"
   local out_solver = cd_solver_1()
@@ -2155,9 +2197,9 @@ function Membrane:get_edge(edge)
   return enum_out("cd_node", out_kind[0])
 end
 
--- Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and the fields
--- of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors: CD_ERROR_VALUE for anything but 0 and
--- 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge; CD_ERROR_MEMORY.
+-- Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and fields of
+-- masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors: CD_ERROR_VALUE for anything but 0 and 1;
+-- CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge; CD_ERROR_MEMORY.
 function Membrane:set_ring(along_u, along_v)
   local where = "cd_membrane_set_ring"
   along_u = flag_in(along_u, where, "along_u")
@@ -2166,15 +2208,44 @@ function Membrane:set_ring(along_u, along_v)
   check(lib.cd_membrane_set_ring(handle_of(self), along_u, along_v))
 end
 
--- Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and the fields
--- of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors: CD_ERROR_VALUE for anything but 0 and
--- 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge; CD_ERROR_MEMORY.
+-- Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and fields of
+-- masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors: CD_ERROR_VALUE for anything but 0 and 1;
+-- CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge; CD_ERROR_MEMORY.
 function Membrane:get_ring()
   local where = "cd_membrane_get_ring"
   local out_along_u = int32_t_1()
   local out_along_v = int32_t_1()
   check(lib.cd_membrane_get_ring(handle_of(self), out_along_u, out_along_v))
   return out_along_u[0] ~= 0, out_along_v[0] ~= 0
+end
+
+-- Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s], in
+-- [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+function Membrane:set_sleep(speed, seconds)
+  local where = "cd_membrane_set_sleep"
+  speed = number_in(speed, where, "speed")
+  seconds = number_in(seconds, where, "seconds")
+  self._version = self._version + 1
+  check(lib.cd_membrane_set_sleep(handle_of(self), speed, seconds))
+end
+
+-- Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s], in
+-- [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+function Membrane:get_sleep()
+  local where = "cd_membrane_get_sleep"
+  local out_speed = double_1()
+  local out_seconds = double_1()
+  check(lib.cd_membrane_get_sleep(handle_of(self), out_speed, out_seconds))
+  return tonumber(out_speed[0]), tonumber(out_seconds[0])
+end
+
+-- Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s], in
+-- [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+function Membrane:get_awake()
+  local where = "cd_membrane_get_awake"
+  local out_nodes = size_t_1()
+  check(lib.cd_membrane_get_awake(handle_of(self), out_nodes))
+  return tonumber(out_nodes[0])
 end
 
 -- Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither

@@ -103,6 +103,17 @@ return {
     {name = "cd_chain_get_ring", call = function(o, other, saved)
       return o:get_ring()
     end},
+    {name = "cd_chain_set_sleep", call = function(o, other, saved)
+      return o:set_sleep(1, 1)
+    end, told = function(o)
+      return {o:get_sleep()}, {1, 1}
+    end},
+    {name = "cd_chain_get_sleep", call = function(o, other, saved)
+      return o:get_sleep()
+    end},
+    {name = "cd_chain_get_awake", call = function(o, other, saved)
+      return o:get_awake()
+    end},
     {name = "cd_chain_set_rest_length", call = function(o, other, saved)
       return o:set_rest_length(1)
     end, told = function(o)
@@ -416,6 +427,17 @@ return {
     end},
     {name = "cd_membrane_get_ring", call = function(o, other, saved)
       return o:get_ring()
+    end},
+    {name = "cd_membrane_set_sleep", call = function(o, other, saved)
+      return o:set_sleep(1, 1)
+    end, told = function(o)
+      return {o:get_sleep()}, {1, 1}
+    end},
+    {name = "cd_membrane_get_sleep", call = function(o, other, saved)
+      return o:get_sleep()
+    end},
+    {name = "cd_membrane_get_awake", call = function(o, other, saved)
+      return o:get_awake()
     end},
     {name = "cd_membrane_set_rest_length", call = function(o, other, saved)
       return o:set_rest_length(1, 1)

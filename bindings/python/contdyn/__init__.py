@@ -21,7 +21,7 @@ from . import _library
 from ._api import (BedRule, Border, Edge, End, Field, Kernels, Kind, MassRule, Method, Momentum, Node, Outside,
                    Precision, Shape, Side, Solver, Status)
 from ._arrays import Array, View
-from ._body import Attachment, Collider, Convergence, Energy, Resistance, Tolerance
+from ._body import Attachment, Collider, Convergence, Energy, Resistance, Sleep, Tolerance
 from ._callbacks import Allocator, Distance, Parallel, Task
 from ._sheet import Vertices
 from .chain import Chain, ChainShape
@@ -39,8 +39,8 @@ __all__ = [
     "InvalidValueError", "Kernels", "Kind", "Limited", "MassRule", "Membrane", "MembraneShape", "Method",
     "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Outside", "Parallel", "Precision",
     "RangeError", "Resistance", "RestLength", "Ring", "Sample", "SavedShape", "Shape", "Side", "SideState", "SizeError",
-    "Solver", "Status", "Stiffness", "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices", "View",
-    "Water", "WaterEnergy", "WaterShape", "WaterVertices", "build_info", "kernels_name", "library_path",
+    "Sleep", "Solver", "Status", "Stiffness", "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices",
+    "View", "Water", "WaterEnergy", "WaterShape", "WaterVertices", "build_info", "kernels_name", "library_path",
     "runnable_kernels", "saved_shape", "status_name", "version",
 ]
 

@@ -36,6 +36,13 @@ class Resistance(NamedTuple):
     across: float
 
 
+class Sleep(NamedTuple):
+    """When a body has come to rest: once it has been slower than a speed [m/s] for some seconds."""
+
+    speed: float
+    seconds: float
+
+
 class Tolerance(NamedTuple):
     """When a solver is content: Solver.COUPLED of a membrane, a rope's steps."""
 
@@ -79,6 +86,11 @@ class Body(Object):
                                        "mode of angular frequency w loses amplitude at the rate "
                                        "(drag + stiffness_damping w^2) / 2.")
     gravity = SettingPerComponent("Gravity [m/s^2], one number per component; default 0.")
+    sleep = SettingOfSeveral(Sleep, "When a sheet, or the strands of a rope one by one, or those of another chain all "
+                                    "together, stop and cost nothing until something changes: once they have been "
+                                    "slower than a speed [m/s] for some seconds, (speed, seconds); default (0, 0): "
+                                    "never. An acceleration of up to 2 speed / seconds is neglected.")
+    awake = Reading(int, "How many nodes are awake: those that the next step moves.")
     energy = Reading(Energy, "Energies of all there is [J]: kinetic, elastic, gravity.")
     momentum = ReadingPerComponent("Momentum of the free nodes [kg m/s], one number per component.")
 

@@ -21,7 +21,7 @@ class Everyone(unittest.TestCase):
     def test_parameters_come_back(self):
         shared = {"method": Method.SYMPLECTIC_EULER, "lambda_": 0.75, "drag": 0.5}
         body = {"mass": 2.5, "mass_rule": MassRule.HALF_ENDS, "bend": 0.25, "stiffness_damping": 0.125,
-                "gravity": (1.0, 2.0, 3.0)}
+                "gravity": (1.0, 2.0, 3.0), "sleep": (0.25, 0.5)}
         own = {
             Chain: {**body, "stiffness": 3.0, "ring": True, "rest_length": 2.0, "push": True, "tolerance": (1e-4, 7),
                     "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0), "strength": 5.0, "colliders": 3,

@@ -627,6 +627,13 @@ pub struct ChainShape {
     pub precision: Precision,
 }
 
+/// What [`Chain::get_sleep`] tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainSleep {
+    pub speed: f64,
+    pub seconds: f64,
+}
+
 /// What [`Chain::get_air`] tells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainAir {
@@ -1028,6 +1035,45 @@ impl Chain {
         let mut out_ring = 0;
         check(unsafe { sys::cd_chain_get_ring(self.as_ptr(), &mut out_ring) })?;
         Ok(out_ring != 0)
+    }
+
+    /// Lets what has come to rest sleep: steps leave it as it is, at no cost. Strands of a rope do so one by one,
+    /// others all together. One stops, and sleeps, once for some `seconds` \[s\], in \[1e-30, 1e60\], no step left a
+    /// free node of it faster than `speed` \[m/s\], in \[0, 1e60\], nor a held one moving. Energy is lost and none
+    /// gained. Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity, or what
+    /// is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0.
+    /// Colliders that move, or ask a callback, keep everything awake. What changes a strand wakes it, with whatever
+    /// numbers: a write, an impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the
+    /// kernels and the tolerance. Who sleeps is part of the state, and the same whatever hook and kernels. Errors:
+    /// CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    pub fn set_sleep(&mut self, speed: f64, seconds: f64) -> Result<()> {
+        check(unsafe { sys::cd_chain_set_sleep(self.as_ptr(), speed, seconds) })
+    }
+
+    /// Lets what has come to rest sleep: steps leave it as it is, at no cost. Strands of a rope do so one by one,
+    /// others all together. One stops, and sleeps, once for some `seconds` \[s\], in \[1e-30, 1e60\], no step left a
+    /// free node of it faster than `speed` \[m/s\], in \[0, 1e60\], nor a held one moving. Energy is lost and none
+    /// gained. Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity, or what
+    /// is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0.
+    /// Colliders that move, or ask a callback, keep everything awake. What changes a strand wakes it, with whatever
+    /// numbers: a write, an impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the
+    /// kernels and the tolerance. Who sleeps is part of the state, and the same whatever hook and kernels. Errors:
+    /// CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    pub fn get_sleep(&self) -> Result<ChainSleep> {
+        let mut out_speed = 0.0;
+        let mut out_seconds = 0.0;
+        check(unsafe { sys::cd_chain_get_sleep(self.as_ptr(), &mut out_speed, &mut out_seconds) })?;
+        Ok(ChainSleep {
+            speed: out_speed,
+            seconds: out_seconds,
+        })
+    }
+
+    /// How many nodes are awake: those that the next step moves.
+    pub fn get_awake(&self) -> Result<usize> {
+        let mut out_nodes = 0;
+        check(unsafe { sys::cd_chain_get_awake(self.as_ptr(), &mut out_nodes) })?;
+        Ok(out_nodes)
     }
 
     /// Rest length of a strand \[m\], 0 or in \[1e-60, 1e60\]; default 0: no rope. Per spring: length / springs; nodes
@@ -1668,6 +1714,13 @@ pub struct MembraneRing {
     pub along_v: bool,
 }
 
+/// What [`Membrane::get_sleep`] tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MembraneSleep {
+    pub speed: f64,
+    pub seconds: f64,
+}
+
 /// What [`Membrane::get_rest_length`] tells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MembraneRestLength {
@@ -1719,8 +1772,8 @@ pub struct MembraneEnergy {
     pub gravity: f64,
 }
 
-/// contdyn: a membrane: a sheet of nodes joined by springs in two directions: drum, balloon, thin plate; with rest
-/// lengths cloth, flags and capes.
+/// contdyn: a membrane: nodes joined by springs in two directions: drum, balloon, plate, and with rest lengths
+/// cloth.
 /// A membrane has `nu` springs along u and `nv` along v, and (nu + 1) (nv + 1) nodes; node (u, v) has the number v
 /// (nu + 1) + u wherever nodes are listed. A node has 1 to 4 components that never mix. A direction can be closed
 /// to a ring: its last nodes are then joined to the first by one spring more.
@@ -1757,11 +1810,8 @@ pub struct MembraneEnergy {
 /// rounding of a velocity is then a kick of so many times its energy: take CD_FLOAT64 or the coupled solver where
 /// (w_u h) (w_v h) is beyond 1e4. Plates with stiffness damping are first order in time under the alternating
 /// solver, all else is second.
-/// All computing is done in double precision; CD_FLOAT32 is what positions, velocities, forces and targets are
-/// stored in. (Steps of symplectic Euler on uniform sheets without damping and forces compute in float32 and are as
-/// exact.) Numbers smaller than 2^-80 (float32) or 2^-500 (float64), in those steps velocities, are taken for 0
-/// where a step stores them, so that a scene at rest is never slow. Parameters may be as large as 1e60, masses as
-/// small as 1e-60.
+/// What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as
+/// large as 1e60, masses as small as 1e-60.
 /// Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 /// comments name the other errors. Functions that the chain has too mean the same here.
 pub struct Membrane {
@@ -1953,8 +2003,7 @@ impl Membrane {
         known(Solver::from_raw(out_solver), out_solver, "cd_membrane_get_solver")
     }
 
-    /// Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO if it had no such system to solve, or
-    /// there was none. Not part of the saved state.
+    /// Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO: neither. Not part of the saved state.
     pub fn get_solver_taken(&self) -> Result<Solver> {
         let mut out_solver = 0;
         check(unsafe { sys::cd_membrane_get_solver_taken(self.as_ptr(), &mut out_solver) })?;
@@ -2190,14 +2239,14 @@ impl Membrane {
         known(Node::from_raw(out_kind), out_kind, "cd_membrane_get_edge")
     }
 
-    /// Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and the
+    /// Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and
     /// fields of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors: CD_ERROR_VALUE for
     /// anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge; CD_ERROR_MEMORY.
     pub fn set_ring(&mut self, along_u: bool, along_v: bool) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_ring(self.as_ptr(), i32::from(along_u), i32::from(along_v)) })
     }
 
-    /// Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and the
+    /// Joins the last nodes along u (along v) to the first (1), or opens them (0). Totals are dealt out anew, and
     /// fields of masses and stiffnesses get the uniform values. A ring needs 3 nodes. Errors: CD_ERROR_VALUE for
     /// anything but 0 and 1; CD_ERROR_UNSUPPORTED with fewer than 3 nodes or a matched edge; CD_ERROR_MEMORY.
     pub fn get_ring(&self) -> Result<MembraneRing> {
@@ -2208,6 +2257,32 @@ impl Membrane {
             along_u: out_along_u != 0,
             along_v: out_along_v != 0,
         })
+    }
+
+    /// Lets a sheet sleep, as a whole, once it has been slower than `speed` \[m/s\], in \[0, 1e60\], for some `seconds`
+    /// \[s\], in \[1e-30, 1e60\]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    pub fn set_sleep(&mut self, speed: f64, seconds: f64) -> Result<()> {
+        check(unsafe { sys::cd_membrane_set_sleep(self.as_ptr(), speed, seconds) })
+    }
+
+    /// Lets a sheet sleep, as a whole, once it has been slower than `speed` \[m/s\], in \[0, 1e60\], for some `seconds`
+    /// \[s\], in \[1e-30, 1e60\]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    pub fn get_sleep(&self) -> Result<MembraneSleep> {
+        let mut out_speed = 0.0;
+        let mut out_seconds = 0.0;
+        check(unsafe { sys::cd_membrane_get_sleep(self.as_ptr(), &mut out_speed, &mut out_seconds) })?;
+        Ok(MembraneSleep {
+            speed: out_speed,
+            seconds: out_seconds,
+        })
+    }
+
+    /// Lets a sheet sleep, as a whole, once it has been slower than `speed` \[m/s\], in \[0, 1e60\], for some `seconds`
+    /// \[s\], in \[1e-30, 1e60\]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    pub fn get_awake(&self) -> Result<usize> {
+        let mut out_nodes = 0;
+        check(unsafe { sys::cd_membrane_get_awake(self.as_ptr(), &mut out_nodes) })?;
+        Ok(out_nodes)
     }
 
     /// Rest lengths of the sheet along u and along v \[m\], 0 or in \[1e-60, 1e60\]; default 0: no cloth. Both are 0 or

@@ -231,6 +231,9 @@ extern "C" {
     pub fn cd_chain_get_end(chain: *const cd_chain, end: cd_end, out_kind: *mut cd_node) -> cd_status;
     pub fn cd_chain_set_ring(chain: *mut cd_chain, ring: i32) -> cd_status;
     pub fn cd_chain_get_ring(chain: *const cd_chain, out_ring: *mut i32) -> cd_status;
+    pub fn cd_chain_set_sleep(chain: *mut cd_chain, speed: f64, seconds: f64) -> cd_status;
+    pub fn cd_chain_get_sleep(chain: *const cd_chain, out_speed: *mut f64, out_seconds: *mut f64) -> cd_status;
+    pub fn cd_chain_get_awake(chain: *const cd_chain, out_nodes: *mut usize) -> cd_status;
     pub fn cd_chain_set_rest_length(chain: *mut cd_chain, length: f64) -> cd_status;
     pub fn cd_chain_get_rest_length(chain: *const cd_chain, out_length: *mut f64) -> cd_status;
     pub fn cd_chain_set_push(chain: *mut cd_chain, push: i32) -> cd_status;
@@ -353,6 +356,9 @@ extern "C" {
     pub fn cd_membrane_set_ring(membrane: *mut cd_membrane, along_u: i32, along_v: i32) -> cd_status;
     pub fn cd_membrane_get_ring(membrane: *const cd_membrane, out_along_u: *mut i32,
         out_along_v: *mut i32) -> cd_status;
+    pub fn cd_membrane_set_sleep(membrane: *mut cd_membrane, speed: f64, seconds: f64) -> cd_status;
+    pub fn cd_membrane_get_sleep(membrane: *const cd_membrane, out_speed: *mut f64, out_seconds: *mut f64) -> cd_status;
+    pub fn cd_membrane_get_awake(membrane: *const cd_membrane, out_nodes: *mut usize) -> cd_status;
     pub fn cd_membrane_set_rest_length(membrane: *mut cd_membrane, along_u: f64, along_v: f64) -> cd_status;
     pub fn cd_membrane_get_rest_length(membrane: *const cd_membrane, out_along_u: *mut f64,
         out_along_v: *mut f64) -> cd_status;

@@ -467,6 +467,9 @@ struct convergence {
     std::size_t iterations;
     double residual;
 };
+struct calm {
+    double speed, seconds;
+};
 struct resistance {
     double along, across;
 };
@@ -588,6 +591,14 @@ public:
     outcome<node> get_end(end e) const { return value<node>(cd_chain_get_end, e); }
     outcome<> set_ring(bool ring) { return call(cd_chain_set_ring, ring); }
     outcome<bool> get_ring() const { return value<bool>(cd_chain_get_ring); }
+
+    // Below which speed [m/s], 0: never, and after how many seconds of it a strand sleeps; how many nodes are awake.
+    outcome<> set_sleep(double speed, double seconds) { return call(cd_chain_set_sleep, speed, seconds); }
+    outcome<calm> get_sleep() const {
+        calm out{};
+        return detail::got(cd_chain_get_sleep(handle_, &out.speed, &out.seconds), out);
+    }
+    outcome<std::size_t> get_awake() const { return value<std::size_t>(cd_chain_get_awake); }
 
     // ---- ropes: springs that have a length ----
 
@@ -954,6 +965,14 @@ public:
         directions<bool> out{flags.along_u != 0, flags.along_v != 0};
         return detail::got(s, out);
     }
+
+    // Below which speed [m/s], 0: never, and after how many seconds of it a sheet sleeps; how many nodes are awake.
+    outcome<> set_sleep(double speed, double seconds) { return call(cd_membrane_set_sleep, speed, seconds); }
+    outcome<calm> get_sleep() const {
+        calm out{};
+        return detail::got(cd_membrane_get_sleep(handle_, &out.speed, &out.seconds), out);
+    }
+    outcome<std::size_t> get_awake() const { return value<std::size_t>(cd_membrane_get_awake); }
 
     // ---- cloth: springs that have a length ----
 

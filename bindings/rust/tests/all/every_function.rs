@@ -7,7 +7,7 @@ pub fn make_chain() -> Chain {
     Chain::new(2, 4, 3, Precision::Float64).unwrap()
 }
 
-pub const CHAIN: [Call<Chain>; 82] = [
+pub const CHAIN: [Call<Chain>; 85] = [
     Call {
         name: "cd_chain_get_shape",
         may_fail: false,
@@ -162,6 +162,27 @@ pub const CHAIN: [Call<Chain>; 82] = [
         name: "cd_chain_get_ring",
         may_fail: false,
         call: |o, _other, _saved| o.get_ring().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_chain_set_sleep",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_sleep(1.0, 1.0).map(drop),
+        told: |o| {
+            let told = o.get_sleep().unwrap();
+            told.speed == 1.0 && told.seconds == 1.0
+        },
+    },
+    Call {
+        name: "cd_chain_get_sleep",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_sleep().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_chain_get_awake",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_awake().map(drop),
         told: |_| true,
     },
     Call {
@@ -514,7 +535,7 @@ pub fn make_membrane() -> Membrane {
     Membrane::new(4, 5, 3, Precision::Float64).unwrap()
 }
 
-pub const MEMBRANE: [Call<Membrane>; 92] = [
+pub const MEMBRANE: [Call<Membrane>; 95] = [
     Call {
         name: "cd_membrane_get_shape",
         may_fail: false,
@@ -726,6 +747,27 @@ pub const MEMBRANE: [Call<Membrane>; 92] = [
         name: "cd_membrane_get_ring",
         may_fail: false,
         call: |o, _other, _saved| o.get_ring().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_membrane_set_sleep",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_sleep(1.0, 1.0).map(drop),
+        told: |o| {
+            let told = o.get_sleep().unwrap();
+            told.speed == 1.0 && told.seconds == 1.0
+        },
+    },
+    Call {
+        name: "cd_membrane_get_sleep",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_sleep().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_membrane_get_awake",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_awake().map(drop),
         told: |_| true,
     },
     Call {

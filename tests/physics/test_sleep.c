@@ -1,0 +1,416 @@
+/* Ropes, chains and sheets that sleep: until then they are what they would be, then they stay as they are at no cost,
+ * and what changes wakes them. */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "cloth.h"
+#include "jobs.h"
+#include "kept.h"
+#include "kernels.h"
+#include "scene.h"
+
+enum { STRANDS = 5, SPRINGS = 6, NODES = SPRINGS + 1, SIDE = 7, MOST = 3 * SIDE * SIDE };
+static const double dt = 1.0 / 64, speed = 1e-3, seconds = 0.5, gravity[3] = {0, -9.81, 0};
+
+/* A body that swings where it hangs and, damped, comes to rest. */
+typedef any* make_body(cd_precision precision);
+
+static any* strands_of(cd_precision precision, double length) {
+    const double pinned = CD_NODE_PINNED;
+    cd_chain* c = scene_chain(STRANDS, SPRINGS, 3, precision);
+    scene_lay_out(c, 0.1);
+    ok(cd_chain_set_rest_length(c, length));
+    ok(cd_chain_set_stiffness(c, 100));
+    ok(cd_chain_set_lambda(c, 1));
+    ok(cd_chain_set_drag(c, 6));
+    ok(cd_chain_set_gravity(c, gravity, 3));
+    for (size_t strand = 0; strand < scene_own_strands(c); ++strand)
+        ok(cd_chain_write_f64(c, CD_PIN, strand, 1, 0, 1, &pinned, 1));
+    return c;
+}
+static any* ropes(cd_precision precision) { return strands_of(precision, 0.1 * SPRINGS); }
+static any* chains(cd_precision precision) { return strands_of(precision, 0); }
+static any* sheet(cd_solver solver, cd_precision precision, double length) {
+    cd_membrane* m = cloth(SIDE - 1, SIDE - 1, 3, precision);
+    cloth_lay_out(m, 0.1);
+    ok(cd_membrane_set_rest_length(m, length, length));
+    ok(cd_membrane_set_solver(m, solver));
+    ok(cd_membrane_set_stiffness(m, 100, 100));
+    ok(cd_membrane_set_lambda(m, 1));
+    ok(cd_membrane_set_drag(m, 6));
+    ok(cd_membrane_set_gravity(m, gravity, 3));
+    ok(cd_membrane_set_edge(m, CD_EDGE_V_FIRST, CD_NODE_PINNED));
+    return m;
+}
+static any* alternating(cd_precision precision) { return sheet(CD_SOLVER_ALTERNATING, precision, 0); }
+static any* coupled(cd_precision precision) { return sheet(CD_SOLVER_COUPLED, precision, 0); }
+static any* hung_cloth(cd_precision precision) { return sheet(CD_SOLVER_AUTO, precision, 0.6); }
+static any* explicit_sheet(cd_precision precision) {
+    any* const m = alternating(precision);
+    ok(cd_membrane_set_method(m, CD_METHOD_SYMPLECTIC_EULER));
+    ok(cd_membrane_set_stiffness(m, 10, 10)); /* stable at this dt */
+    return m;
+}
+
+static const struct body {
+    int kind; /* place in `kinds` */
+    make_body* make;
+    size_t parts, nodes; /* that sleep one by one, and of each */
+} bodies[] = {{CHAIN, ropes, STRANDS, NODES},
+              {CHAIN, chains, 1, STRANDS* NODES},
+              {MEMBRANE, alternating, 1, SIDE* SIDE},
+              {MEMBRANE, coupled, 1, SIDE* SIDE},
+              {MEMBRANE, explicit_sheet, 1, SIDE* SIDE},
+              {MEMBRANE, hung_cloth, 1, SIDE* SIDE}};
+enum { ROPES = 0, CLOTH = 5 }; /* places in `bodies` */
+#define FOR_BODIES(body, precision)                                               \
+    for (const struct body* body = bodies; body < bodies + COUNT(bodies); ++body) \
+        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
+
+static cd_status set_sleep(const struct body* body, any* x, double slowest, double time) {
+    return body->kind == CHAIN ? cd_chain_set_sleep(x, slowest, time) : cd_membrane_set_sleep(x, slowest, time);
+}
+static size_t awake(const struct body* body, const any* x) {
+    size_t nodes = SIZE_MAX;
+    ok(body->kind == CHAIN ? cd_chain_get_awake(x, &nodes) : cd_membrane_get_awake(x, &nodes));
+    return nodes;
+}
+static void step(const struct body* body, any* x, size_t count) { ok(kinds[body->kind].step(x, dt, count)); }
+static void read_all(const struct body* body, const any* x, cd_field field, double* out_values) {
+    ok(kinds[body->kind].read(x, field, out_values, kind_numbers(&kinds[body->kind], x, field)));
+}
+static double energy(const struct body* body, const any* x) {
+    double kinetic, elastic, of_gravity;
+    if (body->kind == CHAIN) ok(cd_chain_get_energy(x, &kinetic, &elastic, &of_gravity));
+    else ok(cd_membrane_get_energy(x, &kinetic, &elastic, &of_gravity));
+    return kinetic + elastic + of_gravity;
+}
+
+/* Steps until all of it sleeps, one after the other; tells how many. */
+static size_t rest(const struct body* body, any* x) {
+    size_t steps = 0;
+    for (; awake(body, x) > 0 && steps < 4000; ++steps) step(body, x, 1);
+    assert_int_equal(awake(body, x), 0);
+    return steps;
+}
+
+/* Bit by bit what never sleeps, until it does: then it is still, and stays where it is. */
+static void what_rests_sleeps(void** state) {
+    (void)state;
+    FOR_BODIES(body, precision) {
+        const struct kind* const kind = &kinds[body->kind];
+        any *const x = body->make(precision), *const never = body->make(precision);
+        double before[MOST], after[MOST], v[MOST];
+        ok(set_sleep(body, x, speed, seconds));
+        assert_int_equal(awake(body, x), body->parts * body->nodes);
+        size_t steps = 0;
+        for (; awake(body, x) > 0 && steps < 4000; ++steps) {
+            const size_t nodes = awake(body, x);
+            step(body, x, 1), step(body, never, 1);
+            if (awake(body, x) < nodes) break; /* what fell asleep has stopped */
+            read_all(body, x, CD_POSITION, before), read_all(body, never, CD_POSITION, after);
+            assert_memory_equal(before, after, kind_numbers(kind, x, CD_POSITION) * sizeof *before);
+            read_all(body, x, CD_VELOCITY, before), read_all(body, never, CD_VELOCITY, after);
+            assert_memory_equal(before, after, kind_numbers(kind, x, CD_VELOCITY) * sizeof *before);
+        }
+        assert_true(steps > 10);
+        read_all(body, never, CD_VELOCITY, v); /* it was slow, and is for as long */
+        for (size_t i = 0; i < kind_numbers(kind, x, CD_VELOCITY); ++i) assert_true(fabs(v[i]) <= speed);
+        assert_true(energy(body, x) <= energy(body, never));
+        rest(body, x);
+        const double held = energy(body, x);
+        read_all(body, x, CD_POSITION, before);
+        step(body, x, 100);
+        read_all(body, x, CD_POSITION, after), read_all(body, x, CD_VELOCITY, v);
+        assert_memory_equal(before, after, kind_numbers(kind, x, CD_POSITION) * sizeof *before);
+        for (size_t i = 0; i < kind_numbers(kind, x, CD_VELOCITY); ++i) assert_true(v[i] == 0);
+        assert_true(energy(body, x) == held);
+        uint64_t made, of_never;
+        step(body, never, 3);
+        ok(kind->get_steps(x, &made)), ok(kind->get_steps(never, &of_never));
+        assert_true(made > of_never);   /* time passes in sleep */
+        ok(set_sleep(body, x, 0, NAN)); /* off, and awake */
+        assert_int_equal(awake(body, x), body->parts * body->nodes);
+        kind->destroy(x), kind->destroy(never);
+    }
+}
+
+/* Whatever the kernels, the hook, and how calls share the steps; and after a load or a copy at any time. */
+static void who_sleeps_is_part_of_the_state(void** state) {
+    (void)state;
+    FOR_BODIES(body, precision) {
+        const struct kind* const kind = &kinds[body->kind];
+        any* const x = body->make(precision);
+        struct jobs jobs = {0, 0};
+        ok(set_sleep(body, x, speed, seconds));
+        for (size_t s = 0; s < STRANDS && body == &bodies[ROPES]; ++s) /* so that they fall asleep one by one */
+            ok(cd_chain_attach(x, s, NODES - 1, 1, 0.4 * (double)s, NULL, 0));
+        any* const others[] = {body->make(precision), body->make(precision), body->make(precision)};
+        const cd_parallel hook = jobs_reversed(&jobs);
+        ok(kind->set_parallel(others[0], &hook));
+        ok(kind->set_kernels(others[0], CD_KERNELS_PLAIN));
+        for (size_t o = 0; o < COUNT(others); ++o) kind_take(kind, others[o], x, 1);
+        size_t steps = 0, sleeping = 0;
+        for (; awake(body, x) > 0 && steps < 4000; ++steps) {
+            const size_t nodes = awake(body, x);
+            step(body, x, 1), step(body, others[0], 1);
+            assert_true(kind_hash(kind, x) == kind_hash(kind, others[0]));
+            sleeping += awake(body, x) < nodes;
+            if (steps % 16 == 5) kind_take(kind, others[1], x, steps % 32 == 5);
+            step(body, others[1], 1);
+            if (steps % 16 != 5) assert_true(kind_hash(kind, x) == kind_hash(kind, others[1]));
+            else kind_take(kind, others[1], x, 1);
+        }
+        if (body == &bodies[ROPES]) assert_true(sleeping > 2);
+        step(body, others[2], steps), step(body, others[2], 7), step(body, x, 7);
+        assert_true(kind_hash(kind, x) == kind_hash(kind, others[2]));
+        ok(kind->set_kernels(x, CD_KERNELS_PLAIN)), ok(kind->set_parallel(x, &hook)); /* neither wakes */
+        assert_int_equal(awake(body, x), 0);
+        for (size_t o = 0; o < COUNT(others); ++o) kind->destroy(others[o]);
+        kind->destroy(x);
+    }
+}
+
+/* A collider far above. */
+static void far_away(void* user, double time, size_t count, size_t components, const double* positions,
+                     double* out_distances, double* out_normals) {
+    (void)user, (void)time, (void)positions;
+    for (size_t i = 0; i < count; ++i) out_distances[i] = 100;
+    for (size_t i = 0; i < count * components; ++i) out_normals[i] = i % components == 1 ? -1 : 0;
+}
+static const cd_distance answer = {NULL, far_away};
+
+/* What wakes strand 2 of ropes, or all. */
+typedef void act(cd_chain* c);
+static const double one[3] = {1, 0, 0}, none[3] = {0, 0, 0};
+static void write_position(cd_chain* c) { ok(cd_chain_write_f64(c, CD_POSITION, 2, 1, 3, 1, one, 3)); }
+static void write_nothing_new(cd_chain* c) { ok(cd_chain_write_f64(c, CD_VELOCITY, 2, 1, 3, 1, none, 3)); }
+static void write_single(cd_chain* c) { ok(cd_chain_write_f32(c, CD_FORCE, 2, 1, 6, 1, (const float[]){1, 0, 0}, 3)); }
+static void write_mass(cd_chain* c) { ok(cd_chain_write_f64(c, CD_MASS, 2, 1, 6, 1, one, 1)); }
+static void impulse(cd_chain* c) { ok(cd_chain_impulse(c, 2, 5, one, 3)); }
+static void teleport(cd_chain* c) { ok(cd_chain_teleport(c, 2, NULL, one, 3)); }
+static void attach(cd_chain* c) { ok(cd_chain_attach(c, 2, 5, 10, 1, one, 3)); }
+static void detach(cd_chain* c) { ok(cd_chain_detach(c, 2, 4)); }
+static void cut(cd_chain* c) { ok(cd_chain_cut(c, 2, 3)); }
+static void weld(cd_chain* c) { ok(cd_chain_weld(c, 2, 3)); }
+static void let_go(cd_chain* c) { ok(cd_chain_set_end(c, CD_END_FIRST, CD_NODE_FREE)); }
+static void gravity_off(cd_chain* c) { ok(cd_chain_set_gravity(c, none, 3)); }
+static void drag(cd_chain* c) { ok(cd_chain_set_drag(c, 0)); }
+static void stiffness(cd_chain* c) { ok(cd_chain_set_stiffness(c, 10)); }
+static void rigid(cd_chain* c) { ok(cd_chain_set_stiffness(c, INFINITY)); }
+static void length(cd_chain* c) { ok(cd_chain_set_rest_length(c, 2)); }
+static void push(cd_chain* c) { ok(cd_chain_set_push(c, 1)); }
+static void strength(cd_chain* c) { ok(cd_chain_set_strength(c, 1e-3)); }
+static void mass(cd_chain* c) { ok(cd_chain_set_mass(c, 2)); }
+static void bend(cd_chain* c) { ok(cd_chain_set_bend(c, 2)); }
+static void air(cd_chain* c) { ok(cd_chain_set_air(c, 1, 2)); }
+static void wind(cd_chain* c) { ok(cd_chain_set_wind(c, one, 3)); }
+static void plane(cd_chain* c) { ok(cd_chain_set_plane(c, 0, one, one, 3, 0)); }
+static void removed(cd_chain* c) { ok(cd_chain_remove_collider(c, 0)); }
+static void moving(cd_chain* c) { ok(cd_chain_set_collider_velocity(c, 0, one, 3)); }
+static void callback(cd_chain* c) { ok(cd_chain_set_callback(c, 0, &answer, none, 3, 0)); }
+static void thickness(cd_chain* c) { ok(cd_chain_set_thickness(c, 1)); }
+static void reset(cd_chain* c) { ok(cd_chain_reset(c)); }
+static void sleep_longer(cd_chain* c) { ok(cd_chain_set_sleep(c, speed, 2 * seconds)); }
+
+static void what_changes_a_strand_wakes_it(void** state) {
+    (void)state;
+    static act* const of_one[] = {
+        write_position, write_nothing_new, write_single, write_mass, impulse, teleport, attach, detach, cut, weld};
+    static act* const of_all[] = {let_go,   gravity_off, drag,      stiffness, rigid,       length, push,
+                                  strength, mass,        bend,      air,       wind,        plane,  removed,
+                                  moving,   callback,    thickness, reset,     sleep_longer};
+    const struct body* const body = &bodies[ROPES];
+    cd_chain *const asleep = ropes(CD_FLOAT64), *const c = ropes(CD_FLOAT64);
+    ok(cd_chain_enable_field(asleep, CD_FORCE)), ok(cd_chain_enable_field(asleep, CD_MASS));
+    ok(cd_chain_enable_field(asleep, CD_STIFFNESS)), ok(cd_chain_enable_field(asleep, CD_WIND));
+    ok(cd_chain_attach(asleep, 2, 4, 0, 0, NULL, 0)), ok(cd_chain_set_colliders(asleep, 1));
+    ok(cd_chain_set_sleep(asleep, speed, seconds));
+    rest(body, asleep);
+    for (size_t i = 0; i < COUNT(of_one) + COUNT(of_all); ++i) {
+        ok(cd_chain_copy_state(c, asleep));
+        (i < COUNT(of_one) ? of_one[i] : of_all[i - COUNT(of_one)])(c);
+        assert_int_equal(awake(body, c), i < COUNT(of_one) ? NODES : STRANDS * NODES);
+    }
+    ok(cd_chain_copy_state(c,
+                           asleep)); /* what was refused, or is nothing, wakes no one; nor does how steps are solved */
+    refuses(c, cd_chain_write_f64(c, CD_POSITION, 0, STRANDS, 0, NODES, NULL, 1), CD_ERROR_RANGE, "count");
+    ok(cd_chain_write_f64(c, CD_POSITION, 0, STRANDS, 3, 0, NULL, 0));
+    ok(cd_chain_set_tolerance(c, 1e-9, 50));
+    assert_int_equal(awake(body, c), 0);
+    cd_chain_destroy(asleep), cd_chain_destroy(c);
+}
+
+/* And a sheet. */
+static void what_changes_a_sheet_wakes_it(void** state) {
+    (void)state;
+    const struct body* const body = &bodies[CLOTH];
+    cd_membrane *const asleep = hung_cloth(CD_FLOAT64), *const m = hung_cloth(CD_FLOAT64);
+    ok(cd_membrane_enable_field(asleep, CD_FORCE)), ok(cd_membrane_enable_field(asleep, CD_WIND));
+    ok(cd_membrane_enable_field(asleep, CD_STIFFNESS_U)), ok(cd_membrane_set_colliders(asleep, 1));
+    ok(cd_membrane_attach(asleep, 2, 4, 0, 0, NULL, 0));
+    ok(cd_membrane_set_sleep(asleep, speed, seconds));
+    rest(body, asleep);
+    enum { CHANGES = 24 };
+    for (int change = 0; change < CHANGES; ++change) {
+        ok(cd_membrane_copy_state(m, asleep));
+        if (change == 0) ok(cd_membrane_write_f64(m, CD_VELOCITY, 3, 3, 1, 1, none, 3));
+        if (change == 1) ok(cd_membrane_write_f32(m, CD_FORCE, 3, 3, 1, 1, (const float[]){1, 0, 0}, 3));
+        if (change == 2) ok(cd_membrane_write_f64(m, CD_STIFFNESS_U, 3, 3, 1, 1, none, 1));
+        if (change == 3) ok(cd_membrane_impulse(m, 3.0, 3.0, 1, one, 3));
+        if (change == 4) ok(cd_membrane_teleport(m, NULL, one, 3));
+        if (change == 5) ok(cd_membrane_attach(m, 3, 3, 10, 1, one, 3));
+        if (change == 6) ok(cd_membrane_detach(m, 2, 4));
+        if (change == 7) ok(cd_membrane_set_edge(m, CD_EDGE_V_FIRST, CD_NODE_FREE));
+        if (change == 8) ok(cd_membrane_set_gravity(m, none, 3));
+        if (change == 9) ok(cd_membrane_set_drag(m, 0));
+        if (change == 10) ok(cd_membrane_set_stiffness(m, 10, 100));
+        if (change == 11) ok(cd_membrane_set_rest_length(m, 2, 0.6));
+        if (change == 12) ok(cd_membrane_set_shear(m, 10));
+        if (change == 13) ok(cd_membrane_set_compression(m, 0));
+        if (change == 14) ok(cd_membrane_set_breaking_strain(m, 1e-3));
+        if (change == 15) ok(cd_membrane_set_air(m, 1, 2));
+        if (change == 16) ok(cd_membrane_set_wind(m, one, 3));
+        if (change == 17) ok(cd_membrane_set_plane(m, 0, one, one, 3, 0));
+        if (change == 18) ok(cd_membrane_set_collider_velocity(m, 0, one, 3));
+        if (change == 19) ok(cd_membrane_set_thickness(m, 1));
+        if (change == 20) ok(cd_membrane_set_pressure(m, 3));
+        if (change == 21) ok(cd_membrane_set_bend(m, 3));
+        if (change == 22) ok(cd_membrane_set_mass_rule(m, CD_MASS_HALF_ENDS));
+        if (change == 23) ok(cd_membrane_reset(m));
+        assert_int_equal(awake(body, m), SIDE * SIDE);
+    }
+    ok(cd_membrane_copy_state(m, asleep));
+    ok(cd_membrane_write_f64(m, CD_POSITION, 3, 3, 0, 1, NULL, 0));
+    ok(cd_membrane_set_effort(m, 3, 30));
+    assert_int_equal(awake(body, m), 0);
+    cd_membrane_destroy(asleep), cd_membrane_destroy(m);
+}
+
+/* Thrown up, it is slow for 2 speed / g: who asks for less time has it hang in the air, and who asks for more has not. */
+static void what_it_neglects_is_an_acceleration(void** state) {
+    (void)state;
+    const double v = 1, slow = 2 * v / 9.81, up[3] = {0, 1.5 * v, 0};
+    const double asked[] = {0.1 * slow, 0.5 * slow, slow - 3 * dt, slow + dt, 2 * slow, 1e60};
+    for (size_t k = 0; k < COUNT(asked); ++k) FOR_BODIES(body, precision) {
+            const struct kind* const kind = &kinds[body->kind];
+            any* const x = body->make(precision);
+            double thrown[MOST];
+            if (body->kind == CHAIN) {
+                ok(cd_chain_set_end(x, CD_END_FIRST, CD_NODE_FREE));
+                ok(cd_chain_set_drag(x, 0)), ok(cd_chain_set_stiffness(x, 0));
+            } else {
+                ok(cd_membrane_set_edge(x, CD_EDGE_V_FIRST, CD_NODE_FREE));
+                ok(cd_membrane_set_drag(x, 0)), ok(cd_membrane_set_stiffness(x, 0, 0));
+                if (body == &bodies[CLOTH]) ok(cd_membrane_set_compression(x, 0));
+            }
+            for (size_t i = 0; i < kind_numbers(kind, x, CD_VELOCITY); ++i) thrown[i] = up[i % 3];
+            ok(kind->write(x, CD_VELOCITY, thrown, kind_numbers(kind, x, CD_VELOCITY)));
+            ok(set_sleep(body, x, v, asked[k]));
+            for (size_t steps = 0; steps < 64; ++steps) step(body, x, 1);
+            assert_int_equal(awake(body, x), asked[k] < slow ? 0 : body->parts * body->nodes);
+            kind->destroy(x);
+        }
+}
+
+/* A node that is moved keeps its strand awake, however slow; once it stops, all may sleep. */
+static void what_is_held_must_not_move(void** state) {
+    (void)state;
+    const double driven = CD_NODE_DRIVEN, creeps[3] = {1e-6, 0, 0};
+    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+        const struct body* const body = &bodies[ROPES];
+        cd_chain* const c = ropes(precision);
+        ok(cd_chain_write_f64(c, CD_PIN, 1, 1, 0, 1, &driven, 1));
+        ok(cd_chain_write_f64(c, CD_VELOCITY, 1, 1, 0, 1, creeps, 3));
+        ok(cd_chain_set_end(c, CD_END_LAST, CD_NODE_FREE)), ok(cd_chain_enable_field(c, CD_TARGET));
+        const double posed = CD_NODE_POSED;
+        double target[3];
+        ok(cd_chain_read_f64(c, CD_POSITION, 3, 1, 0, 1, target, 3));
+        ok(cd_chain_write_f64(c, CD_PIN, 3, 1, 0, 1, &posed, 1));
+        ok(cd_chain_set_sleep(c, speed, seconds));
+        for (int i = 0; i < 2000; ++i) { /* a pose that is written wakes */
+            target[0] += 1e-6;
+            if (i < 1900) ok(cd_chain_write_f64(c, CD_TARGET, 3, 1, 0, 1, target, 3));
+            step(body, c, 1);
+            assert_true(awake(body, c) >= (i < 1900 ? 2 : 1) * NODES);
+        }
+        assert_int_equal(awake(body, c), NODES);
+        double v[3];
+        ok(cd_chain_read_f64(c, CD_VELOCITY, 1, 1, 0, 1, v, 3));
+        assert_true(fabs(v[0] - creeps[0]) < 1e-12);
+        ok(cd_chain_write_f64(c, CD_VELOCITY, 1, 1, 0, 1, none, 3));
+        rest(body, c);
+        cd_chain_destroy(c);
+    }
+}
+
+static void what_moves_and_callbacks_keep_awake(void** state) {
+    (void)state;
+    const double far[3] = {0, -50, 0}, up[3] = {0, 1, 0}, creeps[3] = {0, 1e-9, 0};
+    for (int is_cloth = 0; is_cloth <= 1; ++is_cloth)
+        for (int by_callback = 0; by_callback <= 1; ++by_callback) {
+            const struct body* const body = &bodies[is_cloth ? CLOTH : ROPES];
+            any* const x = body->make(CD_FLOAT64);
+            ok(is_cloth ? cd_membrane_set_colliders(x, 2) : cd_chain_set_colliders(x, 2));
+            ok(is_cloth ? cd_membrane_set_plane(x, 1, far, up, 3, 0) : cd_chain_set_plane(x, 1, far, up, 3, 0));
+            ok(set_sleep(body, x, speed, seconds));
+            rest(body, x); /* beside one that stands */
+            if (by_callback)
+                ok(is_cloth ? cd_membrane_set_callback(x, 1, &answer, far, 3, 0)
+                            : cd_chain_set_callback(x, 1, &answer, far, 3, 0));
+            else
+                ok(is_cloth ? cd_membrane_set_collider_velocity(x, 1, creeps, 3)
+                            : cd_chain_set_collider_velocity(x, 1, creeps, 3));
+            for (int i = 0; i < 200; ++i) {
+                step(body, x, 1);
+                assert_int_equal(awake(body, x), body->parts * body->nodes);
+            }
+            ok(is_cloth ? cd_membrane_remove_collider(x, 1) : cd_chain_remove_collider(x, 1));
+            assert_true(rest(body, x) < 50);
+            kinds[body->kind].destroy(x);
+        }
+}
+
+/* What breaks in the step that would let it fall asleep, falls. */
+static void what_breaks_is_awake(void** state) {
+    (void)state;
+    for (int is_cloth = 0; is_cloth <= 1; ++is_cloth) {
+        const struct body* const body = &bodies[is_cloth ? CLOTH : ROPES];
+        for (double asked = 0, first = 0; asked == 0 || first > 0; asked = (first - 1.5) * dt) {
+            any* const x = body->make(CD_FLOAT64);
+            if (is_cloth) ok(cd_membrane_set_breaking_strain(x, 0.02)), ok(cd_membrane_set_drag(x, 40));
+            else ok(cd_chain_set_strength(x, 8)), ok(cd_chain_set_drag(x, 40));
+            if (asked > 0) ok(set_sleep(body, x, 1e6, asked));
+            size_t broken = 0, steps = 0;
+            for (; broken == 0 && steps < 1000; ++steps) {
+                step(body, x, 1);
+                ok(is_cloth ? cd_membrane_get_broken(x, &broken) : cd_chain_get_broken(x, &broken));
+            }
+            assert_true(broken > 0);
+            if (asked > 0) {
+                assert_int_equal(first, steps);
+                assert_int_equal(awake(body, x), (is_cloth ? 1 : broken) * body->nodes);
+                kinds[body->kind].destroy(x);
+                break;
+            }
+            first = (double)steps;
+            assert_true(first > 3);
+            kinds[body->kind].destroy(x);
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_rests_sleeps),
+        cmocka_unit_test(who_sleeps_is_part_of_the_state),
+        cmocka_unit_test(what_changes_a_strand_wakes_it),
+        cmocka_unit_test(what_changes_a_sheet_wakes_it),
+        cmocka_unit_test(what_it_neglects_is_an_acceleration),
+        cmocka_unit_test(what_is_held_must_not_move),
+        cmocka_unit_test(what_moves_and_callbacks_keep_awake),
+        cmocka_unit_test(what_breaks_is_awake),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
