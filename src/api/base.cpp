@@ -123,6 +123,9 @@ const char* cd_build_info(void) {
 #if CD_WITH_DRAW
                        " draw"
 #endif
+#if CD_WITH_SLEEP
+                       " sleep"
+#endif
 #if CD_WITH_SAVE
                        " save"
 #endif

@@ -190,7 +190,8 @@ template <class X> cd_status disable_field(const char* function, X& x, cd_field 
 
 // ---- attachments ----------------------------------------------------------------------------------------------------
 
-// node: where a field per node has its number. each_place(f) makes f(component, place) for every number that the node has in an array of the state.
+// node: where a field per node has its number; each_place(f) makes f(component, place) for every number that the node
+// has in an array of the state.
 template <class X, class EachPlace> cd_status attach(const char* function, X& x, size_t node, double stiffness,
                                                      double damping, const double* target, size_t count,
                                                      EachPlace each_place) {

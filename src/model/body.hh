@@ -166,6 +166,7 @@ struct BodyFeatures {
 inline const char* left_out(const BodyFeatures& f) {
     if (!CD_WITH_BEND && f.bend) return "bend is";
     if (!CD_WITH_CONTACT && f.colliders.count > 0) return "colliders are";
+    if (!CD_WITH_SLEEP && f.sleep) return "sleep is";
     return nullptr;
 }
 

@@ -66,7 +66,7 @@ constexpr double kStirred = -1;
 
 // Wakes `count` parts from `first`; an object that is one part has no other.
 inline void wake(Object& o, size_t first, size_t count) {
-    for (size_t i = first; o.calm && i < first + count; ++i) o.calm[i % o.calm.count] = kStirred;
+    for (size_t i = first; CD_WITH_SLEEP && o.calm && i < first + count; ++i) o.calm[i % o.calm.count] = kStirred;
 }
 inline void wake(Object& o) { wake(o, 0, o.calm.count); }
 

@@ -6,7 +6,7 @@
 
 namespace cd {
 
-inline bool sleeps(const Body& b, size_t part) { return b.calm && b.calm[part] >= b.sleep_seconds; }
+inline bool sleeps(const Body& b, size_t part) { return CD_WITH_SLEEP && b.calm && b.calm[part] >= b.sleep_seconds; }
 inline size_t sleeping_parts(const Body& b) {
     size_t count = 0;
     for (size_t part = 0; part < b.calm.count; ++part) count += sleeps(b, part);
@@ -25,8 +25,10 @@ inline bool is_kept_awake(const Body& b) {
 
 // Whether parts may fall asleep in the steps that come next; where something keeps them awake, they are.
 inline bool can_fall_asleep(Body& b) {
-    if (is_kept_awake(b)) wake(b);
-    return b.calm && !is_kept_awake(b);
+    if (!CD_WITH_SLEEP || !b.calm) return false;
+    if (!is_kept_awake(b)) return true;
+    wake(b);
+    return false;
 }
 
 // Part: one of a body; it has a number and nodes, of which place(i) tells where the first component lies, and held(i)

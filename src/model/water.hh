@@ -147,8 +147,15 @@ bool set_features(Water& w, const WaterFeatures& wanted);
 inline const char* left_out(const WaterFeatures& f) {
     if (!CD_WITH_HULL && f.hulls.count > 0) return "hulls are";
     if (!CD_WITH_ADVECTED && f.momentum == CD_MOMENTUM_ADVECTED) return "advected momentum is";
+    if (!CD_WITH_SLEEP && f.sleep) return "sleep is";
     return nullptr;
 }
+inline bool all_awake(const Water& w) { return !CD_WITH_SLEEP || w.tiles.all_awake; }
+// Something has changed cells, or the faces before or below them; or anything.
+inline void disturb(Water& w, const CellRectangle& cells) {
+    if (CD_WITH_SLEEP) mark_changed(w, cells);
+}
+inline void disturb(Water& w) { w.surveyed = false; }
 // Sets what is at a side, and at the opposite one where one of them is or was periodic.
 void set_side(Water& w, cd_side side, const WaterSide& wanted);
 // Depth, velocities, time, account and the axis to sweep first back to 0.

@@ -138,9 +138,7 @@ struct Chooser {
 // More than nothing without gravity, too.
 double stir_of_acting(const Water& w) { return stir_of(w, kStrong * w.sleep) + 1e-300; }
 
-void disturb(Water& w) { w.surveyed = false; }
-
-void disturb(Water& w, const CellRectangle& cells) {
+void mark_changed(Water& w, const CellRectangle& cells) {
     if (!w.tiles.marks || cells.n_x == 0 || cells.n_y == 0) return;
     const auto tile = [&](Axis a, size_t cell) { // faces there are one more than cells
         return (cell < w.cells[a] ? cell : w.cells[a] - 1) / kTile;

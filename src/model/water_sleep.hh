@@ -69,10 +69,8 @@ double stir_of_acting(const Water& w);
 
 inline size_t tiles_of(size_t cells) { return (cells + kTile - 1) / kTile; }
 
-// Something has changed cells, or the faces before or below them; or anything.
-void disturb(Water& w, const CellRectangle& cells);
-void disturb(Water& w);
-
+// See disturb.
+void mark_changed(Water& w, const CellRectangle& cells);
 // Measures how much tiles with a mark stir, and those behind them, which the faces between belong to.
 void survey_marked(const Water& w, uint8_t mark);
 // Before a step of dt: which tiles it moves. Water falls still on the faces of those that fall asleep; `moved` is the

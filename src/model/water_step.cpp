@@ -82,9 +82,9 @@ struct Stepper {
     // Makes a step. False if a number left the finite range.
     bool step() {
         finite = true;
-        if (w.sleep > 0) choose_awake(w, moved(), dt);
+        if (CD_WITH_SLEEP && w.sleep > 0) choose_awake(w, moved(), dt);
         else w.tiles.all_awake = true;
-        w.awake = w.tiles.all_awake ? w.cells[kX] * w.cells[kY] : awake_cells(w);
+        w.awake = !CD_WITH_SLEEP || w.tiles.all_awake ? w.cells[kX] * w.cells[kY] : awake_cells(w);
         if (w.source) add_sources();
         const Axis first = Axis(w.first);
         sweep_under_hulls(first, true);
@@ -95,7 +95,7 @@ struct Stepper {
                 settle_hulls(w, work.hulls);
                 finite &= hulls_finite(w);
             }
-        if (w.sleep > 0) survey_awake(w);
+        if (CD_WITH_SLEEP && w.sleep > 0) survey_awake(w);
         w.first = other(first);
         done += 1;
         return finite;
@@ -127,7 +127,7 @@ struct Stepper {
         if (along.cells == 1 && along.closed() && !along.ring()) return; // nothing moves
         const WaterLines lines = lines_along(a);
         in_tasks(a, lines.lines, [&](double* place, size_t first, size_t count) {
-            if (w.tiles.all_awake) return kernels().sweep(along, lines, place, first, count);
+            if (all_awake(w)) return kernels().sweep(along, lines, place, first, count);
             bool good = true;
             for (size_t pack = first; pack < first + count; ++pack) good &= sweep_awake(a, along, lines, place, pack);
             return good;
@@ -211,7 +211,7 @@ struct Stepper {
 
     // What moves along `a` carries of the velocities across it, which lie on the faces between the lines.
     void carry(Axis a) {
-        if (!w.tiles.all_awake) return carry_awake(a);
+        if (!all_awake(w)) return carry_awake(a);
         const size_t last = w.cells[other(a)] - 1, step = stride(other(a));
         carry_faces(a, 1, last, 0);
         if (!periodic(w, other(a))) return;
@@ -286,7 +286,7 @@ struct Stepper {
         const auto run = [&](size_t first, size_t end) {
             for (size_t k = first; k < end; ++k) f(k);
         };
-        if (w.tiles.all_awake) run(0, w.cells[along]);
+        if (all_awake(w)) run(0, w.cells[along]);
         else w.tiles.each_run(along, line / kTile, w.cells[along], run);
     }
 

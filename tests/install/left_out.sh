@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # left_out.sh PARTS: builds contdyn without these, joined by +: one of CHAIN, MEMBRANE, WATER, or some of ROPE, CLOTH,
-# HULL, BEND, CONTACT, COUPLED, ADVECTED, DRAW, SAVE, FLOAT32, FLOAT64. Fails unless their code is gone, and every
+# HULL, BEND, CONTACT, COUPLED, ADVECTED, DRAW, SLEEP, SAVE, FLOAT32, FLOAT64. Fails unless their code is gone, and every
 # scene of the bindings gives the same bits as with the whole library, or ends with CD_ERROR_UNSUPPORTED where it asks
 # for what was left out, as does loading states that need it. Not optimised, and without the widest kernels, which are
 # the same text again: that takes less time.
@@ -36,6 +36,7 @@ for part in "${all[@]}"; do
     COUPLED) dropped 'cd::\(solve_coupled\|Multigrid::[a-z]*\|ShiftedLines::[a-z]*\)(' ;;
     ADVECTED) dropped '[a-z0-9]*::carry_across(' ;;
     DRAW) dropped 'cd::\(write_vertices\|write_indices\|index_count\)(' ;;
+    SLEEP) dropped 'cd::\(choose_awake\|survey_awake\|mark_changed\)(' ;;
     SAVE) dropped 'cd::\(load_object<[^(]*\|save\|load\)(' ;;
     FLOAT32) dropped '[a-z_]*_numbers<float' ;;
     FLOAT64) dropped 'Plain[LR][a-z]*<double' ;; # what membranes and hulls keep for themselves is double

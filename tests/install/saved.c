@@ -78,6 +78,9 @@ int main(int count, char** words) {
     STATE("CONTACT", 0, chain, (must(cd_chain_set_rest_length(x, 1)), must(cd_chain_set_colliders(x, 1))));
     STATE("CONTACT", 1, membrane, (must(cd_membrane_set_rest_length(x, 1, 1)), must(cd_membrane_set_colliders(x, 1))));
     STATE("COUPLED", 0, membrane, must(cd_membrane_set_solver(x, CD_SOLVER_COUPLED)));
+    STATE("SLEEP", 0, chain, must(cd_chain_set_sleep(x, 1, 1)));
+    STATE("SLEEP", 1, membrane, must(cd_membrane_set_sleep(x, 1, 1)));
+    STATE("SLEEP", 2, water, must(cd_water_set_sleep(x, 1)));
     STATE("ADVECTED", 0, water, must(cd_water_set_momentum(x, CD_MOMENTUM_ADVECTED)));
     return 0;
 }

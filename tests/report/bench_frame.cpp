@@ -1,5 +1,5 @@
 // What a frame takes beside its steps, and what makes a step dearer: numbers read and written, vertices with normals, a
-// copy of the state, a time step of its own every frame, a pinned node in a sheet; and what sleeping water saves.
+// copy of the state, a time step of its own every frame, a pinned node in a sheet; and what sleep saves.
 #include <cmath>
 #include <cstring>
 
@@ -158,6 +158,42 @@ Bench a_sleeping_lake() {
             }};
 }
 
+// Hair on a head, of which none, one strand in ten, or all are at rest: a strand that is pushed every frame is awake.
+Bench sleeping_ropes() {
+    static constexpr std::size_t kStrands = 500, kSprings = 19, kAll = kStrands * (kSprings + 1);
+    return {"frame.sleep.ropes", [] {
+                const auto hair = [](double speed, std::size_t of) {
+                    const auto ropes = std::make_shared<Chain>(kSprings, 3, CD_FLOAT32, kStrands);
+                    const double gravity[3] = {0, -9.81, 0};
+                    std::vector<double> x;
+                    for (std::size_t s = 0; s < kStrands; ++s)
+                        for (std::size_t i = 0; i <= kSprings; ++i)
+                            x.insert(x.end(), {0.01 * double(s), -0.05 * double(i), 0});
+                    ropes->write(CD_POSITION, x);
+                    check(cd_chain_set_rest_length(ropes->get(), 0.05 * kSprings));
+                    check(cd_chain_set_stiffness(ropes->get(), INFINITY));
+                    check(cd_chain_set_lambda(ropes->get(), 1));
+                    check(cd_chain_set_drag(ropes->get(), 1));
+                    check(cd_chain_set_gravity(ropes->get(), gravity, 3));
+                    check(cd_chain_set_end(ropes->get(), CD_END_FIRST, CD_NODE_PINNED));
+                    check(cd_chain_set_sleep(ropes->get(), speed, 0.5));
+                    const auto frame = std::make_shared<double>(0);
+                    return [ropes, frame, of] {
+                        const double push[3] = {0.02 * std::sin(*frame += 0.1), 0, 0};
+                        for (std::size_t s = 0; s < kStrands && of > 0; s += of)
+                            check(cd_chain_impulse(ropes->get(), s, kSprings, push, 3));
+                        check(cd_chain_step(ropes->get(), kFrame, 1));
+                    };
+                };
+                Case it{"frame.sleep.ropes", kAll, {}, "what is awake"};
+                it.subjects = {{"never sleep", hair(0, 10)},
+                               {"one in ten awake", hair(1e-2, 10)},
+                               {"all awake", hair(1e-2, 1)},
+                               {"all asleep", hair(1e-2, 0)}};
+                return it;
+            }};
+}
+
 } // namespace
 
 std::vector<Bench> frame_benches() {
@@ -178,7 +214,8 @@ std::vector<Bench> frame_benches() {
                    [](cd_membrane* x, double dt) { return cd_membrane_step(x, dt, 1); }),
         time_steps("frame.dt.water", kNodes, a_pool, [](cd_water* x, double dt) { return cd_water_step(x, dt, 1); }),
         a_pinned_node(),
-        a_sleeping_lake()};
+        a_sleeping_lake(),
+        sleeping_ropes()};
 }
 
 } // namespace report

@@ -24,6 +24,7 @@ set(variants
   "without the coupled solver|COUPLED"
   "without advected momentum|ADVECTED"
   "without drawing|DRAW"
+  "without sleep|SLEEP"
   "without saved states|SAVE"
   "without float32|FLOAT32"
   "without float64|FLOAT64"
@@ -34,7 +35,7 @@ set(variants
   "water alone|CHAIN+MEMBRANE"
   "chain alone in float32 with plain kernels|MEMBRANE+WATER+FLOAT64+AVX2+AVX512"
   "chain alone in float32 with plain kernels and no ropes|MEMBRANE+WATER+FLOAT64+AVX2+AVX512+ROPE|321736"
-  "chain alone likewise and no bend and saved states|MEMBRANE+WATER+FLOAT64+AVX2+AVX512+ROPE+BEND+SAVE|178360")
+  "chain alone likewise and no bend, sleep and saved states|MEMBRANE+WATER+FLOAT64+AVX2+AVX512+ROPE+BEND+SLEEP+SAVE|178360")
 
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 set(page 4096)
