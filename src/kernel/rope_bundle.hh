@@ -103,14 +103,15 @@ template <int N> struct RopeBundle {
     const RopeStage& stage;
     Node* const nodes;
     Spring* const springs;
-    InAir* const in_air;        // if there is air
-    Contact* const contacts;    // of node after node, with each collider
-    Joint* const joints;        // of rods
-    V* const by_link;           // of rods: three of each node for the air, then three of each contact
-    Answer* const answers;      // of callback after callback, for each node
-    double* const question;     // room for places of nodes and what is told of them
-    size_t first, count;        // strands
-    L lambda, per_lambda, open; // open: 1 where a strand is still to be solved
+    InAir* const in_air;         // if there is air
+    Contact* const contacts;     // of node after node, with each collider
+    Joint* const joints;         // of rods
+    V* const by_link;            // of rods: three of each node for the air, then three of each contact
+    Answer* const answers;       // of callback after callback, for each node
+    double* const question;      // room for places of nodes and what is told of them
+    const size_t* const strands; // of its lanes; those beyond the last are the last one again
+    size_t count;                // of strands
+    L lambda, per_lambda, open;  // open: 1 where a strand is still to be solved
     L iterations{}, reached{}, failed{};
     L best = L::splat(INFINITY), best_lambda{}; // the least error that was reached, and its lambda
     L heavy{};                                  // the mass of the strand, if it may touch something
@@ -125,18 +126,14 @@ template <int N> struct RopeBundle {
     L held(size_t i) const { return opposite(nodes[i].mobility); }
     static L uncut(const Spring& s) { return select(L::splat(kMostCompliance) - s.compliance, one(), L{}); }
 
-    // Strands beyond the last are the last one again.
-    size_t place(size_t i, int lane) const {
-        const size_t own = size_t(lane) < count ? size_t(lane) : count - 1;
-        return i * ropes.pitch + (first + own) * ropes.components;
-    }
+    size_t place(size_t i, int lane) const { return i * ropes.pitch + strands[lane] * ropes.components; }
     // The numbers of node or spring i.
     template <class T> L of(const RopeNumbers<T>& numbers, size_t i) const {
         return numbers.of_strand == 0 ? L::splat(numbers.at(i, 0)) : gathered(numbers, i);
     }
     template <class T> __attribute__((noinline)) L gathered(const RopeNumbers<T>& numbers, size_t i) const {
         double lane[N];
-        for (int j = 0; j < N; ++j) lane[j] = numbers.at(i, first + (size_t(j) < count ? size_t(j) : count - 1));
+        for (int j = 0; j < N; ++j) lane[j] = numbers.at(i, strands[j]);
         return L::load(lane);
     }
     // 1 where a node is held, as holds() has it.
@@ -159,9 +156,7 @@ template <int N> struct RopeBundle {
         for (int j = 0; j < N && size_t(j) < count; ++j)
             for (size_t k = 0; k < ropes.components; ++k) numbers.put(place(i, j) + k, lane[k][j]);
     }
-    size_t tension_place(size_t i, int lane) const {
-        return i * ropes.strands + first + (size_t(lane) < count ? size_t(lane) : count - 1);
-    }
+    size_t tension_place(size_t i, int lane) const { return i * ropes.strands + strands[lane]; }
     L load_tension(size_t i) const {
         double lane[N];
         for (int j = 0; j < N; ++j) lane[j] = ropes.tension[tension_place(i, j)];

@@ -284,7 +284,7 @@ template <int N> RopeResult RopeBundle<N>::step() {
 }
 
 template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage,
-                                               double* scratch, size_t first, size_t count) {
+                                               double* scratch, const size_t* strands, size_t count) {
     using Here = RopeBundle<N>;
     static_assert(sizeof(typename Here::Node) + sizeof(typename Here::Spring) == kRopeScratch * N * sizeof(double));
     auto* const nodes = reinterpret_cast<typename Here::Node*>(scratch);
@@ -301,13 +301,15 @@ template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopePar
     auto* const by_link = reinterpret_cast<typename Here::V*>(joints + (stage.bends ? ropes.nodes : 0));
     const size_t link_count = stage.bends ? 3 * (contact_count + (stage.has_air() ? ropes.nodes : 0)) : 0;
     auto* const question = reinterpret_cast<double*>(by_link + link_count);
+    size_t lanes[N];
+    for (size_t j = 0; j < N; ++j) lanes[j] = strands[j < count ? j : count - 1];
     Here bundle{ropes,   c,       stage,    nodes, springs, in_air, contacts, joints,
-                by_link, answers, question, first, count,   {},     {},       {}};
+                by_link, answers, question, lanes, count,   {},     {},       {}};
     return bundle.step();
 }
 
 static RopeResult step_alone(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch,
-                             size_t strand) {
+                             const size_t* strand) {
 #ifdef CD_ISA_IS_PLAIN
     return step_bundle<1>(ropes, c, stage, scratch, strand, 1);
 #else
@@ -315,14 +317,14 @@ static RopeResult step_alone(const Ropes& ropes, const RopeParameters& c, const 
 #endif
 }
 
-RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch, size_t first,
-                     size_t count) {
+RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch,
+                     const size_t* strands, size_t count) {
     RopeResult result;
     while (count > 0) {
         const size_t now = count < size_t(kNative) ? count : size_t(kNative);
-        result.add(now == 1 ? step_alone(ropes, c, stage, scratch, first)
-                            : step_bundle<kNative>(ropes, c, stage, scratch, first, now));
-        first += now;
+        result.add(now == 1 ? step_alone(ropes, c, stage, scratch, strands)
+                            : step_bundle<kNative>(ropes, c, stage, scratch, strands, now));
+        strands += now;
         count -= now;
     }
     return result;

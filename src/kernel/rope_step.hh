@@ -82,14 +82,14 @@ constexpr size_t kJointScratch = 63, kLinkScratch = 9;
 
 namespace CD_ISA {
 
-RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch, size_t first,
-                     size_t count);
+RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch,
+                     const size_t* strands, size_t count);
 
 } // namespace CD_ISA
 
 namespace plain {
 // All sets of kernels step a strand that is alone by this one: it goes through scalars, which no set makes faster.
-RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch, size_t first,
-                     size_t count);
+RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch,
+                     const size_t* strands, size_t count);
 } // namespace plain
 } // namespace cd

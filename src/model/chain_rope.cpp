@@ -37,33 +37,19 @@ RopeParameters parameters_of(Chain& c, bool changed) {
             {c.pin.data, c.strands, 1},          c.drag};
 }
 
-// Cuts, of each of these strands, the spring whose tension is most beyond its strength; tells how many.
-size_t break_springs(Chain& c, size_t first, size_t strands) {
-    size_t broken = 0;
-    for (size_t s = first; s < first + strands; ++s) {
-        size_t worst = c.tension.count;
-        double most = 1;
-        for (size_t i = 0; i < c.springs; ++i) {
-            const size_t at = own_place(c, s, i);
-            const double load = c.tension[at] / strength_of(c, at);
-            if (load > most) most = load, worst = at;
-        }
-        if (worst == c.tension.count) continue;
-        c.spring_stiffness[worst] = c.tension[worst] = 0;
-        wake(c, s, 1);
-        ++broken;
+// Cuts the spring of a strand whose tension is most beyond its strength; whether there is one.
+bool breaks(Chain& c, size_t strand) {
+    size_t worst = c.tension.count;
+    double most = 1;
+    for (size_t i = 0; i < c.springs; ++i) {
+        const size_t at = own_place(c, strand, i);
+        const double load = c.tension[at] / strength_of(c, at);
+        if (load > most) most = load, worst = at;
     }
-    return broken;
-}
-
-// f(first, count) for each run of strands, from `first` to before `end`, that are awake.
-template <class F> void each_awake(const Chain& c, size_t first, size_t end, F f) {
-    while (first < end) {
-        size_t next = first;
-        while (next < end && !sleeps(c, next)) ++next;
-        if (next > first) f(first, next - first);
-        first = next + 1;
-    }
+    if (worst == c.tension.count) return false;
+    c.spring_stiffness[worst] = c.tension[worst] = 0;
+    wake(c, strand, 1);
+    return true;
 }
 
 } // namespace
@@ -137,20 +123,26 @@ uint64_t step_ropes(Chain& c, double dt, size_t count, bool may_sleep) {
         RopeStage now = stage;
         double* const scratch = c.scratch.data + t * of_task;
         bad[t] = UINT64_MAX;
-        for (size_t g = t * groups / tasks; g < (t + 1) * groups / tasks; ++g) {
-            const size_t first = g * kRopeStrands, left = c.strands - first,
-                         strands = left < kRopeStrands ? left : kRopeStrands;
-            for (size_t s = 0; s < count; ++s) {
+        const size_t end = (t + 1) * groups / tasks * kRopeStrands;
+        for (size_t next = t * groups / tasks * kRopeStrands; next < end && next < c.strands;) {
+            size_t awake[kRopeStrands], several = 0;
+            for (; several < kRopeStrands && next < end && next < c.strands; ++next)
+                if (!sleeps(c, next)) awake[several++] = next;
+            for (size_t s = 0; s < count && several > 0; ++s) {
                 Clock clock = c.clock;
                 clock.advance(dt, s), now.time_before = clock.time();
                 clock.advance(dt, 1), now.time_after = clock.time();
-                each_awake(c, first, first + strands, [&](size_t from, size_t awake) {
-                    const RopeResult result = c.kernels->rope_step(ropes, parameters, now, scratch, from, awake);
-                    results[t].add(result);
-                    if (!result.finite && s < bad[t]) bad[t] = s;
-                    if (can_break(c)) broken[t] += break_springs(c, from, awake);
-                    for (size_t i = from; i < from + awake && may_sleep; ++i) fall_asleep(c, ChainPart(c, i), dt);
-                });
+                const RopeResult result = c.kernels->rope_step(ropes, parameters, now, scratch, awake, several);
+                results[t].add(result);
+                if (!result.finite && s < bad[t]) bad[t] = s;
+                const size_t stepped = several;
+                several = 0;
+                for (size_t i = 0; i < stepped; ++i) {
+                    const size_t strand = awake[i];
+                    if (can_break(c)) broken[t] += breaks(c, strand);
+                    if (may_sleep) fall_asleep(c, ChainPart(c, strand), dt);
+                    if (!sleeps(c, strand)) awake[several++] = strand;
+                }
             }
         }
     };

@@ -121,7 +121,7 @@ RULES = {
         "../model/sleep.hh", "calm < 0 ? 0 : fmin", "fmin", BODIES),
     "what sleeps has stopped": (
         "../model/sleep.hh", "part.nodes && sleeps(b, part.number)", "part.nodes && false", BODIES),
-    "what breaks wakes": ("../model/chain_rope.cpp", "        wake(c, s, 1);\n", "", BODIES),
+    "what breaks wakes": ("../model/chain_rope.cpp", "    wake(c, strand, 1);\n", "", BODIES),
     "and what tears": ("../model/membrane_step.cpp", "        if (m.broken > broken) wake(m);\n", "", BODIES),
     "a rope's step makes no energy": (
         "rope_step.cpp", "share(seen.gained, worth + seen.rounding)", "L{}", ["stability_ropes"]),
