@@ -141,7 +141,7 @@ class Amalgamation:
         for source in source_files():
             self.add(source)
         names = ["CHAIN", "ROPE", "MEMBRANE", "CLOTH", "WATER", "HULL", "BEND", "CONTACT", "COUPLED", "ADVECTED",
-                 "DRAW", "SAVE", "FLOAT32", "FLOAT64"]
+                 "DRAW", "SLEEP", "SAVE", "FLOAT32", "FLOAT64"]
         options = "\n".join([*(f"#define CD_WITH_{name} 1" for name in names),
                              *(f"#define CD_WITH_{name} 0" for name in ("AVX2", "AVX512"))])
         return HEAD.format(version=version(), options=options) + "\n" + "\n".join(self.parts)
