@@ -38,7 +38,7 @@ CD_GETTER(chain, get_ring, int32_t, out_ring, x.ring)
 cd_status cd_chain_set_stiffness(cd_chain* chain, double stiffness) {
     CD_OPEN(chain, c);
     const bool rigid = has_lengths(c) && isinf(stiffness) && stiffness > 0;
-    if (rigid) c.stiffness = stiffness, change(c);
+    if (rigid) c.stiffness = stiffness, changed(c);
     else if (isinf(stiffness) && stiffness > 0)
         return fail(CD_ERROR_VALUE, __func__, "stiffness is inf, but there is no rest length: set one first");
     else CD_CHECK(shared::set_parameter(__func__, c, "stiffness", stiffness, c.stiffness));
@@ -130,7 +130,7 @@ cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
     CD_CHECK(shared::change_features(__func__, c, wanted));
     if (length == 0) c.air = {}, c.rope.strength = INFINITY, c.rope.thickness = 0;
     c.rope.length = length > 0 ? length : 0; // not -0
-    change(c);
+    changed(c);
     fill_uniform(c, CD_REST_LENGTH);
     merge_velocities(c, 0, c.lines);
     return CD_OK;

@@ -69,7 +69,7 @@ cd_status cd_membrane_set_stiffness(cd_membrane* membrane, double along_u, doubl
     m.stiffness[kV] = along_v;
     fill_uniform(m, CD_STIFFNESS_U);
     fill_uniform(m, CD_STIFFNESS_V);
-    change(m);
+    changed(m);
     return CD_OK;
 }
 

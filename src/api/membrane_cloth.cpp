@@ -34,7 +34,7 @@ cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, dou
     m.cloth.length[kV] = cloth ? along_v : 0;
     fill_uniform(m, CD_REST_LENGTH_U);
     fill_uniform(m, CD_REST_LENGTH_V);
-    change(m);
+    changed(m);
     return CD_OK;
 }
 
@@ -52,7 +52,7 @@ cd_status cd_membrane_set_shear(cd_membrane* membrane, double stiffness) {
     CD_CHECK(in_range(__func__, "stiffness", stiffness, 0, kMost));
     CD_CHECK(is_cloth(__func__, m, "only cloth has shear"));
     m.cloth.shear = stiffness + 0.0; // not -0
-    change(m);
+    changed(m);
     return CD_OK;
 }
 
@@ -61,7 +61,7 @@ cd_status cd_membrane_set_compression(cd_membrane* membrane, double rate) {
     CD_CHECK(in_range(__func__, "rate", rate, 0, kMost));
     CD_CHECK(is_cloth(__func__, m, "only cloth crumples"));
     m.cloth.compression = rate + 0.0; // not -0
-    change(m);
+    changed(m);
     return CD_OK;
 }
 

@@ -71,7 +71,7 @@ inline cd_status set_parameter(const char* function, Object& o, const char* name
                                double least = 0, double most = kMost) {
     CD_CHECK(in_range(function, name, value, least, most));
     parameter = value;
-    change(o);
+    changed(o);
     return CD_OK;
 }
 
@@ -101,7 +101,7 @@ template <class X> cd_status set_mass_rule(const char* function, X& x, cd_mass_r
     CD_CHECK(is_enum(function, "rule", rule, CD_MASS_HALF_ENDS));
     x.mass_rule = rule;
     for (cd_field field : {CD_MASS, CD_STIFFNESS_U, CD_STIFFNESS_V}) fill_uniform(x, field);
-    change(x);
+    changed(x);
     return CD_OK;
 }
 
@@ -112,7 +112,7 @@ template <class X> cd_status set_bend(const char* function, X& x, double bend) {
     CD_CHECK(change_features(function, x, wanted));
     x.bend = bend;
     fill_uniform(x, CD_BEND);
-    change(x);
+    changed(x);
     return CD_OK;
 }
 

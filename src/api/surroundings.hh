@@ -155,9 +155,10 @@ inline cd_status is_lattice(const char* function, size_t components, size_t colu
                 rows);
 }
 
-template <class X> cd_status set_bed(const char* function, X& x, size_t index, const double* origin, size_t count,
-                                     size_t columns, size_t rows, double column_spacing, double row_spacing,
-                                     const double* heights, size_t height_count, double friction) {
+template <class X>
+cd_status set_bed(const char* function, X& x, size_t index, const double* origin, size_t count, size_t columns,
+                  size_t rows, double column_spacing, double row_spacing, const double* heights, size_t height_count,
+                  double friction) {
     CD_CHECK(is_collider(function, x, index, count));
     CD_CHECK(is_vector(function, "origin", origin, count));
     CD_CHECK(is_lattice(function, count, columns, rows, height_count));
@@ -269,7 +270,7 @@ template <class X> cd_status get_collider(const char* function, const X& x, size
                 shared::set_bed(__func__, x, index, origin, count, columns, rows, column_spacing, row_spacing,         \
                                 heights, height_count, friction))                                                      \
     CD_FUNCTION(object, const, get_bed,                                                                                \
-                (size_t index, size_t * out_columns, size_t * out_rows, double* out_heights, size_t height_count),     \
+                (size_t index, size_t * out_columns, size_t* out_rows, double* out_heights, size_t height_count),      \
                 shared::get_bed(__func__, x, index, out_columns, out_rows, out_heights, height_count))                 \
     CD_FUNCTION(object, , set_callback,                                                                                \
                 (size_t index, const cd_distance* distance, const double* origin, size_t count, double friction),      \

@@ -207,7 +207,7 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
         m.pin[i] = uint8_t(kind_by_edges(m, m.edge, i % m.columns, i / m.columns));
     body.fill(m);
     if (!same_edges || !same_pin) stop_nodes(m);
-    change(m);
+    changed(m);
     return true;
 }
 
@@ -255,7 +255,7 @@ bool set_edge(Membrane& m, cd_edge edge, cd_node kind) {
             set_number(m, m.target, place(m, u, v, k), get_number(m, m.position, place(m, u, v, k)));
     }
     stop_nodes(m);
-    change(m);
+    changed(m);
     return true;
 }
 

@@ -71,7 +71,7 @@ inline void wake(Object& o, size_t first, size_t count) {
 inline void wake(Object& o) { wake(o, 0, o.calm.count); }
 
 // What steps prepare for has changed.
-inline void change(Object& o) {
+inline void changed(Object& o) {
     o.prepared_dt = 0;
     wake(o);
 }
