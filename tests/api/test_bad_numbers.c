@@ -33,25 +33,6 @@ static cd_status read_winds(const cd_chain* c, double* winds) {
 #define BODY chain
 #include "bad_surroundings.h"
 
-/* With speed 0 seconds mean nothing. */
-static void only_what_sleeps_needs_seconds(void** state) {
-    (void)state;
-    double speed = -1, seconds = -1;
-    cd_chain* const c = new_body();
-    ok(cd_chain_get_sleep(c, &speed, &seconds));
-    assert_true(speed == 0 && seconds == 0);
-    refuses_each(c, cd_chain_set_sleep(c, 1, bad), "seconds", not_finite);
-    refuses(c, cd_chain_set_sleep(c, 1, 0), CD_ERROR_VALUE, "seconds|0");
-    ok(cd_chain_set_sleep(c, 2, 1e-30));
-    ok(cd_chain_set_sleep(c, 1e60, 1e60));
-    ok(cd_chain_get_sleep(c, &speed, &seconds));
-    assert_true(speed == 1e60 && seconds == 1e60);
-    ok(cd_chain_set_sleep(c, -0.0, (double)NAN));
-    ok(cd_chain_get_sleep(c, &speed, &seconds));
-    assert_true(speed == 0 && !signbit(speed) && seconds == 0);
-    cd_chain_destroy(c);
-}
-
 static void only_ropes_break(void** state) {
     (void)state;
     double strength;

@@ -34,25 +34,6 @@ static cd_status read_winds(const cd_membrane* c, double* winds) {
 #define BODY membrane
 #include "bad_surroundings.h"
 
-/* With speed 0 seconds mean nothing. */
-static void only_what_sleeps_needs_seconds(void** state) {
-    (void)state;
-    double speed = -1, seconds = -1;
-    cd_membrane* const c = new_body();
-    ok(cd_membrane_get_sleep(c, &speed, &seconds));
-    assert_true(speed == 0 && seconds == 0);
-    refuses_each(c, cd_membrane_set_sleep(c, 1, bad), "seconds", not_finite);
-    refuses(c, cd_membrane_set_sleep(c, 1, 0), CD_ERROR_VALUE, "seconds|0");
-    ok(cd_membrane_set_sleep(c, 2, 1e-30));
-    ok(cd_membrane_set_sleep(c, 1e60, 1e60));
-    ok(cd_membrane_get_sleep(c, &speed, &seconds));
-    assert_true(speed == 1e60 && seconds == 1e60);
-    ok(cd_membrane_set_sleep(c, -0.0, (double)NAN));
-    ok(cd_membrane_get_sleep(c, &speed, &seconds));
-    assert_true(speed == 0 && !signbit(speed) && seconds == 0);
-    cd_membrane_destroy(c);
-}
-
 static void only_cloth_tears_where_it_has_stiffnesses(void** state) {
     (void)state;
     double strain = 0;

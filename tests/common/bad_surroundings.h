@@ -1,5 +1,5 @@
-/* What surrounds ropes and cloth, air and colliders: who has none, and what numbers do not go together. A test program
- * includes this once, for the functions of one object, and says before:
+/* What surrounds ropes and cloth, air and colliders: who has none, and what numbers do not go together; likewise of
+ * sleep. A test program includes this once, for the functions of one object, and says before:
  *   BODY                       chain or membrane
  *   new_body()                 makes one of 12 nodes and 3 components whose springs have no length
  *   set_lengths(body, length)  gives it some, or none
@@ -22,6 +22,27 @@
 #define is_refused_by(body, call, status, text) refuses(body, call, status, text)
 
 enum { WINDS = 12 * 3 };
+
+/* With speed 0 seconds mean nothing. */
+static void only_what_sleeps_needs_seconds(void** state) {
+    (void)state;
+    double speed = -1, seconds = -1;
+    HANDLE* b = new_body();
+    ok(CALL(get_sleep)(b, &speed, &seconds));
+    assert_true(speed == 0 && seconds == 0);
+    for (size_t i = 0; i < COUNT(not_finite); ++i)
+        is_refused(CALL(set_sleep)(b, 1, not_finite[i].value), CD_ERROR_VALUE,
+                   text_of("seconds|%s", not_finite[i].shown));
+    is_refused(CALL(set_sleep)(b, 1, 0), CD_ERROR_VALUE, "seconds|0");
+    ok(CALL(set_sleep)(b, 2, 1e-30));
+    ok(CALL(set_sleep)(b, 1e60, 1e60));
+    ok(CALL(get_sleep)(b, &speed, &seconds));
+    assert_true(speed == 1e60 && seconds == 1e60);
+    ok(CALL(set_sleep)(b, -0.0, (double)NAN));
+    ok(CALL(get_sleep)(b, &speed, &seconds));
+    assert_true(speed == 0 && !signbit(speed) && seconds == 0);
+    CALL(destroy)(b);
+}
 
 static void only_springs_that_have_a_length_feel_air(void** state) {
     (void)state;
