@@ -201,7 +201,6 @@ struct BodyChanges {
     // A new target is the present position. New masses and winds are for the object to fill.
     void fill(Body& b) const {
         if (target.is_new()) memcpy(b.target.data, b.position.data, b.target.count);
-        if (calm.is_new()) wake(b);
     }
 };
 

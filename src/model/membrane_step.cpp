@@ -369,10 +369,7 @@ struct Whole {
     size_t number = 0, nodes = m.nodes, step = m.plane;
 
     size_t place(size_t i) const { return cd::place(m, i % m.columns, i / m.columns, 0); }
-    bool held(size_t i) const {
-        const size_t u = i % m.columns, v = i / m.columns;
-        return cd::held(m, u, v) || !present(m, u, v);
-    }
+    bool held(size_t i) const { return cd::held(m, i % m.columns, i / m.columns); }
 };
 
 } // namespace
@@ -381,12 +378,10 @@ struct Whole {
 static MembraneOutcome step_until_asleep(Membrane& m, double dt, size_t count) {
     MembraneOutcome all{0, true};
     Convergence worst{};
-    const Clock start = m.clock;
     for (size_t s = 0; s < count && !sleeps(m, 0); ++s) {
         const size_t broken = m.broken;
         const MembraneOutcome one = make_steps(m, dt, 1);
-        m.clock.advance(dt, 1);
-        if (all.diverged_at == 0) all.diverged_at = one.diverged_at;
+        if (all.diverged_at == 0 && one.diverged_at > 0) all.diverged_at = one.diverged_at + s;
         all.converged &= one.converged;
         if (m.iterations > worst.iterations) worst.iterations = m.iterations;
         if (m.residual > worst.residual) worst.residual = m.residual;
@@ -395,7 +390,6 @@ static MembraneOutcome step_until_asleep(Membrane& m, double dt, size_t count) {
     }
     m.iterations = worst.iterations;
     m.residual = worst.residual;
-    m.clock = start;
     return all;
 }
 

@@ -23,13 +23,8 @@ inline bool is_kept_awake(const Body& b) {
     return moves;
 }
 
-// Whether parts may fall asleep in the steps that come next; where something keeps them awake, they are.
-inline bool can_fall_asleep(Body& b) {
-    if (!CD_WITH_SLEEP || !b.calm) return false;
-    if (!is_kept_awake(b)) return true;
-    wake(b);
-    return false;
-}
+// Whether parts may fall asleep in the steps that come next.
+inline bool can_fall_asleep(const Body& b) { return CD_WITH_SLEEP && b.calm && !is_kept_awake(b); }
 
 // Part: one of a body; it has a number and nodes, of which place(i) tells where the first component lies, and held(i)
 // whether it is held; components lie `step` numbers apart.
