@@ -129,9 +129,10 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
  * than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and none gained.
  * Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity, or what is thrown may
  * stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0.
- * Colliders that move, or ask a callback, keep everything awake. What changes a strand wakes it, with whatever numbers:
- * a write, an impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the kernels and the
- * tolerance. Who sleeps is part of the state, and the same whatever hook and kernels.
+ * A plane or capsule that moves wakes what it could touch in the next step; a bed that moves, or a callback, keeps all
+ * awake. What changes a strand wakes it, with whatever numbers: a write, an impulse, a teleport, an attachment, a cut;
+ * what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the state, and the same
+ * whatever hook and kernels.
  * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
 CD_API cd_status cd_chain_set_sleep(cd_chain* chain, double speed, double seconds);
 CD_API cd_status cd_chain_get_sleep(const cd_chain* chain, double* out_speed, double* out_seconds);

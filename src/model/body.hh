@@ -63,7 +63,9 @@ template <class X> bool all_finite(const X& x) {
 constexpr size_t kMostColliders = 4096;
 constexpr size_t kColliderNumbers = sizeof(Collider) / sizeof(double);
 
-inline size_t collider_count(const Body& b) { return CD_WITH_CONTACT ? b.colliders.count / kColliderNumbers : 0; }
+inline size_t collider_count(const Body& b) {
+    return CD_WITH_CONTACT && (CD_WITH_ROPE || CD_WITH_CLOTH) ? b.colliders.count / kColliderNumbers : 0;
+}
 inline Collider& collider(const Body& b, size_t index) { return reinterpret_cast<Collider*>(b.colliders.data)[index]; }
 
 // A bed among a body's beds.

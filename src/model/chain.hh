@@ -220,7 +220,7 @@ struct RopeNeeds {
 size_t rope_scratch(const Chain& c, const RopeNeeds& needs);
 size_t rope_coefficients(const Chain& c, size_t colliders);
 // As step_chain; leaves `iterations`, `residual` and `broken`.
-uint64_t step_ropes(Chain& c, double dt, size_t count, bool may_sleep);
+uint64_t step_ropes(Chain& c, double dt, size_t count);
 // Positions, velocities, tensions and time back to 0.
 void clear_state(Chain& c);
 

@@ -10,6 +10,8 @@ namespace {
 
 // Strands are stepped in groups, and a task steps some groups one after the other with a scratch of its own.
 constexpr size_t kMostTasks = 16;
+// Of these those that are awake make all their steps before the next ones.
+constexpr size_t kStrandsInTurn = 8 * kRopeStrands;
 constexpr size_t kObstacleNumbers = (sizeof(Obstacle) + sizeof(double) - 1) / sizeof(double);
 
 size_t groups_of(const Chain& c) { return (c.strands + kRopeStrands - 1) / kRopeStrands; }
@@ -80,7 +82,7 @@ void clear_state(Chain& c) {
     if (c.tension) memset(c.tension.data, 0, c.tension.bytes());
 }
 
-uint64_t step_ropes(Chain& c, double dt, size_t count, bool may_sleep) {
+uint64_t step_ropes(Chain& c, double dt, size_t count) {
     const bool changed = c.prepared_dt == 0 && must_prepare(c, dt); // they are the same at any dt
     const RopeParameters parameters = parameters_of(c, changed);
     const Ropes ropes = {c.nodes,
@@ -119,32 +121,33 @@ uint64_t step_ropes(Chain& c, double dt, size_t count, bool may_sleep) {
     size_t broken[kMostTasks] = {};
     const size_t groups = groups_of(c), tasks = tasks_of(c);
     const size_t of_task = c.nodes * scratch_of_node(c, {stage.bends, stage.has_air(), met});
+    const auto first_strand = [&](size_t task) {
+        const size_t first = task * groups / tasks * kRopeStrands;
+        return first < c.strands ? first : c.strands;
+    };
     auto task = [&](size_t t) {
         RopeStage now = stage;
         double* const scratch = c.scratch.data + t * of_task;
         bad[t] = UINT64_MAX;
-        const size_t end = (t + 1) * groups / tasks * kRopeStrands;
-        for (size_t next = t * groups / tasks * kRopeStrands; next < end && next < c.strands;) {
-            size_t awake[kRopeStrands], several = 0;
-            for (; several < kRopeStrands && next < end && next < c.strands; ++next)
-                if (!sleeps(c, next)) awake[several++] = next;
-            for (size_t s = 0; s < count && several > 0; ++s) {
+        const size_t end = first_strand(t + 1);
+        for (size_t first = first_strand(t); first < end; first += kStrandsInTurn)
+            for (size_t s = 0; s < count; ++s) {
                 Clock clock = c.clock;
                 clock.advance(dt, s), now.time_before = clock.time();
                 clock.advance(dt, 1), now.time_after = clock.time();
+                const Surroundings around{c, c.rope.thickness, dt, now.time_after};
+                size_t awake[kStrandsInTurn], several = 0;
+                for (size_t strand = first; strand < end && strand < first + kStrandsInTurn; ++strand)
+                    if (!goes_on_sleeping(c, ChainPart(c, strand), around)) awake[several++] = strand;
+                if (several == 0) continue;
                 const RopeResult result = c.kernels->rope_step(ropes, parameters, now, scratch, awake, several);
                 results[t].add(result);
                 if (!result.finite && s < bad[t]) bad[t] = s;
-                const size_t stepped = several;
-                several = 0;
-                for (size_t i = 0; i < stepped; ++i) {
-                    const size_t strand = awake[i];
-                    if (can_break(c)) broken[t] += breaks(c, strand);
-                    if (may_sleep) fall_asleep(c, ChainPart(c, strand), dt);
-                    if (!sleeps(c, strand)) awake[several++] = strand;
+                for (size_t i = 0; i < several; ++i) {
+                    if (can_break(c)) broken[t] += breaks(c, awake[i]);
+                    if (may_sleep(c)) fall_asleep(c, ChainPart(c, awake[i]), around);
                 }
             }
-        }
     };
     parallel_for(c.parallel, tasks, task);
     uint64_t first_bad = UINT64_MAX;

@@ -411,7 +411,7 @@ static uint64_t step_until_asleep(Chain& c, double dt, size_t count) {
     uint64_t bad = UINT64_MAX;
     for (size_t s = 0; s < count && !sleeps(c, 0); ++s) {
         if (step_lines(c, dt, 1) != UINT64_MAX && bad == UINT64_MAX) bad = s;
-        fall_asleep(c, ChainPart(c, 0), dt);
+        fall_asleep(c, ChainPart(c, 0), {c, 0, dt, 0}); // nothing is around it
     }
     return bad;
 }
@@ -419,9 +419,8 @@ static uint64_t step_until_asleep(Chain& c, double dt, size_t count) {
 uint64_t step_chain(Chain& c, double dt, size_t count) {
     pose_nodes(c, dt * double(count));
     c.iterations = c.broken = 0, c.residual = 0, c.bad_answer = {};
-    const bool may_sleep = can_fall_asleep(c);
-    const uint64_t bad = has_lengths(c) ? step_ropes(c, dt, count, may_sleep)
-                         : may_sleep    ? step_until_asleep(c, dt, count)
+    const uint64_t bad = has_lengths(c) ? step_ropes(c, dt, count)
+                         : may_sleep(c) ? step_until_asleep(c, dt, count)
                                         : step_lines(c, dt, count);
     const uint64_t first = c.clock.steps;
     c.clock.advance(dt, count);

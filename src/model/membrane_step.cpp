@@ -378,18 +378,26 @@ struct Whole {
 static MembraneOutcome step_until_asleep(Membrane& m, double dt, size_t count) {
     MembraneOutcome all{0, true};
     Convergence worst{};
-    for (size_t s = 0; s < count && !sleeps(m, 0); ++s) {
+    const Clock start = m.clock;
+    for (size_t s = 0; s < count; ++s) {
+        Clock after = m.clock;
+        after.advance(dt, 1);
+        const Surroundings around{m, m.cloth.thickness, dt, after.time()};
+        const bool asleep = goes_on_sleeping(m, Whole{m}, around);
         const size_t broken = m.broken;
-        const MembraneOutcome one = make_steps(m, dt, 1);
-        if (all.diverged_at == 0 && one.diverged_at > 0) all.diverged_at = one.diverged_at + s;
+        const MembraneOutcome one = asleep ? MembraneOutcome{0, true} : make_steps(m, dt, 1);
+        m.clock = after;
+        if (asleep) continue;
+        if (all.diverged_at == 0) all.diverged_at = one.diverged_at;
         all.converged &= one.converged;
         if (m.iterations > worst.iterations) worst.iterations = m.iterations;
         if (m.residual > worst.residual) worst.residual = m.residual;
         if (m.broken > broken) wake(m);
-        fall_asleep(m, Whole{m}, dt);
+        fall_asleep(m, Whole{m}, around);
     }
     m.iterations = worst.iterations;
     m.residual = worst.residual;
+    m.clock = start;
     return all;
 }
 
@@ -397,8 +405,7 @@ MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
     pose_nodes(m, dt * double(count));
     m.bad_answer = {};
     m.broken = 0;
-    const bool may_sleep = can_fall_asleep(m);
-    const MembraneOutcome outcome = may_sleep ? step_until_asleep(m, dt, count) : make_steps(m, dt, count);
+    const MembraneOutcome outcome = may_sleep(m) ? step_until_asleep(m, dt, count) : make_steps(m, dt, count);
     m.clock.advance(dt, count);
     m.diverged = outcome.diverged_at != 0;
     return outcome;

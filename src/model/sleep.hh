@@ -12,19 +12,30 @@ inline size_t sleeping_parts(const Body& b) {
     for (size_t part = 0; part < b.calm.count; ++part) count += sleeps(b, part);
     return count;
 }
+inline bool may_sleep(const Body& b) { return CD_WITH_SLEEP && b.calm; }
 
-// Whether something keeps all parts awake: a collider that moves, or that only its callback knows.
-inline bool is_kept_awake(const Body& b) {
-    bool moves = false;
-    each_collider(b, collider_count(b), [&](const Collider& it, Bed) {
-        for (double v : it.velocity) moves |= it.shape != CD_SHAPE_NONE && v != 0;
-        moves |= it.shape == CD_SHAPE_CALLBACK;
-    });
-    return moves;
-}
+// What is around a body in a step of dt that ends at this time.
+struct Surroundings {
+    const Body& b;
+    double thickness, dt, time;
 
-// Whether parts may fall asleep in the steps that come next.
-inline bool can_fall_asleep(const Body& b) { return CD_WITH_SLEEP && b.calm && !is_kept_awake(b); }
+    // Whether an obstacle may touch x in the next step, or none can tell.
+    bool may_touch(const Obstacle& it, const double* x) const;
+    // Whether something keeps a part awake: a collider that only its callback knows, or one that moves and comes near.
+    template <class Part> bool keep_awake(const Part& part) const {
+        bool touched = false;
+        each_obstacle(b, thickness, [&](const Obstacle& it) {
+            const bool moves = it.velocity[0] != 0 || it.velocity[1] != 0 || it.velocity[2] != 0;
+            for (size_t i = 0; (moves || it.callback) && !touched && i < part.nodes; ++i) {
+                double x[3] = {};
+                for (size_t k = 0; k < b.components; ++k)
+                    x[k] = get_number(b, b.position, part.place(i) + k * part.step);
+                touched = may_touch(it, x);
+            }
+        });
+        return touched;
+    }
+};
 
 // Part: one of a body; it has a number and nodes, of which place(i) tells where the first component lies, and held(i)
 // whether it is held; components lie `step` numbers apart.
@@ -41,14 +52,22 @@ template <class Part> bool is_slow(const Body& b, const Part& part) {
     return true;
 }
 
-// After a step of dt: a part that has been slow for long enough stops, and sleeps.
-template <class Part> void fall_asleep(Body& b, const Part& part, double dt) {
+// Before a step, whether it leaves a part as it is: one that sleeps and that nothing keeps awake.
+template <class Part> bool goes_on_sleeping(Body& b, const Part& part, const Surroundings& around) {
+    if (!sleeps(b, part.number)) return false;
+    if (!around.keep_awake(part)) return true;
+    wake(b, part.number, 1);
+    return false;
+}
+
+// After it: a part that has been slow for long enough stops, and sleeps.
+template <class Part> void fall_asleep(Body& b, const Part& part, const Surroundings& around) {
     double& calm = b.calm[part.number];
-    if (!is_slow(b, part)) {
+    if (!is_slow(b, part) || around.keep_awake(part)) {
         calm = kStirred;
         return;
     }
-    calm = calm < 0 ? 0 : fmin(calm + dt, b.sleep_seconds);
+    calm = calm < 0 ? 0 : fmin(calm + around.dt, b.sleep_seconds);
     for (size_t i = 0; i < part.nodes && sleeps(b, part.number); ++i)
         for (size_t k = 0; k < b.components; ++k) set_number(b, b.velocity, part.place(i) + k * part.step, 0);
 }

@@ -1,98 +1,14 @@
 /* Ropes, chains and sheets that sleep: until then they are what they would be, then they stay as they are at no cost,
  * and what changes wakes them. */
-#include <math.h>
-#include <string.h>
-
-#include "check.h"
-#include "cloth.h"
 #include "jobs.h"
-#include "kept.h"
 #include "kernels.h"
-#include "scene.h"
+#include "sleepers.h"
 
-enum { STRANDS = 5, SPRINGS = 6, NODES = SPRINGS + 1, SIDE = 7, MOST = 3 * SIDE * SIDE };
-static const double dt = 1.0 / 64, speed = 1e-3, seconds = 0.5, gravity[3] = {0, -9.81, 0};
-
-/* A body that swings where it hangs and, damped, comes to rest. */
-typedef any* make_body(cd_precision precision);
-
-static any* strands_of(cd_precision precision, double length) {
-    const double pinned = CD_NODE_PINNED;
-    cd_chain* c = scene_chain(STRANDS, SPRINGS, 3, precision);
-    scene_lay_out(c, 0.1);
-    ok(cd_chain_set_rest_length(c, length));
-    ok(cd_chain_set_stiffness(c, 100));
-    ok(cd_chain_set_lambda(c, 1));
-    ok(cd_chain_set_drag(c, 6));
-    ok(cd_chain_set_gravity(c, gravity, 3));
-    for (size_t strand = 0; strand < scene_own_strands(c); ++strand)
-        ok(cd_chain_write_f64(c, CD_PIN, strand, 1, 0, 1, &pinned, 1));
-    return c;
-}
-static any* ropes(cd_precision precision) { return strands_of(precision, 0.1 * SPRINGS); }
-static any* chains(cd_precision precision) { return strands_of(precision, 0); }
-static any* sheet(cd_solver solver, cd_precision precision, double length) {
-    cd_membrane* m = cloth(SIDE - 1, SIDE - 1, 3, precision);
-    cloth_lay_out(m, 0.1);
-    ok(cd_membrane_set_rest_length(m, length, length));
-    ok(cd_membrane_set_solver(m, solver));
-    ok(cd_membrane_set_stiffness(m, 100, 100));
-    ok(cd_membrane_set_lambda(m, 1));
-    ok(cd_membrane_set_drag(m, 6));
-    ok(cd_membrane_set_gravity(m, gravity, 3));
-    ok(cd_membrane_set_edge(m, CD_EDGE_V_FIRST, CD_NODE_PINNED));
-    return m;
-}
-static any* alternating(cd_precision precision) { return sheet(CD_SOLVER_ALTERNATING, precision, 0); }
-static any* coupled(cd_precision precision) { return sheet(CD_SOLVER_COUPLED, precision, 0); }
-static any* hung_cloth(cd_precision precision) { return sheet(CD_SOLVER_AUTO, precision, 0.6); }
-static any* explicit_sheet(cd_precision precision) {
-    any* const m = alternating(precision);
-    ok(cd_membrane_set_method(m, CD_METHOD_SYMPLECTIC_EULER));
-    ok(cd_membrane_set_stiffness(m, 10, 10)); /* stable at this dt */
-    return m;
-}
-
-static const struct body {
-    int kind; /* place in `kinds` */
-    make_body* make;
-    size_t parts, nodes; /* that sleep one by one, and of each */
-} bodies[] = {{CHAIN, ropes, STRANDS, NODES},
-              {CHAIN, chains, 1, STRANDS* NODES},
-              {MEMBRANE, alternating, 1, SIDE* SIDE},
-              {MEMBRANE, coupled, 1, SIDE* SIDE},
-              {MEMBRANE, explicit_sheet, 1, SIDE* SIDE},
-              {MEMBRANE, hung_cloth, 1, SIDE* SIDE}};
-enum { ROPES = 0, COUPLED = 3, CLOTH = 5 }; /* places in `bodies` */
-#define FOR_BODIES(body, precision)                                               \
-    for (const struct body* body = bodies; body < bodies + COUNT(bodies); ++body) \
-        for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
-
-static cd_status set_sleep(const struct body* body, any* x, double slowest, double time) {
-    return body->kind == CHAIN ? cd_chain_set_sleep(x, slowest, time) : cd_membrane_set_sleep(x, slowest, time);
-}
-static size_t awake(const struct body* body, const any* x) {
-    size_t nodes = SIZE_MAX;
-    ok(body->kind == CHAIN ? cd_chain_get_awake(x, &nodes) : cd_membrane_get_awake(x, &nodes));
-    return nodes;
-}
-static void step(const struct body* body, any* x, size_t count) { ok(kinds[body->kind].step(x, dt, count)); }
-static void read_all(const struct body* body, const any* x, cd_field field, double* out_values) {
-    ok(kinds[body->kind].read(x, field, out_values, kind_numbers(&kinds[body->kind], x, field)));
-}
 static double energy(const struct body* body, const any* x) {
     double kinetic, elastic, of_gravity;
     if (body->kind == CHAIN) ok(cd_chain_get_energy(x, &kinetic, &elastic, &of_gravity));
     else ok(cd_membrane_get_energy(x, &kinetic, &elastic, &of_gravity));
     return kinetic + elastic + of_gravity;
-}
-
-/* Steps until all of it sleeps, one after the other; tells how many. */
-static size_t rest(const struct body* body, any* x) {
-    size_t steps = 0;
-    for (; awake(body, x) > 0 && steps < 4000; ++steps) step(body, x, 1);
-    assert_int_equal(awake(body, x), 0);
-    return steps;
 }
 
 /* Bit by bit what never sleeps, until it does: then it is still, and stays where it is. */
@@ -208,15 +124,6 @@ static void who_sleeps_is_part_of_the_state(void** state) {
         kind->destroy(x);
     }
 }
-
-/* A collider far above. */
-static void far_away(void* user, double time, size_t count, size_t components, const double* positions,
-                     double* out_distances, double* out_normals) {
-    (void)user, (void)time, (void)positions;
-    for (size_t i = 0; i < count; ++i) out_distances[i] = 100;
-    for (size_t i = 0; i < count * components; ++i) out_normals[i] = i % components == 1 ? -1 : 0;
-}
-static const cd_distance answer = {NULL, far_away};
 
 /* What wakes strand 2 of ropes, or all. */
 typedef void act(cd_chain* c);
@@ -385,34 +292,6 @@ static void what_is_held_must_not_move(void** state) {
     }
 }
 
-static void what_moves_and_callbacks_keep_awake(void** state) {
-    (void)state;
-    const double far[3] = {0, -50, 0}, up[3] = {0, 1, 0}, creeps[3] = {0, 1e-9, 0};
-    for (int is_cloth = 0; is_cloth <= 1; ++is_cloth)
-        for (int by_callback = 0; by_callback <= 1; ++by_callback) {
-            const struct body* const body = &bodies[is_cloth ? CLOTH : ROPES];
-            any* const x = body->make(CD_FLOAT64);
-            ok(is_cloth ? cd_membrane_set_colliders(x, 2) : cd_chain_set_colliders(x, 2));
-            ok(is_cloth ? cd_membrane_set_plane(x, 1, far, up, 3, 0) : cd_chain_set_plane(x, 1, far, up, 3, 0));
-            ok(is_cloth ? cd_membrane_set_collider_velocity(x, 0, up, 3) : cd_chain_set_collider_velocity(x, 0, up, 3));
-            ok(set_sleep(body, x, speed, seconds));
-            rest(body, x); /* beside one that stands, and one that is none and would move */
-            if (by_callback)
-                ok(is_cloth ? cd_membrane_set_callback(x, 1, &answer, far, 3, 0)
-                            : cd_chain_set_callback(x, 1, &answer, far, 3, 0));
-            else
-                ok(is_cloth ? cd_membrane_set_collider_velocity(x, 1, creeps, 3)
-                            : cd_chain_set_collider_velocity(x, 1, creeps, 3));
-            for (int i = 0; i < 200; ++i) {
-                step(body, x, 1);
-                assert_int_equal(awake(body, x), body->parts * body->nodes);
-            }
-            ok(is_cloth ? cd_membrane_remove_collider(x, 1) : cd_chain_remove_collider(x, 1));
-            assert_true(rest(body, x) < 50);
-            kinds[body->kind].destroy(x);
-        }
-}
-
 /* What breaks in the step that would let it fall asleep, falls. */
 static void what_breaks_is_awake(void** state) {
     (void)state;
@@ -451,7 +330,6 @@ int main(void) {
         cmocka_unit_test(what_changes_a_sheet_wakes_it),
         cmocka_unit_test(what_it_neglects_is_an_acceleration),
         cmocka_unit_test(what_is_held_must_not_move),
-        cmocka_unit_test(what_moves_and_callbacks_keep_awake),
         cmocka_unit_test(what_breaks_is_awake),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

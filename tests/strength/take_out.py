@@ -21,7 +21,7 @@ CLOTH_TEAR = "../model/membrane_cloth_tear.cpp"
 SLEEP = "../model/water_sleep.cpp"
 SURVEY = "../model/water_survey.cpp"
 SLEEPS = ["physics_water_sleep"]
-BODIES = ["physics_sleep"]
+BODIES = ["physics_sleep", "physics_sleep_colliders"]
 HULL = "../model/water_hull.hh"
 HULL_PLATES = "../model/water_hull_plates.hh"
 HULL_STEP = "../model/water_hull_step.cpp"
@@ -115,8 +115,10 @@ RULES = {
     "what pressure holds up is at rest": (SURVEY, " += by_pressure * pressure[at + c];", " += 0 * pressure[at + c];", SLEEPS),
     "what is shallower than the height lies still": (SURVEY, "select((deep - least)", "select(deep", SLEEPS),
     "what is held must not move": ("../model/sleep.hh", "part.held(i) ? 0 : most", "most", BODIES),
-    "nor what is touched": ("../model/sleep.hh", "moves |= it.shape != CD_SHAPE_NONE && v != 0;", "(void)v;", BODIES),
-    "nor what a callback knows": ("../model/sleep.hh", "moves |= it.shape == CD_SHAPE_CALLBACK;", "", BODIES),
+    "what moves wakes what it comes near": ("../model/sleep.hh", "touched = may_touch(it, x);", "(void)x;", BODIES),
+    "a step before it touches": ("../model/sleep.cpp", "> sqrt(speed) * dt", "> 0 * speed", BODIES),
+    "beds that move wake all": ("../model/sleep.cpp", "!it.is_convex()", "it.callback", BODIES),
+    "and callbacks": ("../model/sleep.hh", "(moves || it.callback)", "moves", BODIES),
     "time counts from the first step that ends slow": (
         "../model/sleep.hh", "calm < 0 ? 0 : fmin", "fmin", BODIES),
     "what sleeps has stopped": (

@@ -1041,11 +1041,11 @@ impl Chain {
     /// others all together. One stops, and sleeps, once for some `seconds` \[s\], in \[1e-30, 1e60\], no step left a
     /// free node of it faster than `speed` \[m/s\], in \[0, 1e60\], nor a held one moving. Energy is lost and none
     /// gained. Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity, or what
-    /// is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0.
-    /// Colliders that move, or ask a callback, keep everything awake. What changes a strand wakes it, with whatever
-    /// numbers: a write, an impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the
-    /// kernels and the tolerance. Who sleeps is part of the state, and the same whatever hook and kernels. Errors:
-    /// CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    /// is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0. A plane
+    /// or capsule that moves wakes what it could touch in the next step; a bed that moves, or a callback, keeps all
+    /// awake. What changes a strand wakes it, with whatever numbers: a write, an impulse, a teleport, an attachment, a
+    /// cut; what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the state,
+    /// and the same whatever hook and kernels. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
     pub fn set_sleep(&mut self, speed: f64, seconds: f64) -> Result<()> {
         check(unsafe { sys::cd_chain_set_sleep(self.as_ptr(), speed, seconds) })
     }
@@ -1054,11 +1054,11 @@ impl Chain {
     /// others all together. One stops, and sleeps, once for some `seconds` \[s\], in \[1e-30, 1e60\], no step left a
     /// free node of it faster than `speed` \[m/s\], in \[0, 1e60\], nor a held one moving. Energy is lost and none
     /// gained. Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity, or what
-    /// is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0.
-    /// Colliders that move, or ask a callback, keep everything awake. What changes a strand wakes it, with whatever
-    /// numbers: a write, an impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the
-    /// kernels and the tolerance. Who sleeps is part of the state, and the same whatever hook and kernels. Errors:
-    /// CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    /// is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0. A plane
+    /// or capsule that moves wakes what it could touch in the next step; a bed that moves, or a callback, keeps all
+    /// awake. What changes a strand wakes it, with whatever numbers: a write, an impulse, a teleport, an attachment, a
+    /// cut; what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the state,
+    /// and the same whatever hook and kernels. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
     pub fn get_sleep(&self) -> Result<ChainSleep> {
         let mut out_speed = 0.0;
         let mut out_seconds = 0.0;
