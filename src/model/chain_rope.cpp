@@ -135,7 +135,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                 Clock clock = c.clock;
                 clock.advance(dt, s), now.time_before = clock.time();
                 clock.advance(dt, 1), now.time_after = clock.time();
-                const Surroundings around{c, c.rope.thickness, dt, now.time_after};
+                const Surroundings around(c, c.rope.thickness, dt, now.time_after);
                 size_t awake[kStrandsInTurn], several = 0;
                 for (size_t strand = first; strand < end && strand < first + kStrandsInTurn; ++strand)
                     if (!goes_on_sleeping(c, ChainPart(c, strand), around)) awake[several++] = strand;

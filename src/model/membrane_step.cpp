@@ -382,7 +382,7 @@ static MembraneOutcome step_until_asleep(Membrane& m, double dt, size_t count) {
     for (size_t s = 0; s < count; ++s) {
         Clock after = m.clock;
         after.advance(dt, 1);
-        const Surroundings around{m, m.cloth.thickness, dt, after.time()};
+        const Surroundings around(m, m.cloth.thickness, dt, after.time());
         const bool asleep = goes_on_sleeping(m, Whole{m}, around);
         const size_t broken = m.broken;
         const MembraneOutcome one = asleep ? MembraneOutcome{0, true} : make_steps(m, dt, 1);

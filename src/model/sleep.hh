@@ -14,19 +14,29 @@ inline size_t sleeping_parts(const Body& b) {
 }
 inline bool may_sleep(const Body& b) { return CD_WITH_SLEEP && b.calm; }
 
+// Whether an obstacle may touch what rests: it moves, or only its callback knows.
+inline bool is_active(const Obstacle& it) {
+    return it.callback || it.velocity[0] != 0 || it.velocity[1] != 0 || it.velocity[2] != 0;
+}
+
 // What is around a body in a step of dt that ends at this time.
 struct Surroundings {
     const Body& b;
     double thickness, dt, time;
+    bool active = false; // some obstacle is
 
-    // Whether an obstacle may touch x in the next step, or none can tell.
+    Surroundings(const Body& body, double thickness_, double dt_, double time_)
+        : b(body), thickness(thickness_), dt(dt_), time(time_) {
+        each_obstacle(b, thickness, [&](const Obstacle& it) { active |= is_active(it); });
+    }
+    // Whether an active obstacle may touch x in the next step, or none can tell.
     bool may_touch(const Obstacle& it, const double* x) const;
-    // Whether something keeps a part awake: a collider that only its callback knows, or one that moves and comes near.
+    // Whether something keeps a part awake: what only its callback knows, or what moves and comes near.
     template <class Part> bool keep_awake(const Part& part) const {
+        if (!active) return false;
         bool touched = false;
         each_obstacle(b, thickness, [&](const Obstacle& it) {
-            const bool moves = it.velocity[0] != 0 || it.velocity[1] != 0 || it.velocity[2] != 0;
-            for (size_t i = 0; (moves || it.callback) && !touched && i < part.nodes; ++i) {
+            for (size_t i = 0; is_active(it) && !touched && i < part.nodes; ++i) {
                 double x[3] = {};
                 for (size_t k = 0; k < b.components; ++k)
                     x[k] = get_number(b, b.position, part.place(i) + k * part.step);

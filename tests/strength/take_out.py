@@ -118,7 +118,7 @@ RULES = {
     "what moves wakes what it comes near": ("../model/sleep.hh", "touched = may_touch(it, x);", "(void)x;", BODIES),
     "a step before it touches": ("../model/sleep.cpp", "> sqrt(speed) * dt", "> 0 * speed", BODIES),
     "beds that move wake all": ("../model/sleep.cpp", "!it.is_convex()", "it.callback", BODIES),
-    "and callbacks": ("../model/sleep.hh", "(moves || it.callback)", "moves", BODIES),
+    "and callbacks": ("../model/sleep.hh", "return it.callback || ", "return ", BODIES),
     "time counts from the first step that ends slow": (
         "../model/sleep.hh", "calm < 0 ? 0 : fmin", "fmin", BODIES),
     "what sleeps has stopped": (
