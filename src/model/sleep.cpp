@@ -2,8 +2,8 @@
 
 namespace cd {
 
-// Planes and capsules by the distance that is left at the step's end; beds, whose distances are of first order only, and
-// callbacks are always near.
+// Planes and capsules by the distance that is left at the step's end; beds, whose distances are of first order only,
+// and callbacks are always near.
 bool Surroundings::may_touch(const Obstacle& it, const double* x) const {
     if (!it.is_convex()) return true;
     double from[3], along = 0, length = 0, gap = 0, speed = 0;

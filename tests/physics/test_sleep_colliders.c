@@ -64,11 +64,13 @@ static void callbacks_and_beds_that_move_keep_awake(void** state) {
 static void what_comes_near_wakes_before_it_touches(void** state) {
     (void)state;
     const double below[3] = {0, -3, 0}, up[3] = {0, 1, 0}, rises[3] = {0, 1.5, 0}, aside[3] = {0.125, 0, 0};
+    const double thick = 0.0625;
     for (size_t b = ROPES; b <= CLOTH; b += CLOTH - ROPES)
         for (size_t calls = 1; calls <= 4; calls += 3) {
             const struct body* const body = &bodies[b];
             any* const x = with_colliders(body, 2);
             set_velocity(body, x, 0, aside);
+            ok(body->kind == CHAIN ? cd_chain_set_thickness(x, thick) : cd_membrane_set_thickness(x, thick));
             ok(set_sleep(body, x, speed, seconds));
             rest(body, x);
             set_plane(body, x, below, up);
@@ -78,7 +80,7 @@ static void what_comes_near_wakes_before_it_touches(void** state) {
             size_t slept = 0;
             for (; awake(body, x) == 0 && slept < 4000; slept += calls) step(body, x, calls);
             assert_true(slept > 20);
-            const double gap = still - place_of(body, x, 1), next = rises[1] * dt * (1 + 1e-9);
+            const double gap = still - place_of(body, x, 1) - thick, next = rises[1] * dt * (1 + 1e-9);
             assert_true(gap < next && gap > next - rises[1] * dt * (double)calls - 1e-9);
             for (size_t i = 0; i < 16; i += calls) { /* it is not yet at what is held */
                 step(body, x, calls);
@@ -89,17 +91,19 @@ static void what_comes_near_wakes_before_it_touches(void** state) {
         }
 }
 
-/* A ball that rises along ropes, which hang one above the other, wakes one after the other. */
-static void a_ball_wakes_strands_one_by_one(void** state) {
+/* A bar that rises across ropes, which hang one above the other, wakes one after the other; one that rises beside them,
+ * in line with them but out of reach, wakes none. */
+static void a_bar_wakes_strands_one_by_one(void** state) {
     (void)state;
-    const double below[3] = {0.05, -2, 0}, rises[3] = {0, 0.25, 0};
+    const double from[3] = {-3, -2, 0}, to[3] = {-0.05, -2, 0}, rises[3] = {0, 0.25, 0};
+    const double beside[3] = {5, -1, 0}, end[3] = {6, -1, 0};
     for (size_t calls = 1; calls <= 8; calls += 7) {
         const struct body* const body = &bodies[ROPES];
-        any *const x = with_colliders(body, 1), *const never = with_colliders(body, 1);
+        any *const x = with_colliders(body, 2), *const never = with_colliders(body, 2);
         ok(set_sleep(body, x, speed, seconds));
         rest(body, x);
-        ok(cd_chain_set_capsule(x, 0, below, below, 3, 0.1, 0));
-        ok(cd_chain_set_collider_velocity(x, 0, rises, 3));
+        ok(cd_chain_set_capsule(x, 0, from, to, 3, 0.1, 0)), ok(cd_chain_set_collider_velocity(x, 0, rises, 3));
+        ok(cd_chain_set_capsule(x, 1, beside, end, 3, 0.1, 0)), ok(cd_chain_set_collider_velocity(x, 1, rises, 3));
         ok(cd_chain_copy_state(never, x));
         ok(set_sleep(body, never, 0, 0));
         size_t most = 0, woken = 0;
@@ -124,7 +128,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(callbacks_and_beds_that_move_keep_awake),
         cmocka_unit_test(what_comes_near_wakes_before_it_touches),
-        cmocka_unit_test(a_ball_wakes_strands_one_by_one),
+        cmocka_unit_test(a_bar_wakes_strands_one_by_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
