@@ -36,7 +36,9 @@ template <class N> cd_status tell(const char* function, const char* name, N* out
 
 template <class X, class F> cd_status change_features(const char* function, X& x, const F& wanted) {
     CD_CHECK(is_built(function, left_out(wanted)));
-    return set_features(x, wanted) ? CD_OK : fail(CD_ERROR_MEMORY, function, "no memory");
+    if (!set_features(x, wanted)) return fail(CD_ERROR_MEMORY, function, "no memory");
+    wake(x);
+    return CD_OK;
 }
 
 template <class X> cd_status set_method(const char* function, X& x, cd_method method) {
@@ -185,7 +187,9 @@ template <class X> cd_status disable_field(const char* function, X& x, cd_field 
     CD_CHECK(is_field(function, x, field));
     if (is_always_on(x, field))
         return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, is always on", int(field), field_name(field));
-    return switch_field(function, x, field, false);
+    CD_CHECK(switch_field(function, x, field, false));
+    wake(x);
+    return CD_OK;
 }
 
 // ---- attachments ----------------------------------------------------------------------------------------------------

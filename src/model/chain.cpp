@@ -130,7 +130,7 @@ bool set_features(Chain& c, const Features& wanted) {
     if (strength.is_new()) fill_uniform(c, CD_STRENGTH);
     if (body.wind.is_new()) fill_uniform(c, CD_WIND);
     body.fill(c);
-    changed(c);
+    c.prepared_dt = 0;
     return true;
 }
 

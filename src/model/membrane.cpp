@@ -207,7 +207,7 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
         m.pin[i] = uint8_t(kind_by_edges(m, m.edge, i % m.columns, i / m.columns));
     body.fill(m);
     if (!same_edges || !same_pin) stop_nodes(m);
-    changed(m);
+    m.prepared_dt = 0;
     return true;
 }
 
@@ -268,6 +268,7 @@ bool set_ring(Membrane& m, bool along_u, bool along_v) {
     for (cd_field field : {CD_MASS, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_REST_LENGTH_U, CD_REST_LENGTH_V,
                            CD_BREAKING_STRAIN_U, CD_BREAKING_STRAIN_V})
         fill_uniform(m, field);
+    changed(m);
     return true;
 }
 

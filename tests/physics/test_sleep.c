@@ -155,6 +155,8 @@ static void removed(cd_chain* c) { ok(cd_chain_remove_collider(c, 0)); }
 static void moving(cd_chain* c) { ok(cd_chain_set_collider_velocity(c, 0, one, 3)); }
 static void callback(cd_chain* c) { ok(cd_chain_set_callback(c, 0, &answer, none, 3, 0)); }
 static void thickness(cd_chain* c) { ok(cd_chain_set_thickness(c, 1)); }
+static void no_force(cd_chain* c) { ok(cd_chain_disable_field(c, CD_FORCE)); }
+static void method(cd_chain* c) { ok(cd_chain_set_method(c, CD_METHOD_IMPLICIT)); }
 static void reset(cd_chain* c) { ok(cd_chain_reset(c)); }
 static void sleep_longer(cd_chain* c) { ok(cd_chain_set_sleep(c, speed, 2 * seconds)); }
 
@@ -162,9 +164,9 @@ static void what_changes_a_strand_wakes_it(void** state) {
     (void)state;
     static act* const of_one[] = {
         write_position, write_nothing_new, write_single, write_mass, impulse, teleport, attach, detach, cut, weld};
-    static act* const of_all[] = {let_go,   gravity_off, drag,      stiffness, rigid,       length, push,
-                                  strength, mass,        bend,      air,       wind,        plane,  removed,
-                                  moving,   callback,    thickness, reset,     sleep_longer};
+    static act* const of_all[] = {no_force, method,  let_go,   gravity_off, drag,      stiffness, rigid,
+                                  length,   push,    strength, mass,        bend,      air,       wind,
+                                  plane,    removed, moving,   callback,    thickness, reset,     sleep_longer};
     const struct body* const body = &bodies[ROPES];
     cd_chain *const asleep = ropes(CD_FLOAT64), *const c = ropes(CD_FLOAT64);
     ok(cd_chain_enable_field(asleep, CD_FORCE)), ok(cd_chain_enable_field(asleep, CD_MASS));
@@ -182,6 +184,7 @@ static void what_changes_a_strand_wakes_it(void** state) {
     refuses(c, cd_chain_write_f64(c, CD_POSITION, 0, STRANDS, 0, NODES, NULL, 1), CD_ERROR_RANGE, "count");
     ok(cd_chain_write_f64(c, CD_POSITION, 0, STRANDS, 3, 0, NULL, 0));
     ok(cd_chain_set_tolerance(c, 1e-9, 50));
+    ok(cd_chain_enable_field(c, CD_FORCE)), ok(cd_chain_enable_field(c, CD_BEND)); /* as it was */
     assert_int_equal(awake(body, c), 0);
     cd_chain_destroy(asleep), cd_chain_destroy(c);
 }
