@@ -555,10 +555,9 @@ export class Chain extends Handle {
   set ring(value: boolean);
 
   /**
-   * Lets what has come to rest sleep: steps leave it as it is, at no cost. Strands of a rope do so one by one, others
-   * all
-   * together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step left a free node of it
-   * faster
+   * Lets what has come to rest sleep: steps leave it as it is, at hardly any cost. Strands of a rope do so one by one,
+   * others together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step left a free node of
+   * it faster
    * than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and none gained.
    * Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity, or what is thrown
    * may
@@ -1344,7 +1343,7 @@ export class Membrane extends Handle {
   // 10 mass / dt^2 [N/m] falls to 5% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass
   // /
   // dt^2 it falls a quarter too slowly, and far beyond as through syrup. lambda = 1 damps motion that a step does not
-  // resolve, lambda nearer 1/2 less of it, for more effort; steps are first order in time. Momentum is kept.
+  // resolve, lambda nearer 1/2 less, for more effort; steps are first order in time. Free sheets keep their momentum.
   // Cloth needs "implicit" with lambda in [1/2, 1], no matched edge and no stiffness damping: step
   // says "errorUnsupported". It has a solver of its own: solver and set_tolerance do not matter.
 

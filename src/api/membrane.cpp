@@ -92,7 +92,6 @@ cd_status cd_membrane_set_pressure(cd_membrane* membrane, double pressure) {
     wanted.pressure = pressure != 0;
     CD_CHECK(shared::change_features(__func__, m, wanted));
     m.pressure = pressure;
-    wake(m);
     return CD_OK;
 }
 

@@ -75,7 +75,6 @@ cd_status cd_membrane_set_breaking_strain(cd_membrane* membrane, double strain) 
     m.cloth.breaking_strain = strain;
     fill_uniform(m, CD_BREAKING_STRAIN_U);
     fill_uniform(m, CD_BREAKING_STRAIN_V);
-    wake(m);
     return CD_OK;
 }
 

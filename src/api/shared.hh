@@ -142,7 +142,6 @@ template <class X> cd_status set_sleep(const char* function, X& x, double speed,
     CD_CHECK(change_features(function, x, wanted));
     x.sleep_speed = speed + 0.0; // not -0
     x.sleep_seconds = speed > 0 ? seconds : 0;
-    wake(x);
     return CD_OK;
 }
 inline cd_status get_sleep(const char* function, const Body& b, double* out_speed, double* out_seconds) {

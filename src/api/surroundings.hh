@@ -19,7 +19,6 @@ template <class X> cd_status set_air(const char* function, X& x, double along, d
     CD_CHECK(change_features(function, x, wanted));
     air_of(x).along = along + 0.0; // not -0
     air_of(x).across = across + 0.0;
-    wake(x);
     return CD_OK;
 }
 

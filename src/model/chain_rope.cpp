@@ -33,10 +33,14 @@ RopeParameters parameters_of(Chain& c, bool changed) {
     const auto own = [&](const Array<double>& field, const double* common, size_t of_item) {
         return field ? RopeNumbers<double>{field.data, c.strands, 1} : RopeNumbers<double>{common, of_item, 0};
     };
-    return {own(c.node_mass, mass, 1),           own(c.attach_stiffness, one + 2, 0),
-            own(c.attach_damping, one + 2, 0),   own(c.spring_length, one, 0),
-            own(c.spring_stiffness, one + 1, 0), own(c.node_bend, one + 3, 0),
-            {c.pin.data, c.strands, 1},          c.drag};
+    return {own(c.node_mass, mass, 1),
+            own(c.attach_stiffness, one + 2, 0),
+            own(c.attach_damping, one + 2, 0),
+            own(c.spring_length, one, 0),
+            own(c.spring_stiffness, one + 1, 0),
+            own(c.node_bend, one + 3, 0),
+            {c.pin.data, c.strands, 1},
+            c.drag};
 }
 
 // Cuts the spring of a strand whose tension is most beyond its strength; whether there is one.

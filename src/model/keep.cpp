@@ -72,7 +72,9 @@ KeptBody keep_body(const Body& b) {
     return {b,
             bit(bool(b.node_mass), CD_MASS) | bit(bool(b.force), CD_FORCE) | bit(bool(b.target), CD_TARGET) |
                 bit(bool(b.wind), CD_WIND) | (b.sleep_speed > 0 ? KeptBody::kOfSleep : 0),
-            colliders.count, colliders.beds, colliders.callbacks};
+            colliders.count,
+            colliders.beds,
+            colliders.callbacks};
 }
 
 bool valid_body(const KeptBody& kept) {

@@ -24,7 +24,7 @@
 namespace cd {
 
 struct Kind {
-    uint32_t number;             // a cd_kind
+    uint32_t number; // a cd_kind
     const char *name, *sizes[2]; // for messages
 };
 

@@ -50,7 +50,7 @@ struct Membrane : Body, MembraneSettings {
     double residual;
 
     // what steps need, none of it state: see membrane_step.cpp
-    cd_solver taken;       // by the last call of step; CD_SOLVER_AUTO: none
+    cd_solver taken; // by the last call of step; CD_SOLVER_AUTO: none
     Array<double> pressed; // the force of the pressure, laid out like the positions
     double stiffest;       // the largest diagonal entry of the system, where there is one
     bool whole;            // see membrane_step.cpp
@@ -184,7 +184,7 @@ struct MembraneOutcome {
     bool converged;       // of all coupled solves
 };
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count);
-double stable_dt(const Membrane& m);                // membrane_limit.cpp
+double stable_dt(const Membrane& m);               // membrane_limit.cpp
 cd_solver solver_for(const Membrane& m, double dt); // likewise: what a step of springs takes; CD_SOLVER_AUTO: none
 
 inline size_t awake_nodes(const Membrane& m) { return sleeping_parts(m) > 0 ? 0 : m.nodes; }

@@ -983,15 +983,15 @@ namespace Contdyn
             }
         }
 
-        /// <summary>Lets what has come to rest sleep: steps leave it as it is, at no cost. Strands of a rope do so one
-        /// by one, others all together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step
-        /// left a free node of it faster than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and
-        /// none gained. Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity,
-        /// or what is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and
-        /// is 0. A plane or capsule that moves wakes what it could touch in the next step; a bed that moves, or a
-        /// callback, keeps all awake. What changes a strand wakes it, with whatever numbers: a write, an impulse, a
-        /// teleport, an attachment, a cut; what is set wakes all, but for the hook, the kernels and the tolerance. Who
-        /// sleeps is part of the state, and the same whatever hook and kernels. Errors: CD_ERROR_VALUE;
+        /// <summary>Lets what has come to rest sleep: steps leave it as it is, at hardly any cost. Strands of a rope do
+        /// so one by one, others together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no
+        /// step left a free node of it faster than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost
+        /// and none gained. Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside
+        /// gravity, or what is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means
+        /// nothing and is 0. A plane or capsule that moves wakes what it could touch in the next step; a bed that
+        /// moves, or a callback, keeps all awake. What changes a strand wakes it, with whatever numbers: a write, an
+        /// impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the kernels and the
+        /// tolerance. Who sleeps is part of the state, and the same whatever hook and kernels. Errors: CD_ERROR_VALUE;
         /// CD_ERROR_MEMORY.</summary>
         public void SetSleep(double speed, double seconds)
         {
@@ -999,15 +999,15 @@ namespace Contdyn
             Check(Native.cd_chain_set_sleep(Handle, speed, seconds));
         }
 
-        /// <summary>Lets what has come to rest sleep: steps leave it as it is, at no cost. Strands of a rope do so one
-        /// by one, others all together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step
-        /// left a free node of it faster than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and
-        /// none gained. Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity,
-        /// or what is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and
-        /// is 0. A plane or capsule that moves wakes what it could touch in the next step; a bed that moves, or a
-        /// callback, keeps all awake. What changes a strand wakes it, with whatever numbers: a write, an impulse, a
-        /// teleport, an attachment, a cut; what is set wakes all, but for the hook, the kernels and the tolerance. Who
-        /// sleeps is part of the state, and the same whatever hook and kernels. Errors: CD_ERROR_VALUE;
+        /// <summary>Lets what has come to rest sleep: steps leave it as it is, at hardly any cost. Strands of a rope do
+        /// so one by one, others together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no
+        /// step left a free node of it faster than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost
+        /// and none gained. Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside
+        /// gravity, or what is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means
+        /// nothing and is 0. A plane or capsule that moves wakes what it could touch in the next step; a bed that
+        /// moves, or a callback, keeps all awake. What changes a strand wakes it, with whatever numbers: a write, an
+        /// impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the kernels and the
+        /// tolerance. Who sleeps is part of the state, and the same whatever hook and kernels. Errors: CD_ERROR_VALUE;
         /// CD_ERROR_MEMORY.</summary>
         public ChainSleep GetSleep()
         {
