@@ -68,6 +68,8 @@ struct UniformStage {
     bool constant;                 // beside springs only gravity acts
     SharedFilter along_u, along_v; // of implicit stages
     bool carries;                  // see sweep_down
+    const size_t* held;            // places in planes where nothing acts, so many
+    size_t held_count;
     // null, or what makes rows' means 0 before and after the filters along them
     void (*flatten)(const Grid& grid, const double* inverse_mass, double* plane, size_t first, size_t count);
 };

@@ -44,6 +44,10 @@ struct DownSweep {
             if (r + 1 < rows.end) rows.look(r + 1, rows.at(r + 1));
             along_springs(grid.columns, rows.acting(r, plane + r * grid.pitch));
         }
+        for (size_t i = 0; i < rows.stage.held_count; ++i) {
+            const size_t place = rows.stage.held[i];
+            if (place >= row * grid.pitch && place < (row + count) * grid.pitch) plane[place] = 0;
+        }
         const double* const inverse_mass = rows.stage.sheet.inverse_mass[0];
         if (rows.stage.flatten) rows.stage.flatten(grid, inverse_mass, plane, row, count);
         filter_rows(grid, rows.stage.along_u, plane, row, count);

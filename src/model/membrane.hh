@@ -10,6 +10,10 @@ namespace cd {
 // The two directions of a sheet, as indices.
 enum Direction { kU = 0, kV = 1 };
 
+// What the lines of a sheet have in common: nothing; a factorization for each direction; but for the edges, all numbers.
+// See membrane_held.cpp.
+enum Likeness { kDiffer, kSeparate, kUniform };
+
 // Effort of a step of cloth: see cd_membrane_set_effort.
 constexpr uint64_t kMostNewton = 1000, kMostGradient = 10000;
 
@@ -54,8 +58,9 @@ struct Membrane : Body, MembraneSettings {
     Array<double> pressed; // the force of the pressure, laid out like the positions
     double stiffest;       // the largest diagonal entry of the system, where there is one
     bool whole;            // see membrane_step.cpp
-    bool separable;        // see membrane_step.cpp
+    Likeness likeness;     // see membrane_held.cpp
     bool mean_apart;       // see membrane_step.cpp
+    size_t held;           // single nodes that are held: see membrane_held.cpp
     size_t parts;          // see membrane_parts.cpp
 
     // f(array, array of another membrane...) for each field, in the order in which they are kept; and for every array.
@@ -77,6 +82,7 @@ struct MembraneFeatures : BodyFeatures {
     bool spring_stiffness[2], spring_length[2], breaking_strain[2], pin, mask, ring[2], pressure, cloth;
     cd_solver solver;
     cd_node edge[4];
+    Likeness likeness; // that steps may count on
 };
 
 // ---- shape and parameters (membrane.cpp) ----------------------------------------------------------------------------
@@ -185,7 +191,8 @@ struct MembraneOutcome {
 };
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count);
 double stable_dt(const Membrane& m);               // membrane_limit.cpp
-cd_solver solver_for(const Membrane& m, double dt); // likewise: what a step of springs takes; CD_SOLVER_AUTO: none
+// Likewise: what a step of springs takes; CD_SOLVER_AUTO: none. corners: see membrane_held.cpp.
+cd_solver solver_for(const Membrane& m, double dt, double corners);
 
 inline size_t awake_nodes(const Membrane& m) { return sleeping_parts(m) > 0 ? 0 : m.nodes; }
 

@@ -87,8 +87,30 @@ struct Stepper {
                     is_constant(push, sheet),
                     {s.w.shared[kU].carry, s.w.shared[kU].pull},
                     {s.w.shared[kV].carry, s.w.shared[kV].pull},
-                    !s.m.parallel.run,
+                    !s.m.parallel.run && s.w.held.count == 0,
+                    s.w.held.place,
+                    s.w.held.count,
                     s.m.mean_apart ? flatten_rows : nullptr} {}
+    };
+    // Held nodes, which rounding would move by the impulses that hold them.
+    struct KeptNodes {
+        const HeldNodes& held;
+        double x[HeldNodes::kMost], v[HeldNodes::kMost];
+
+        KeptNodes(const HeldNodes& held_, double move, const StateNumbers& from_x, const StateNumbers& from_v)
+            : held(held_) {
+            for (size_t a = 0; a < held.count; ++a) {
+                v[a] = from_v[held.place[a]];
+                x[a] = from_x[held.place[a]] + move * v[a];
+            }
+        }
+        void put(const StateNumbers& to_x, const StateNumbers& to_v) const {
+            const double least = to_x.range().least;
+            for (size_t a = 0; a < held.count; ++a) {
+                to_x.put(held.place[a], fabs(x[a]) < least ? 0 : x[a]);
+                to_v.put(held.place[a], v[a]);
+            }
+        }
     };
     double* looked(size_t band) const { return w.looked + band * kLookedRows * w.grid.pitch; }
 
@@ -113,15 +135,18 @@ struct Stepper {
         return move(solve(by.overshoot[number], by.move[number]), x, v, to_x, to_v);
     }
 
-    // Likewise of a uniform sheet. On one thread the filters down the columns start at once.
+    // Likewise of a uniform sheet. On one thread, and where no single nodes are held, the filters down the columns start
+    // at once.
     bool sweep(size_t k, const StageMoves& by, int number, const StateNumbers& x, const StateNumbers& v,
                const StateNumbers& to_x, const StateNumbers& to_v) const {
         const Uniform now(*this, k);
         if (m.mean_apart) change_rows(now, x, v);
         const UniformStage& stage = now.stage;
+        const KeptNodes kept(w.held, by.move[number], x, v);
         w.bands.each(m.parallel, [&](size_t band, size_t first, size_t count) {
             sheet().sweep_down(w.grid, stage, x, v, w.residual, looked(band), first, count);
         });
+        if (w.held.count > 0) hold(m, w, w.residual);
         const SheetMove move{1 + by.overshoot[number], by.move[number], 1, {}, {}, 0};
         bool finite = true;
         w.strips.each(m.parallel, [&](size_t, size_t first, size_t count) {
@@ -129,6 +154,7 @@ struct Stepper {
                                   w.residual, w.looked, x, v, to_x, to_v, first, count))
                 __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
         });
+        kept.put(to_x, to_v);
         return finite;
     }
 
@@ -153,7 +179,7 @@ struct Stepper {
             rows([&](size_t first, size_t count) {
                 sheet().push_general(w.grid, w.system.sheet, push, x, v, w.residual, first, count);
             });
-            if (m.mean_apart && m.separable && !w.coupled) cd::change_rows(m, w, h, x, v, {w.residual, w.inverse, 1});
+            if (m.mean_apart && m.likeness != kDiffer && !w.coupled) cd::change_rows(m, w, h, x, v, {w.residual, w.inverse, 1});
             else if (m.mean_apart) find_outer(m, w, w.residual);
             w.system.pull(w.scaled, w.residual);
             return;
@@ -213,7 +239,7 @@ struct Stepper {
     SheetMove solve(double overshoot, double move) {
         SheetMove by{1 + overshoot, move, 1, {w.residual}, {1}, 1};
         if (CD_WITH_COUPLED && w.coupled) solve_together(by);
-        else if (m.separable) alternate();
+        else if (m.likeness != kDiffer) alternate();
         else alternate_nearest(by);
         return by;
     }
@@ -225,11 +251,14 @@ struct Stepper {
             flatten_rows(w.grid, w.rows[kU].inverse_mass, w.residual, first, count);
         };
         if (m.mean_apart) rows(flatten);
+        w.held.clear(w.residual);
         w.system.turn(w.residual, w.turned_plane);
         w.shared[kU].solve(*m.kernels, m.parallel, w.turned, w.turned_plane, w.slope);
         w.system.turn_back(w.turned_plane, w.residual);
         if (m.mean_apart) rows(flatten);
+        if (w.held.count > 0) hold(m, w, w.residual);
         w.shared[kV].solve(*m.kernels, m.parallel, w.grid, w.residual, w.slope);
+        w.held.clear(w.residual);
         for (size_t r = 0; r < w.grid.rows && m.mean_apart; ++r)
             for (size_t u = 0; u < w.grid.columns; ++u) w.residual[r * w.grid.pitch + u] += w.row_change[r];
     }
@@ -317,9 +346,13 @@ void clear_beyond(Membrane& m) {
 MembraneOutcome step_springs(Membrane& m, double dt, size_t count) {
     const bool anew = must_prepare(m, dt);
     MembraneFeatures with = features(m);
-    with.solver = anew ? solver_for(m, dt) : m.taken;
-    if (with.solver != m.taken) clear_work(m);
-    m.taken = with.solver;
+    with.solver = m.taken, with.likeness = m.likeness;
+    if (anew) {
+        with.solver = m.solver;
+        choose_way(m, dt, with);
+    }
+    if (with.solver != m.taken || with.likeness != m.likeness) clear_work(m);
+    m.taken = with.solver, m.likeness = with.likeness;
     Carver coefficients{m.coefficients.data}, scratch{m.scratch.data};
     Work work(m, with, coefficients, scratch);
     if (anew) {

@@ -12,7 +12,7 @@ namespace {
 // Has springs along both directions, and so, with bend, twist.
 bool is_wide(const Membrane& m) { return m.springs[kU] > 0 && m.springs[kV] > 0; }
 
-// Whether only whole edges hold nodes, and nothing else tells one line from another.
+// Whether only whole edges hold nodes, and nothing else tells one line from another: the sheet then separates.
 bool edges_only(const Membrane& m, const MembraneFeatures& f) {
     const bool fields = f.node_mass || f.spring_stiffness[kU] || f.spring_stiffness[kV] || f.pin || f.mask || f.target;
     const auto holds_edge = [&](cd_edge e) { return holds(f.edge[e]); };
@@ -29,8 +29,7 @@ constexpr size_t kBandRows = 24, kStripColumns = 128, kPart = 1 << 12;
 Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, Carver& scratch)
     : implicit(!steps_explicitly(f.method, m.lambda)),
       coupled(CD_WITH_COUPLED && !is_explicit(f.method) && f.solver == CD_SOLVER_COUPLED),
-      general(coupled || f.bend || f.node_mass || f.spring_stiffness[kU] || f.spring_stiffness[kV] || f.pin || f.mask ||
-              f.target),
+      general(coupled || f.bend || f.likeness != kUniform),
       bends(CD_WITH_BEND && f.bend),
       uniform(!general),
       swept(uniform && !f.ring[kU] && !f.ring[kV]),
@@ -81,7 +80,7 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
     scratch.fits = scratch.fits && multiply(m.rows, kEnergies, energies);
     system.sums = general ? scratch.numbers(energies) : nullptr;
 
-    const bool lines_differ = solves && !coupled && general && !edges_only(m, f);
+    const bool lines_differ = solves && !coupled && f.likeness == kDiffer;
     one = plane(coefficients, lines_differ || coupled);
     if (lines_differ || coupled) parts = SheetParts(m, grid, coefficients, scratch);
     for (int factor = 0; factor < factors() && lines_differ; ++factor) {
@@ -101,10 +100,22 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
     answer[0] = plane(scratch, lines_differ || coupled);
     answer[1] = plane(scratch, lines_differ);
     answer[2] = plane(scratch, lines_differ);
+    const bool may_hold = f.likeness != kDiffer && f.pin && solves;
+    if (may_hold) held.carve(coefficients);
+    held.count = may_hold ? m.held : 0;
+    for (Direction d : {kU, kV}) {
+        coefficients.fits &= grid_of(HeldNodes::kMost, nodes_along(m, d), across[d]);
+        response[d] = may_hold && !coupled ? coefficients.plane(across[d]) : nullptr;
+    }
+    ground_v = may_hold && !coupled ? coefficients.numbers(HeldNodes::kMost) : nullptr;
+    const Grid& longer = across[m.columns > m.rows ? kU : kV];
+    across_plane = may_hold && !coupled ? scratch.plane(longer) : nullptr;
+    across_slope = may_hold && rods ? scratch.plane(longer) : nullptr;
     if constexpr (CD_WITH_COUPLED) {
         if (!coupled) return;
         gradient = GradientPlanes(system, scratch);
-        if (edges_only(m, f) && !bends && !f.ring[kU] && !f.ring[kV]) {
+        if (f.likeness != kDiffer && !bends && !f.ring[kU] && !f.ring[kV]) {
+            preconditioner.lines.held = &held;
             preconditioner.lines.carve(grid, coefficients, scratch);
             for (Direction d : {kU, kV}) preconditioner.lines.inverse_mass[d] = rows[d].inverse_mass;
         }
@@ -125,16 +136,19 @@ bool needs_of(const Membrane& m, const MembraneFeatures& f, MembraneNeeds& out) 
     if constexpr (CD_WITH_CLOTH)
         if (f.cloth) return cloth_needs_of(m, f, out);
     out = {};
-    for (cd_solver solver : {CD_SOLVER_ALTERNATING, CD_SOLVER_COUPLED}) {
-        if (f.solver != solver && f.solver != CD_SOLVER_AUTO) continue;
-        MembraneFeatures with = f;
-        with.solver = solver;
-        Carver coefficients{nullptr}, scratch{nullptr};
-        const Work counted(m, with, coefficients, scratch);
-        if (!coefficients.fits || !scratch.fits) return false;
-        if (coefficients.taken > out.coefficients) out.coefficients = coefficients.taken;
-        if (scratch.taken > out.scratch) out.scratch = scratch.taken;
-    }
+    for (cd_solver solver : {CD_SOLVER_ALTERNATING, CD_SOLVER_COUPLED})
+        for (Likeness likeness : {kUniform, kSeparate, kDiffer}) {
+            if (f.solver != solver && f.solver != CD_SOLVER_AUTO) continue;
+            if (likeness != kUniform && edges_only(m, f)) continue;
+            MembraneFeatures with = f;
+            with.solver = solver;
+            with.likeness = likeness;
+            Carver coefficients{nullptr}, scratch{nullptr};
+            const Work counted(m, with, coefficients, scratch);
+            if (!coefficients.fits || !scratch.fits) return false;
+            if (coefficients.taken > out.coefficients) out.coefficients = coefficients.taken;
+            if (scratch.taken > out.scratch) out.scratch = scratch.taken;
+        }
     return true;
 }
 
@@ -167,44 +181,6 @@ struct UniformLine {
     }
     double ground(size_t i) const { return held(i) ? double(INFINITY) : weight(i) * (1 + h * m.drag + h * matched(i)); }
 };
-
-// Which columns and rows are held as a whole, where edges alone hold nodes.
-void lines_of_edges(const Membrane& m, uint8_t* const* holds) {
-    for (Direction d : {kU, kV})
-        for (size_t i = 0; i < nodes_along(m, d); ++i)
-            holds[d][i] = (i == 0 && cd::holds(m.edge[edge_of(d, false)])) ||
-                          (i == m.springs[d] && cd::holds(m.edge[edge_of(d, true)]));
-}
-
-// Likewise whatever holds them; false if other nodes are held too.
-bool whole_lines(const Membrane& m, uint8_t* const* holds) {
-    if (!m.pin) {
-        lines_of_edges(m, holds);
-        return true;
-    }
-    for (size_t u = 0; u < m.columns; ++u) holds[kU][u] = 1;
-    for (size_t v = 0; v < m.rows; ++v) holds[kV][v] = 1;
-    for (size_t v = 0; v < m.rows; ++v)
-        for (size_t u = 0; u < m.columns; ++u)
-            if (!held(m, u, v)) holds[kU][u] = holds[kV][v] = 0;
-    for (size_t v = 0; v < m.rows; ++v)
-        for (size_t u = 0; u < m.columns; ++u)
-            if (held(m, u, v) && !holds[kU][u] && !holds[kV][v]) return false;
-    return true;
-}
-
-bool separates(const Membrane& m, uint8_t* const* holds) {
-    if (m.node_mass || m.spring_stiffness[kU] || m.spring_stiffness[kV]) return false;
-    for (size_t i = 0; i < m.mask.count; ++i)
-        if (!m.mask[i]) return false;
-    for (size_t i = 0; i < m.attach_stiffness.count; ++i)
-        if (m.attach_stiffness[i] > 0 || m.attach_damping[i] > 0) return false;
-    if (!whole_lines(m, holds)) return false;
-    if (!has_bend(m) || !is_wide(m)) return true;
-    for (Direction d : {kU, kV})
-        if (!m.ring[d] && !(holds[d][0] && holds[d][nodes_along(m, d) - 1])) return false;
-    return !m.ring[kU] || !m.ring[kV];
-}
 
 void prepare_rows(const Membrane& m, Work& w, double h, double sigma, uint8_t* const* holds) {
     for (Direction d : {kU, kV}) {
@@ -314,6 +290,7 @@ void prepare_shifts(const Membrane& m, Work& w, double h, double sigma, uint8_t*
         lines.factor(d, nodes_along(m, d), [&](double shift) {
             return ShiftedLine{{m, d, h, sigma, holds[d]}, shift};
         });
+    if (lines.ready()) lines.hold(w.system, w.bands, w.strips, w.gradient.start, w.gradient.steep);
 }
 
 void prepare_multigrid(const Membrane& m, Work& w, double sigma) {
@@ -334,8 +311,7 @@ void prepare_multigrid(const Membrane& m, Work& w, double sigma) {
 
 void prepare_preconditioner(const Membrane& m, Work& w, double h, double sigma, uint8_t* const* holds) {
     ShiftedLines& lines = w.preconditioner.lines;
-    if (lines.shift) lines.shift[0] = 0;
-    if (lines.shift && m.separable) prepare_shifts(m, w, h, sigma, holds);
+    if (lines.shift) prepare_shifts(m, w, h, sigma, holds);
     if (!lines.ready()) prepare_multigrid(m, w, sigma);
 }
 
@@ -362,23 +338,27 @@ void measure(Membrane& m, const Work& w) {
 void prepare(Membrane& m, Work& w, double dt) {
     const double h = stage_share(m, dt), sigma = w.implicit ? h * (h + m.damping) : h;
     uint8_t* const holds[2] = {w.rows[kU].holds, w.rows[kV].holds};
-    m.separable = separates(m, holds);
-    if (m.separable) prepare_rows(m, w, h, sigma, holds);
+    m.held = 0;
+    if (m.likeness != kDiffer) {
+        find_held(m, w);
+        prepare_rows(m, w, h, sigma, holds);
+    }
     if (w.general) prepare_planes(m, w, h, sigma);
-    if (m.separable && w.general && w.implicit)
+    if (m.likeness != kDiffer && w.general && w.implicit)
         for (size_t v = 0; v < m.rows; ++v)
             for (size_t u = 0; u < m.columns; ++u)
                 w.inverse[v * w.grid.pitch + u] *= w.rows[kU].gain[u] * w.rows[kV].gain[v];
-    if (w.implicit && !w.coupled && !m.separable) prepare_lines(m, w, sigma);
+    if (w.implicit && !w.coupled && m.likeness == kDiffer) prepare_lines(m, w, sigma);
+    if (m.held > 0 && !w.coupled) prepare_held(m, w, h);
 #if CD_WITH_COUPLED
     if (w.implicit && w.coupled) prepare_preconditioner(m, w, h, sigma, holds);
 #endif
     m.whole = m.mean_apart = false;
-    if (w.implicit && (w.coupled || !m.separable)) {
+    if (w.implicit && (w.coupled || m.likeness == kDiffer)) {
         measure(m, w);
         prepare_parts(m, w);
     } else if (w.implicit) {
-        m.mean_apart = is_stiff_and_afloat(m, w);
+        m.mean_apart = m.held == 0 && is_stiff_and_afloat(m, w);
     }
 }
 

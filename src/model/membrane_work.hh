@@ -1,14 +1,14 @@
 // What steps of a membrane compute with: coefficients, made anew when dt or a parameter changes, and scratch for one
 // component at a time. Both are handed out from the membrane's two arrays in the order in which they are declared here.
 //
-// A sheet whose two directions separate (uniform masses and springs, nodes held by whole rows and columns, no mask, no
-// attachment; with bend, both ends of every line held or joined to a ring, or a single line) has one factorization per
-// direction. Of any other sheet every line has its own, and there are planes of masses and springs.
+// A sheet whose two directions separate (membrane_held.cpp) has one factorization per direction. Of any other sheet every
+// line has its own, and there are planes of masses and springs.
 #pragma once
 
 #include "model/membrane.hh"
 #include "model/stages.hh"
 #include "solve/conjugate_gradients.hh"
+#include "solve/held_nodes.hh"
 #include "solve/shared_lines.hh"
 
 namespace cd {
@@ -46,6 +46,11 @@ struct Work {
     SharedLines shared[2];
     double *mass, *ground, *spring[2], *bend[2], *twist, *inverse, *tie, *one; // planes; null where not needed
     SheetParts parts;
+    HeldNodes held;
+    // Of an alternating sheet with held nodes: per direction the response of a line to an impulse at each of them, and
+    // what grounds it there along v; room for one such plane.
+    Grid across[2];
+    double *response[2], *ground_v, *across_plane, *across_slope;
     LineRows line[2][2]; // of both factors (with bend), along u and v
     SheetSystem system;
     Preconditioner preconditioner;
@@ -64,6 +69,17 @@ struct Work {
 
 // Makes the coefficients for steps of dt.
 void prepare(Membrane& m, Work& work, double dt);
+
+// ---- sheets whose directions separate (membrane_held.cpp) ----
+
+// What steps of dt take, from with.solver: with.solver and with.likeness.
+void choose_way(const Membrane& m, double dt, MembraneFeatures& with);
+// Of a sheet that separates: which whole columns and rows are held, and which nodes beside them. Leaves m.held.
+void find_held(Membrane& m, Work& w);
+// For alternating solves; h: the stage's share of dt.
+void prepare_held(const Membrane& m, const Work& w, double h);
+// Between the solves along u and those along v: adds to the plane what keeps the held nodes where they are.
+void hold(const Membrane& m, const Work& w, double* plane);
 
 // Finds the parts of the sheet, m.parts of them, and makes w.one: 1 where nodes move.
 void prepare_parts(Membrane& m, Work& work);

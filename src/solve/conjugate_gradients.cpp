@@ -4,7 +4,7 @@
 
 namespace cd {
 
-void Preconditioner::operator()(const SheetSystem& system, const double* r, double* x) const {
+void Preconditioner::operator()(const SheetSystem& system, double* r, double* x) const {
     if (lines.ready()) return lines.cycle(system, bands, strips, r, x);
     first.cycle(r, x);
     if (!two) return;

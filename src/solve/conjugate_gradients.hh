@@ -22,7 +22,7 @@ struct Preconditioner {
     bool two;
 
     // x = S^-1 r, nearly.
-    void operator()(const SheetSystem& system, const double* r, double* x) const;
+    void operator()(const SheetSystem& system, double* r, double* x) const;
 };
 
 // Scratch, planes of the system. steep: the preconditioned residual.

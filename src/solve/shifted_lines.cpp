@@ -34,8 +34,35 @@ void ShiftedLines::choose(double least, double greatest) {
     shift[0] = 0;
 }
 
-void ShiftedLines::cycle(const SheetSystem& system, const Parts& bands, const Parts& strips, const double* r,
+void ShiftedLines::hold(const SheetSystem& system, const Parts& bands, const Parts& strips, double* r,
+                        double* x) const {
+    double response[HeldNodes::kMost][HeldNodes::kMost];
+    if (held->count == 0) return;
+    system.clear(r);
+    for (size_t b = 0; b < held->count; ++b) {
+        r[held->place[b]] = 1;
+        shift_all(system, bands, strips, r, x);
+        r[held->place[b]] = 0;
+        for (size_t a = 0; a < held->count; ++a) response[a][b] = x[held->place[a]];
+    }
+    held->factor([&](size_t a, size_t b) { return response[a][b]; });
+}
+
+void ShiftedLines::cycle(const SheetSystem& system, const Parts& bands, const Parts& strips, double* r,
                          double* x) const {
+    shift_all(system, bands, strips, r, x);
+    if (!held || held->count == 0) return;
+    double impulse[HeldNodes::kMost];
+    for (size_t a = 0; a < held->count; ++a) impulse[a] = x[held->place[a]];
+    held->balance(impulse);
+    for (size_t a = 0; a < held->count; ++a) r[held->place[a]] = impulse[a];
+    shift_all(system, bands, strips, r, x);
+    held->clear(r);
+    held->clear(x);
+}
+
+void ShiftedLines::shift_all(const SheetSystem& system, const Parts& bands, const Parts& strips, const double* r,
+                             double* x) const {
     const Grid& grid = system.grid;
     for (size_t k = 0; shift[k] > 0; ++k) {
         const bool last = !(shift[k + 1] > 0);

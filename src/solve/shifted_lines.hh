@@ -7,9 +7,10 @@
 // (p - a) (p - b) / ((p + a) (p + b)) (model.md, 31). Shifts that cover [least, greatest rate], each twice the one
 // before, leave about 1e-4 of it; two or three, 1e-3. z needs no springs: after a step with p, before one with q, it is
 // z + 2 p t - (p + q) x. The largest shift comes last: it damps what rounding at small ones did to the stiff parts. The
-// directions commute, so all this is symmetric, as a preconditioner must be.
+// directions commute, so all this is symmetric, as a preconditioner must be. Single held nodes take a second round.
 #pragma once
 
+#include "solve/held_nodes.hh"
 #include "solve/planes.hh"
 #include "solve/sheet_system.hh"
 #include "solve/spring_line.hh"
@@ -24,6 +25,7 @@ struct ShiftedLines {
     double *gain[2], *carry[2], *pull[2]; // per shift a line's numbers, `stride` apart
     size_t stride[2];
     double *z, *t, *below;
+    const HeldNodes* held = nullptr; // null: none
 
     void carve(const Grid& grid, Carver& coefficients, Carver& scratch);
     bool ready() const { return shift && shift[0] > 0; }
@@ -41,8 +43,13 @@ struct ShiftedLines {
             for (size_t i = nodes; i < stride[d]; ++i) g[i] = c[i] = p[i] = 0;
         }
     }
-    // x = S^-1 r, nearly.
-    void cycle(const SheetSystem& system, const Parts& bands, const Parts& strips, const double* r, double* x) const;
+    // Makes ready for the held nodes. r, x: scratch, planes.
+    void hold(const SheetSystem& system, const Parts& bands, const Parts& strips, double* r, double* x) const;
+    // x = S^-1 r, nearly, 0 at the held nodes. r is 0 there, and is the same afterwards.
+    void cycle(const SheetSystem& system, const Parts& bands, const Parts& strips, double* r, double* x) const;
+
+private:
+    void shift_all(const SheetSystem& system, const Parts& bands, const Parts& strips, const double* r, double* x) const;
 };
 
 } // namespace cd

@@ -16,19 +16,26 @@ struct sheet_case {
     cd_method method;
     double lambda;
     cd_mass_rule rule;
-    int torn; /* a pin, an absent node and a tie inside: its directions do not separate */
+    enum { PLAIN, TORN, HELD } kind;
 };
 
+/* HELD: single nodes are pinned, inside, on an edge and at a corner. TORN: one inside, and beside it an absent node and
+ * a tie: the directions do not separate. */
+static const size_t pinned_inside[2] = {4, 5};
+
 static const struct sheet_case cases[] = {
-    {8, 8, 1, 1, 1, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL, 0},
-    {40, 12, 0.2, 300, 5, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 1, CD_MASS_EQUAL, 0},
-    {16, 24, 3, 20, 2000, 0.01, 0, 0, 0, CD_METHOD_IMPLICIT, 0.55, CD_MASS_HALF_ENDS, 0},
-    {12, 9, 1, 50, 70, 0, 0, 1, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL, 0},
-    {12, 9, 1, 50, 70, 0, 0, 1, 1, CD_METHOD_STIFF_SECOND, 0.5, CD_MASS_HALF_ENDS, 0},
-    {10, 14, 2, 10, 10, 0, 3, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL, 0},
-    {20, 1, 1, 100, 100, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL, 0},
-    {11, 13, 1, 30, 40, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL, 1},
-    {9, 14, 1, 30, 40, 0.01, 0, 0, 1, CD_METHOD_STIFF_SECOND, 0.5, CD_MASS_EQUAL, 1},
+    {8, 8, 1, 1, 1, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL, PLAIN},
+    {40, 12, 0.2, 300, 5, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 1, CD_MASS_EQUAL, PLAIN},
+    {16, 24, 3, 20, 2000, 0.01, 0, 0, 0, CD_METHOD_IMPLICIT, 0.55, CD_MASS_HALF_ENDS, PLAIN},
+    {12, 9, 1, 50, 70, 0, 0, 1, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL, PLAIN},
+    {12, 9, 1, 50, 70, 0, 0, 1, 1, CD_METHOD_STIFF_SECOND, 0.5, CD_MASS_HALF_ENDS, PLAIN},
+    {10, 14, 2, 10, 10, 0, 3, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL, PLAIN},
+    {20, 1, 1, 100, 100, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL, PLAIN},
+    {11, 13, 1, 30, 40, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL, TORN},
+    {9, 14, 1, 30, 40, 0.01, 0, 0, 1, CD_METHOD_STIFF_SECOND, 0.5, CD_MASS_EQUAL, TORN},
+    {11, 13, 1, 30, 40, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL, HELD},
+    {16, 9, 1, 30, 400, 0.01, 0, 0, 1, CD_METHOD_IMPLICIT, 1, CD_MASS_HALF_ENDS, HELD},
+    {9, 30, 1, 500, 40, 0, 0, 1, 0, CD_METHOD_STIFF_SECOND, 0.5, CD_MASS_EQUAL, HELD},
 };
 
 static cd_membrane* sheet_of(const struct sheet_case* c, cd_solver solver) {
@@ -44,10 +51,16 @@ static cd_membrane* sheet_of(const struct sheet_case* c, cd_solver solver) {
     if (c->method == CD_METHOD_IMPLICIT) ok(cd_membrane_set_lambda(m, c->lambda));
     ok(cd_membrane_set_edge(m, CD_EDGE_U_FIRST, CD_NODE_PINNED));
     ok(cd_membrane_set_solver(m, solver));
-    if (c->torn) {
-        const double kind = CD_NODE_PINNED, absent = 0;
+    const double kind = CD_NODE_PINNED, absent = 0;
+    if (c->kind != PLAIN) {
         ok(cd_membrane_enable_field(m, CD_PIN));
-        ok(cd_membrane_write_f64(m, CD_PIN, 4, 5, 1, 1, &kind, 1));
+        ok(cd_membrane_write_f64(m, CD_PIN, pinned_inside[0], pinned_inside[1], 1, 1, &kind, 1));
+    }
+    if (c->kind == HELD) {
+        ok(cd_membrane_write_f64(m, CD_PIN, c->nu, pinned_inside[1], 1, 1, &kind, 1));
+        ok(cd_membrane_write_f64(m, CD_PIN, c->nu, c->nv, 1, 1, &kind, 1));
+    }
+    if (c->kind == TORN) {
         ok(cd_membrane_enable_field(m, CD_MASK));
         ok(cd_membrane_write_f64(m, CD_MASK, 6, 3, 1, 1, &absent, 1));
         ok(cd_membrane_attach(m, 2, 8, 20, 0.1, NULL, 0));
@@ -61,13 +74,25 @@ static cd_membrane* sheet_of(const struct sheet_case* c, cd_solver solver) {
     return m;
 }
 
-/* (w h)^2 of half a wave along a direction of n springs, round a ring of a whole one, of which the whole sheet has
- * `stiffness` and, with springs parallel to these on `lines` lines, `node` is a node's mass. */
-static double phase_squared(size_t n, bool ring, double stiffness, double bend, double lines, double node,
-                            double sigma) {
+/* Along a direction of n springs, of which the whole sheet has `stiffness` and, with springs parallel to these on
+ * `lines` lines, `node` is a node's mass. */
+struct rates {
+    double spring; /* h (h + damping) times a spring's stiffness over a node's mass */
+    double motion; /* (w h)^2 of half a wave, round a ring of a whole one */
+};
+static struct rates rates_of(size_t n, bool ring, double stiffness, double bend, double lines, double node,
+                             double sigma) {
     const double springs = (double)n + ring, phase = (ring ? 2 : 1) * kPi / springs, square = phase * phase;
     const double spring = stiffness * springs / lines, stiff = bend * springs * springs * springs / lines;
-    return sigma * (spring + 2 * stiff * square) * square / node;
+    const double rate = sigma * (spring + 2 * stiff * square) / node;
+    return (struct rates){rate, rate * square};
+}
+
+/* A node that is held inside counts as one, on an edge as an eighth, at a corner as a 64th. */
+static double kinks(const struct sheet_case* c) {
+    if (c->kind == PLAIN) return 0;
+    if (c->kind == TORN) return 1;
+    return 1 + (c->ring_u ? 1 : 0.125) + (c->ring_u && c->ring_v ? 1 : c->ring_u || c->ring_v ? 0.125 : 1.0 / 64);
 }
 
 static double extra_mass(const struct sheet_case* c, double dt) {
@@ -76,8 +101,10 @@ static double extra_mass(const struct sheet_case* c, double dt) {
     const double half = c->rule == CD_MASS_HALF_ENDS ? 0 : 1;
     const double lines_u = (double)c->nu + (c->ring_u ? 1 : half), lines_v = (double)c->nv + (c->ring_v ? 1 : half);
     const double node = c->mass / (lines_u * lines_v);
-    return phase_squared(c->nu, c->ring_u, c->along_u, c->bend, lines_v, node, sigma) *
-           phase_squared(c->nv, c->ring_v, c->along_v, c->bend, lines_u, node, sigma);
+    const double nodes = ((double)c->nu + 1) * ((double)c->nv + 1);
+    const struct rates u = rates_of(c->nu, c->ring_u, c->along_u, c->bend, lines_v, node, sigma);
+    const struct rates v = rates_of(c->nv, c->ring_v, c->along_v, c->bend, lines_u, node, sigma);
+    return u.motion * v.motion + 4 * kinks(c) / nodes * u.spring * v.spring;
 }
 
 static double dt_at(const struct sheet_case* c, double extra) {

@@ -1,0 +1,149 @@
+// Sheets whose two directions separate, and the nodes that are held in them.
+//
+// Their masses and springs are uniform, no node is absent or attached, and nodes are held by whole rows and columns,
+// beside which a few single nodes may be held; with bend, both ends of every line are held or joined to a ring, or there
+// is a single line. Then a factorization of one row and one of one column serve all: B^-1 = F_v F_u. Where no line is
+// held beside the edges they have no planes either: they are uniform.
+//
+// Single nodes are held by impulses (solve/held_nodes.hh). The response of a separable system to an impulse at a node is
+// the product of a row's and a column's, so these are found from lines alone: after the solves along u, those along v in
+// the columns of the held nodes tell how these would move; the impulses are then added along their rows.
+#include <math.h>
+#include <string.h>
+
+#include "model/membrane_work.hh"
+
+namespace cd {
+
+namespace {
+
+// Which columns and rows are held as a whole.
+void find_lines(const Membrane& m, const Work& w) {
+    const auto each_line = [&](auto f) {
+        for (Direction d : {kU, kV})
+            for (size_t i = 0; i < nodes_along(m, d); ++i) w.rows[d].holds[i] = f(d, i);
+    };
+    each_line([&](Direction d, size_t i) {
+        return m.pin || (i == 0 && holds(m.edge[edge_of(d, false)])) ||
+               (i == m.springs[d] && holds(m.edge[edge_of(d, true)]));
+    });
+    for (size_t v = 0; v < m.rows && m.pin; ++v)
+        for (size_t u = 0; u < m.columns; ++u)
+            if (!held(m, u, v)) w.rows[kU].holds[u] = w.rows[kV].holds[v] = 0;
+}
+
+// f(u, v) for each node that is held, but not with its whole row or column.
+template <class F> void each_single(const Membrane& m, const Work& w, const F& f) {
+    for (size_t v = 0; v < m.rows && m.pin; ++v)
+        for (size_t u = 0; u < m.columns; ++u)
+            if (!w.rows[kU].holds[u] && !w.rows[kV].holds[v] && present(m, u, v) && held(m, u, v)) f(u, v);
+}
+
+// Whether lines beside the edges are held as a whole.
+bool holds_inside(const Membrane& m, const Work& w) {
+    for (Direction d : {kU, kV})
+        for (size_t i = 1; i + 1 < nodes_along(m, d); ++i)
+            if (w.rows[d].holds[i]) return true;
+    return false;
+}
+
+// But for single nodes.
+bool separates(const Membrane& m, const Work& w) {
+    if (m.node_mass || m.spring_stiffness[kU] || m.spring_stiffness[kV]) return false;
+    for (size_t i = 0; i < m.mask.count; ++i)
+        if (!m.mask[i]) return false;
+    for (size_t i = 0; i < m.attach_stiffness.count; ++i)
+        if (m.attach_stiffness[i] > 0 || m.attach_damping[i] > 0) return false;
+    if (!has_bend(m) || m.springs[kU] == 0 || m.springs[kV] == 0) return true;
+    for (Direction d : {kU, kV})
+        if (!m.ring[d] && !(w.rows[d].holds[0] && w.rows[d].holds[nodes_along(m, d) - 1])) return false;
+    return !m.ring[kU] || !m.ring[kV];
+}
+
+// Springs of node i of a line.
+double springs_at(const Membrane& m, Direction d, size_t i) {
+    return double(m.ring[d] || i > 0) + double(m.ring[d] || i < m.springs[d]);
+}
+
+// Whether springs or bend are so stiff for a step that the impulses on nodes side by side are lost in rounding.
+bool is_too_stiff(const Membrane& m, double dt) {
+    const double h = stage_share(m, dt), sigma = h * (h + m.damping);
+    double stiffest = 0;
+    for (Direction d : {kU, kV})
+        stiffest = fmax(stiffest, 2 * uniform_stiffness(m, d) + (has_bend(m) ? 16 * uniform_bend(m, d) : 0));
+    return sigma * stiffest > kStiffSheet * uniform_mass(m);
+}
+
+size_t line_of(const Work& w, Direction d, size_t place) { return d == kU ? place % w.grid.pitch : place / w.grid.pitch; }
+
+// Lines along d, one for each held node.
+Grid lines_across(const Work& w, Direction d) { return {w.held.count, w.across[d].rows, w.across[d].pitch}; }
+
+} // namespace
+
+void choose_way(const Membrane& m, double dt, MembraneFeatures& with) {
+    with.likeness = kUniform;
+    Carver coefficients{m.coefficients.data}, scratch{m.scratch.data};
+    const Work work(m, with, coefficients, scratch); // whatever the way, rows come first
+    find_lines(m, work);
+    size_t singles = 0;
+    double corners = 0;
+    each_single(m, work, [&](size_t u, size_t v) {
+        const double part = springs_at(m, kU, u) * springs_at(m, kV, v) / 4;
+        ++singles;
+        corners += part * part * part;
+    });
+    with.solver = solver_for(m, dt, corners);
+    const bool coupled = with.solver == CD_SOLVER_COUPLED;
+    const size_t most = steps_explicitly(m) || (!coupled && is_too_stiff(m, dt)) ? 0 : HeldNodes::kMost;
+    if (singles > most || !separates(m, work)) with.likeness = kDiffer;
+    else if (holds_inside(m, work)) with.likeness = kSeparate;
+}
+
+void find_held(Membrane& m, Work& w) {
+    find_lines(m, w);
+    m.held = 0;
+    each_single(m, w, [&](size_t u, size_t v) { w.held.place[m.held++] = v * w.grid.pitch + u; });
+    w.held.count = m.held;
+}
+
+void prepare_held(const Membrane& m, const Work& w, double h) {
+    const HeldNodes& held = w.held;
+    for (Direction d : {kU, kV}) {
+        const Grid lines = lines_across(w, d);
+        double* const response = w.response[d];
+        memset(response, 0, lines.rows * lines.pitch * sizeof(double));
+        for (size_t a = 0; a < held.count; ++a) {
+            const size_t i = line_of(w, d, held.place[a]);
+            const double ground = line_weight(m, d, i) * (1 + h * m.drag + w.rows[d].drag[i]);
+            if (d == kV) w.ground_v[a] = ground;
+            response[i * lines.pitch + a] = 1 / ground;
+        }
+        w.shared[d].solve(*m.kernels, cd_parallel{}, lines, response, w.across_slope);
+    }
+    const auto answer = [&](Direction d, size_t a, size_t b) {
+        return w.response[d][line_of(w, d, held.place[a]) * w.across[d].pitch + b];
+    };
+    held.factor([&](size_t a, size_t b) { return answer(kU, a, b) * answer(kV, a, b); });
+}
+
+void hold(const Membrane& m, const Work& w, double* plane) {
+    const HeldNodes& held = w.held;
+    const Grid columns = lines_across(w, kV);
+    double impulse[HeldNodes::kMost];
+    for (size_t a = 0; a < held.count; ++a) {
+        const double* const column = plane + line_of(w, kU, held.place[a]);
+        for (size_t v = 0; v < columns.rows; ++v) w.across_plane[v * columns.pitch + a] = column[v * w.grid.pitch];
+    }
+    w.shared[kV].solve(*m.kernels, cd_parallel{}, columns, w.across_plane, w.across_slope);
+    for (size_t a = 0; a < held.count; ++a)
+        impulse[a] = w.across_plane[line_of(w, kV, held.place[a]) * columns.pitch + a];
+    held.balance(impulse);
+    for (size_t a = 0; a < held.count; ++a) {
+        const double share = impulse[a] / w.ground_v[a];
+        double* const row = plane + line_of(w, kV, held.place[a]) * w.grid.pitch;
+        for (size_t u = 0; u < w.grid.columns; ++u) row[u] += share * w.response[kU][u * w.across[kU].pitch + a];
+    }
+}
+
+} // namespace cd
