@@ -10,8 +10,8 @@ namespace cd {
 // The two directions of a sheet, as indices.
 enum Direction { kU = 0, kV = 1 };
 
-// What the lines of a sheet have in common: nothing; a factorization for each direction; but for the edges, all numbers.
-// See membrane_held.cpp.
+// What the lines of a sheet have in common: nothing; a factorization for each direction; but for the edges, all
+// numbers. See membrane_held.cpp.
 enum Likeness { kDiffer, kSeparate, kUniform };
 
 // Effort of a step of cloth: see cd_membrane_set_effort.
@@ -191,8 +191,8 @@ struct MembraneOutcome {
 };
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count);
 double stable_dt(const Membrane& m);               // membrane_limit.cpp
-// Likewise: what a step of springs takes; CD_SOLVER_AUTO: none. corners: see membrane_held.cpp.
-cd_solver solver_for(const Membrane& m, double dt, double corners);
+// Likewise: what a step of springs takes; CD_SOLVER_AUTO: none. kinks: see membrane_held.cpp.
+cd_solver solver_for(const Membrane& m, double dt, double kinks);
 
 inline size_t awake_nodes(const Membrane& m) { return sleeping_parts(m) > 0 ? 0 : m.nodes; }
 

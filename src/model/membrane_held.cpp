@@ -1,15 +1,17 @@
 // Sheets whose two directions separate, and the nodes that are held in them.
 //
 // Their masses and springs are uniform, no node is absent or attached, and nodes are held by whole rows and columns,
-// beside which a few single nodes may be held; with bend, both ends of every line are held or joined to a ring, or there
-// is a single line. Then a factorization of one row and one of one column serve all: B^-1 = F_v F_u. Where no line is
-// held beside the edges they have no planes either: they are uniform.
+// beside which a few single nodes may be held; with bend, both ends of every line are held or joined to a ring, or
+// there is a single line. Then a factorization of one row and one of one column serve all: B^-1 = F_v F_u. Where no
+// line is held beside the edges they have no planes either: they are uniform.
 //
-// Single nodes are held by impulses (solve/held_nodes.hh). The response of a separable system to an impulse at a node is
-// the product of a row's and a column's, so these are found from lines alone: after the solves along u, those along v in
-// the columns of the held nodes tell how these would move; the impulses are then added along their rows.
+// Single nodes are held by impulses (solve/held_nodes.hh). The response of a separable system to an impulse at a node
+// is the product of a row's and a column's, so these are found from lines alone: after the solves along u, those along
+// v in the columns of the held nodes tell how these would move; the impulses are then added along their rows.
 #include <math.h>
 #include <string.h>
+
+#include <initializer_list>
 
 #include "model/membrane_work.hh"
 
@@ -36,7 +38,7 @@ void find_lines(const Membrane& m, const Work& w) {
 template <class F> void each_single(const Membrane& m, const Work& w, const F& f) {
     for (size_t v = 0; v < m.rows && m.pin; ++v)
         for (size_t u = 0; u < m.columns; ++u)
-            if (!w.rows[kU].holds[u] && !w.rows[kV].holds[v] && present(m, u, v) && held(m, u, v)) f(u, v);
+            if (!w.rows[kU].holds[u] && !w.rows[kV].holds[v] && held(m, u, v)) f(u, v);
 }
 
 // Whether lines beside the edges are held as a whole.
@@ -60,9 +62,16 @@ bool separates(const Membrane& m, const Work& w) {
     return !m.ring[kU] || !m.ring[kV];
 }
 
-// Springs of node i of a line.
-double springs_at(const Membrane& m, Direction d, size_t i) {
-    return double(m.ring[d] || i > 0) + double(m.ring[d] || i < m.springs[d]);
+// Springs from a node along d to nodes that move.
+double moving_springs(const Membrane& m, Direction d, size_t u, size_t v) {
+    const size_t i = d == kU ? u : v;
+    double count = 0;
+    for (size_t at : {before(m, d, i), after(m, d, i)}) {
+        const size_t to_u = d == kU ? at : u, to_v = d == kU ? v : at;
+        const bool joined = at != i && (m.ring[d] || at + 1 == i || at == i + 1);
+        count += joined && present(m, to_u, to_v) && !held(m, to_u, to_v) ? 1 : 0;
+    }
+    return count;
 }
 
 // Whether springs or bend are so stiff for a step that the impulses on nodes side by side are lost in rounding.
@@ -74,7 +83,9 @@ bool is_too_stiff(const Membrane& m, double dt) {
     return sigma * stiffest > kStiffSheet * uniform_mass(m);
 }
 
-size_t line_of(const Work& w, Direction d, size_t place) { return d == kU ? place % w.grid.pitch : place / w.grid.pitch; }
+size_t line_of(const Work& w, Direction d, size_t place) {
+    return d == kU ? place % w.grid.pitch : place / w.grid.pitch;
+}
 
 // Lines along d, one for each held node.
 Grid lines_across(const Work& w, Direction d) { return {w.held.count, w.across[d].rows, w.across[d].pitch}; }
@@ -87,13 +98,13 @@ void choose_way(const Membrane& m, double dt, MembraneFeatures& with) {
     const Work work(m, with, coefficients, scratch); // whatever the way, rows come first
     find_lines(m, work);
     size_t singles = 0;
-    double corners = 0;
+    double kinks = 0; // about them: one on an edge is as an eighth of one inside, at a corner as a 64th
     each_single(m, work, [&](size_t u, size_t v) {
-        const double part = springs_at(m, kU, u) * springs_at(m, kV, v) / 4;
+        const double part = moving_springs(m, kU, u, v) * moving_springs(m, kV, u, v) / 4;
         ++singles;
-        corners += part * part * part;
+        kinks += part * part * part;
     });
-    with.solver = solver_for(m, dt, corners);
+    with.solver = solver_for(m, dt, kinks);
     const bool coupled = with.solver == CD_SOLVER_COUPLED;
     const size_t most = steps_explicitly(m) || (!coupled && is_too_stiff(m, dt)) ? 0 : HeldNodes::kMost;
     if (singles > most || !separates(m, work)) with.likeness = kDiffer;

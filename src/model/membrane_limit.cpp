@@ -4,8 +4,8 @@
 // t (a - b - c + d)^2 <= 4 t (a^2 + b^2 + c^2 + d^2), each with equality where nodes swing against their neighbours, as
 // in the fastest mode of a uniform sheet. What remains is a quadratic per node; the least of their roots is the bound.
 //
-// And a bound for alternating solves, whose extra mass is (w_u h)^2 (w_v h)^2 times that of the motion (membrane.h), and
-// what it is of the kink about a node that is held among others that move.
+// And a bound for alternating solves, whose extra mass is (w_u h)^2 (w_v h)^2 times that of the motion (membrane.h),
+// and what it is of the kink about a node that is held among others that move.
 #include <math.h>
 
 #include <initializer_list>
@@ -85,15 +85,14 @@ Rate rate_along(const Membrane& m, Direction d, double sigma) {
 
 } // namespace
 
-cd_solver solver_for(const Membrane& m, double dt, double corners) {
+cd_solver solver_for(const Membrane& m, double dt, double kinks) {
     if (steps_explicitly(m)) return CD_SOLVER_AUTO;
     if (m.solver != CD_SOLVER_AUTO) return m.solver;
     const double h = stage_share(m, dt), sigma = h * (h + m.damping);
     const Rate u = rate_along(m, kU, sigma), v = rate_along(m, kV, sigma);
-    // The mean square of the motion is a quarter. The kink about a held node (the lattice's Green's function) adds 0.5 to
-    // 0.9 times the two rates on 33 x 33 nodes, less on larger sheets; an eighth of it on an edge, a 64th at a corner.
-    const double mass = double(m.nodes) / 4, kinks = corners * u.spring * v.spring;
-    const double extra = u.motion * v.motion + kinks / mass;
+    // The mean square of the motion is a quarter. The kink about a held node (the lattice's Green's function) adds 0.5
+    // to 0.9 times the product of the two rates on 33 x 33 nodes, less on larger sheets.
+    const double extra = u.motion * v.motion + kinks * u.spring * v.spring / (double(m.nodes) / 4);
     return extra <= kMostExtraMass ? CD_SOLVER_ALTERNATING : CD_SOLVER_COUPLED;
 }
 

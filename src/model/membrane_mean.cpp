@@ -18,6 +18,7 @@ namespace cd {
 
 bool is_stiff_and_afloat(const Membrane& m, const Work& w) {
     double stiffest = 0;
+    if (w.held.count > 0) return false;
     for (Direction d : {kU, kV})
         for (size_t i = 0; i < nodes_along(m, d); ++i) {
             if (w.rows[d].holds[i] || w.rows[d].drag[i] > 0) return false;

@@ -105,9 +105,8 @@ struct Stepper {
             }
         }
         void put(const StateNumbers& to_x, const StateNumbers& to_v) const {
-            const double least = to_x.range().least;
             for (size_t a = 0; a < held.count; ++a) {
-                to_x.put(held.place[a], fabs(x[a]) < least ? 0 : x[a]);
+                to_x.put(held.place[a], x[a]);
                 to_v.put(held.place[a], v[a]);
             }
         }
@@ -135,8 +134,8 @@ struct Stepper {
         return move(solve(by.overshoot[number], by.move[number]), x, v, to_x, to_v);
     }
 
-    // Likewise of a uniform sheet. On one thread, and where no single nodes are held, the filters down the columns start
-    // at once.
+    // Likewise of a uniform sheet. On one thread, and where no single nodes are held, the filters down the columns
+    // start at once.
     bool sweep(size_t k, const StageMoves& by, int number, const StateNumbers& x, const StateNumbers& v,
                const StateNumbers& to_x, const StateNumbers& to_v) const {
         const Uniform now(*this, k);
@@ -179,7 +178,8 @@ struct Stepper {
             rows([&](size_t first, size_t count) {
                 sheet().push_general(w.grid, w.system.sheet, push, x, v, w.residual, first, count);
             });
-            if (m.mean_apart && m.likeness != kDiffer && !w.coupled) cd::change_rows(m, w, h, x, v, {w.residual, w.inverse, 1});
+            if (m.mean_apart && m.likeness != kDiffer && !w.coupled)
+                cd::change_rows(m, w, h, x, v, {w.residual, w.inverse, 1});
             else if (m.mean_apart) find_outer(m, w, w.residual);
             w.system.pull(w.scaled, w.residual);
             return;

@@ -115,8 +115,7 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
         if (!coupled) return;
         gradient = GradientPlanes(system, scratch);
         if (f.likeness != kDiffer && !bends && !f.ring[kU] && !f.ring[kV]) {
-            preconditioner.lines.held = &held;
-            preconditioner.lines.carve(grid, coefficients, scratch);
+            preconditioner.lines.carve(grid, may_hold ? &held : nullptr, coefficients, scratch);
             for (Direction d : {kU, kV}) preconditioner.lines.inverse_mass[d] = rows[d].inverse_mass;
         }
         preconditioner.first.carve(system, bends, coefficients, scratch);
@@ -358,7 +357,7 @@ void prepare(Membrane& m, Work& w, double dt) {
         measure(m, w);
         prepare_parts(m, w);
     } else if (w.implicit) {
-        m.mean_apart = m.held == 0 && is_stiff_and_afloat(m, w);
+        m.mean_apart = is_stiff_and_afloat(m, w);
     }
 }
 

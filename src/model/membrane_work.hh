@@ -1,8 +1,8 @@
 // What steps of a membrane compute with: coefficients, made anew when dt or a parameter changes, and scratch for one
 // component at a time. Both are handed out from the membrane's two arrays in the order in which they are declared here.
 //
-// A sheet whose two directions separate (membrane_held.cpp) has one factorization per direction. Of any other sheet every
-// line has its own, and there are planes of masses and springs.
+// A sheet whose two directions separate (membrane_held.cpp) has one factorization per direction. Of any other sheet
+// every line has its own, and there are planes of masses and springs.
 #pragma once
 
 #include "model/membrane.hh"

@@ -4,7 +4,9 @@
 
 namespace cd {
 
-void ShiftedLines::carve(const Grid& grid, Carver& coefficients, Carver& scratch) {
+void ShiftedLines::carve(const Grid& grid, const HeldNodes* held_nodes, Carver& coefficients, Carver& scratch) {
+    held = held_nodes;
+    for (double*& plane : response) plane = held ? coefficients.plane(grid) : nullptr;
     const size_t nodes[2] = {grid.columns, grid.rows};
     for (int d = 0; d < 2; ++d) {
         stride[d] = (nodes[d] + 7) / 8 * 8;
@@ -36,24 +38,26 @@ void ShiftedLines::choose(double least, double greatest) {
 
 void ShiftedLines::hold(const SheetSystem& system, const Parts& bands, const Parts& strips, double* r,
                         double* x) const {
-    double response[HeldNodes::kMost][HeldNodes::kMost];
-    if (held->count == 0) return;
+    if (!held || held->count == 0) return;
+    double moves[HeldNodes::kMost][HeldNodes::kMost];
     system.clear(r);
     for (size_t b = 0; b < held->count; ++b) {
+        double* const to = keeps_responses() ? response[b] : x;
         r[held->place[b]] = 1;
-        shift_all(system, bands, strips, r, x);
+        shift_all(system, bands, strips, r, to);
         r[held->place[b]] = 0;
-        for (size_t a = 0; a < held->count; ++a) response[a][b] = x[held->place[a]];
+        for (size_t a = 0; a < held->count; ++a) moves[a][b] = to[held->place[a]];
     }
-    held->factor([&](size_t a, size_t b) { return response[a][b]; });
+    held->factor([&](size_t a, size_t b) { return moves[a][b]; });
 }
 
 void ShiftedLines::cycle(const SheetSystem& system, const Parts& bands, const Parts& strips, double* r,
                          double* x) const {
-    shift_all(system, bands, strips, r, x);
-    if (!held || held->count == 0) return;
+    if (!held || held->count == 0) return shift_all(system, bands, strips, r, x);
+    if (!keeps_responses()) shift_all(system, bands, strips, r, x);
     double impulse[HeldNodes::kMost];
-    for (size_t a = 0; a < held->count; ++a) impulse[a] = x[held->place[a]];
+    for (size_t a = 0; a < held->count; ++a)
+        impulse[a] = keeps_responses() ? system.dot(response[a], r) : x[held->place[a]];
     held->balance(impulse);
     for (size_t a = 0; a < held->count; ++a) r[held->place[a]] = impulse[a];
     shift_all(system, bands, strips, r, x);

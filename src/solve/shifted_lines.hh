@@ -7,7 +7,10 @@
 // (p - a) (p - b) / ((p + a) (p + b)) (model.md, 31). Shifts that cover [least, greatest rate], each twice the one
 // before, leave about 1e-4 of it; two or three, 1e-3. z needs no springs: after a step with p, before one with q, it is
 // z + 2 p t - (p + q) x. The largest shift comes last: it damps what rounding at small ones did to the stiff parts. The
-// directions commute, so all this is symmetric, as a preconditioner must be. Single held nodes take a second round.
+// directions commute, so all this is symmetric, as a preconditioner must be.
+//
+// Where single nodes are held (held_nodes.hh), how they would move is the product of r with the response to an impulse
+// at each, if these are kept, or else takes all shifts once more.
 #pragma once
 
 #include "solve/held_nodes.hh"
@@ -19,6 +22,7 @@ namespace cd {
 
 struct ShiftedLines {
     static constexpr size_t kMostShifts = 24;
+    static constexpr size_t kKept = 4; // responses to impulses at held nodes: of more of them none are kept
 
     double* shift = nullptr; // ends with a 0, which is all there is where no shifts cover the rates
     const double* inverse_mass[2];
@@ -26,8 +30,10 @@ struct ShiftedLines {
     size_t stride[2];
     double *z, *t, *below;
     const HeldNodes* held = nullptr; // null: none
+    double* response[kKept];         // planes
 
-    void carve(const Grid& grid, Carver& coefficients, Carver& scratch);
+    // held_nodes: null where no single nodes can be.
+    void carve(const Grid& grid, const HeldNodes* held_nodes, Carver& coefficients, Carver& scratch);
     bool ready() const { return shift && shift[0] > 0; }
     void choose(double least, double greatest);
     // Factors direction d for all shifts. system(shift): ground(i) of masses 1, of a line's node with that shift;
@@ -49,7 +55,10 @@ struct ShiftedLines {
     void cycle(const SheetSystem& system, const Parts& bands, const Parts& strips, double* r, double* x) const;
 
 private:
-    void shift_all(const SheetSystem& system, const Parts& bands, const Parts& strips, const double* r, double* x) const;
+    bool keeps_responses() const { return held->count <= kKept; }
+    // x = S^-1 r, nearly, of the sheet without held nodes.
+    void shift_all(const SheetSystem& system, const Parts& bands, const Parts& strips, const double* r,
+                   double* x) const;
 };
 
 } // namespace cd

@@ -176,6 +176,15 @@ static void drop_factor(struct grid* g) {
     g->factor = NULL;
 }
 
+struct grid* grid_of_bend(cd_membrane* m) {
+    double along_u, along_v;
+    ok(cd_membrane_get_stiffness(m, &along_u, &along_v));
+    ok(cd_membrane_set_stiffness(m, 0, 0));
+    struct grid* const bend = grid_of(m);
+    ok(cd_membrane_set_stiffness(m, along_u, along_v));
+    return bend;
+}
+
 void grid_destroy(struct grid* g) {
     drop_factor(g);
     free(g->mass);

@@ -33,6 +33,7 @@ struct grid {
 };
 
 struct grid* grid_of(const cd_membrane* membrane);
+struct grid* grid_of_bend(cd_membrane* membrane); /* of its bend alone */
 void grid_destroy(struct grid* grid);
 
 /* out = K x of one component, ties to targets at 0; with a kind other than GRID_ALL that part of it. 0 where held. */

@@ -32,6 +32,11 @@ const char* const wild_names[WILD_KINDS] = {
     [WILD_PLATE_ROUND] = "round plate",
 };
 
+int wild_separates(enum wild kind, double stiffest) {
+    const int single_pins = kind == WILD_CORNERS || kind == WILD_PINS || kind == WILD_CYLINDER_PIN;
+    return kind < WILD_SEPARABLE || (single_pins && stiffest <= 1e4);
+}
+
 int wild_has_bend(enum wild kind) {
     return kind == WILD_HINGED || kind == WILD_PLATE_RING || kind == WILD_PLATE_FREE || kind == WILD_PLATE_CORNERS ||
            kind == WILD_PLATE_ROUND;

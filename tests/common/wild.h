@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 enum wild {
-    WILD_FREE, /* up to WILD_SEPARABLE both directions of these can be factored */
+    WILD_FREE, /* up to WILD_SEPARABLE both directions of these can be factored, whatever the step */
     WILD_HALF_EDGES,
     WILD_DRUM,
     WILD_FLAG,
@@ -37,6 +37,9 @@ extern const char* const wild_names[WILD_KINDS];
 cd_membrane* wild_membrane(enum wild kind, size_t columns, size_t rows, size_t components, cd_precision precision,
                            double stiffness_over_mass, uint64_t seed);
 
+/* Whether both directions are factored in steps for which twice a spring's stiffness times h (h + damping) is so many
+ * times a node's mass: with single pins up to 1e4. */
+int wild_separates(enum wild kind, double stiffest);
 int wild_has_bend(enum wild kind);
 int wild_drifts(enum wild kind); /* nothing holds it */
 

@@ -88,11 +88,11 @@ static struct rates rates_of(size_t n, bool ring, double stiffness, double bend,
     return (struct rates){rate, rate * square};
 }
 
-/* A node that is held inside counts as one, on an edge as an eighth, at a corner as a 64th. */
+/* A held node with four springs to nodes that move counts as one, with three as an eighth, round a corner as a 64th. */
 static double kinks(const struct sheet_case* c) {
     if (c->kind == PLAIN) return 0;
     if (c->kind == TORN) return 1;
-    return 1 + (c->ring_u ? 1 : 0.125) + (c->ring_u && c->ring_v ? 1 : c->ring_u || c->ring_v ? 0.125 : 1.0 / 64);
+    return 1 + 0.125 + (c->ring_v ? 0.125 : 1.0 / 64); /* round a ring along u the next column is held */
 }
 
 static double extra_mass(const struct sheet_case* c, double dt) {

@@ -134,6 +134,34 @@ Bench a_pinned_node() {
             }};
 }
 
+// A sheet that hangs by its corners and sways, solved to a tolerance.
+Bench a_coupled_sheet() {
+    static constexpr std::size_t kLarge = 256;
+    return {"frame.coupled.sheet", [] {
+                Case it{"frame.coupled.sheet", kLarge * kLarge, {}, "25 ns"};
+                for (cd_precision precision : {CD_FLOAT32, CD_FLOAT64}) {
+                    const auto sheet = std::make_shared<Sheet>(kLarge - 1, kLarge - 1, 3, precision);
+                    std::vector<double> x;
+                    for (std::size_t v = 0; v < kLarge; ++v)
+                        for (std::size_t u = 0; u < kLarge; ++u)
+                            x.insert(x.end(), {double(u) / kLarge, double(v) / kLarge, 0});
+                    sheet->write(CD_POSITION, x);
+                    sheet->set(method(Way::coupled_half));
+                    sheet->enable(CD_PIN);
+                    const double kind = CD_NODE_PINNED, gravity[3] = {0, 0, -9.81};
+                    for (std::size_t u : {std::size_t(0), kLarge - 1})
+                        for (std::size_t v : {std::size_t(0), kLarge - 1})
+                            check(cd_membrane_write_f64(sheet->get(), CD_PIN, u, v, 1, 1, &kind, 1));
+                    check(cd_membrane_set_stiffness(sheet->get(), 100, 100));
+                    check(cd_membrane_set_gravity(sheet->get(), gravity, 3));
+                    check(cd_membrane_set_tolerance(sheet->get(), 1e-4, 100));
+                    it.subjects.push_back(
+                        {report::name_of(precision), [sheet] { check(cd_membrane_step(sheet->get(), kFrame, 1)); }});
+                }
+                return it;
+            }};
+}
+
 // A large lake, on which something splashes every 50 frames and the waves die out by drag. Sleeping, only they cost.
 Bench a_sleeping_lake() {
     static constexpr std::size_t kLake = 1024;
@@ -214,6 +242,7 @@ std::vector<Bench> frame_benches() {
                    [](cd_membrane* x, double dt) { return cd_membrane_step(x, dt, 1); }),
         time_steps("frame.dt.water", kNodes, a_pool, [](cd_water* x, double dt) { return cd_water_step(x, dt, 1); }),
         a_pinned_node(),
+        a_coupled_sheet(),
         a_sleeping_lake(),
         sleeping_ropes()};
 }

@@ -87,7 +87,7 @@ void report_membrane_features(Report& report) {
                          double(nodes * steps), double(bytes) / double(nodes)});
     }
     report_features(report, "membrane", costs,
-                    "What makes rows or columns differ (a pin inside, a hole, masses or springs of their own, a tie) "
+                    "What makes rows or columns differ (a hole, masses or springs of their own, a tie) "
                     "takes the dearer steps that are safe on any sheet.");
 }
 

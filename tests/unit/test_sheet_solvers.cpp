@@ -266,7 +266,7 @@ void shifted_lines_are_symmetric_and_leave_next_to_nothing(void**) {
         std::vector<double> numbers(32 * grid.pitch * o.rows + 8 * 24 * 64, 0);
         cd::Carver carve{numbers.data()};
         cd::ShiftedLines lines;
-        lines.carve(grid, carve, carve);
+        lines.carve(grid, nullptr, carve, carve);
         assert_true(carve.taken <= numbers.size());
         double* ones = carve.numbers(64);
         for (size_t i = 0; i < 64; ++i) ones[i] = 1;
@@ -301,7 +301,7 @@ void shifted_lines_are_symmetric_and_leave_next_to_nothing(void**) {
     }
     cd::Carver counted{nullptr};
     cd::ShiftedLines none;
-    none.carve({3, 3, 8}, counted, counted);
+    none.carve({3, 3, 8}, nullptr, counted, counted);
     double shift[cd::ShiftedLines::kMostShifts + 1];
     none.shift = shift;
     none.choose(1, 1e30); // so far apart that nothing covers them
