@@ -25,6 +25,7 @@ struct StageSystem {
     double h, sigma = h * (h + c.damping);
     double end_mass = uniform_mass(c, 0), inner_mass = uniform_mass(c, 1),
            uniform_spring = sigma * uniform_stiffness(c);
+    bool uniform = !c.node_mass && !c.spring_stiffness && !c.attach_stiffness;
 
     double mass(size_t i) const {
         return c.node_mass ? c.node_mass[i] : i == 0 || i + 1 == c.nodes ? end_mass : inner_mass;
@@ -37,6 +38,7 @@ struct StageSystem {
     }
     double spring(size_t i) const { return c.spring_stiffness ? sigma * c.spring_stiffness[i] : uniform_spring; }
     double bend(size_t i) const { return sigma * bend_of(c, i); }
+    bool repeats(size_t i) const { return uniform && i > 1 && i + 1 < c.nodes && c.pin[i] == c.pin[i - 1]; }
 };
 
 // The chain's coefficients, rows of one number per node, handed out to those who need one (chain.cpp counts them).
@@ -67,14 +69,23 @@ struct GainRows {
           attach(rows.take(bool(c.target))),
           drags(c.drag > 0 || c.target || c.pin[0] == CD_NODE_MATCHED || c.pin[c.nodes - 1] == CD_NODE_MATCHED) {}
 
-    // Gains of node i, at place `at`, when `grounded` is what resists it.
-    void set(const StageSystem& s, size_t i, double grounded, size_t at) const {
-        gravity[at] = s.mass(i) / grounded;
-        if (drags) drag[at] = (s.h * s.drag(i) + s.h * s.h * tie_of(s.c, i)) / grounded;
-        if (force) force[at] = s.h / grounded;
-        if (attach) attach[at] = s.h * tie_of(s.c, i) / grounded;
+    // Gains of node i, at place `at`, when `grounded` is what resists it; repeated: they are those of the last one.
+    void set(const StageSystem& s, size_t i, double grounded, size_t at, bool repeated) {
+        if (!repeated) {
+            of_mass = s.mass(i) / grounded;
+            of_force = s.h / grounded;
+            if (drags) of_drag = (s.h * s.drag(i) + s.h * s.h * tie_of(s.c, i)) / grounded;
+            if (attach) of_tie = s.h * tie_of(s.c, i) / grounded;
+        }
+        gravity[at] = of_mass;
+        if (drags) drag[at] = of_drag;
+        if (force) force[at] = of_force;
+        if (attach) attach[at] = of_tie;
     }
     NodeGains gains() const { return {gravity, force, drags ? drag : nullptr, attach}; }
+
+private:
+    double of_mass = 0, of_drag = 0, of_force = 0, of_tie = 0;
 };
 
 // What to solve for, see Stage::of_change. Springs alone are better solved for w even where they are soft.
@@ -83,6 +94,7 @@ double of_change(const StageSystem& s) {
     if (!is_rod(s.c)) return 0;
     double stiffest = 0, lightest = INFINITY; // of (omega h)^2, as far as it goes
     for (size_t i = 0; i < s.c.nodes; ++i) {
+        if (s.repeats(i)) continue;
         if (i < springs_in_all(s.c) && !welded(s.c, i)) stiffest = fmax(stiffest, 4 * s.spring(i));
         stiffest = fmax(stiffest, 16 * s.bend(i));
         lightest = fmin(lightest, s.mass(i));
@@ -157,13 +169,14 @@ struct SpringStep {
 
     SpringStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of(c)), stages(c, dt) {
         Rows rows(c);
-        const GainRows gains(c, rows);
+        GainRows gains(c, rows);
         double *const carry = rows.take(), *const pull = rows.take();
         double* const closing = rows.take(bool(c.spring_stiffness));
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
-            factor_spring_line(c.nodes, system, carry, pull,
-                               [&](size_t i, double grounded) { gains.set(system, i, grounded, i); });
+            factor_spring_line(c.nodes, system, carry, pull, [&](size_t i, double grounded, bool repeated) {
+                gains.set(system, i, grounded, i, repeated);
+            });
             if (closing) set_closing(c, closing);
         }
         coefficients = {carry, pull, c.has_welds ? closing : nullptr, gains.gains()};
@@ -187,13 +200,14 @@ struct SegmentStep {
 
     SegmentStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of(c)), stages(c, dt) {
         Rows rows(c);
-        const GainRows gains(c, rows);
+        GainRows gains(c, rows);
         const SegmentRows segment{rows.take(), rows.take(),          rows.take(),
                                   rows.take(), rows.take(kSegments), rows.take(kSegments)};
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
-            factor_segment_line(c.nodes, system, segment,
-                                [&](size_t i, double grounded, size_t at) { gains.set(system, i, grounded, at); });
+            factor_segment_line(c.nodes, system, segment, [&](size_t i, double grounded, size_t at, bool repeated) {
+                gains.set(system, i, grounded, at, repeated);
+            });
         }
         coefficients = {segment.carry, segment.pull, segment.share, segment.reach,
                         segment.reply, segment.pass, gains.gains()};
@@ -230,14 +244,14 @@ struct RodStep {
 
     RodStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of(c)), stages(c, dt) {
         Rows rows(c);
-        const GainRows gains(c, rows);
+        GainRows gains(c, rows);
         const RodRows rod = take_rod(rows);
         double *const has_bend = rows.take(), *const closing = rows.take(bool(c.spring_stiffness));
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
             factor_rod_line(c.nodes, system, rod);
             for (size_t i = 0; i < c.nodes; ++i) {
-                gains.set(system, i, system.ground(i), i);
+                gains.set(system, i, system.ground(i), i, system.repeats(i));
                 has_bend[i] = bend_of(c, i) > 0 ? 1 : 0;
             }
             if (closing) set_closing(c, closing);
@@ -270,16 +284,17 @@ struct SegmentRodStep {
 
     SegmentRodStep(Chain& c, double dt, bool refactor) : chain(c), lines(lines_of(c)), stages(c, dt) {
         Rows rows(c);
-        const GainRows gains(c, rows);
+        GainRows gains(c, rows);
         const SegmentRodRows segment{
             take_rod(rows), {rows.take(), rows.take(), rows.take(), rows.take()}, rows.take_for<RodSegment>(kSegments)};
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
             const Segments segments(c.nodes);
-            const auto place = [&](size_t i) { return segments.place(i); };
+            PlacesInTurn place{segments};
             factor_segment_rod(c.nodes, system, segment);
-            for (size_t i = 0; i < c.nodes; ++i) gains.set(system, i, system.ground(i), place(i));
-            close_ring(c, system, segment.rod, stages.stage[0].closing_rate, place);
+            for (size_t i = 0; i < c.nodes; ++i) gains.set(system, i, system.ground(i), place(i), system.repeats(i));
+            close_ring(c, system, segment.rod, stages.stage[0].closing_rate,
+                       [&](size_t i) { return segments.place(i); });
         }
         const RodRows& rod = segment.rod;
         double* const* const influence = segment.influence;
@@ -307,7 +322,7 @@ struct ExplicitStep {
 
     ExplicitStep(Chain& c, double dt_, bool refactor) : chain(c), lines(lines_of(c)), dt(dt_) {
         Rows rows(c);
-        const GainRows gains(c, rows);
+        GainRows gains(c, rows);
         double *const stiffness = rows.take(), *const inertia = rows.take(), *const bend = rows.take(has_bend(c));
         if (refactor) {
             for (size_t i = 0; i < springs_in_all(c); ++i) stiffness[i] = welded(c, i) ? 0 : stiffness_of(c, i);

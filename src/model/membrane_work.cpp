@@ -179,6 +179,7 @@ struct UniformLine {
         return inside == i ? 0 : sqrt(uniform_stiffness(m, d) / uniform_mass(m) * weight(inside)) / weight(i);
     }
     double ground(size_t i) const { return held(i) ? double(INFINITY) : weight(i) * (1 + h * m.drag + h * matched(i)); }
+    bool repeats(size_t i) const { return i > 1 && i + 1 < nodes() && holds[i] == holds[i - 1]; }
 };
 
 void prepare_rows(const Membrane& m, Work& w, double h, double sigma, uint8_t* const* holds) {

@@ -42,33 +42,47 @@ struct InOrder {
     size_t operator()(size_t i) const { return i; }
 };
 
-// System: double ground(i), spring(i), bend(i). Place: size_t operator()(i).
+// System: double ground(i), spring(i), bend(i); bool repeats(i): whether node i > 0, its spring and its bend are as those
+// before, as far as that is known. Place: size_t operator()(i).
 template <class System, class Place = InOrder>
 void factor_rod_line(size_t nodes, const System& system, const RodRows& out, Place place = {}) {
     double mass = system.ground(0), lever = 0, hold = 0; // A, q, T
+    // Along a uniform part of a line they soon are the same from node to node, and all else with them.
+    double mass_before = 0, lever_before = 0, hold_before = 0;
+    double bend = 0, lean = 0, reached = 0, keep = 0, close = 0, turned = 0, follow = 0;
+    double next_mass = mass, next_lever = 0, next_hold = 0;
     size_t at = place(0);
     for (size_t i = 1; i < nodes; ++i) {
-        if (i > 1) {
-            const double b = system.bend(i - 1), held = hold + b;
-            const double on_lever = lever > 0 ? mass * lever * lever : 0;
-            out.bend[at] = share(b, hold + on_lever);
-            out.lean[at] = lever > 0 ? share(on_lever, held) / lever : 0;
-            mass = lever > 0 ? series(mass, held / (lever * lever)) : mass;
-            lever *= share(b, hold);
-            hold = series(hold, b);
+        mass_before = mass, lever_before = lever, hold_before = hold;
+        mass = next_mass, lever = next_lever, hold = next_hold;
+        const bool same = mass == mass_before && lever == lever_before && hold == hold_before;
+        if (!(same && i > 2 && system.repeats(i - 1) && system.repeats(i))) {
+            double a = mass, q = lever, t = hold;
+            if (i > 1) {
+                const double b = system.bend(i - 1), held = t + b;
+                const double on_lever = q > 0 ? a * q * q : 0;
+                bend = share(b, t + on_lever);
+                lean = q > 0 ? share(on_lever, held) / q : 0;
+                a = q > 0 ? series(a, held / (q * q)) : a;
+                q *= share(b, t);
+                t = series(t, b);
+            }
+            const double s = system.spring(i - 1), m = system.ground(i), longer = q + 1;
+            const double turning = longer * longer * series(a, m);
+            const double turn = share(turning, t + s);
+            reached = q;
+            keep = share(t, s + turning) + turn * q / longer;
+            close = share(s, t + turning);
+            turned = turn / longer;
+            follow = fraction(a, m);
+            next_hold = t + (s + turning);
+            next_lever = longer * share(a, m);
+            next_mass = a + m;
         }
+        if (i > 1) out.bend[at] = bend, out.lean[at] = lean;
         at = place(i);
-        const double s = system.spring(i - 1), m = system.ground(i), longer = lever + 1;
-        const double turning = longer * longer * series(mass, m);
-        const double turn = share(turning, hold + s);
-        out.lever[at] = lever;
-        out.keep[at] = share(hold, s + turning) + turn * lever / longer;
-        out.close[at] = share(s, hold + turning);
-        out.turn[at] = turn / longer;
-        out.follow[at] = fraction(mass, m);
-        hold += s + turning;
-        lever = longer * share(mass, m);
-        mass += m;
+        out.lever[at] = reached, out.keep[at] = keep, out.close[at] = close, out.turn[at] = turned;
+        out.follow[at] = follow;
     }
 }
 

@@ -14,10 +14,9 @@
 // neighbours as a rigid body, and in a soft one influences die out within a few nodes.
 #pragma once
 
-#include <initializer_list>
-
 #include "kernel/segment_rod.hh"
 #include "solve/rod_line.hh"
+#include "solve/segment_line.hh"
 
 namespace cd {
 
@@ -34,14 +33,21 @@ template <class System> void factor_segment_rod(size_t nodes, const System& syst
     const size_t first = place(0), last = place(nodes - 1);
     for (double* row : {rod.keep, rod.close, rod.turn, rod.lever, rod.follow, rod.lean, rod.bend}) row[first] = 0;
     rod.bend[last] = 0;
-    factor_rod_line(nodes, system, rod, place);
+    factor_rod_line(nodes, system, rod, PlacesInTurn{segments});
     for (size_t i = 0; i < nodes; ++i)
         if (i + 1 == nodes || system.ground(i) - system.ground(i) != 0) rod.lean[place(i)] = -0.0;
 
     // A lane for each of the four. Numbers as small as kLeast do not matter, and could make subnormal ones.
     using Four = Lanes<4>;
     constexpr double kLeast = 0x1p-400, units[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    const size_t end = kSegments * segments.length;
     for (size_t k = 0; k < kSegments; ++k) {
+        if (repeats(segments, k, {rod.keep, rod.close, rod.turn, rod.lever, rod.follow, rod.lean, rod.bend})) {
+            for (double* row : out.influence)
+                for (size_t at = k; at < end; at += kSegments) row[at] = row[at - 1];
+            out.segment[k] = out.segment[k - 1];
+            continue;
+        }
         Four u = Four::load(units[0]), d = Four::load(units[1]);
         double now[2][4] = {};
         for (size_t j = 0; j < segments.length; ++j) {

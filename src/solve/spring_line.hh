@@ -25,19 +25,28 @@
 
 namespace cd {
 
-// System: double ground(i), spring(i). Place: where in the rows node i's numbers go, asked of all nodes in turn. Gains:
-// void operator()(i, r, place) is told what grounds node i in all.
+// System: double ground(i), spring(i); bool repeats(i): whether node i > 0 and its spring are as those before, as far as
+// that is known. Place: where in the rows node i's numbers go, asked of all nodes in turn. Gains: void operator()(i, r,
+// place, repeated) is told what grounds node i in all, and whether all that is known of it is as of the node before.
 template <class System, class Place, class Gains>
 void factor_spring_line(size_t nodes, const System& system, Place place, double* carry, double* pull, Gains gains) {
-    double hanging = 0; // the spring to ground that all nodes on the left amount to
+    // The spring to ground that all nodes on the left of the next one amount to, of this one, and what follows from it.
+    // Along a uniform part of a line it soon is the same from node to node.
+    double next = 0, hanging = 0, grounded = 0, carried = 0, pulled = 0;
     for (size_t i = 0; i < nodes; ++i) {
         const size_t at = place(i);
-        const double ground = system.ground(i), grounded = ground + hanging;
-        carry[at] = fraction(hanging, ground);
-        gains(i, grounded, at);
-        if (i + 1 == nodes) break;
-        pull[at] = fraction(system.spring(i), grounded);
-        hanging = series(grounded, system.spring(i));
+        const bool repeated = i > 0 && next == hanging && system.repeats(i);
+        hanging = next;
+        if (!repeated) {
+            const double ground = system.ground(i), spring = i + 1 < nodes ? system.spring(i) : 0;
+            grounded = ground + hanging;
+            carried = fraction(hanging, ground);
+            pulled = fraction(spring, grounded);
+            next = series(grounded, spring);
+        }
+        carry[at] = carried;
+        gains(i, grounded, at, repeated);
+        if (i + 1 < nodes) pull[at] = pulled;
     }
 }
 
@@ -46,7 +55,7 @@ template <class System, class Gains>
 void factor_spring_line(size_t nodes, const System& system, double* carry, double* pull, Gains gains) {
     factor_spring_line(
         nodes, system, [](size_t i) { return i; }, carry, pull,
-        [&](size_t i, double grounded, size_t) { gains(i, grounded); });
+        [&](size_t i, double grounded, size_t, bool repeated) { gains(i, grounded, repeated); });
 }
 
 } // namespace cd

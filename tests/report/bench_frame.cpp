@@ -119,6 +119,12 @@ std::shared_ptr<Chain> a_chain() {
     check(cd_chain_set_end(chain->get(), CD_END_FIRST, CD_NODE_PINNED));
     return chain;
 }
+std::shared_ptr<Chain> a_rod() {
+    const auto rod = a_chain();
+    check(cd_chain_set_bend(rod->get(), 1e-6));
+    return rod;
+}
+
 Bench a_pinned_node() {
     return {"frame.pinned.sheet", [] {
                 const auto plain = rolling_sheet(), pinned = rolling_sheet();
@@ -238,6 +244,7 @@ std::vector<Bench> frame_benches() {
         numbers_of_a_sheet(true),
         copy_of_a_sheet(),
         time_steps("frame.dt.chain", 1001, a_chain, [](cd_chain* x, double dt) { return cd_chain_step(x, dt, 1); }),
+        time_steps("frame.dt.rod", 1001, a_rod, [](cd_chain* x, double dt) { return cd_chain_step(x, dt, 1); }),
         time_steps("frame.dt.sheet", kNodes, rolling_sheet,
                    [](cd_membrane* x, double dt) { return cd_membrane_step(x, dt, 1); }),
         time_steps("frame.dt.water", kNodes, a_pool, [](cd_water* x, double dt) { return cd_water_step(x, dt, 1); }),

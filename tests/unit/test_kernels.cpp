@@ -22,6 +22,7 @@ constexpr size_t kNodes = 37, kLines = 61;
 struct Line {
     double ground(size_t i) const { return 1 + 0.1 * double(i % 7); }
     double spring(size_t i) const { return i % 5 == 0 ? 1e9 : 0.3 * double(1 + i % 3); }
+    bool repeats(size_t) const { return false; }
     double bend(size_t i) const { return i > 0 && i + 1 < kNodes ? 0.7 * double(i % 4) : 0; }
 };
 
@@ -50,7 +51,7 @@ template <class T> void step_all(const cd::ChainKernels& kernels, State<T>& stat
         rows[0][i] = 0.01 * double(i), rows[10][i] = i > 0 && i + 1 < kNodes, rows[11][i] = 0.02;
     const cd::NodeGains gains{rows[0], nullptr, rows[11], nullptr};
     const cd::Stage stage{7, 1, 0.1, {1, -2, 3}, 0}, change{7, 1, 0.1, {1, -2, 3}, 1};
-    cd::factor_spring_line(kNodes, line, rows[1], rows[2], [](size_t, double) {});
+    cd::factor_spring_line(kNodes, line, rows[1], rows[2], [](size_t, double, bool) {});
     for (const cd::NodeGains& g : {gains, cd::NodeGains{rows[0], nullptr, nullptr, nullptr}}) {
         const cd::SpringCoefficients springs{rows[1], rows[2], nullptr, g};
         for (const cd::Stage& s : {stage, change})
@@ -81,7 +82,7 @@ template <class T> void step_segments(const cd::ChainKernels& kernels, State<T>&
         const size_t nodes = kNodes * kLines / lines;
         for (double& row : rows[4]) row = 0.02;
         cd::factor_segment_line(nodes, Line{}, {rows[0], rows[1], rows[2], rows[3], reply, pass},
-                                [](size_t, double, size_t) {});
+                                [](size_t, double, size_t, bool) {});
         cd::factor_segment_rod(
             nodes, Line{},
             {{rod[0], rod[1], rod[2], rod[3], rod[4], rod[5], rod[6]}, {rod[7], rod[8], rod[9], rod[10]}, segment});

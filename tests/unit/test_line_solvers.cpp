@@ -26,6 +26,7 @@ struct Line {
     double ground(size_t i) const { return mass[i]; }
     double spring(size_t i) const { return stiffness[i]; }
     double bend(size_t i) const { return turning[i]; }
+    bool repeats(size_t i) const { return mass[i] == mass[i - 1] && stiffness[i] == stiffness[i - 1]; }
 };
 
 Line random_line(unsigned seed, double decades, bool bend) {
@@ -98,7 +99,7 @@ using cd::Stage;
 
 void solve_springs(const Line& line, Problem& p, double of_change) {
     double carry[kNodes], pull[kNodes], scratch[kNodes];
-    cd::factor_spring_line(kNodes, line, carry, pull, [](size_t, double) {});
+    cd::factor_spring_line(kNodes, line, carry, pull, [](size_t, double, bool) {});
     const cd::SpringCoefficients c{carry, pull, nullptr, {p.gravity, nullptr, nullptr, nullptr}};
     assert_true(cd::spring_sweep({kNodes, 1, 1, {p.x, true}, {p.v, true}, {}, {}}, c, p.stage(of_change), {}, scratch,
                                  false, 0, 1));
@@ -230,7 +231,7 @@ void lanes_do_not_mix(void**) {
     static float x[kNodes][kLines], v[kNodes][kLines], alone[2][kNodes];
     static double scratch[kNodes][kLines], carry[kNodes], pull[kNodes], gravity[kNodes];
     const Line line = random_line(3, 6, false);
-    cd::factor_spring_line(kNodes, line, carry, pull, [](size_t, double) {});
+    cd::factor_spring_line(kNodes, line, carry, pull, [](size_t, double, bool) {});
     const cd::SpringCoefficients c{carry, pull, nullptr, {gravity, nullptr, nullptr, nullptr}};
     const Stage stage{3, 1, 0.5, {}, 0};
     unsigned seed = 5;

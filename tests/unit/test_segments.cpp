@@ -27,14 +27,15 @@ struct Scene {
     double ground(size_t i) const { return mass[i]; }
     double spring(size_t i) const { return stiffness[i]; }
     double bend(size_t i) const { return turning[i]; }
+    bool repeats(size_t i) const { return mass[i] == mass[i - 1] && stiffness[i] == stiffness[i - 1]; }
 
-    // spring and bend: about which stiffnesses they vary.
+    // spring and bend: about which stiffnesses they vary. 0 decades: all alike.
     void make(unsigned seed, double decades, double spring, double bend) {
         unsigned random = seed;
         const auto about = [&](double centre) { return centre * pow(10, decades * (random_number(random) - 0.5)); };
         lines = 1 + seed % 4, nodes = 64 + 7 * seed % 230, acts = seed % 2 == 0;
         for (size_t i = 0; i < nodes; ++i) {
-            mass[i] = 0.5 + random_number(random);
+            mass[i] = decades > 0 ? 0.5 + random_number(random) : 1;
             stiffness[i] = about(spring);
             turning[i] = about(bend);
         }
@@ -71,17 +72,67 @@ Scene scene;
 void springs_in_segments_solve_what_one_sweep_does(void**) {
     static double rows[6][kMost], y[kMost * kMostLines];
     for (unsigned seed = 1; seed < 120; ++seed) {
-        scene.make(seed, seed % 4 == 0 ? 30 : 6, pow(10, 4 * double(seed % 7) - 12), 0);
+        scene.make(seed, seed % 4 == 0 ? 30 : seed % 4 == 1 ? 0 : 6, pow(10, 4 * double(seed % 7) - 12), 0);
         const size_t n = scene.nodes;
-        cd::factor_spring_line(n, scene, rows[0], rows[1], [](size_t, double) {});
+        cd::factor_spring_line(n, scene, rows[0], rows[1], [](size_t, double, bool) {});
         const cd::SpringCoefficients whole{rows[0], rows[1], nullptr, scene.gains(0)};
         assert_true(cd::spring_sweep(scene.state(0), whole, scene.stage, {}, y, false, 0, scene.lines));
 
         double reply[cd::kSegments], pass[cd::kSegments];
-        cd::factor_segment_line(n, scene, {rows[2], rows[3], rows[4], rows[5], reply, pass}, [](size_t, double, size_t) {});
+        cd::factor_segment_line(n, scene, {rows[2], rows[3], rows[4], rows[5], reply, pass},
+                                [](size_t, double, size_t, bool) {});
         const cd::SegmentCoefficients parts{rows[2], rows[3], rows[4], rows[5], reply, pass, scene.gains(1)};
         assert_true(cd::segment_sweep(scene.state(1), parts, scene.stage, {}, y, false));
         assert_true(scene.difference() < 1e-13);
+    }
+}
+
+// A uniform line in which some nodes are held.
+struct Uniform {
+    double spring_, bend_;
+    size_t nodes, every; // so many nodes one is held
+    bool tells;          // what repeats
+    double ground(size_t i) const { return i % every == 0 ? double(INFINITY) : 0.7; }
+    double spring(size_t) const { return spring_; }
+    double bend(size_t i) const { return i > 0 && i + 1 < nodes ? bend_ : 0; }
+    bool repeats(size_t i) const { return tells && i > 1 && i + 1 < nodes && ground(i) == ground(i - 1); }
+};
+
+void what_repeats_along_a_line_is_computed_once(void**) {
+    constexpr size_t kLong = 1200, kRows = 11;
+    static double rows[2][kRows][kLong], grounded_by[2][kLong], reply[2][cd::kSegments], pass[2][cd::kSegments];
+    static cd::RodSegment segment[2][cd::kSegments];
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        const size_t nodes = kLong - seed % 17, every = seed % 3 == 0 ? 5000 : 300;
+        const double stiff = pow(10, double(seed % 12) - 4);
+        size_t computed[2] = {};
+        for (int told = 0; told < 2; ++told) {
+            const Uniform line{stiff, 0, nodes, every, told == 1};
+            double(*const row)[kLong] = rows[told];
+            cd::factor_segment_line(nodes, line, {row[0], row[1], row[2], row[3], reply[told], pass[told]},
+                                    [&](size_t, double grounded, size_t at, bool repeated) {
+                                        grounded_by[told][at] = grounded;
+                                        computed[told] += !repeated;
+                                    });
+        }
+        for (int r = 0; r < 4; ++r) assert_memory_equal(rows[0][r], rows[1][r], nodes * sizeof(double));
+        assert_memory_equal(grounded_by[0], grounded_by[1], nodes * sizeof(double));
+        assert_memory_equal(reply[0], reply[1], sizeof reply[0]);
+        assert_memory_equal(pass[0], pass[1], sizeof pass[0]);
+        assert_int_equal(computed[0], nodes);
+        // the factors settle within 20 times the root of stiffness over ground, from every held node on
+        if (20 * sqrt(stiff / 0.7) < 100) assert_true(computed[1] < 110 * (1 + nodes / every));
+
+        for (int told = 0; told < 2; ++told) {
+            const Uniform line{seed % 5 == 0 ? 0 : stiff, pow(10, double(seed % 7) - 3), nodes, every, told == 1};
+            double(*const row)[kLong] = rows[told];
+            cd::factor_segment_rod(nodes, line,
+                                   {{row[0], row[1], row[2], row[3], row[4], row[5], row[6]},
+                                    {row[7], row[8], row[9], row[10]},
+                                    segment[told]});
+        }
+        for (size_t r = 0; r < kRows; ++r) assert_memory_equal(rows[0][r], rows[1][r], nodes * sizeof(double));
+        assert_memory_equal(segment[0], segment[1], sizeof segment[0]);
     }
 }
 
@@ -147,6 +198,7 @@ void rods_in_segments_solve_what_one_sweep_does(void**) {
 
 int main() {
     const CMUnitTest tests[] = {
+        cmocka_unit_test(what_repeats_along_a_line_is_computed_once),
         cmocka_unit_test(springs_in_segments_solve_what_one_sweep_does),
         cmocka_unit_test(rods_in_segments_solve_what_one_sweep_does),
     };

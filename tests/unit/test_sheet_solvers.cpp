@@ -255,6 +255,7 @@ struct SeparableLine {
     double weight(size_t) const { return 1; }
     double ground(size_t i) const { return held && i == 0 ? double(INFINITY) : 0.5 + shift; }
     double spring(size_t i) const { return i + 1 < nodes ? stiffness : 0; }
+    bool repeats(size_t) const { return false; }
 };
 
 void shifted_lines_are_symmetric_and_leave_next_to_nothing(void**) {
@@ -338,6 +339,7 @@ struct UniformLine {
     bool ring, bends;
     double ground(size_t i) const { return i == 2 ? double(INFINITY) : 1 + 0.25 * double(i % 3); }
     double spring(size_t i) const { return ring || i + 1 < nodes ? 7.5 : 0; }
+    bool repeats(size_t) const { return false; }
     double bend(size_t i) const { return bends && (ring || (i > 0 && i + 1 < nodes)) ? 3.25 : 0; }
 };
 
