@@ -68,8 +68,10 @@ struct UniformStage {
     bool constant;                 // beside springs only gravity acts
     SharedFilter along_u, along_v; // of implicit stages
     bool carries;                  // see sweep_down
-    const size_t* held;            // places in planes where nothing acts, so many
-    size_t held_count;
+    // Single nodes: their places in planes, and their compliance: on those of 0, which are held, nothing acts.
+    size_t singles;
+    const size_t* single;
+    const double* compliance;
     // null, or what makes rows' means 0 before and after the filters along them
     void (*flatten)(const Grid& grid, const double* inverse_mass, double* plane, size_t first, size_t count);
 };

@@ -44,9 +44,10 @@ struct DownSweep {
             if (r + 1 < rows.end) rows.look(r + 1, rows.at(r + 1));
             along_springs(grid.columns, rows.acting(r, plane + r * grid.pitch));
         }
-        for (size_t i = 0; i < rows.stage.held_count; ++i) {
-            const size_t place = rows.stage.held[i];
-            if (place >= row * grid.pitch && place < (row + count) * grid.pitch) plane[place] = 0;
+        for (size_t i = 0; i < rows.stage.singles; ++i) {
+            const size_t place = rows.stage.single[i];
+            const bool here = place >= row * grid.pitch && place < (row + count) * grid.pitch;
+            if (here && rows.stage.compliance[i] == 0) plane[place] = 0;
         }
         const double* const inverse_mass = rows.stage.sheet.inverse_mass[0];
         if (rows.stage.flatten) rows.stage.flatten(grid, inverse_mass, plane, row, count);

@@ -54,13 +54,13 @@ struct Membrane : Body, MembraneSettings {
     double residual;
 
     // what steps need, none of it state: see membrane_step.cpp
-    cd_solver taken; // by the last call of step; CD_SOLVER_AUTO: none
+    cd_solver taken;       // by the last call of step; CD_SOLVER_AUTO: none
     Array<double> pressed; // the force of the pressure, laid out like the positions
     double stiffest;       // the largest diagonal entry of the system, where there is one
     bool whole;            // see membrane_step.cpp
     Likeness likeness;     // see membrane_held.cpp
     bool mean_apart;       // see membrane_step.cpp
-    size_t held;           // single nodes that are held: see membrane_held.cpp
+    size_t held;           // single nodes that are held or tied: see membrane_held.cpp
     size_t parts;          // see membrane_parts.cpp
 
     // f(array, array of another membrane...) for each field, in the order in which they are kept; and for every array.
@@ -190,7 +190,7 @@ struct MembraneOutcome {
     bool converged;       // of all coupled solves
 };
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count);
-double stable_dt(const Membrane& m);               // membrane_limit.cpp
+double stable_dt(const Membrane& m); // membrane_limit.cpp
 // Likewise: what a step of springs takes; CD_SOLVER_AUTO: none. kinks: see membrane_held.cpp.
 cd_solver solver_for(const Membrane& m, double dt, double kinks);
 

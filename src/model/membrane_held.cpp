@@ -1,19 +1,20 @@
 // Sheets whose two directions separate, and the nodes that are held in them.
 //
-// Their masses and springs are uniform, no node is absent or attached, and nodes are held by whole rows and columns,
-// beside which a few single nodes may be held; with bend, both ends of every line are held or joined to a ring, or
-// there is a single line. Then a factorization of one row and one of one column serve all: B^-1 = F_v F_u. Where no
-// line is held beside the edges they have no planes either: they are uniform.
+// Their masses and springs are uniform, no node is absent, and nodes are held by whole rows and columns, beside which a
+// few single nodes may be held or tied; with bend, both ends of every line are held or joined to a ring, or there is a
+// single line. Then a factorization of one row and one of one column serve all: B^-1 = F_v F_u. Where no line is held
+// beside the edges they have no planes either: they are uniform.
 //
-// Single nodes are held by impulses (solve/held_nodes.hh). The response of a separable system to an impulse at a node
-// is the product of a row's and a column's, so these are found from lines alone: after the solves along u, those along
-// v in the columns of the held nodes tell how these would move; the impulses are then added along their rows.
+// Single nodes are held, or tied, by impulses (solve/held_nodes.hh). The response of a separable system to an impulse
+// at a node is the product of a row's and a column's, so these are found from lines alone: after the solves along u,
+// those along v in the columns of the nodes tell how these would move; the impulses are then added along their rows.
 #include <math.h>
 #include <string.h>
 
 #include <initializer_list>
 
 #include "model/membrane_work.hh"
+#include "solve/series.hh"
 
 namespace cd {
 
@@ -34,11 +35,14 @@ void find_lines(const Membrane& m, const Work& w) {
             if (!held(m, u, v)) w.rows[kU].holds[u] = w.rows[kV].holds[v] = 0;
 }
 
-// f(u, v) for each node that is held, but not with its whole row or column.
+bool is_tied(const Membrane& m, size_t node) { return tie_of(m, node) > 0 || tie_damping_of(m, node) > 0; }
+
+// f(u, v) for each node that is tied, or held but not with its whole row or column.
 template <class F> void each_single(const Membrane& m, const Work& w, const F& f) {
-    for (size_t v = 0; v < m.rows && m.pin; ++v)
+    for (size_t v = 0; v < m.rows && (m.pin || m.target); ++v)
         for (size_t u = 0; u < m.columns; ++u)
-            if (!w.rows[kU].holds[u] && !w.rows[kV].holds[v] && held(m, u, v)) f(u, v);
+            if (!w.rows[kU].holds[u] && !w.rows[kV].holds[v] && (held(m, u, v) || is_tied(m, node_at(m, u, v))))
+                f(u, v);
 }
 
 // Whether lines beside the edges are held as a whole.
@@ -49,13 +53,21 @@ bool holds_inside(const Membrane& m, const Work& w) {
     return false;
 }
 
+// What a tie resists with, as a mass.
+double tie_mass(const Membrane& m, size_t node, double h) {
+    return h * (h * tie_of(m, node) + tie_damping_of(m, node));
+}
+
+// Softer ones, as a part of a node's mass, have compliances that leave double's range on the way.
+constexpr double kSoftestTie = 1e-100;
+
 // But for single nodes.
-bool separates(const Membrane& m, const Work& w) {
+bool separates(const Membrane& m, const Work& w, double h) {
     if (m.node_mass || m.spring_stiffness[kU] || m.spring_stiffness[kV]) return false;
     for (size_t i = 0; i < m.mask.count; ++i)
         if (!m.mask[i]) return false;
     for (size_t i = 0; i < m.attach_stiffness.count; ++i)
-        if (m.attach_stiffness[i] > 0 || m.attach_damping[i] > 0) return false;
+        if (is_tied(m, i) && tie_mass(m, i, h) < kSoftestTie * uniform_mass(m)) return false;
     if (!has_bend(m) || m.springs[kU] == 0 || m.springs[kV] == 0) return true;
     for (Direction d : {kU, kV})
         if (!m.ring[d] && !(w.rows[d].holds[0] && w.rows[d].holds[nodes_along(m, d) - 1])) return false;
@@ -101,20 +113,28 @@ void choose_way(const Membrane& m, double dt, MembraneFeatures& with) {
     double kinks = 0; // about them: one on an edge is as an eighth of one inside, at a corner as a 64th
     each_single(m, work, [&](size_t u, size_t v) {
         const double part = moving_springs(m, kU, u, v) * moving_springs(m, kV, u, v) / 4;
+        const double tie = tie_of(m, node_at(m, u, v)), springs = uniform_stiffness(m, kU) + uniform_stiffness(m, kV);
         ++singles;
-        kinks += part * part * part;
+        kinks += part * part * part * (held(m, u, v) ? 1 : share(tie, springs));
     });
     with.solver = solver_for(m, dt, kinks);
     const bool coupled = with.solver == CD_SOLVER_COUPLED;
     const size_t most = steps_explicitly(m) || (!coupled && is_too_stiff(m, dt)) ? 0 : HeldNodes::kMost;
-    if (singles > most || !separates(m, work)) with.likeness = kDiffer;
+    if (singles > most || !separates(m, work, stage_share(m, dt))) with.likeness = kDiffer;
     else if (holds_inside(m, work)) with.likeness = kSeparate;
 }
 
-void find_held(Membrane& m, Work& w) {
+void find_held(Membrane& m, Work& w, double h) {
     find_lines(m, w);
     m.held = 0;
-    each_single(m, w, [&](size_t u, size_t v) { w.held.place[m.held++] = v * w.grid.pitch + u; });
+    // Of the lines' systems the product is so many times the sheet's.
+    const double scale = w.coupled ? 1 : uniform_mass(m) / (1 + h * m.drag);
+    each_single(m, w, [&](size_t u, size_t v) {
+        const size_t node = node_at(m, u, v);
+        w.held.place[m.held] = v * w.grid.pitch + u;
+        w.held.compliance[m.held] = held(m, u, v) ? 0 : scale / tie_mass(m, node, h);
+        ++m.held;
+    });
     w.held.count = m.held;
 }
 
@@ -127,7 +147,7 @@ void prepare_held(const Membrane& m, const Work& w, double h) {
         for (size_t a = 0; a < held.count; ++a) {
             const size_t i = line_of(w, d, held.place[a]);
             const double ground = line_weight(m, d, i) * (1 + h * m.drag + w.rows[d].drag[i]);
-            if (d == kV) w.ground_v[a] = ground;
+            w.grounded[d][a] = ground;
             response[i * lines.pitch + a] = 1 / ground;
         }
         w.shared[d].solve(*m.kernels, cd_parallel{}, lines, response, w.across_slope);
@@ -136,6 +156,14 @@ void prepare_held(const Membrane& m, const Work& w, double h) {
         return w.response[d][line_of(w, d, held.place[a]) * w.across[d].pitch + b];
     };
     held.factor([&](size_t a, size_t b) { return answer(kU, a, b) * answer(kV, a, b); });
+}
+
+void take_wishes(const Work& w, double* plane) {
+    for (size_t a = 0; a < w.held.count; ++a) {
+        double& own = plane[w.held.place[a]];
+        w.wish[a] = w.held.compliance[a] * (w.grounded[kU][a] * w.grounded[kV][a] * own);
+        own = 0;
+    }
 }
 
 void hold(const Membrane& m, const Work& w, double* plane) {
@@ -148,10 +176,10 @@ void hold(const Membrane& m, const Work& w, double* plane) {
     }
     w.shared[kV].solve(*m.kernels, cd_parallel{}, columns, w.across_plane, w.across_slope);
     for (size_t a = 0; a < held.count; ++a)
-        impulse[a] = w.across_plane[line_of(w, kV, held.place[a]) * columns.pitch + a];
+        impulse[a] = w.wish[a] - w.across_plane[line_of(w, kV, held.place[a]) * columns.pitch + a];
     held.balance(impulse);
     for (size_t a = 0; a < held.count; ++a) {
-        const double share = impulse[a] / w.ground_v[a];
+        const double share = impulse[a] / w.grounded[kV][a];
         double* const row = plane + line_of(w, kV, held.place[a]) * w.grid.pitch;
         for (size_t u = 0; u < w.grid.columns; ++u) row[u] += share * w.response[kU][u * w.across[kU].pitch + a];
     }

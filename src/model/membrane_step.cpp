@@ -88,8 +88,9 @@ struct Stepper {
                     {s.w.shared[kU].carry, s.w.shared[kU].pull},
                     {s.w.shared[kV].carry, s.w.shared[kV].pull},
                     !s.m.parallel.run && s.w.held.count == 0,
-                    s.w.held.place,
                     s.w.held.count,
+                    s.w.held.place,
+                    s.w.held.compliance,
                     s.m.mean_apart ? flatten_rows : nullptr} {}
     };
     // Held nodes, which rounding would move by the impulses that hold them.
@@ -106,11 +107,24 @@ struct Stepper {
         }
         void put(const StateNumbers& to_x, const StateNumbers& to_v) const {
             for (size_t a = 0; a < held.count; ++a) {
+                if (!held.is_held(a)) continue;
                 to_x.put(held.place[a], x[a]);
                 to_v.put(held.place[a], v[a]);
             }
         }
     };
+    // w.wish = by how much ties alone would change the velocities of their nodes.
+    void find_wishes(size_t k, const StateNumbers& x, const StateNumbers& v) const {
+        const StateNumbers target = plane_of(m.target, k);
+        for (size_t a = 0; a < w.held.count; ++a) {
+            const size_t at = w.held.place[a], node = node_at(m, at % w.grid.pitch, at / w.grid.pitch);
+            w.wish[a] =
+                w.held.is_held(a) ? 0 : tie_wish(tie_of(m, node), tie_damping_of(m, node), target[at], x[at], v[at]);
+        }
+    }
+    double tie_wish(double tie, double damping, double target, double x, double v) const {
+        return (tie * (target - (x + h * v)) - damping * v) / (h * tie + damping);
+    }
     double* looked(size_t band) const { return w.looked + band * kLookedRows * w.grid.pitch; }
 
     bool sweep_once(size_t k, const SheetMove& by, const StateNumbers& x, const StateNumbers& v) const {
@@ -131,6 +145,7 @@ struct Stepper {
                const StateNumbers& to_x, const StateNumbers& to_v) {
         if (w.swept) return sweep(k, by, number, x, v, to_x, to_v);
         start(k, x, v);
+        if (!w.general) find_wishes(k, x, v);
         return move(solve(by.overshoot[number], by.move[number]), x, v, to_x, to_v);
     }
 
@@ -142,6 +157,7 @@ struct Stepper {
         if (m.mean_apart) change_rows(now, x, v);
         const UniformStage& stage = now.stage;
         const KeptNodes kept(w.held, by.move[number], x, v);
+        find_wishes(k, x, v);
         w.bands.each(m.parallel, [&](size_t band, size_t first, size_t count) {
             sheet().sweep_down(w.grid, stage, x, v, w.residual, looked(band), first, count);
         });
@@ -251,6 +267,7 @@ struct Stepper {
             flatten_rows(w.grid, w.rows[kU].inverse_mass, w.residual, first, count);
         };
         if (m.mean_apart) rows(flatten);
+        if (w.general) take_wishes(w, w.residual);
         w.held.clear(w.residual);
         w.system.turn(w.residual, w.turned_plane);
         w.shared[kU].solve(*m.kernels, m.parallel, w.turned, w.turned_plane, w.slope);

@@ -100,14 +100,15 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
     answer[0] = plane(scratch, lines_differ || coupled);
     answer[1] = plane(scratch, lines_differ);
     answer[2] = plane(scratch, lines_differ);
-    const bool may_hold = f.likeness != kDiffer && f.pin && solves;
+    const bool may_hold = f.likeness != kDiffer && (f.pin || f.target) && solves;
     if (may_hold) held.carve(coefficients);
     held.count = may_hold ? m.held : 0;
     for (Direction d : {kU, kV}) {
         coefficients.fits &= grid_of(HeldNodes::kMost, nodes_along(m, d), across[d]);
         response[d] = may_hold && !coupled ? coefficients.plane(across[d]) : nullptr;
+        grounded[d] = may_hold && !coupled ? coefficients.numbers(HeldNodes::kMost) : nullptr;
     }
-    ground_v = may_hold && !coupled ? coefficients.numbers(HeldNodes::kMost) : nullptr;
+    wish = may_hold && !coupled ? scratch.numbers(HeldNodes::kMost) : nullptr;
     const Grid& longer = across[m.columns > m.rows ? kU : kV];
     across_plane = may_hold && !coupled ? scratch.plane(longer) : nullptr;
     across_slope = may_hold && rods ? scratch.plane(longer) : nullptr;
@@ -340,7 +341,7 @@ void prepare(Membrane& m, Work& w, double dt) {
     uint8_t* const holds[2] = {w.rows[kU].holds, w.rows[kV].holds};
     m.held = 0;
     if (m.likeness != kDiffer) {
-        find_held(m, w);
+        find_held(m, w, h);
         prepare_rows(m, w, h, sigma, holds);
     }
     if (w.general) prepare_planes(m, w, h, sigma);

@@ -48,9 +48,9 @@ struct Work {
     SheetParts parts;
     HeldNodes held;
     // Of an alternating sheet with held nodes: per direction the response of a line to an impulse at each of them, and
-    // what grounds it there along v; room for one such plane.
+    // what grounds it there; room for one such plane; e of held_nodes.hh, for the component at hand.
     Grid across[2];
-    double *response[2], *ground_v, *across_plane, *across_slope;
+    double *response[2], *grounded[2], *across_plane, *across_slope, *wish;
     LineRows line[2][2]; // of both factors (with bend), along u and v
     SheetSystem system;
     Preconditioner preconditioner;
@@ -75,9 +75,11 @@ void prepare(Membrane& m, Work& work, double dt);
 // What steps of dt take, from with.solver: with.solver and with.likeness.
 void choose_way(const Membrane& m, double dt, MembraneFeatures& with);
 // Of a sheet that separates: which whole columns and rows are held, and which nodes beside them. Leaves m.held.
-void find_held(Membrane& m, Work& w);
+void find_held(Membrane& m, Work& w, double h);
 // For alternating solves; h: the stage's share of dt.
 void prepare_held(const Membrane& m, const Work& w, double h);
+// Takes what acts on single nodes out of a plane that solves start from, and makes it w.wish, ties and all.
+void take_wishes(const Work& w, double* plane);
 // Between the solves along u and those along v: adds to the plane what keeps the held nodes where they are.
 void hold(const Membrane& m, const Work& w, double* plane);
 

@@ -42,8 +42,8 @@ struct InOrder {
     size_t operator()(size_t i) const { return i; }
 };
 
-// System: double ground(i), spring(i), bend(i); bool repeats(i): whether node i > 0, its spring and its bend are as those
-// before, as far as that is known. Place: size_t operator()(i).
+// System: double ground(i), spring(i), bend(i); bool repeats(i): whether node i > 0, its spring and its bend are as
+// those before, as far as that is known. Place: size_t operator()(i).
 template <class System, class Place = InOrder>
 void factor_rod_line(size_t nodes, const System& system, const RodRows& out, Place place = {}) {
     double mass = system.ground(0), lever = 0, hold = 0; // A, q, T

@@ -54,14 +54,20 @@ void ShiftedLines::hold(const SheetSystem& system, const Parts& bands, const Par
 void ShiftedLines::cycle(const SheetSystem& system, const Parts& bands, const Parts& strips, double* r,
                          double* x) const {
     if (!held || held->count == 0) return shift_all(system, bands, strips, r, x);
+    double impulse[HeldNodes::kMost], own[HeldNodes::kMost]; // own: what acts there, 0 at held nodes
+    const auto put = [&](const double* numbers) {
+        for (size_t a = 0; a < held->count; ++a) r[held->place[a]] = numbers ? numbers[a] : 0;
+    };
+    for (size_t a = 0; a < held->count; ++a) own[a] = r[held->place[a]];
+    put(nullptr);
     if (!keeps_responses()) shift_all(system, bands, strips, r, x);
-    double impulse[HeldNodes::kMost];
     for (size_t a = 0; a < held->count; ++a)
-        impulse[a] = keeps_responses() ? system.dot(response[a], r) : x[held->place[a]];
+        impulse[a] =
+            held->compliance[a] * own[a] - (keeps_responses() ? system.dot(response[a], r) : x[held->place[a]]);
     held->balance(impulse);
-    for (size_t a = 0; a < held->count; ++a) r[held->place[a]] = impulse[a];
+    put(impulse);
     shift_all(system, bands, strips, r, x);
-    held->clear(r);
+    put(own);
     held->clear(x);
 }
 

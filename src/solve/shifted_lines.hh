@@ -51,7 +51,7 @@ struct ShiftedLines {
     }
     // Makes ready for the held nodes. r, x: scratch, planes.
     void hold(const SheetSystem& system, const Parts& bands, const Parts& strips, double* r, double* x) const;
-    // x = S^-1 r, nearly, 0 at the held nodes. r is 0 there, and is the same afterwards.
+    // x = S^-1 r, nearly, 0 at the held nodes. r is 0 there, and afterwards what it was.
     void cycle(const SheetSystem& system, const Parts& bands, const Parts& strips, double* r, double* x) const;
 
 private:

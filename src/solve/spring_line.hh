@@ -25,8 +25,8 @@
 
 namespace cd {
 
-// System: double ground(i), spring(i); bool repeats(i): whether node i > 0 and its spring are as those before, as far as
-// that is known. Place: where in the rows node i's numbers go, asked of all nodes in turn. Gains: void operator()(i, r,
+// System: double ground(i), spring(i); bool repeats(i): whether node i > 0 and its spring are as those before, as far
+// as that is known. Place: where in the rows node i's numbers go, asked of all nodes in turn. Gains: void operator()(i, r,
 // place, repeated) is told what grounds node i in all, and whether all that is known of it is as of the node before.
 template <class System, class Place, class Gains>
 void factor_spring_line(size_t nodes, const System& system, Place place, double* carry, double* pull, Gains gains) {

@@ -33,8 +33,8 @@ const char* const wild_names[WILD_KINDS] = {
 };
 
 int wild_separates(enum wild kind, double stiffest) {
-    const int single_pins = kind == WILD_CORNERS || kind == WILD_PINS || kind == WILD_CYLINDER_PIN;
-    return kind < WILD_SEPARABLE || (single_pins && stiffest <= 1e4);
+    const int singles = kind == WILD_CORNERS || kind == WILD_PINS || kind == WILD_CYLINDER_PIN || kind == WILD_TIED;
+    return kind < WILD_SEPARABLE || (singles && stiffest <= 1e4);
 }
 
 int wild_has_bend(enum wild kind) {

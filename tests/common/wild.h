@@ -38,7 +38,7 @@ cd_membrane* wild_membrane(enum wild kind, size_t columns, size_t rows, size_t c
                            double stiffness_over_mass, uint64_t seed);
 
 /* Whether both directions are factored in steps for which twice a spring's stiffness times h (h + damping) is so many
- * times a node's mass: with single pins up to 1e4. */
+ * times a node's mass: with single pins or ties up to 1e4. */
 int wild_separates(enum wild kind, double stiffest);
 int wild_has_bend(enum wild kind);
 int wild_drifts(enum wild kind); /* nothing holds it */

@@ -41,12 +41,12 @@
 {6, 3, 0, {0xf7b00c8328af8a98, 0xb2cb227fd0549972}}, /* torn */
 {6, 0, 1, {0xebfa7a864019019e, 0x9bd3fbb7b393d10c}}, /* torn */
 {6, 3, 1, {0x486914f5d826ee19, 0xe2ebb7a2562489db}}, /* torn */
-{7, 0, 0, {0x298627ce53f03b45, 0xedda6645bd5340bf}}, /* tied */
+{7, 0, 0, {0xb87fb6c507b8e348, 0x67fa6863b82adf80}}, /* tied */
 {7, 1, 0, {0x7a24da4792344fdd, 0xca02ad651d64dbb6}}, /* tied */
 {7, 2, 0, {0x3a7a7e355a386344, 0x5a19a91e55a393aa}}, /* tied */
-{7, 3, 0, {0xf923d91ffa68589d, 0x9a8b08f7704087b6}}, /* tied */
-{7, 0, 1, {0xb9432015831b7060, 0x24c93d6b254c7185}}, /* tied */
-{7, 3, 1, {0x6396af62d428a4d0, 0xb32cadccd0faa7f8}}, /* tied */
+{7, 3, 0, {0xed11029c1d50d6cf, 0x5ab646ed39b75d09}}, /* tied */
+{7, 0, 1, {0x6110e37cd0eda1eb, 0xf0374491ca63e03b}}, /* tied */
+{7, 3, 1, {0x6e2aee63e899cf41, 0x42a1aefeb95b4ed0}}, /* tied */
 {8, 0, 0, {0x2ffe0619e282e2c8, 0xefa4e800e446b7c3}}, /* everything */
 {8, 1, 0, {0x3af754ebc287b48f, 0xeece48ebe1d451f5}}, /* everything */
 {8, 2, 0, {0x1ad83564a8a1bd2e, 0xd6b1437bc8be1c74}}, /* everything */

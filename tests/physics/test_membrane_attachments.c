@@ -48,7 +48,8 @@ static void a_sheet_comes_to_rest_on_its_ties(void** state) {
     }
 }
 
-/* Without dampers lambda 1/2 keeps the energy; a damper at one node takes it from the whole sheet. */
+/* Without dampers lambda 1/2 keeps the energy, alternating with what is in the extra mass, which is none at the start; a
+ * damper at one node takes it from the whole sheet. */
 static void ties_keep_energy_and_dampers_take_it(void** state) {
     (void)state;
     for (int solver = 0; solver < 2; ++solver)
@@ -66,8 +67,10 @@ static void ties_keep_energy_and_dampers_take_it(void** state) {
                 for (int k = 0; k < 20; ++k) {
                     sheet_step(m, 1.0 / 60, 30);
                     const double now = sheet_swing_energy(m);
-                    if (damped) assert_true(now < before);
-                    else assert_near(now, start, p ? 1e-10 : 1e-4, 0);
+                    const double allowed = p ? 1e-10 : 1e-4;
+                    if (solver == 0) assert_true(now <= start * (1 + allowed));
+                    else if (damped) assert_true(now < before);
+                    else assert_near(now, start, allowed, 0);
                     before = now;
                 }
                 if (damped)

@@ -22,6 +22,7 @@ struct sheet_case {
 /* HELD: single nodes are pinned, inside, on an edge and at a corner. TORN: one inside, and beside it an absent node and
  * a tie: the directions do not separate. */
 static const size_t pinned_inside[2] = {4, 5};
+static const double tie = 20;
 
 static const struct sheet_case cases[] = {
     {8, 8, 1, 1, 1, 0, 0, 0, 0, CD_METHOD_IMPLICIT, 0.5, CD_MASS_EQUAL, PLAIN},
@@ -63,7 +64,7 @@ static cd_membrane* sheet_of(const struct sheet_case* c, cd_solver solver) {
     if (c->kind == TORN) {
         ok(cd_membrane_enable_field(m, CD_MASK));
         ok(cd_membrane_write_f64(m, CD_MASK, 6, 3, 1, 1, &absent, 1));
-        ok(cd_membrane_attach(m, 2, 8, 20, 0.1, NULL, 0));
+        ok(cd_membrane_attach(m, 2, 8, tie, 0.1, NULL, 0));
     }
     const size_t count = (c->nu + 1) * (c->nv + 1);
     double* const x = calloc(count, sizeof *x);
@@ -88,10 +89,11 @@ static struct rates rates_of(size_t n, bool ring, double stiffness, double bend,
     return (struct rates){rate, rate * square};
 }
 
-/* A held node with four springs to nodes that move counts as one, with three as an eighth, round a corner as a 64th. */
-static double kinks(const struct sheet_case* c) {
+/* A held node with four springs to nodes that move counts as one, with three as an eighth, round a corner as a 64th; a tied
+ * one by its tie's share beside a spring of each direction. */
+static double kinks(const struct sheet_case* c, double springs) {
     if (c->kind == PLAIN) return 0;
-    if (c->kind == TORN) return 1;
+    if (c->kind == TORN) return 1 + tie / (tie + springs);
     return 1 + 0.125 + (c->ring_v ? 0.125 : 1.0 / 64); /* round a ring along u the next column is held */
 }
 
@@ -104,7 +106,8 @@ static double extra_mass(const struct sheet_case* c, double dt) {
     const double nodes = ((double)c->nu + 1) * ((double)c->nv + 1);
     const struct rates u = rates_of(c->nu, c->ring_u, c->along_u, c->bend, lines_v, node, sigma);
     const struct rates v = rates_of(c->nv, c->ring_v, c->along_v, c->bend, lines_u, node, sigma);
-    return u.motion * v.motion + 4 * kinks(c) / nodes * u.spring * v.spring;
+    const double springs = (u.spring + v.spring) * node / sigma;
+    return u.motion * v.motion + 4 * kinks(c, springs) / nodes * u.spring * v.spring;
 }
 
 static double dt_at(const struct sheet_case* c, double extra) {

@@ -1803,22 +1803,22 @@ end
 -- CD_SOLVER_AUTO.
 -- Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve. CD_SOLVER_AUTO
 -- one of the two below for each dt: alternating where it makes a motion of half a wave along each direction, round a
--- ring of a whole one, with the kinks about single held nodes, at most 5% heavier (by the mean stiffness and inverse
+-- ring of a whole one, with the kinks at held or attached nodes, at most 5% heavier (by the mean stiffness and inverse
 -- mass), coupled elsewhere. It holds the memory that either needs: some 300 bytes a node, where alternating takes 36 on
 -- uniform sheets held by edges. Builds without the coupled one alternate. CD_SOLVER_ALTERNATING rows, then columns
 -- (Kass 1997, section 9). Its cost is fixed, and it is stable at any stiffness and dt. Its price: a motion with the
 -- angular frequencies w_u and w_v along the two directions moves as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy,
 -- h = lambda dt: what is fast along both directions for the step is slowed down, and the sheet seems sluggish. Where it
 -- comes to rest does not depend on dt. So it is on uniform sheets held by whole rows and columns, closed forms and all,
--- and by up to 16 single nodes (these if h (h + damping) (2 k + 16 b) is at most 1e4 times a node's mass). On any other
--- sheet (a mask, attachments, masses or springs of their own, bend with free edges) the factored system would blow up;
--- there, at six times the cost and not quite linear, a step is the best, in energy, of the lines' answers, the velocity
--- and common motion. CD_SOLVER_COUPLED the system itself, to a tolerance, by conjugate gradients, and as stiff as it
--- should be. On uniform sheets without bend and rings, held by whole rows and columns and up to 16 single nodes, it
--- takes one or two iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet
--- comes to rest at the same place with either; take this one where stiff sheets have to move in time, as they swing,
--- bear loads, are driven or thrown, and for stiff parts that move against each other, of which alternating finds the
--- common motion only. It needs many iterations where springs or masses vary at random by decades, and where a plate
+-- with up to 16 single nodes held or attached (these if h (h + damping) (2 k + 16 b) is at most 1e4 times a node's
+-- mass). On any other sheet (a mask, masses or springs of their own, bend with free edges) the factored system would
+-- blow up; there, at six times the cost and not quite linear, a step is the best, in energy, of the lines' answers, the
+-- velocity and common motion. CD_SOLVER_COUPLED the system itself, to a tolerance, by conjugate gradients, and as stiff
+-- as it should be. On uniform sheets without bend and rings, held by whole rows and columns, up to 16 single nodes too,
+-- it takes one or two iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A
+-- sheet comes to rest at the same place with either; take this one where stiff sheets have to move in time, as they
+-- swing, bear loads, are driven or thrown, and for stiff parts that move against each other, of which alternating finds
+-- the common motion only. It needs many iterations where springs or masses vary at random by decades, and where a plate
 -- with free edges bends much harder than it stretches. Without rest lengths lambda = 1/2 keeps the energy and lambda >
 -- 1/2 never adds any, coupled whatever its tolerance; the momentum of a free sheet is kept too, of one torn into parts
 -- that of each part, however stiff they are (uniform free sheets, alternating, up to a stiffness of 1e19 times mass /
