@@ -25,7 +25,6 @@ struct StageSystem {
     double h, sigma = h * (h + c.damping);
     double end_mass = uniform_mass(c, 0), inner_mass = uniform_mass(c, 1),
            uniform_spring = sigma * uniform_stiffness(c);
-    bool uniform = !c.node_mass && !c.spring_stiffness && !c.attach_stiffness;
 
     double mass(size_t i) const {
         return c.node_mass ? c.node_mass[i] : i == 0 || i + 1 == c.nodes ? end_mass : inner_mass;
@@ -38,7 +37,12 @@ struct StageSystem {
     }
     double spring(size_t i) const { return c.spring_stiffness ? sigma * c.spring_stiffness[i] : uniform_spring; }
     double bend(size_t i) const { return sigma * bend_of(c, i); }
-    bool repeats(size_t i) const { return uniform && i > 1 && i + 1 < c.nodes && c.pin[i] == c.pin[i - 1]; }
+    bool repeats(size_t i) const {
+        const auto as_before = [](const auto& field, size_t at) { return !field || field[at] == field[at - 1]; };
+        return i > 1 && i + 1 < c.nodes && as_before(c.pin, i) && as_before(c.node_mass, i) &&
+               as_before(c.spring_stiffness, i) && as_before(c.node_bend, i) && as_before(c.attach_stiffness, i) &&
+               as_before(c.attach_damping, i);
+    }
 };
 
 // The chain's coefficients, rows of one number per node, handed out to those who need one (chain.cpp counts them).
