@@ -557,8 +557,8 @@ export class Chain extends Handle {
   /**
    * Lets what has come to rest sleep: steps leave it as it is, at hardly any cost. Strands of a rope do so one by one,
    * others together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step left a free node of
-   * it faster
-   * than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and none gained.
+   * it
+   * faster than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and none gained.
    * Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity, or what is thrown
    * may
    * stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0.

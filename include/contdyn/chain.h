@@ -125,8 +125,8 @@ CD_API cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring);
 CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
 
 /* Lets what has come to rest sleep: steps leave it as it is, at hardly any cost. Strands of a rope do so one by one,
- * others together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step left a free node of it faster
- * than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and none gained.
+ * others together. One stops, and sleeps, once for some `seconds` [s], in [1e-30, 1e60], no step left a free node of it
+ * faster than `speed` [m/s], in [0, 1e60], nor a held one moving. Energy is lost and none gained.
  * Neglected is a mean acceleration of up to 2 speed / seconds: let that be little beside gravity, or what is thrown may
  * stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0.
  * A plane or capsule that moves wakes what it could touch in the next step; a bed that moves, or a callback, keeps all
