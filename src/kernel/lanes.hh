@@ -147,6 +147,12 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
         for (int j = 0; j < N; ++j) a.v[j] = f(a.v[j]);
         return a;
     }
+    // Lanes 0 and 1 exchanged, 2 and 3, and so on.
+    friend Lanes pairs_exchanged(Lanes a) {
+        if constexpr (N == 2) return {__builtin_shufflevector(a.v, a.v, 1, 0)};
+        else if constexpr (N == 4) return {__builtin_shufflevector(a.v, a.v, 1, 0, 3, 2)};
+        else return {__builtin_shufflevector(a.v, a.v, 1, 0, 3, 2, 5, 4, 7, 6)};
+    }
     bool any_nan() const {
         for (int j = 0; j < N; ++j)
             if (v[j] != v[j]) return true;

@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include <initializer_list>
+#include <type_traits>
 
 #include "base/node.hh"
 #include "kernel/lines.hh"
@@ -23,7 +24,7 @@ constexpr double kMostCompliance = 0x1.fffffffffffffp1023; // of what is not cut
 // Tensions this small, over the mean force on the nodes, are rounding.
 constexpr double kRounding = 1e-14;
 
-// N strands.
+// N lanes: pairs of halves of strands, or rods.
 template <int N> struct RopeBundle {
     using L = Lanes<N>;
     using V = Vector<N>;
@@ -47,6 +48,8 @@ template <int N> struct RopeBundle {
         V by;
     };
     struct Node {
+        V x0, v0;           // where it is when the step begins, and how it moves
+        L mass;             // [kg]
         L ground, mobility; // and 1 / ground, of what is held 0
         V b, w, next, best; // next: what the last elimination gave; best: w of the least error
         V y;
@@ -119,6 +122,12 @@ template <int N> struct RopeBundle {
     L apart{};                                  // the error of springs between held nodes
     L least_worth{};                            // what tensions times lengths are at least, as errors count
     BadAnswer bad_answer{};
+    // Of a lane. Where there are halves, the last spring joins both, and where a strand has an odd number of nodes the
+    // second half begins with a node that is none: held, on a cut spring.
+    const bool halved = stage.has_halves();
+    const size_t node_count = rope_lane_nodes(ropes.nodes, halved);
+    const size_t spring_count = halved && ropes.nodes > 1 ? node_count : node_count - 1;
+    bool comes_back[N] = {}; // which lanes go from their strand's last node
 
     static L one() { return L::splat(1); }
     // 1 for 0, and 0 for what is positive.
@@ -126,140 +135,131 @@ template <int N> struct RopeBundle {
     L held(size_t i) const { return opposite(nodes[i].mobility); }
     static L uncut(const Spring& s) { return select(L::splat(kMostCompliance) - s.compliance, one(), L{}); }
 
-    size_t place(size_t i, int lane) const { return i * ropes.pitch + strands[lane] * ropes.components; }
-    // The numbers of node or spring i.
-    template <class T> L of(const RopeNumbers<T>& numbers, size_t i) const {
-        return numbers.of_strand == 0 ? L::splat(numbers.at(i, 0)) : gathered(numbers, i);
-    }
-    template <class T> __attribute__((noinline)) L gathered(const RopeNumbers<T>& numbers, size_t i) const {
+    // ---- halves -----------------------------------------------------------------------------------------------------
+
+    bool is_middle(size_t spring) const { return halved && spring + 1 == spring_count; }
+    // Where in its strand a lane has its node i, and spring i, from there to node i + 1. Beyond the strand's last one
+    // is what is none.
+    size_t first_back() const { return (halved ? 2 * node_count : node_count) - 1; } // of a lane that comes back
+    size_t node_at(size_t i, int lane) const { return comes_back[lane] ? first_back() - i : i; }
+    size_t spring_at(size_t i, int lane) const { return comes_back[lane] ? first_back() - 1 - i : i; }
+    bool has_node(size_t i, int lane) const { return node_at(i, lane) < ropes.nodes; }
+    bool has_spring(size_t i, int lane) const { return spring_at(i, lane) + 1 < ropes.nodes; }
+    // 1, and -1 in lanes that come back: so that both lanes of a middle spring have the same one.
+    L forth() const { return halved ? select(first_halves(), one(), L{} - one()) : one(); }
+    bool lacks_node() const { return !has_node(0, 1); } // whether second halves begin with a node that is none
+    static L first_halves() {                           // 1 in their lanes
         double lane[N];
-        for (int j = 0; j < N; ++j) lane[j] = numbers.at(i, strands[j]);
+        for (int j = 0; j < N; ++j) lane[j] = j % 2 == 0;
+        return L::load(lane);
+    }
+    // Of the lanes' numbers those of their strands: the sum of both halves', and the largest.
+    L sum(L a) const { return halved ? a + pairs_exchanged(a) : a; }
+    L most(L a) const { return halved ? larger(a, pairs_exchanged(a)) : a; }
+    // What a spring counts in sums over a lane: half where both lanes have it.
+    double counts(size_t spring) const { return is_middle(spring) ? 0.5 : 1; }
+    // Tells each half where the other's last node is, and how it moves.
+    void meet() {
+        if (!halved) return;
+        Node& beyond = nodes[node_count];
+        const Node& last = nodes[node_count - 1];
+        beyond.mobility = pairs_exchanged(last.mobility);
+        beyond.w = pairs_exchanged(last.w), beyond.next = pairs_exchanged(last.next);
+    }
+
+    size_t place(size_t i, int lane) const { return node_at(i, lane) * ropes.pitch + strands[lane] * ropes.components; }
+    // The numbers of node i, or of spring i; of what is none those of the last one.
+    template <class T> L of_node(const RopeNumbers<T>& numbers, size_t i) const {
+        if (numbers.of_strand == 0 && numbers.of_item == 0) return L::splat(numbers.at(0, 0));
+        return gathered(numbers, i, first_back(), ropes.nodes - 1);
+    }
+    L of_spring(const RopeNumbers<double>& numbers, size_t i) const {
+        if (numbers.of_strand == 0 && numbers.of_item == 0) return L::splat(numbers.at(0, 0));
+        return gathered(numbers, i, first_back() - 1, ropes.nodes - 2);
+    }
+    // last: the first number of a lane that comes back, at most `end`.
+    template <class T>
+    __attribute__((noinline)) L gathered(const RopeNumbers<T>& numbers, size_t i, size_t last, size_t end) const {
+        double lane[N];
+        for (int j = 0; j < N; ++j) {
+            const size_t at = comes_back[j] ? last - i : i;
+            lane[j] = numbers.at(at < end ? at : end, strands[j]);
+        }
         return L::load(lane);
     }
     // 1 where a node is held, as holds() has it.
     L is_held(size_t i) const {
-        const L pin = of(c.pin, i);
+        const L pin = of_node(c.pin, i);
         L off = one();
         for (const cd_node kind : {CD_NODE_PINNED, CD_NODE_DRIVEN, CD_NODE_POSED}) off = off * (pin - L::splat(kind));
         return opposite(off * off);
     }
+    // Of what is no node 0.
     __attribute__((noinline)) V load(StateNumbers numbers, size_t i) const {
-        double lane[3][N] = {};
-        for (int j = 0; j < N; ++j)
-            for (size_t k = 0; k < ropes.components; ++k) lane[k][j] = numbers[place(i, j) + k];
-        return {L::load(lane[0]), L::load(lane[1]), L::load(lane[2])};
+        size_t at[N];
+        for (int j = 0; j < N; ++j) at[j] = place(i, has_node(i, j) ? j : j - 1);
+        V a{};
+        numbers.stored_state([&](const auto* from) {
+            const auto component = [&](size_t k) {
+                double lane[N];
+                for (int j = 0; j < N; ++j) lane[j] = double(from[at[j] + k]);
+                return L::load(lane);
+            };
+            a.x = component(0);
+            if (ropes.components > 1) a.y = component(1);
+            if (ropes.components > 2) a.z = component(2);
+        });
+        return i == 0 && lacks_node() ? select(first_halves(), a, V{}) : a;
     }
-    void store(V a, StateNumbers numbers, size_t i) const {
+    __attribute__((noinline)) void store(V a, StateNumbers numbers, size_t i) const {
         const double least = numbers.range().least;
         double lane[3][N];
         settled(a.x, least).store(lane[0]), settled(a.y, least).store(lane[1]), settled(a.z, least).store(lane[2]);
-        for (int j = 0; j < N && size_t(j) < count; ++j)
-            for (size_t k = 0; k < ropes.components; ++k) numbers.put(place(i, j) + k, lane[k][j]);
+        numbers.stored_state([&](auto* to) {
+            for (int j = 0; j < N && is_used(j); ++j) {
+                if (!has_node(i, j)) continue;
+                auto* const at = to + place(i, j);
+                using Stored = std::remove_reference_t<decltype(*at)>;
+                at[0] = Stored(lane[0][j]);
+                if (ropes.components > 1) at[1] = Stored(lane[1][j]);
+                if (ropes.components > 2) at[2] = Stored(lane[2][j]);
+            }
+        });
     }
-    size_t tension_place(size_t i, int lane) const { return i * ropes.strands + strands[lane]; }
+    size_t slot_of(int lane) const { return size_t(halved ? lane / 2 : lane); } // which strand of the bundle
+    bool is_used(int lane) const { return slot_of(lane) < count; }
+    size_t tension_place(size_t i, int lane) const { return spring_at(i, lane) * ropes.strands + strands[lane]; }
     L load_tension(size_t i) const {
         double lane[N];
-        for (int j = 0; j < N; ++j) lane[j] = ropes.tension[tension_place(i, j)];
+        for (int j = 0; j < N; ++j) lane[j] = has_spring(i, j) ? ropes.tension[tension_place(i, j)] : 0;
         return L::load(lane);
     }
     V gravity() const { return {L::splat(stage.gravity[0]), L::splat(stage.gravity[1]), L::splat(stage.gravity[2])}; }
 
-    // ---- the air ----------------------------------------------------------------------------------------------------
+    // ---- what resists it: rope_air.hh -------------------------------------------------------------------------------
 
-    bool has_air() const { return stage.has_air(); }
-    // The way of the rope at node i, by the guess that its neighbours go on as they are.
-    V way_at(size_t i) const {
-        V left = nodes[i].w, right = left, before{}, after{};
-        if (i > 0) {
-            const L there = uncut(springs[i - 1]);
-            left = select(there, nodes[i - 1].w, left), before = select(there, springs[i - 1].before, V{});
-        }
-        if (i + 1 < ropes.nodes) {
-            const L there = uncut(springs[i]);
-            right = select(there, nodes[i + 1].w, right), after = select(there, springs[i].before, V{});
-        }
-        const V chord = ((stage.dt * lambda) * (right - left) + before) + after;
-        const L size = root(dot(chord, chord));
-        return direction(chord, size - kNoDirection * share_of(i), one() / size, V{one(), L{}, L{}});
-    }
-    // Along and across the rope.
+    // Three directions at right angles, the first one along the rope or a normal.
     struct Axes {
         V way, side, normal;
     };
-    static Axes axes(V way) {
-        const V x{one(), L{}, L{}}, y{L{}, one(), L{}}; // one of them is 45 degrees off at least
-        const V off = cross(way, select(size_of(way.x) - L::splat(0.7), y, x));
-        const V side = (one() / root(dot(off, off))) * off;
-        return {way, side, cross(way, side)};
-    }
-    // Takes from what hangs on a node what resists it, along the unit vector n as it moves and along `acting` as it
-    // pushes back, by an impulse k (n . u - n . w), which is resisted.wished - resisted.by . phi.
-    template <bool rod>
-    CD_INLINED static void resist(L k, V n, V acting, V u, Hung& hung, Resisted& resisted, V* by_link) {
-        const V right = hung.c * acting, left = transposed_times(hung.c, n);
-        const L share = k / (one() + k * dot(n, right)), wished = share * dot(n, u - hung.y);
-        if constexpr (rod) {
-            const V link_left = transposed_times(hung.across, n);
-            take(hung, {right, hung.back * acting}, {wished, share * left}, share * link_left, resisted, *by_link);
-        } else {
-            resisted = {wished, share * left};
-            hung.y = hung.y + wished * right;
-            take_from(hung.c, right, resisted.by);
-        }
-    }
-    // Of a rod: how the node and its link move by an impulse of 1, and the impulse that resists.
+    // Of a rod: how the node and its link move by an impulse of 1.
     struct Column {
         V node, link;
     };
+    static Axes axes(V way);
+    template <bool rod> static void resist(L k, V n, V acting, V u, Hung& hung, Resisted& resisted, V* by_link);
     __attribute__((noinline)) static void take(Hung& hung, Column moves, Resisted by, V by_link, Resisted& resisted,
-                                               V& resisted_link) {
-        resisted = by, resisted_link = by_link;
-        hung.y = hung.y + by.wished * moves.node, hung.link_y = hung.link_y + by.wished * moves.link;
-        take_from(hung.c, moves.node, by.by), take_from(hung.across, moves.node, by_link);
-        take_from(hung.back, moves.link, by.by), take_from(hung.link, moves.link, by_link);
-    }
-    static void take_from(M& a, V column, V row) {
-        a.x = a.x - column.x * row;
-        a.y = a.y - column.y * row;
-        a.z = a.z - column.z * row;
-    }
-    template <bool rod> static L impulse_of(const Resisted& resisted, const V* by_link, const Impulses& from_right) {
-        const L impulse = resisted.wished - dot(resisted.by, from_right.phi);
-        if constexpr (rod) return impulse - dot(*by_link, from_right.psi);
-        return impulse;
-    }
-    // The length of the rope that feels the air at node i [m].
-    L share_of(size_t i) const {
-        const auto half = [&](size_t k) {
-            return k + 1 < ropes.nodes ? uncut(springs[k]) * (0.5 * springs[k].length) : L{};
-        };
-        return i > 0 ? half(i) + half(i - 1) : half(i);
-    }
-    // The air's resistance at node i [kg], of a coefficient of it, and its velocity there.
-    L resistance(size_t i, double coefficient) const { return ((coefficient * stage.dt) * share_of(i)) * lambda; }
-    V wind(size_t i) const {
-        if (ropes.wind.data) return load(ropes.wind, i);
-        return {L::splat(stage.wind[0]), L::splat(stage.wind[1]), L::splat(stage.wind[2])};
-    }
+                                               V& resisted_link);
+    static void take_from(M& a, V column, V row);
+    template <bool rod> static L impulse_of(const Resisted& resisted, const V* by_link, const Impulses& from_right);
+    bool has_air() const { return stage.has_air(); }
+    V way_at(size_t i) const;
+    L share_of(size_t i) const;
+    L resistance(size_t i, double coefficient) const;
+    V wind(size_t i) const;
     V* links_of_air(size_t i) const { return by_link + 3 * i; }
-    template <bool rod> void resist(size_t i, Hung& hung) {
-        InAir& n = in_air[i];
-        const L free = opposite(held(i));
-        const L along = free * resistance(i, stage.along), across = free * resistance(i, stage.across);
-        const V u = wind(i);
-        const Axes to = axes(n.way);
-        resist<rod>(along, to.way, to.way, u, hung, n.along, links_of_air(i));
-        resist<rod>(across, to.side, to.side, u, hung, n.side, links_of_air(i) + 1);
-        resist<rod>(across, to.normal, to.normal, u, hung, n.normal, links_of_air(i) + 2);
-    }
-    // What is left of the impulses from the right, at node i.
-    template <bool rod> void resisted(size_t i, Impulses& left) const {
-        const InAir& n = in_air[i];
-        const Axes to = axes(n.way);
-        left.phi = left.phi + impulse_of<rod>(n.normal, links_of_air(i) + 2, left) * to.normal;
-        left.phi = left.phi + impulse_of<rod>(n.side, links_of_air(i) + 1, left) * to.side;
-        left.phi = left.phi + impulse_of<rod>(n.along, links_of_air(i), left) * to.way;
-    }
+    template <bool rod> void resist(size_t i, Hung& hung);
+    template <bool rod> void resisted(size_t i, Impulses& left) const;
 
     // ---- what it touches, in rope_contact.hh ------------------------------------------------------------------------
 
@@ -286,31 +286,43 @@ template <int N> struct RopeBundle {
 
     // ---- the start of a step ----------------------------------------------------------------------------------------
 
-    // What the springs are, and which nodes are free: mobility is 1, until a stage has a better one.
+    // The state, what the springs are, and which nodes are free: mobility is 1, until a stage has a better one.
     void prepare() {
-        for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].mobility = opposite(is_held(i));
-        for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
-            Spring& s = springs[i];
-            s.length = of(c.length, i), s.per_length = one() / s.length;
-            s.compliance = one() / size_of(of(c.stiffness, i)); // which may be -0
-            s.moves = uncut(s) * opposite(held(i) * held(i + 1));
+        const size_t last = ropes.nodes - 1;
+        const auto ends_held = [&](size_t end, int lane) { return holds(cd_node(c.pin.at(end, strands[lane]))); };
+        for (int j = 0; j < N; ++j) comes_back[j] = halved ? j % 2 == 1 : ends_held(last, j) && !ends_held(0, j);
+        for (size_t i = 0; i < rope_lane_room(ropes.nodes, halved); ++i) {
+            Node& n = nodes[i];
+            n.x0 = load(ropes.position, i), n.v0 = load(ropes.velocity, i);
+            n.mass = of_node(c.mass, i), n.mobility = opposite(is_held(i));
         }
+        for (size_t i = 0; i < spring_count; ++i) {
+            Spring& s = springs[i];
+            s.length = of_spring(c.length, i), s.per_length = one() / s.length;
+            s.compliance = one() / size_of(of_spring(c.stiffness, i)); // which may be -0
+        }
+        if (lacks_node()) {
+            nodes[0].mobility = first_halves() * nodes[0].mobility;
+            springs[0].compliance = select(first_halves(), springs[0].compliance, L::splat(INFINITY));
+        }
+        meet();
+        for (size_t i = 0; i < spring_count; ++i)
+            springs[i].moves = uncut(springs[i]) * opposite(held(i) * held(i + 1));
     }
     // What nodes would do alone.
     void begin_alone() {
         const L h = stage.dt * lambda;
         per_lambda = one() / lambda;
-        for (size_t i = 0; i < ropes.nodes; ++i) {
-            const V v = load(ropes.velocity, i);
+        for (size_t i = 0; i < node_count; ++i) {
             Node& n = nodes[i];
-            const L m = of(c.mass, i), tie = of(c.tie, i), free = n.mobility;
-            const L ground = m + h * ((c.drag * m + of(c.tie_damping, i)) + h * tie);
+            const L m = n.mass, tie = of_node(c.tie, i), free = n.mobility;
+            const L ground = m + h * ((c.drag * m + of_node(c.tie_damping, i)) + h * tie);
             V push = m * gravity();
             if (ropes.force.data) push = push + load(ropes.force, i);
-            if (ropes.target.data) push = push + tie * (load(ropes.target, i) - load(ropes.position, i));
+            if (ropes.target.data) push = push + tie * (load(ropes.target, i) - n.x0);
             n.ground = select(free, ground, L{});
             n.mobility = select(free, one() / ground, L{});
-            n.b = select(free, n.mobility * (m * v + h * push), v);
+            n.b = select(free, n.mobility * (m * n.v0 + h * push), n.v0);
         }
     }
     // What holds free node i where it is: against what it does alone, and against the wind.
@@ -324,24 +336,24 @@ template <int N> struct RopeBundle {
     // And for what is open the guess that they go on as they are.
     void begin() {
         begin_alone();
-        for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].w = select(open, load(ropes.velocity, i), nodes[i].w);
+        for (size_t i = 0; i < node_count; ++i) nodes[i].w = select(open, nodes[i].v0, nodes[i].w);
+        meet();
         heavy = L{};
-        for (size_t i = 0; i < ropes.nodes && has_contacts(); ++i) heavy = heavy + nodes[i].ground;
+        for (size_t i = 0; i < node_count && has_contacts(); ++i) heavy = heavy + nodes[i].ground;
+        heavy = sum(heavy);
         L forces{}, lengths{}; // on the nodes, and of the springs
-        for (size_t i = 0; i < ropes.nodes; ++i) forces = forces + impulse_on(i);
-        for (size_t i = 0; i + 1 < ropes.nodes; ++i) lengths = lengths + springs[i].length;
-        least_worth = (kRounding / (stage.tolerance * stage.dt * double(ropes.nodes))) * (forces * lengths);
-        V left = load(ropes.position, 0);
-        for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
-            const V right = load(ropes.position, i + 1);
-            springs[i].before = right - left;
+        for (size_t i = 0; i < node_count; ++i) forces = forces + impulse_on(i);
+        for (size_t i = 0; i < spring_count; ++i)
+            lengths = lengths + counts(i) * (uncut(springs[i]) * springs[i].length);
+        least_worth = (kRounding / (stage.tolerance * stage.dt * double(ropes.nodes))) * (sum(forces) * sum(lengths));
+        for (size_t i = 0; i < spring_count; ++i) {
+            springs[i].before = nodes[i + 1].x0 - nodes[i].x0;
             springs[i].long_before = root(dot(springs[i].before, springs[i].before));
             springs[i].impulse = select(open, V{}, springs[i].impulse);
             springs[i].pushed = L{};
             springs[i].tension = springs[i].moves * select(open, load_tension(i), springs[i].tension);
-            left = right;
         }
-        for (size_t i = 0; i < ropes.nodes && has_air(); ++i) in_air[i].way = way_at(i);
+        for (size_t i = 0; i < node_count && has_air(); ++i) in_air[i].way = way_at(i);
         if (is_rod()) begin_joints();
     }
 
@@ -373,6 +385,10 @@ template <int N> struct RopeBundle {
             return {there(error), there(probe), there(pushed),  there(gained),
                     there(worth), there(slack), there(lengths), rounding};
         }
+        // Of a spring that two lanes have.
+        Seen half() const {
+            return {error, probe, 0.5 * pushed, 0.5 * gained, 0.5 * worth, slack, 0.5 * lengths, rounding};
+        }
     };
 
     // Spring i where no node moves by it. One of fixed length may be as much too long as positions are rounded.
@@ -381,7 +397,7 @@ template <int N> struct RopeBundle {
         const L over = long_after(i) - s.length, idle = opposite(s.moves);
         const L yields = idle * select(s.compliance, one(), L{}), rigid = idle * opposite(s.compliance);
         s.tension = select(yields, (one() / s.compliance) * (stage.push ? over : positive(over)), s.tension);
-        const V left = load(ropes.position, i), right = load(ropes.position, i + 1);
+        const V left = nodes[i].x0, right = nodes[i + 1].x0;
         const L rounded = ropes.position.range().epsilon * (root(dot(left, left)) + root(dot(right, right)));
         apart = select(rigid, larger(apart, s.per_length * (over - rounded)), apart);
         for (L* a : {&s.taut, &s.transverse, &s.axial, &s.wished}) *a = select(idle, L{}, *a);
@@ -399,7 +415,7 @@ template <int N> struct RopeBundle {
         const V after = s.before + dt * dw, z = s.before + (theta * dt) * dw;
         const L long_after = root(dot(after, after)), long_z = root(dot(z, z));
         const L per_z = one() / long_z, least = kNoDirection * length;
-        const V z_way = direction(z, long_z - least, per_z, V{one(), L{}, L{}});
+        const V z_way = direction(z, long_z - least, per_z, V{forth(), L{}, L{}});
         s.along = direction(after, long_after - least, one() / long_after, z_way);
         s.acting = direction(z, long_z - least, per_z, s.along);
         L over = long_after - length;
@@ -436,7 +452,7 @@ template <int N> struct RopeBundle {
         s.wish = dw - ((rate * over) / dot(s.along, s.acting)) * s.acting;
         s.wished = dot(s.along, dw) - rate * over;
         if (any_positive(opposite(s.moves))) rest(i), here = here.in(s.moves);
-        seen.add(here);
+        seen.add(is_middle(i) ? here.half() : here);
     }
 
     // What the linear system has for spring s: its impulse.
@@ -448,7 +464,7 @@ template <int N> struct RopeBundle {
     }
 
     void eliminate(); // in rope_elimination.hh
-    V into_held(size_t i) const;
+    V impulse_between(const Spring& s, const M& mobility, V left, V right) const;
 
     // ---- rods, in rope_rod.hh ---------------------------------------------------------------------------------------
 
@@ -465,7 +481,8 @@ template <int N> struct RopeBundle {
         const V after = springs[i].before + L::splat(stage.dt) * (nodes[i + 1].w - nodes[i].w);
         return root(dot(after, after));
     }
-    L alone(size_t i) const { return select(held(i), L{}, one() / of(c.mass, i)); }
+    L alone(size_t i) const { return select(held(i), L{}, one() / nodes[i].mass); }
+    Seen of_strands(const Seen& seen) const;
     void linearize_all(L barrier, bool interior, L weight, size_t iteration);
     void newton(size_t most);
     void start_together();

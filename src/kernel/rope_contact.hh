@@ -13,7 +13,7 @@
 // of steps, takes it as a resistance mu p / (|s| + e) by the guess, which needs more iterations and no luck.
 #pragma once
 
-#include "kernel/rope_bundle.hh"
+#include "kernel/rope_air.hh"
 
 namespace cd {
 namespace CD_ISA {
@@ -25,8 +25,8 @@ constexpr double kStickSpeed = 1e-4;
 // How far friction may be off, over mu p; from this iteration of the interior point on p is the push found by then.
 constexpr double kFrictionError = 1e-2;
 constexpr size_t kGripIterations = 50;
-// How near a node is to what it touches by the first guess, over the springs' length, or nearer by the tolerance: pushes
-// that two colliders further apart would have against each other throw it from where it lies.
+// How near a node is to what it touches by the first guess, over the springs' length, or nearer by the tolerance:
+// pushes that two colliders further apart would have against each other throw it from where it lies.
 constexpr double kNear = 1e-3;
 
 // Of a place x and a collider at this time: the way out of it, and how far outside x lies.
@@ -65,31 +65,38 @@ template <int N> void RopeBundle<N>::ask_all(bool at_start) {
     const size_t n = ropes.nodes, components = ropes.components;
     double is_open[N];
     open.store(is_open);
-    double *const places = question, *const gaps = places + 3 * N * n, *const normals = gaps + N * n;
+    double *const places = question, *const gaps = places + 3 * count * n, *const normals = gaps + count * n;
     for (size_t k = 0; k < stage.collider_count; ++k) {
         const Obstacle& to = stage.colliders[k];
         if (!to.callback) continue;
-        for (size_t i = 0; i < n; ++i) {
-            const V before = load(ropes.position, i), x = at_start ? before : before + L::splat(stage.dt) * nodes[i].w;
+        const auto place_of = [&](size_t i, int j) { // of a lane's node in the strands that are asked about
+            return (is_used(j) ? slot_of(j) : count - 1) * n + node_at(i, j);
+        };
+        for (size_t i = 0; i < node_count; ++i) {
+            const V before = nodes[i].x0, x = at_start ? before : before + L::splat(stage.dt) * nodes[i].w;
             double lane[3][N];
             x.x.store(lane[0]), x.y.store(lane[1]), x.z.store(lane[2]);
             for (int j = 0; j < N; ++j)
-                for (size_t c = 0; c < components; ++c) places[(size_t(j) * n + i) * components + c] = lane[c][j];
+                for (size_t c = 0; c < components && has_node(i, j); ++c)
+                    places[place_of(i, j) * components + c] = lane[c][j];
         }
-        for (size_t j = 0; j < count; ++j)
-            if (is_open[j] > 0)
-                ask(to, at_start ? stage.time_before : stage.time_after, n, components, places + j * n * components,
-                    gaps + j * n, normals + j * n * components, bad_answer);
-        for (size_t i = 0; i < n; ++i) {
+        for (int j = 0; j < N && is_used(j); ++j) {
+            const size_t at = slot_of(j) * n;
+            if (is_open[j] > 0 && !(halved && comes_back[j]))
+                ask(to, at_start ? stage.time_before : stage.time_after, n, components, places + at * components,
+                    gaps + at, normals + at * components, bad_answer);
+        }
+        for (size_t i = 0; i < node_count; ++i) {
             double lane[4][N] = {};
             for (int j = 0; j < N; ++j) {
-                const size_t own = size_t(j) < count ? size_t(j) : count - 1;
-                if (!(is_open[own] > 0)) continue;
-                for (size_t c = 0; c < components; ++c) lane[c][j] = normals[(own * n + i) * components + c];
-                lane[3][j] = gaps[own * n + i];
+                lane[0][j] = 1; // a way, where nothing is asked
+                if (!(is_open[j] > 0) || !has_node(i, j)) continue;
+                const size_t at = place_of(i, j);
+                for (size_t c = 0; c < components; ++c) lane[c][j] = normals[at * components + c];
+                lane[3][j] = gaps[at];
             }
             const V normal{L::load(lane[0]), L::load(lane[1]), L::load(lane[2])};
-            Answer& told = answers[to.question * n + i];
+            Answer& told = answers[to.question * node_count + i];
             Contact& contact = contacts[i * stage.collider_count + k];
             V& out = at_start ? contact.acting : told.normal;
             L& gap = at_start ? contact.before : told.gap;
@@ -110,14 +117,14 @@ template <int N> void RopeBundle<N>::look_at_end(size_t k, size_t i, V before, V
     const L plane = c.before + dot(c.acting, (x - before) - L::splat(stage.dt) * velocity_of(to));
     c.normal = c.acting, c.gap = plane;
     if (!to.callback) return;
-    const Answer& told = answers[to.question * ropes.nodes + i];
+    const Answer& told = answers[to.question * node_count + i];
     const L outside = plane - told.gap;
     c.normal = select(outside, c.normal, told.normal), c.gap = select(outside, plane, told.gap);
 }
 
 // The longer of the springs at node i, by which the tolerance is counted.
 template <int N> Lanes<N> RopeBundle<N>::length_at(size_t i) const {
-    const L left = i > 0 ? springs[i - 1].length : L{}, right = i + 1 < ropes.nodes ? springs[i].length : L{};
+    const L left = i > 0 ? springs[i - 1].length : L{}, right = i < spring_count ? springs[i].length : L{};
     return larger(left, right);
 }
 
@@ -142,7 +149,7 @@ template <int N> typename RopeBundle<N>::Axes RopeBundle<N>::surface_axes(V norm
 // Looks at what node i touches by the guess; tells its error, 1 where other contacts or frictions are to be solved for.
 // iteration: how many came before, 0 where nothing has been solved yet.
 template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
-    const V before = load(ropes.position, i), x = before + L::splat(stage.dt) * nodes[i].w;
+    const V before = nodes[i].x0, x = before + L::splat(stage.dt) * nodes[i].w;
     const double at_first = stage.tolerance < kNear ? stage.tolerance : kNear;
     const L length = length_at(i), room = stage.tolerance * length, near = at_first * length;
     const L free = opposite(held(i));
@@ -186,8 +193,8 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
 // 1 for the strands that touch something.
 template <int N> Lanes<N> RopeBundle<N>::touches() const {
     L any{};
-    for (size_t k = 0; k < ropes.nodes * stage.collider_count; ++k) any = larger(any, contacts[k].on);
-    return any;
+    for (size_t k = 0; k < node_count * stage.collider_count; ++k) any = larger(any, contacts[k].on);
+    return most(any);
 }
 
 // Keeps node i out of what it touches.
@@ -232,7 +239,7 @@ template <int N> template <bool rod> void RopeBundle<N>::pressed(size_t i, Impul
 
 // What lay inside a collider before the step comes out of it, but is not thrown.
 template <int N> void RopeBundle<N>::forget_overlaps() {
-    for (size_t i = 0; i < ropes.nodes; ++i)
+    for (size_t i = 0; i < node_count; ++i)
         for (size_t k = 0; k < stage.collider_count; ++k) {
             const Contact& c = contacts[i * stage.collider_count + k];
             nodes[i].next = nodes[i].next - ((1 / stage.dt) * (c.on * positive(L{} - c.before))) * c.normal;

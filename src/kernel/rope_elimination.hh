@@ -1,5 +1,5 @@
-// The elimination of a rope: the mobility of what hangs on the left of a node, from node to node, and the way back.
-// (model.md, 24 to 26)
+// The elimination of a rope: the mobility of what hangs on the left of a node, from node to node, in both halves at
+// once; the spring in the middle, which joins what hangs on both; and the ways back. (model.md, 24 to 26)
 #pragma once
 
 #include "kernel/rope_contact.hh"
@@ -17,7 +17,7 @@ template <int N> void RopeBundle<N>::eliminate() {
     if (resists) resist<false>(0, hung);
     if (has_contacts()) press<false>(0, hung);
     nodes[0].c = mobility, nodes[0].y = y;
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+    for (size_t i = 0; i + 1 < node_count; ++i) {
         const Spring& s = springs[i];
         Node& node = nodes[i + 1];
         const L m = node.ground, stiff = s.transverse, ms = m * stiff, diagonal = m + stiff;
@@ -36,8 +36,7 @@ template <int N> void RopeBundle<N>::eliminate() {
         mobility = {row(share.x, sx, right.x), row(share.y, sy, right.y), row(share.z, sz, right.z)};
         const L fixed = held(i + 1);
         if (any_positive(fixed)) {
-            mobility = {select(fixed, V{}, mobility.x), select(fixed, V{}, mobility.y),
-                        select(fixed, V{}, mobility.z)};
+            mobility = {select(fixed, V{}, mobility.x), select(fixed, V{}, mobility.y), select(fixed, V{}, mobility.z)};
             y = select(fixed, node.b, y);
         }
         if (resists) resist<false>(i + 1, hung);
@@ -47,7 +46,12 @@ template <int N> void RopeBundle<N>::eliminate() {
     }
     Impulses left{};
     V& phi = left.phi;
-    for (size_t i = ropes.nodes; i-- > 0;) {
+    if (halved && spring_count > 0) {
+        Spring& middle = springs[spring_count - 1];
+        phi = impulse_between(middle, mobility + pairs_exchanged(mobility), y, pairs_exchanged(y));
+        pulls(middle, phi);
+    }
+    for (size_t i = node_count; i-- > 0;) {
         Node& node = nodes[i];
         node.next = node.y + node.c * phi;
         if (has_contacts()) pressed<false>(i, left);
@@ -56,22 +60,21 @@ template <int N> void RopeBundle<N>::eliminate() {
         if (resists) resisted<false>(i, left);
         phi = phi - node.ground * (node.next - node.b);
         const L fixed = held(i);
-        if (any_positive(fixed)) phi = select(fixed, into_held(i), phi);
+        if (any_positive(fixed))
+            phi = select(fixed, impulse_between(s, nodes[i - 1].c, nodes[i - 1].y, node.next), phi);
         pulls(s, phi);
     }
 }
 
-// The impulse of the spring on the left of held node i.
-template <int N> Vector<N> RopeBundle<N>::into_held(size_t i) const {
-    const Spring& s = springs[i - 1];
-    const Node& left = nodes[i - 1];
-    M a{s.transverse * left.c.x, s.transverse * left.c.y, s.transverse * left.c.z};
-    a.x.x = a.x.x + one(), a.y.y = a.y.y + one(), a.z.z = a.z.z + one();
-    const M share = inverse(a);
-    const V way = (nodes[i].next - left.y) - s.wish, q = s.transverse * (share * way), u = share * s.acting;
-    const L yields = s.axial + dot(s.along, left.c * u);
+// The impulse of a spring between what would move by itself at the velocities `left` and `right`. mobility: of both
+// together.
+template <int N> __attribute__((noinline)) Vector<N> RopeBundle<N>::impulse_between(const Spring& s, const M& mobility,
+                                                                                    V left, V right) const {
+    const M share = inverse(plus_diagonal(s.transverse * mobility, one()));
+    const V way = right - left, q = s.transverse * (share * (way - s.wish)), u = share * s.acting;
+    const L yields = s.axial + dot(s.along, mobility * u);
     const L pull = select(yields, s.taut / yields, L{}); // 0 between two held nodes
-    const L tau = (dot(s.along, (nodes[i].next - left.y) - left.c * q) - s.wished) * pull;
+    const L tau = (dot(s.along, way - mobility * q) - s.wished) * pull;
     return q + tau * u;
 }
 

@@ -27,7 +27,7 @@ template <int N> void RopeBundle<N>::begin_joints() {
         const Spring &before = springs[i - 2], &link = springs[i - 1];
         const L mean = 0.5 * (before.length + link.length), share = mean * link.per_length;
         joint.ratio = link.length * before.per_length;
-        joint.stiffness = select(uncut(before) * uncut(link), (h * share) * (h * share) * of(c.bend, i - 1), L{});
+        joint.stiffness = select(uncut(before) * uncut(link), (h * share) * (h * share) * of_node(c.bend, i - 1), L{});
     }
 }
 
@@ -58,8 +58,8 @@ template <int N> void RopeBundle<N>::join(size_t i, Hung& hung) {
     const M yielding = inverse(plus_diagonal(stiffness * plus_diagonal(all, mobility), one())); // Z
     const M stiff = stiffness * yielding;
     const M reach = plus_diagonal(hung.c + back, mobility);
-    const V bent = L::splat(1 / stage.dt) * per_lambda *
-                   (i > 1 ? springs[i - 1].before - ratio * springs[i - 2].before : V{});
+    const V bent =
+        L::splat(1 / stage.dt) * per_lambda * (i > 1 ? springs[i - 1].before - ratio * springs[i - 2].before : V{});
     const V wished = stiff * (((hung.y + ratio * hung.link_y) - node.b) - bent);
     const M at_link = of_node * stiff;
 

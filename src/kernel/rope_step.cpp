@@ -18,17 +18,28 @@ constexpr double kInside = 0.95;     // how much of the way to a tension or gap 
 
 // ---- the nonlinear system -------------------------------------------------------------------------------------------
 
+// What is seen of both halves of strands, in both lanes; a probe of each error.
+template <int N> typename RopeBundle<N>::Seen RopeBundle<N>::of_strands(const Seen& s) const {
+    if (!halved) return s;
+    return {most(s.error),  sum(s.probe + 0.0 * s.error),
+            sum(s.pushed),  sum(s.gained),
+            sum(s.worth),   most(s.slack),
+            sum(s.lengths), s.rounding};
+}
+
 // Linearizes all springs; closes the strands that are solved, and those that have come to what is no number. iteration:
 // how many came before. weight: what their tensions times lengths are at least, as errors count.
 template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L weight, size_t iteration) {
     Seen seen;
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, barrier, interior, seen);
+    meet();
+    for (size_t i = 0; i < spring_count; ++i) linearize(i, barrier, interior, seen);
     if (is_rod()) look_at_joints(seen);
     if (has_callbacks()) {
         if (iteration == 0) ask_all(true);
         ask_all(false);
     }
-    for (size_t i = 0; i < ropes.nodes && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, iteration));
+    for (size_t i = 0; i < node_count && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, iteration));
+    seen = of_strands(seen);
     const L worth = larger(seen.worth, larger(weight, least_worth));
     const auto share = [](L wrong, L of) { return select(of, wrong / of, L{}); };
     const L forces = share(larger(seen.pushed, seen.slack * seen.lengths), worth);
@@ -54,8 +65,8 @@ template <int N> void RopeBundle<N>::newton(size_t most) {
         if (k == most || !any_positive(open)) return;
         is_rod() ? eliminate_rod() : eliminate();
         iterations = iterations + open;
-        for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].w = select(open, nodes[i].next, nodes[i].w);
-        for (size_t i = 0; i + 1 < ropes.nodes; ++i)
+        for (size_t i = 0; i < node_count; ++i) nodes[i].w = select(open, nodes[i].next, nodes[i].w);
+        for (size_t i = 0; i < spring_count; ++i)
             springs[i].tension = select(open, springs[i].next, springs[i].tension);
     }
 }
@@ -63,19 +74,24 @@ template <int N> void RopeBundle<N>::newton(size_t most) {
 // The guess that each piece of the rope moves as one: with its momentum, which the iterations keep, or, where it
 // hangs on a held node, not at all.
 template <int N> void RopeBundle<N>::start_together() {
-    const size_t last = ropes.nodes - 1;
+    const size_t last = node_count - 1;
     const auto joined = [&](size_t i) { return i < last ? springs[i].moves : L{}; }; // to the next node
     L mass{}, hangs{};
     V momentum{};
     for (size_t i = 0; i <= last; ++i) { // of the piece so far
         Node& n = nodes[i];
         mass = mass + n.ground, momentum = momentum + n.ground * n.b, hangs = larger(hangs, held(i));
+        if (is_middle(i)) { // and of the other half's
+            const L on = springs[i].moves;
+            mass = mass + on * pairs_exchanged(mass), momentum = momentum + select(on, pairs_exchanged(momentum), V{});
+            hangs = larger(hangs, on * pairs_exchanged(hangs));
+        }
         n.next = select(hangs, V{}, (one() / mass) * momentum);
         const L on = joined(i);
         mass = on * mass, momentum = select(on, momentum, V{}), hangs = on * hangs;
     }
     V whole{};
-    for (size_t i = ropes.nodes; i-- > 0;) {
+    for (size_t i = node_count; i-- > 0;) {
         whole = select(joined(i), whole, nodes[i].next);
         nodes[i].w = select(open * opposite(held(i)), whole, nodes[i].w);
     }
@@ -87,29 +103,32 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     newtonian = false;
     begin();
     L force{}, mass{}, driven{}, pulled{};
-    for (size_t i = 0; i < ropes.nodes; ++i) {
+    for (size_t i = 0; i < node_count; ++i) {
         const Node& n = nodes[i];
         driven = driven + select(held(i), root(dot(n.b, n.b)), L{});
         mass = mass + n.ground, force = force + select(held(i), L{}, impulse_on(i));
     }
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i)
-        pulled = pulled + select(springs[i].moves, positive(springs[i].long_before - springs[i].length) / give(i), L{});
+    for (size_t i = 0; i < spring_count; ++i) {
+        const L over = positive(springs[i].long_before - springs[i].length);
+        pulled = pulled + counts(i) * select(springs[i].moves, over / give(i), L{});
+    }
     const double each = 1 / double(ropes.nodes);
-    force = (each / stage.dt) * (force + (each * mass) * driven) + each * pulled;
+    force = (each / stage.dt) * (sum(force) + (each * sum(mass)) * sum(driven)) + each * sum(pulled);
     start_together();
     L weight{}; // of the nodes, times lengths
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+    for (size_t i = 0; i < spring_count; ++i) {
         Spring& s = springs[i];
-        weight = weight + select(s.moves, force * s.length, L{});
+        weight = weight + counts(i) * select(s.moves, force * s.length, L{});
         s.gap = larger(s.length - s.long_before, kFirstGap * s.length);
         s.tension = select(open * s.moves, force, s.tension);
     }
+    weight = sum(weight);
     const double share = 1 / double(ropes.nodes - 1);
     for (size_t k = 0;; ++k) {
-        L sum{}; // of tensions times gaps
-        for (size_t i = 0; i + 1 < ropes.nodes; ++i)
-            sum = sum + select(springs[i].moves, springs[i].tension * springs[i].gap, L{});
-        const L barrier = (kBarrierFall * share) * sum;
+        L inside{}; // the sum of tensions times gaps
+        for (size_t i = 0; i < spring_count; ++i)
+            inside = inside + counts(i) * select(springs[i].moves, springs[i].tension * springs[i].gap, L{});
+        const L barrier = (kBarrierFall * share) * sum(inside);
         linearize_all(barrier, true, weight, k);
         if (k == most || !any_positive(open)) return;
         is_rod() ? eliminate_rod() : eliminate();
@@ -121,21 +140,21 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
 // The part of a step that leaves all tensions and gaps positive.
 template <int N> void RopeBundle<N>::step_inside(L barrier) {
     L part = one();
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+    for (size_t i = 0; i < spring_count; ++i) {
         const Spring& s = springs[i];
         const L change = select(s.moves, s.next - s.tension, L{});
         const L fall = select(s.moves, (barrier - s.gap * s.next) / s.tension, L{});
         part = select(L{} - change, smaller(part, kInside * (s.tension / (L{} - change))), part);
         part = select(L{} - fall, smaller(part, kInside * (s.gap / (L{} - fall))), part);
     }
-    part = open * part;
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+    part = open * (L{} - most(L{} - part));
+    for (size_t i = 0; i < spring_count; ++i) {
         Spring& s = springs[i];
         const L fall = (barrier - s.gap * s.next) / s.tension, on = open * s.moves;
         s.tension = select(on, s.tension + part * (s.next - s.tension), s.tension);
         s.gap = select(on, s.gap + part * fall, s.gap);
     }
-    for (size_t i = 0; i < ropes.nodes; ++i)
+    for (size_t i = 0; i < node_count; ++i)
         nodes[i].w = select(open, nodes[i].w + part * (nodes[i].next - nodes[i].w), nodes[i].w);
 }
 
@@ -166,8 +185,8 @@ template <int N> bool RopeBundle<N>::try_again() {
     failed = L{};
     if (!any_positive(open)) return false;
     const L better = best - reached;
-    for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].best = select(better, nodes[i].w, nodes[i].best);
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) springs[i].best = select(better, springs[i].tension, springs[i].best);
+    for (size_t i = 0; i < node_count; ++i) nodes[i].best = select(better, nodes[i].w, nodes[i].best);
+    for (size_t i = 0; i < spring_count; ++i) springs[i].best = select(better, springs[i].tension, springs[i].best);
     best_lambda = select(better, lambda, best_lambda);
     best = select(better, reached, best);
     return true;
@@ -176,45 +195,44 @@ template <int N> bool RopeBundle<N>::try_again() {
 // What could not be solved takes the best that was found; its nodes move with no more energy than they would alone.
 template <int N> void RopeBundle<N>::calm() {
     const L known = open * select(L::splat(kMostError) - best, one(), L{});
-    for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].w = select(known, nodes[i].best, nodes[i].w);
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i)
-        springs[i].tension = select(known, springs[i].best, springs[i].tension);
+    for (size_t i = 0; i < node_count; ++i) nodes[i].w = select(known, nodes[i].best, nodes[i].w);
+    for (size_t i = 0; i < spring_count; ++i) springs[i].tension = select(known, springs[i].best, springs[i].tension);
     lambda = select(known, best_lambda, lambda);
     reached = select(open, best, reached); // INFINITY where no error was a number
     begin_alone();
     const auto ends = [&](size_t i, V w) { // the velocity after the step
-        const V v = load(ropes.velocity, i);
+        const V v = nodes[i].v0;
         return v + per_lambda * (w - v);
     };
-    L sum{}, by_themselves{};
-    for (size_t i = 0; i < ropes.nodes; ++i) {
+    L as_solved{}, by_themselves{};
+    for (size_t i = 0; i < node_count; ++i) {
         const Node& n = nodes[i];
         const V together = select(held(i), V{}, ends(i, n.w)), by_itself = select(held(i), V{}, ends(i, n.b));
-        sum = sum + n.ground * dot(together, together);
+        as_solved = as_solved + n.ground * dot(together, together);
         by_themselves = by_themselves + n.ground * dot(by_itself, by_itself);
     }
-    const L part = smaller(positive(root(by_themselves / sum)), one()); // 0 if something is no number
-    for (size_t i = 0; i < ropes.nodes; ++i) {
+    const L part = smaller(positive(root(sum(by_themselves) / sum(as_solved))), one()); // 0 if something is no number
+    for (size_t i = 0; i < node_count; ++i) {
         Node& n = nodes[i];
-        const V v = load(ropes.velocity, i), less = v + lambda * (part * ends(i, n.w) - v);
+        const V v = n.v0, less = v + lambda * (part * ends(i, n.w) - v);
         const L keeps = part * opposite(held(i)); // held nodes move as they are told, whatever went wrong
         n.w = select(open, select(keeps, select(one() - part, less, n.w), n.b), n.w);
     }
     const L wrong = open * select(one() - part, one(), L{});
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) springs[i].tension = select(wrong, L{}, springs[i].tension);
+    for (size_t i = 0; i < spring_count; ++i) springs[i].tension = select(wrong, L{}, springs[i].tension);
+    meet();
     Seen seen;
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) linearize(i, L{}, false, seen); // for settle()
+    for (size_t i = 0; i < spring_count; ++i) linearize(i, L{}, false, seen); // for settle()
 }
 
 // Velocities along springs that are taut become those with which they lengthened in the step beyond its tolerance, or
 // 0 where they were slack before it; momentum stays. Without it what a step of lambda < 1 does along stiff springs
-// alternates from step to step.
+// alternates from step to step. Halves go to the middle spring, whose tension both have.
 template <int N> void RopeBundle<N>::settle() {
-    const size_t n = ropes.nodes;
     const L rate = L::splat(1 / stage.dt / stage.dt), none{};
     const L unsettled = select(one() - lambda, one(), none);
     L before_pivot = one(), before_rest{}, left = alone(0);
-    for (size_t i = 0; i + 1 < n; ++i) {
+    for (size_t i = 0; i < spring_count; ++i) {
         Spring& s = springs[i];
         const L right = alone(i + 1);
         const L own = (1 + kSettleSoftly) * (left + right) + s.compliance * rate;
@@ -228,15 +246,17 @@ template <int N> void RopeBundle<N>::settle() {
         const L both = i == 0 ? none : s.taut * springs[i - 1].taut;
         s.axial = i == 0 ? none : select(both, none - left * dot(springs[i - 1].along, s.along), none);
         const L share = s.axial / before_pivot;
-        s.transverse = select(s.taut, own - share * s.axial, one());
-        s.wished = select(s.taut, s.wished - share * before_rest, none);
+        L softer = share * s.axial, moved_by = share * before_rest;
+        if (is_middle(i)) softer = sum(softer), moved_by = sum(moved_by);
+        s.transverse = select(s.taut, own - softer, one());
+        s.wished = select(s.taut, s.wished - moved_by, none);
         before_pivot = s.transverse, before_rest = s.wished;
         left = right;
     }
-    L after{}, right = alone(n - 1);
-    for (size_t i = n - 1; i-- > 0;) {
+    L after{}, right = alone(spring_count);
+    for (size_t i = spring_count; i-- > 0;) {
         Spring& s = springs[i];
-        const L coupling = i + 2 < n ? springs[i + 1].axial : none;
+        const L coupling = i + 1 < spring_count ? springs[i + 1].axial : none;
         after = (s.wished - coupling * after) / s.transverse;
         const V along = select(s.taut, s.along, V{});
         left = alone(i);
@@ -250,31 +270,31 @@ template <int N> RopeResult RopeBundle<N>::step() {
     solve();
     RopeResult result;
     L bad{};
-    for (size_t i = 0; i < ropes.nodes; ++i) {
+    for (size_t i = 0; i < node_count; ++i) {
         Node& n = nodes[i];
-        const V x = load(ropes.position, i), v = load(ropes.velocity, i);
-        n.y = x + L::splat(stage.dt) * n.w;
-        n.next = v + (one() / lambda) * (n.w - v);
+        n.y = n.x0 + L::splat(stage.dt) * n.w;
+        n.next = n.v0 + (one() / lambda) * (n.w - n.v0);
     }
+    meet();
     if (stage.lambda < 1) settle();
     if (has_contacts()) forget_overlaps();
     const L to_overflow = L::splat(ropes.position.range().to_overflow);
     const auto look_at = [&](L a) { bad = bad + 0.0 * (to_overflow * a); };
-    for (size_t i = 0; i < ropes.nodes; ++i) {
+    for (size_t i = 0; i < node_count; ++i) {
         Node& n = nodes[i];
-        if (any_positive(held(i))) n.next = select(held(i), load(ropes.velocity, i), n.next);
+        if (any_positive(held(i))) n.next = select(held(i), n.v0, n.next);
         look_at(n.y.x), look_at(n.y.y), look_at(n.y.z);
         look_at(n.next.x), look_at(n.next.y), look_at(n.next.z);
         store(n.y, ropes.position, i);
         store(n.next, ropes.velocity, i);
     }
-    for (size_t i = 0; i + 1 < ropes.nodes; ++i) {
+    for (size_t i = 0; i < spring_count; ++i) {
         const Spring& s = springs[i];
         const L slack = (1 - fmax(stage.tolerance, kLeastSlack)) * s.length - long_after(i);
         double lane[N]; // the interior point leaves a tension to what is slack
         (stage.push ? s.tension : select(slack, L{}, s.tension)).store(lane);
-        for (int j = 0; j < N && size_t(j) < count; ++j)
-            ropes.tension[tension_place(i, j)] = isfinite(lane[j]) ? lane[j] : 0;
+        for (int j = 0; j < N && is_used(j); ++j)
+            if (has_spring(i, j)) ropes.tension[tension_place(i, j)] = isfinite(lane[j]) ? lane[j] : 0;
     }
     result.finite = !bad.any_nan();
     result.error = largest_in(larger(reached, apart));
@@ -286,43 +306,43 @@ template <int N> RopeResult RopeBundle<N>::step() {
 template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage,
                                                double* scratch, const size_t* strands, size_t count) {
     using Here = RopeBundle<N>;
+    const size_t room = rope_lane_room(ropes.nodes, stage.has_halves()),
+                 of_strand = stage.has_halves() ? 2 : 1; // lanes
     static_assert(sizeof(typename Here::Node) + sizeof(typename Here::Spring) == kRopeScratch * N * sizeof(double));
     auto* const nodes = reinterpret_cast<typename Here::Node*>(scratch);
-    auto* const springs = reinterpret_cast<typename Here::Spring*>(nodes + ropes.nodes);
+    auto* const springs = reinterpret_cast<typename Here::Spring*>(nodes + room);
     static_assert(sizeof(typename Here::InAir) == kAirScratch * N * sizeof(double));
-    auto* const in_air = reinterpret_cast<typename Here::InAir*>(springs + ropes.nodes);
+    auto* const in_air = reinterpret_cast<typename Here::InAir*>(springs + room);
     static_assert(sizeof(typename Here::Contact) == kContactScratch * N * sizeof(double));
-    auto* const contacts = reinterpret_cast<typename Here::Contact*>(in_air + (stage.has_air() ? ropes.nodes : 0));
-    const size_t contact_count = ropes.nodes * stage.collider_count;
+    auto* const contacts = reinterpret_cast<typename Here::Contact*>(in_air + (stage.has_air() ? room : 0));
+    const size_t contact_count = room * stage.collider_count;
     static_assert(sizeof(typename Here::Answer) == kAnswerScratch * N * sizeof(double));
     auto* const answers = reinterpret_cast<typename Here::Answer*>(contacts + contact_count);
     static_assert(sizeof(typename Here::Joint) == kJointScratch * N * sizeof(double));
-    auto* const joints = reinterpret_cast<typename Here::Joint*>(answers + ropes.nodes * stage.callback_count);
-    auto* const by_link = reinterpret_cast<typename Here::V*>(joints + (stage.bends ? ropes.nodes : 0));
-    const size_t link_count = stage.bends ? 3 * (contact_count + (stage.has_air() ? ropes.nodes : 0)) : 0;
+    auto* const joints = reinterpret_cast<typename Here::Joint*>(answers + room * stage.callback_count);
+    auto* const by_link = reinterpret_cast<typename Here::V*>(joints + (stage.bends ? room : 0));
+    const size_t link_count = stage.bends ? 3 * (contact_count + (stage.has_air() ? room : 0)) : 0;
     auto* const question = reinterpret_cast<double*>(by_link + link_count);
     size_t lanes[N];
-    for (size_t j = 0; j < N; ++j) lanes[j] = strands[j < count ? j : count - 1];
+    for (size_t j = 0; j < N; ++j) lanes[j] = strands[j / of_strand < count ? j / of_strand : count - 1];
     Here bundle{ropes,   c,       stage,    nodes, springs, in_air, contacts, joints,
                 by_link, answers, question, lanes, count,   {},     {},       {}};
     return bundle.step();
 }
 
-static RopeResult step_alone(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch,
-                             const size_t* strand) {
 #ifdef CD_ISA_IS_PLAIN
-    return step_bundle<1>(ropes, c, stage, scratch, strand, 1);
+constexpr auto step_alone = step_bundle<kLanesAlone>;
 #else
-    return plain::rope_step(ropes, c, stage, scratch, strand, 1);
+constexpr auto step_alone = plain::rope_step;
 #endif
-}
 
 RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch,
                      const size_t* strands, size_t count) {
     RopeResult result;
+    const size_t most = size_t(stage.has_halves() ? kNative / 2 : kNative); // strands of a bundle
     while (count > 0) {
-        const size_t now = count < size_t(kNative) ? count : size_t(kNative);
-        result.add(now == 1 ? step_alone(ropes, c, stage, scratch, strands)
+        const size_t now = count < most ? count : most;
+        result.add(now == 1 ? step_alone(ropes, c, stage, scratch, strands, 1)
                             : step_bundle<kNative>(ropes, c, stage, scratch, strands, now));
         strands += now;
         count -= now;

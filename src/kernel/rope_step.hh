@@ -44,6 +44,14 @@ struct RopeParameters {
     double drag;                                // [1/s]
 };
 
+// A strand is solved from both ends at once: its halves go side by side, each from its end to the middle, and meet
+// there. So one long rope has two lanes, and the bits of a strand do not depend on how many others there are. A rod
+// passes on more than meets easily, and in air what meets would be known to rounding only: these go through one lane,
+// from the end that is held. rope_lane_room: the nodes of a lane, and the one that the spring in the middle leads to.
+inline bool rope_has_halves(bool bends, bool in_air) { return !bends && !in_air; }
+inline size_t rope_lane_nodes(size_t nodes, bool halved) { return halved ? (nodes + 1) / 2 : nodes; }
+inline size_t rope_lane_room(size_t nodes, bool halved) { return rope_lane_nodes(nodes, halved) + (halved ? 1 : 0); }
+
 struct RopeStage {
     double dt, lambda;
     double gravity[3];
@@ -57,6 +65,7 @@ struct RopeStage {
     double time_before, time_after; // of the step [s]
 
     bool has_air() const { return along > 0 || across > 0; }
+    bool has_halves() const { return rope_has_halves(bends, has_air()); }
 };
 
 struct RopeResult {
@@ -73,10 +82,10 @@ struct RopeResult {
     }
 };
 
-// The most strands that are stepped side by side, whatever the kernels, and the doubles of scratch per node and strand:
-// always, for the air, for each collider, for each callback and for any; of rods, and there for the air and for each
-// collider; a call with one strand needs no more than that strand's.
-constexpr size_t kRopeStrands = 8, kRopeScratch = 55, kAirScratch = 15, kContactScratch = 30;
+// The most lanes, whatever the kernels, those of a call with one strand, and the doubles of scratch per lane and node
+// of its room: always, for the air, for each collider, for each callback and for any; of rods, and there for the air
+// and for each collider.
+constexpr size_t kRopeLanes = 8, kLanesAlone = 2, kRopeScratch = 62, kAirScratch = 15, kContactScratch = 30;
 constexpr size_t kAnswerScratch = 4, kQuestionScratch = 7;
 constexpr size_t kJointScratch = 63, kLinkScratch = 9;
 
@@ -88,7 +97,7 @@ RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStag
 } // namespace CD_ISA
 
 namespace plain {
-// All sets of kernels step a strand that is alone by this one: it goes through scalars, which no set makes faster.
+// All sets of kernels step a strand that is alone by this one: it has two lanes, which no set makes faster.
 RopeResult rope_step(const Ropes& ropes, const RopeParameters& c, const RopeStage& stage, double* scratch,
                      const size_t* strands, size_t count);
 } // namespace plain

@@ -23,6 +23,9 @@ template <int N> struct Vector {
     friend Vector select(L by, Vector a, Vector b) {
         return {select(by, a.x, b.x), select(by, a.y, b.y), select(by, a.z, b.z)};
     }
+    friend Vector pairs_exchanged(Vector a) {
+        return {pairs_exchanged(a.x), pairs_exchanged(a.y), pairs_exchanged(a.z)};
+    }
 };
 
 // Three rows.
@@ -35,6 +38,9 @@ template <int N> struct Matrix {
     friend Matrix operator+(const Matrix& a, const Matrix& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend Matrix operator-(const Matrix& a, const Matrix& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
     friend Matrix operator*(L s, const Matrix& a) { return {s * a.x, s * a.y, s * a.z}; }
+    friend Matrix pairs_exchanged(const Matrix& a) {
+        return {pairs_exchanged(a.x), pairs_exchanged(a.y), pairs_exchanged(a.z)};
+    }
     static Matrix diagonal(L d) { return {{d, L{}, L{}}, {L{}, d, L{}}, {L{}, L{}, d}}; }
 };
 template <int N> Vector<N> transposed_times(const Matrix<N>& a, Vector<N> b) {

@@ -11,10 +11,10 @@ namespace {
 // Strands are stepped in groups, and a task steps some groups one after the other with a scratch of its own.
 constexpr size_t kMostTasks = 16;
 // Of these those that are awake make all their steps before the next ones.
-constexpr size_t kStrandsInTurn = 8 * kRopeStrands;
+constexpr size_t kStrandsOfGroup = 8, kStrandsInTurn = 8 * kStrandsOfGroup;
 constexpr size_t kObstacleNumbers = (sizeof(Obstacle) + sizeof(double) - 1) / sizeof(double);
 
-size_t groups_of(const Chain& c) { return (c.strands + kRopeStrands - 1) / kRopeStrands; }
+size_t groups_of(const Chain& c) { return (c.strands + kStrandsOfGroup - 1) / kStrandsOfGroup; }
 size_t tasks_of(const Chain& c) { return groups_of(c) < kMostTasks ? groups_of(c) : kMostTasks; }
 size_t scratch_of_node(const Chain& c, const RopeNeeds& needs) {
     const size_t more = needs.bend ? kLinkScratch : 0;
@@ -22,7 +22,7 @@ size_t scratch_of_node(const Chain& c, const RopeNeeds& needs) {
     const size_t of_node = kRopeScratch + (needs.air ? kAirScratch + more : 0) +
                            colliders.count * (kContactScratch + more) + colliders.callbacks * kAnswerScratch +
                            (colliders.callbacks > 0 ? kQuestionScratch : 0) + (needs.bend ? kJointScratch : 0);
-    return of_node * (c.strands > 1 ? kRopeStrands : 1);
+    return of_node * (c.strands > 1 ? kRopeLanes : kLanesAlone);
 }
 
 RopeParameters parameters_of(Chain& c, bool changed) {
@@ -33,14 +33,10 @@ RopeParameters parameters_of(Chain& c, bool changed) {
     const auto own = [&](const Array<double>& field, const double* common, size_t of_item) {
         return field ? RopeNumbers<double>{field.data, c.strands, 1} : RopeNumbers<double>{common, of_item, 0};
     };
-    return {own(c.node_mass, mass, 1),
-            own(c.attach_stiffness, one + 2, 0),
-            own(c.attach_damping, one + 2, 0),
-            own(c.spring_length, one, 0),
-            own(c.spring_stiffness, one + 1, 0),
-            own(c.node_bend, one + 3, 0),
-            {c.pin.data, c.strands, 1},
-            c.drag};
+    return {own(c.node_mass, mass, 1),           own(c.attach_stiffness, one + 2, 0),
+            own(c.attach_damping, one + 2, 0),   own(c.spring_length, one, 0),
+            own(c.spring_stiffness, one + 1, 0), own(c.node_bend, one + 3, 0),
+            {c.pin.data, c.strands, 1},          c.drag};
 }
 
 // Cuts the spring of a strand whose tension is most beyond its strength; whether there is one.
@@ -77,7 +73,8 @@ static size_t common_numbers(const Chain& c) { return c.nodes + 4; }
 size_t rope_coefficients(const Chain& c, size_t colliders) { return common_numbers(c) + colliders * kObstacleNumbers; }
 size_t rope_scratch(const Chain& c, const RopeNeeds& needs) {
     size_t numbers;
-    const bool fits = multiply(tasks_of(c) * c.nodes, scratch_of_node(c, needs), numbers);
+    const bool fits = multiply(tasks_of(c) * rope_lane_room(c.nodes, rope_has_halves(needs.bend, needs.air)),
+                               scratch_of_node(c, needs), numbers);
     return fits ? numbers : SIZE_MAX; // more than there is
 }
 
@@ -124,9 +121,10 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
     uint64_t bad[kMostTasks];
     size_t broken[kMostTasks] = {};
     const size_t groups = groups_of(c), tasks = tasks_of(c);
-    const size_t of_task = c.nodes * scratch_of_node(c, {stage.bends, stage.has_air(), met});
+    const size_t of_task =
+        rope_lane_room(c.nodes, stage.has_halves()) * scratch_of_node(c, {stage.bends, stage.has_air(), met});
     const auto first_strand = [&](size_t task) {
-        const size_t first = task * groups / tasks * kRopeStrands;
+        const size_t first = task * groups / tasks * kStrandsOfGroup;
         return first < c.strands ? first : c.strands;
     };
     auto task = [&](size_t t) {

@@ -139,12 +139,21 @@ RULES = {
         ["stability_ropes"]),
     "and by the interior point": (
         "rope_step.cpp", "    if (!stage.push) {\n        interior", "    if (false) {\n        interior", ["stability_ropes"]),
+    "halves of a rope meet": (
+        "rope_elimination.hh", "if (halved && spring_count > 0)", "if (false)", ["physics_rope_ends"]),
+    "they have one sum of what is wrong": (
+        "rope_bundle.hh", "L sum(L a) const { return halved ? a + pairs_exchanged(a) : a; }",
+        "L sum(L a) const { return a; }", ["physics_rope_ends"]),
+    "in which a spring in the middle counts once": (
+        "rope_bundle.hh", "is_middle(i) ? here.half() : here", "here", ["physics_rope_ends"]),
+    "what goes one way goes from the end that is held": (
+        "rope_bundle.hh", "ends_held(last, j) && !ends_held(0, j)", "false", ["physics_rope_air"]),
     "which begins from the common motion": (
         "rope_step.cpp", "    start_together();\n", "", ["stability_ropes"]),
     "with the force that held nodes bring": (
         "rope_step.cpp", "driven = driven + select(held(i), root(dot(n.b, n.b)), L{});", "",
         ["stability_ropes"]),
-    "and that long springs pull with": ("rope_step.cpp", " + each * pulled;", ";", ["stability_ropes"]),
+    "and that long springs pull with": ("rope_step.cpp", " + each * sum(pulled);", ";", ["stability_ropes"]),
     "the best that was found is kept": (
         "rope_step.cpp", "    const L better = best - reached;", "    const L better = one();", ["stability_ropes", "api_rope"]),
     "with no more energy than nodes have alone": (
@@ -170,7 +179,7 @@ RULES = {
     "tensions of rounding may be wrong": (
         "rope_step.cpp", "larger(weight, least_worth)", "weight", ["physics_rope_air"]),
     "air resists along the way of the middle of a step": (
-        "rope_bundle.hh", "V chord = ((stage.dt * lambda) *", "V chord = (L{} *", ["physics_rope_air"]),
+        "rope_air.hh", "V chord = ((stage.dt * lambda) *", "V chord = (L{} *", ["physics_rope_air"]),
     "the interior point knows the air's forces": (
         "rope_bundle.hh", "if (!has_air()) return own;", "return own;", ["physics_rope_air"]),
     "springs between held nodes are no part of the system": (
