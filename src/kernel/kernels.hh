@@ -5,6 +5,7 @@
 #include "contdyn/base.h"
 #include "kernel/advance.hh"
 #include "kernel/cloth.hh"
+#include "kernel/draw.hh"
 #include "kernel/explicit_sweep.hh"
 #include "kernel/rod_sweep.hh"
 #include "kernel/rope_step.hh"
@@ -73,12 +74,14 @@ struct MembraneKernels {
     decltype(&CD_ISA::advance) advance;
     SheetKernels sheet;
     ClothKernels cloth;
+    decltype(&CD_ISA::draw_sheet) draw;
 };
 
 struct WaterKernels {
     cd_kernels set;
     decltype(&CD_ISA::sweep_water) sweep;
     decltype(&CD_ISA::carry_across) carry_across;
+    decltype(&CD_ISA::draw_water) draw;
 };
 
 // What the public function of that name tells, and the fastest of them.

@@ -38,6 +38,7 @@ const MembraneKernels membrane_kernels = {
 #else
     {},
 #endif
+    CD_KERNEL(CD_WITH_DRAW, draw_sheet),
 };
 
 } // namespace CD_ISA

@@ -3,7 +3,8 @@
 namespace cd {
 namespace CD_ISA {
 
-const WaterKernels water_kernels = {CD_SET, sweep_water, CD_KERNEL(CD_WITH_ADVECTED, carry_across)};
+const WaterKernels water_kernels = {CD_SET, sweep_water, CD_KERNEL(CD_WITH_ADVECTED, carry_across),
+                                    CD_KERNEL(CD_WITH_DRAW, draw_water)};
 
 } // namespace CD_ISA
 } // namespace cd

@@ -21,13 +21,6 @@ inline void put(const Vector& vector, unsigned char* out) {
     memcpy(out, three, sizeof three);
 }
 
-// f(i) for i up to `count`, and on to the end of a group: loops that compilers turn into vector instructions.
-constexpr size_t kGroup = 4;
-template <class F> void in_groups(size_t count, F f) {
-    for (size_t from = 0; from < count; from += kGroup)
-        for (size_t i = from; i < from + kGroup; ++i) f(i);
-}
-
 // How many vertices indices of 2 or 4 bytes can number: the largest number, 65535 or 2^32 - 1, is left out, as graphics
 // cards may take it for a restart.
 constexpr size_t most_vertices(size_t index_size) { return index_size == 2 ? UINT16_MAX : UINT32_MAX; }

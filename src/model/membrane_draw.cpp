@@ -6,6 +6,8 @@
 // and is cut into a, b, c and a, c, d. Its area vector is (c - a) x (d - b) / 2 however it is cut; of a cell with three
 // of its nodes there it is that of the triangle. A node's normal is the sum over its cells, made a unit vector. A
 // component of the sum that rounding alone could have made counts as 0: a sheet that lies in a line has no normals.
+#include "kernel/draw.hh"
+
 #include "model/draw.hh"
 #include "model/membrane.hh"
 
@@ -25,8 +27,7 @@ struct Area {
     double whole_size() const { return size.x + size.y + size.z; }
 };
 
-// Differences err by 2^-53 of themselves, products of them by 2^-51 of their size, and three additions make it 2^-50.
-double beyond_rounding(double sum, double size) { return fabs(sum) > 0x1p-50 * size ? sum : 0; }
+double beyond_rounding(double sum, double size) { return fabs(sum) > kRoundedArea * size ? sum : 0; }
 
 Vector direction(const Area& area) {
     if (!isfinite(area.whole_size())) return {};
@@ -46,20 +47,17 @@ struct Scale {
 };
 constexpr Scale kAsTheyAre{1, 1}, kShrunk{0x1p-520, 1}, kGrown{1, 0x1p800};
 
-// Nodes whose normals are made together, and the cells between them and beside.
-constexpr size_t kCells = 64, kBlock = kCells - 1;
-
-template <class T> struct Drawer {
+struct Drawer {
     const Membrane& m;
-    const T* axis[3];  // null: no component is drawn along it
-    double spacing[3]; // between nodes over the unit square; 0 along every other axis
+    DrawnSheet sheet;
 
-    explicit Drawer(const Membrane& membrane) : m(membrane), axis{}, spacing{} {
-        const T* const data = numbers<T>(m.position);
-        if (m.components == 1) axis[2] = data;
-        for (size_t k = 0; m.components > 1 && k < 3 && k < m.components; ++k) axis[k] = data + k * m.plane;
+    explicit Drawer(const Membrane& membrane)
+        : m(membrane), sheet{{}, {}, membrane.columns, membrane.rows, membrane.pitch} {
+        const StateNumbers data = state_of(m, m.position);
+        if (m.components == 1) sheet.axis[2] = data;
+        for (size_t k = 0; m.components > 1 && k < 3 && k < m.components; ++k) sheet.axis[k] = data.from(k * m.plane);
         for (Direction d : {kU, kV})
-            if (!axis[d] && m.springs[d] > 0) spacing[d] = 1 / double(springs_along(m, d));
+            if (!sheet.axis[d] && m.springs[d] > 0) sheet.spacing[d] = 1 / double(springs_along(m, d));
     }
 
     // A node of a sheet that goes on beyond both ends of a ring.
@@ -73,7 +71,8 @@ template <class T> struct Drawer {
     Vector position(const Node& n) const {
         const size_t place = line(kV, n) * m.pitch + line(kU, n);
         double x[3];
-        for (int k = 0; k < 3; ++k) x[k] = axis[k] ? double(axis[k][place]) : k < 2 ? double(n.at[k]) * spacing[k] : 0;
+        for (int k = 0; k < 3; ++k)
+            x[k] = sheet.axis[k] ? sheet.axis[k][place] : k < 2 ? double(n.at[k]) * sheet.spacing[k] : 0;
         return {x[0], x[1], x[2]};
     }
     bool is_there(const Node& n) const {
@@ -118,106 +117,37 @@ template <class T> struct Drawer {
         return true;
     }
 
-    // A row of nodes from u - 1 on; those that are not there count as 0, as do components that are not drawn.
-    struct Row {
-        double x[3][kCells + kGroup];
-    };
-    void take_row(size_t u, size_t v, size_t count, Row& out) const {
-        const size_t from = u > 0 ? 0 : 1, to = u + count < m.columns ? count + 2 : count + 1;
-        for (int k = 0; k < 3; ++k) {
-            const T* const row = axis[k] ? axis[k] + v * m.pitch + (u + from - 1) : nullptr;
-            for (size_t c = from; row && c < to; ++c) out.x[k][c] = double(row[c - from]);
-        }
-    }
-
-    // What add_cell adds, of count + 1 cells side by side from (u - 1, v) on: nothing where there is none.
-    struct Cells {
-        double sum[3][kCells], size[3][kCells];
-    };
-    void look_at_cells(size_t u, size_t count, const Row& low, const Row& high, Cells& out) const {
-        double p[3][kCells], q[3][kCells];
-        for (int k = 0; k < 3; ++k) {
-            const double along_p = axis[k] ? 0 : spacing[k], along_q = k == kU ? -along_p : along_p;
-            in_groups(count + 1, [&](size_t c) {
-                p[k][c] = (high.x[k][c + 1] - low.x[k][c]) + along_p;
-                q[k][c] = (high.x[k][c] - low.x[k][c + 1]) + along_q;
-            });
-        }
-        for (int k = 0; k < 3; ++k) {
-            const int i = (k + 1) % 3, j = (k + 2) % 3;
-            in_groups(count + 1, [&](size_t c) {
-                const double plus = p[i][c] * q[j][c], minus = p[j][c] * q[i][c];
-                out.sum[k][c] = plus - minus;
-                out.size[k][c] = fabs(plus) + fabs(minus);
-            });
-            if (u == 0) out.sum[k][0] = out.size[k][0] = 0;
-            if (u + count == m.columns) out.sum[k][count] = out.size[k][count] = 0;
-        }
-    }
-    // Normals of the nodes from (u, v) on, between two rows of cells.
-    void write_plain(size_t u, size_t v, size_t count, const Cells& above, const Cells& below, unsigned char* out,
-                     size_t stride) const {
-        double sum[kCells + kGroup] = {}, size[kCells + kGroup] = {}; // of the two cells in a column
-        double n[3][kCells], whole[kCells] = {}, square[kCells], scale[kCells];
-        for (int k = 0; k < 3; ++k) {
-            in_groups(count + 1, [&](size_t c) {
-                sum[c] = above.sum[k][c] + below.sum[k][c];
-                size[c] = above.size[k][c] + below.size[k][c];
-            });
-            in_groups(count, [&](size_t c) {
-                const double both = size[c] + size[c + 1];
-                n[k][c] = beyond_rounding(sum[c] + sum[c + 1], both);
-                whole[c] += both;
-            });
-        }
-        in_groups(count, [&](size_t c) {
-            square[c] = n[0][c] * n[0][c] + n[1][c] * n[1][c] + n[2][c] * n[2][c];
-            scale[c] = 1 / sqrt(square[c]);
-        });
-        for (auto& along : n) in_groups(count, [&](size_t c) { along[c] *= scale[c]; });
-        for (size_t c = 0; c < count; ++c, out += stride) {
-            const bool in_range = square[c] > 0x1p-900 && square[c] < 0x1p900 && whole[c] < INFINITY;
-            put(in_range ? Vector{n[0][c], n[1][c], n[2][c]} : normal(node(u + c, v)), out);
-        }
-    }
-
     static Node node(size_t u, size_t v) { return {{ptrdiff_t(u), ptrdiff_t(v)}}; }
     void write_positions(unsigned char* out, size_t stride) const {
+        const auto put_row = [&](unsigned char* to, auto number) {
+            for (size_t u = 0; u < m.columns; ++u, to += stride) {
+                const float x = float(number(u));
+                memcpy(to, &x, sizeof x);
+            }
+        };
         for (size_t v = 0; v < m.rows; ++v, out += m.columns * stride)
-            for (int k = 0; k < 3; ++k)
-                for (size_t u = 0; u < m.columns; ++u) {
-                    const float x = axis[k] ? float(axis[k][v * m.pitch + u])
-                                            : float(k < 2 ? double(k == kU ? u : v) * spacing[k] : 0);
-                    memcpy(out + u * stride + size_t(k) * sizeof x, &x, sizeof x);
-                }
+            for (int k = 0; k < 3; ++k) {
+                unsigned char* const to = out + size_t(k) * sizeof(float);
+                if (sheet.axis[k])
+                    sheet.axis[k].stored_state([&](const auto* numbers) {
+                        put_row(to, [row = numbers + v * m.pitch](size_t u) { return row[u]; });
+                    });
+                else put_row(to, [&](size_t u) { return k < 2 ? double(k == kU ? u : v) * sheet.spacing[k] : 0; });
+            }
     }
-    // In blocks of columns, row by row, so that each row of cells is looked at once for the nodes before it and behind.
+    // In blocks of columns: rows whose nodes have only whole cells about them together, others node by node.
     void write_normals(unsigned char* out, size_t stride) const {
-        Row nodes[2] = {};
-        Cells cells[2];
         for (size_t u = 0, count; u < m.columns; u += count) {
             const size_t left = m.columns - u, closes = m.ring[kU] ? 1 : 0; // a ring's ends are looked at one by one
-            count = closes && (u == 0 || left == 1) ? 1 : left - closes < kBlock ? left - closes : kBlock;
-            bool looked = false; // at the cells before this row, in cells[v % 2]
+            count = closes && (u == 0 || left == 1)  ? 1
+                    : left - closes < kDrawnTogether ? left - closes
+                                                     : kDrawnTogether;
             for (size_t v = 0; v < m.rows; ++v) {
-                unsigned char* const here = out + node_at(m, u, v) * stride;
-                const bool plain = is_plain(u, v, count);
-                if (plain) {
-                    const size_t now = v % 2, next = 1 - now;
-                    if (!looked && v > 0) {
-                        take_row(u, v - 1, count, nodes[next]);
-                        take_row(u, v, count, nodes[now]);
-                        look_at_cells(u, count, nodes[next], nodes[now], cells[now]);
-                    }
-                    if (v == 0) take_row(u, v, count, nodes[now]), cells[now] = {};
-                    if (v + 1 < m.rows) {
-                        take_row(u, v + 1, count, nodes[next]);
-                        look_at_cells(u, count, nodes[now], nodes[next], cells[next]);
-                    } else cells[next] = {};
-                    write_plain(u, v, count, cells[now], cells[next], here, stride);
-                }
-                for (size_t c = 0; !plain && c < count; ++c) put(normal(node(u + c, v)), here + c * stride);
-                looked = plain;
+                size_t end = v;
+                while (end < m.rows && is_plain(u, end, count)) ++end;
+                if (end > v) v += m.kernels->draw(sheet, {u, count, v, end, out + node_at(m, u, v) * stride, stride});
+                for (size_t c = 0; v < m.rows && c < count; ++c)
+                    put(normal(node(u + c, v)), out + node_at(m, u + c, v) * stride);
             }
         }
     }
@@ -245,9 +175,7 @@ auto is_drawn(const Membrane& m) {
 
 } // namespace
 
-void write_vertices(const Membrane& m, unsigned char* out, const VertexFormat& format) {
-    by_precision(m, [&](auto zero) { Drawer<decltype(zero)>(m).write(out, format); });
-}
+void write_vertices(const Membrane& m, unsigned char* out, const VertexFormat& format) { Drawer(m).write(out, format); }
 
 size_t index_count(const Membrane& m) {
     const DrawnLattice lattice = drawn(m);

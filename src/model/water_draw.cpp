@@ -1,5 +1,7 @@
 // The water as triangles between the centres of its cells, on its surface, which is the bed where it is dry. Slopes are
 // those from neighbour to neighbour, and to the one that is there where there is but one.
+#include "kernel/draw.hh"
+
 #include "model/draw.hh"
 #include "model/water.hh"
 
@@ -36,44 +38,6 @@ double slope_at(const Water& w, Axis a, size_t i, size_t j) {
     return steps > 0 ? (ends[1] - ends[0]) / (steps * w.size[a]) : 0;
 }
 
-// Likewise of a line's cells side by side, of water without absent cells, and the normals that slopes make.
-constexpr size_t kNormals = 64;
-struct Normals {
-    const Water& w;
-    double slope[2][kNormals], square[kNormals], scale[kNormals];
-
-    // Over what slopes are taken: two cells, one at a side, or any length where there is no neighbour.
-    double run(Axis a, size_t at) const {
-        return has_neighbour(w, a, at, false) && has_neighbour(w, a, at, true) ? 2 * w.size[a] : w.size[a];
-    }
-
-    // At `count` cells from (i, j) on, at most kNormals.
-    void look(size_t i, size_t j, size_t count) {
-        double along[kNormals + 2], rise[2][kNormals] = {}, by[kNormals] = {};
-        const size_t low = neighbour(w, kY, j, false), high = neighbour(w, kY, j, true);
-        for (size_t c = 0; c < count; ++c) {
-            along[c + 1] = surface_at(w, i + c, j);
-            rise[kY][c] = surface_at(w, i + c, high) - surface_at(w, i + c, low);
-            by[c] = 2 * w.size[kX];
-        }
-        along[0] = surface_at(w, neighbour(w, kX, i, false), j);
-        along[count + 1] = surface_at(w, neighbour(w, kX, i + count - 1, true), j);
-        by[0] = run(kX, i), by[count - 1] = run(kX, i + count - 1);
-        for (size_t c = 0; c < count; ++c) rise[kX][c] = along[c + 2] - along[c];
-        const double by_y = run(kY, j);
-        in_groups(count, [&](size_t c) {
-            slope[kX][c] = rise[kX][c] / by[c];
-            slope[kY][c] = rise[kY][c] / by_y;
-            square[c] = (slope[kX][c] * slope[kX][c] + slope[kY][c] * slope[kY][c]) + 1;
-        });
-        in_groups(count, [&](size_t c) { scale[c] = 1 / sqrt(square[c]); });
-    }
-    Vector operator[](size_t c) const {
-        if (!(square[c] < 0x1p900)) return cd::normal_of(slope[kX][c], slope[kY][c]);
-        return {0 - slope[kX][c] * scale[c], 0 - slope[kY][c] * scale[c], scale[c]};
-    }
-};
-
 void put(double number, unsigned char* out) {
     const float one = float(number);
     memcpy(out, &one, sizeof one);
@@ -95,22 +59,43 @@ template <class F> auto with_squares(const Water& w, bool skip_dry, F f) {
 
 } // namespace
 
+static void write_positions(const Water& w, unsigned char* out, size_t stride) {
+    state_of(w, w.depth).stored_state([&](const auto* depth) {
+        const auto* const bed = reinterpret_cast<decltype(depth)>(w.bed.data);
+        each_cell(w, [&](size_t i, size_t j) {
+            const size_t at = place(w, i, j);
+            put({(double(i) + 0.5) * w.size[kX], (double(j) + 0.5) * w.size[kY], double(bed[at]) + double(depth[at])},
+                out);
+            out += stride;
+        });
+    });
+}
+// In blocks of columns; where a cell is absent, and in rows with a normal beyond range, cell by cell.
+static void write_normals(const Water& w, unsigned char* out, size_t stride) {
+    const DrawnWater water{state_of(w, w.depth),       state_of(w, w.bed),
+                           {w.cells[kX], w.cells[kY]}, w.pitch,
+                           {w.size[kX], w.size[kY]},   {periodic(w, kX), periodic(w, kY)}};
+    const size_t columns = w.cells[kX], rows = w.cells[kY];
+    for (size_t i = 0, count; i < columns; i += count) {
+        count = columns - i < kDrawnTogether ? columns - i : kDrawnTogether;
+        for (size_t j = 0; j < rows; ++j) {
+            unsigned char* const here = out + (j * columns + i) * stride;
+            if (!w.mask) j += w.kernels->draw(water, {i, count, j, rows, here, stride});
+            for (size_t c = i; j < rows && c < i + count; ++c)
+                put(present(w, c, j) ? normal_of(slope_at(w, kX, c, j), slope_at(w, kY, c, j)) : Vector{0, 0, 1},
+                    out + (j * columns + c) * stride);
+        }
+    }
+}
+
 void write_vertices(const Water& w, unsigned char* out, const WaterVertexFormat& format) {
-    Normals normals{w, {}, {}, {}};
-    const bool has_normals = format.normal_offset != SIZE_MAX, together = has_normals && !w.mask;
+    write_positions(w, out + format.position_offset, format.stride);
+    if (format.normal_offset != SIZE_MAX) write_normals(w, out + format.normal_offset, format.stride);
+    if (format.depth_offset == SIZE_MAX) return;
+    unsigned char* to = out + format.depth_offset;
     each_cell(w, [&](size_t i, size_t j) {
-        const size_t left = w.cells[kX] - i, at = i % kNormals;
-        if (together && at == 0) normals.look(i, j, left < kNormals ? left : kNormals);
-        const bool there = present(w, i, j);
-        put({(double(i) + 0.5) * w.size[kX], (double(j) + 0.5) * w.size[kY], surface_at(w, i, j)},
-            out + format.position_offset);
-        if (has_normals)
-            put(together ? normals[at]
-                : there  ? normal_of(slope_at(w, kX, i, j), slope_at(w, kY, i, j))
-                         : Vector{0, 0, 1},
-                out + format.normal_offset);
-        if (format.depth_offset != SIZE_MAX) put(there ? depth_at(w, i, j) : -1, out + format.depth_offset);
-        out += format.stride;
+        put(present(w, i, j) ? depth_at(w, i, j) : -1, to);
+        to += format.stride;
     });
 }
 

@@ -76,7 +76,6 @@ EXPLAINED = [
     ("sheet_filters.hh", "rows[i] = tile[i].v", "one more than there are, never looked at; sanitizers see it"),
     ("membrane_cloth_step.cpp", "if (!(energy > 0)) break;", "0 only where squares underflow"),
     ("rod_sweep.cpp", "d = settled(", "numbers next to 0 take time only"),
-    ("membrane_draw.cpp", "put(in_range ?", "the same normal, node by node"),
     ("sheet_shift.cpp", "t[at + u] = 0", "beyond the rows, and without weight"),
     ("membrane_work.cpp", "size_t numbers = 0;", "overwritten"),
     ("across.cpp", "for (size_t lane = 0; lane < N; ++lane) {", "one too many is the next cell's, which follows"),
