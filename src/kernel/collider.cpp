@@ -8,6 +8,7 @@ namespace cd {
 namespace {
 
 constexpr double kFar = 1e60;         // as far as places are
+constexpr double kAsked = 0.1 * kFar; // as far along an axis as callbacks are asked: they can tell how far that is
 constexpr double kNormalError = 1e-3; // of a callback's normal, in its length
 
 // Of the three heights about a place along one axis, what their differences from the middle one count for: the height
@@ -62,7 +63,8 @@ void ask(const Obstacle& of, double time, size_t count, size_t components, doubl
     const size_t numbers = count * components;
     for (size_t i = 0; i < numbers; ++i) {
         const double from = places[i] - of.place(int(i % components), time);
-        places[i] = isfinite(from) ? from : 0; // of a state that is none either
+        // Of a guess that is nowhere near, so far; and of a state that is no number.
+        places[i] = fabs(from) <= kAsked ? from : isnan(from) ? 0 : copysign(kAsked, from);
         normals[i] = NAN;
     }
     for (size_t i = 0; i < count; ++i) distances[i] = NAN;

@@ -126,7 +126,7 @@ template <int N> struct RopeBundle {
     // second half begins with a node that is none: held, on a cut spring.
     const bool halved = stage.has_halves();
     const size_t node_count = rope_lane_nodes(ropes.nodes, halved);
-    const size_t spring_count = halved && ropes.nodes > 1 ? node_count : node_count - 1;
+    const size_t spring_count = halved ? node_count : node_count - 1;
     bool comes_back[N] = {}; // which lanes go from their strand's last node
 
     static L one() { return L::splat(1); }
@@ -156,8 +156,6 @@ template <int N> struct RopeBundle {
     // Of the lanes' numbers those of their strands: the sum of both halves', and the largest.
     L sum(L a) const { return halved ? a + pairs_exchanged(a) : a; }
     L most(L a) const { return halved ? larger(a, pairs_exchanged(a)) : a; }
-    // What a spring counts in sums over a lane: half where both lanes have it.
-    double counts(size_t spring) const { return is_middle(spring) ? 0.5 : 1; }
     // Tells each half where the other's last node is, and how it moves.
     void meet() {
         if (!halved) return;
@@ -194,7 +192,7 @@ template <int N> struct RopeBundle {
         for (const cd_node kind : {CD_NODE_PINNED, CD_NODE_DRIVEN, CD_NODE_POSED}) off = off * (pin - L::splat(kind));
         return opposite(off * off);
     }
-    // Of what is no node 0.
+    // Of what is no node that of the strand's first one.
     __attribute__((noinline)) V load(StateNumbers numbers, size_t i) const {
         size_t at[N];
         for (int j = 0; j < N; ++j) at[j] = place(i, has_node(i, j) ? j : j - 1);
@@ -209,7 +207,7 @@ template <int N> struct RopeBundle {
             if (ropes.components > 1) a.y = component(1);
             if (ropes.components > 2) a.z = component(2);
         });
-        return i == 0 && lacks_node() ? select(first_halves(), a, V{}) : a;
+        return a;
     }
     __attribute__((noinline)) void store(V a, StateNumbers numbers, size_t i) const {
         const double least = numbers.range().least;
@@ -343,8 +341,7 @@ template <int N> struct RopeBundle {
         heavy = sum(heavy);
         L forces{}, lengths{}; // on the nodes, and of the springs
         for (size_t i = 0; i < node_count; ++i) forces = forces + impulse_on(i);
-        for (size_t i = 0; i < spring_count; ++i)
-            lengths = lengths + counts(i) * (uncut(springs[i]) * springs[i].length);
+        for (size_t i = 0; i < spring_count; ++i) lengths = lengths + springs[i].length;
         least_worth = (kRounding / (stage.tolerance * stage.dt * double(ropes.nodes))) * (sum(forces) * sum(lengths));
         for (size_t i = 0; i < spring_count; ++i) {
             springs[i].before = nodes[i + 1].x0 - nodes[i].x0;
@@ -385,7 +382,7 @@ template <int N> struct RopeBundle {
             return {there(error), there(probe), there(pushed),  there(gained),
                     there(worth), there(slack), there(lengths), rounding};
         }
-        // Of a spring that two lanes have.
+        // Of a spring that two lanes have. Sums that only weigh have it twice.
         Seen half() const {
             return {error, probe, 0.5 * pushed, 0.5 * gained, 0.5 * worth, slack, 0.5 * lengths, rounding};
         }

@@ -46,7 +46,7 @@ template <int N> void RopeBundle<N>::eliminate() {
     }
     Impulses left{};
     V& phi = left.phi;
-    if (halved && spring_count > 0) {
+    if (halved) {
         Spring& middle = springs[spring_count - 1];
         phi = impulse_between(middle, mobility + pairs_exchanged(mobility), y, pairs_exchanged(y));
         pulls(middle, phi);

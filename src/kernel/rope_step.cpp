@@ -110,7 +110,7 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     }
     for (size_t i = 0; i < spring_count; ++i) {
         const L over = positive(springs[i].long_before - springs[i].length);
-        pulled = pulled + counts(i) * select(springs[i].moves, over / give(i), L{});
+        pulled = pulled + select(springs[i].moves, over / give(i), L{});
     }
     const double each = 1 / double(ropes.nodes);
     force = (each / stage.dt) * (sum(force) + (each * sum(mass)) * sum(driven)) + each * sum(pulled);
@@ -118,7 +118,7 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     L weight{}; // of the nodes, times lengths
     for (size_t i = 0; i < spring_count; ++i) {
         Spring& s = springs[i];
-        weight = weight + counts(i) * select(s.moves, force * s.length, L{});
+        weight = weight + select(s.moves, force * s.length, L{});
         s.gap = larger(s.length - s.long_before, kFirstGap * s.length);
         s.tension = select(open * s.moves, force, s.tension);
     }
@@ -127,7 +127,7 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     for (size_t k = 0;; ++k) {
         L inside{}; // the sum of tensions times gaps
         for (size_t i = 0; i < spring_count; ++i)
-            inside = inside + counts(i) * select(springs[i].moves, springs[i].tension * springs[i].gap, L{});
+            inside = inside + select(springs[i].moves, springs[i].tension * springs[i].gap, L{});
         const L barrier = (kBarrierFall * share) * sum(inside);
         linearize_all(barrier, true, weight, k);
         if (k == most || !any_positive(open)) return;

@@ -470,7 +470,7 @@ static void where_there_is_no_area_there_is_no_normal(void** state) {
     uint64_t seed = 25;
     for (size_t i = 0; i < COUNT(x);
          ++i) { /* all in a line, to the bit, and as far apart as rounds their differences */
-        if (i % 3 == 0) along = ldexp(floor(0x1p26 * scene_noise(&seed)), (int)(i % 27));
+        if (i % 3 == 0) along = ldexp(floor(0x1p24 * scene_noise(&seed)), (int)(i / 3 * 7 % 30));
         x[i] = along * (i % 3 == 0 ? 0x1.999999p-4 : i % 3 == 1 ? 0x1.333333p-2 : 0x1.666667p-1);
     }
     cloth_write(m, CD_POSITION, x);

@@ -97,6 +97,24 @@ static void a_slope_has_one_normal_wet_or_dry(void** state) {
     }
 }
 
+static int hole(size_t k) { return k == 2 * NX + 2 || k == 2 * NX + 6 || k == 3 * NX + 5; }
+/* Beside an absent cell from one side, and up at it. */
+static void a_slope_with_holes_has_one_normal_where_it_is(void** state) {
+    (void)state;
+    cd_water* w = pool(NX, NY, CD_FLOAT64);
+    ok(cd_water_enable_field(w, CD_MASK));
+    for (size_t k = 0; k < CELLS; ++k) {
+        const double x = ((double)(k % NX) + 0.5) * POOL_DX, y = ((double)(k / NX) + 0.5) * POOL_DY;
+        pool_set(w, CD_BED, k % NX, k / NX, hole(k) ? 100 : 0.25 * x - 0.5 * y);
+        if (hole(k)) pool_set(w, CD_MASK, k % NX, k / NX, 0);
+    }
+    draw(w);
+    for (size_t k = 0; k < CELLS; ++k)
+        if (hole(k)) assert_normal(k, 0, 0, 1, 0);
+        else assert_normal(k, -0.25, 0.5, 1, 1e-7);
+    cd_water_destroy(w);
+}
+
 static void round_a_periodic_side_the_neighbour_is_at_the_other_end(void** state) {
     (void)state;
     cd_water* w = pool(NX, NY, CD_FLOAT64);
@@ -252,6 +270,7 @@ int main(void) {
         cmocka_unit_test(only_the_floats_of_a_vertex_are_written),
         cmocka_unit_test(a_level_lake_has_upright_normals_over_any_bed),
         cmocka_unit_test(a_slope_has_one_normal_wet_or_dry),
+        cmocka_unit_test(a_slope_with_holes_has_one_normal_where_it_is),
         cmocka_unit_test(round_a_periodic_side_the_neighbour_is_at_the_other_end),
         cmocka_unit_test(waters_of_any_width_have_the_normals_of_their_neighbours),
         cmocka_unit_test(a_wall_of_water_has_a_level_normal),

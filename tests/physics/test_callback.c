@@ -213,8 +213,9 @@ static void a_bowl_holds_what_falls_into_it(void** state) {
                 risen = fmax(risen, now - least), least = fmin(least, now);
                 positions(c, 1, x);
                 for (int i = 0; i < NODES; ++i)
-                    outside = fmax(outside, sqrt(x[3 * i] * x[3 * i] + x[3 * i + 1] * x[3 * i + 1] +
-                                                 x[3 * i + 2] * x[3 * i + 2]) - 1.5);
+                    outside = fmax(
+                        outside,
+                        sqrt(x[3 * i] * x[3 * i] + x[3 * i + 1] * x[3 * i + 1] + x[3 * i + 2] * x[3 * i + 2]) - 1.5);
             }
             print_message("friction %g, dt %.4f: energy risen by %.1e J, outside by %.1e m\n", frictions[f], dts[d],
                           risen, outside);
@@ -255,6 +256,19 @@ static void a_shape_may_depend_on_time(void** state) {
     assert_true(apart[0] > 1e-4 && apart[1] > 1e-4); /* it is no still shape either */
 }
 
+/* Where nothing is told of, beyond the largest distance that may be told. */
+static void the_end_of_the_world_is_no_callback_s_fault(void** state) {
+    (void)state;
+    struct shape round = {.radius = 1};
+    const cd_distance distance = {&round, ball};
+    const double nowhere[3] = {0, 0, 0}, far_off[3] = {9e59, -9e59, 9e59};
+    cd_chain* c = rope_of(1, 1);
+    ok(cd_chain_set_callback(c, 0, &distance, nowhere, 3, 0));
+    for (size_t i = 0; i < NODES; ++i) ok(cd_chain_write_f64(c, CD_POSITION, 0, 1, i, 1, far_off, 3));
+    ok(cd_chain_step(c, 1 / 60.0, 1));
+    cd_chain_destroy(c);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_callbacks_tell_is_met_as_the_same_shape_is),
@@ -262,6 +276,7 @@ int main(void) {
         cmocka_unit_test(strands_do_not_feel_what_others_ask),
         cmocka_unit_test(a_bowl_holds_what_falls_into_it),
         cmocka_unit_test(a_shape_may_depend_on_time),
+        cmocka_unit_test(the_end_of_the_world_is_no_callback_s_fault),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

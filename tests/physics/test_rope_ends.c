@@ -43,7 +43,7 @@ static struct scene scene_of(uint64_t number) {
     return s;
 }
 
-/* A ball of 0.3 m about the collider's origin. */
+/* A ball of 0.5 m about the collider's origin. */
 static void ball(void* user, double time, size_t count, size_t components, const double* x, double* out, double* way) {
     (void)user, (void)time;
     for (size_t i = 0; i < count; ++i) {
@@ -51,31 +51,34 @@ static void ball(void* user, double time, size_t count, size_t components, const
         for (size_t k = 0; k < components; ++k) size += x[i * components + k] * x[i * components + k];
         for (size_t k = 0; k < components; ++k)
             way[i * components + k] = size > 0 ? x[i * components + k] / sqrt(size) : k == 0;
-        out[i] = sqrt(size) - 0.3;
+        out[i] = sqrt(size) - 0.5;
     }
 }
 
-static void put_field(cd_chain* chain, cd_field field, int at, const double* values, int count) {
-    ok(cd_chain_write_f64(chain, field, 0, 1, (size_t)at, 1, values, (size_t)count));
+static void put_field(cd_chain* chain, cd_field field, size_t strand, int at, const double* values, int count) {
+    ok(cd_chain_write_f64(chain, field, strand, 1, (size_t)at, 1, values, (size_t)count));
 }
 
-/* Steps it to this tolerance, with its last node as the first one or as it is, and with more nodes on cut springs at its end; the
- * positions, in its own order, and the error of the first step, if Newton's method solved
- * it. */
-static int run(const struct scene* s, int backwards, int tail, double tolerance, double x[MOST][3], double* error) {
-    static const double gravity[3] = {-9.81, 1, 2}, below[3] = {-0.6}, up[3] = {1}, beside[3] = {-0.2, -0.4, 0.1},
-                        far_off[3] = {50};
-    const int n = s->nodes;
-    const double held = CD_NODE_PINNED, none = 0, tail_mass = 0.3;
+struct way {
+    int backwards, tail; /* its last node is the first one; how many more there are on cut springs at its end */
+    size_t strands;      /* the others are the same rope, a bit beside it */
+    double tolerance;
+};
+
+/* Steps it; the positions, in its own order, and the error of the first step, if Newton's method solved it. */
+static int run(const struct scene* s, struct way way, double x[MOST][3], double* error) {
+    static const double gravity[3] = {-9.81, 1, 2}, below[3] = {-0.6}, up[3] = {1}, beside[3] = {-0.2, -0.4, 0.1};
+    static const double far_off[3] = {50}, held = CD_NODE_PINNED, none = 0, tail_mass = 0.3;
+    const int n = s->nodes, tail = way.tail;
     const size_t components = (size_t)s->components;
     cd_chain* chain = NULL;
-    ok(cd_chain_create(1, (size_t)(n - 1 + tail), components, CD_FLOAT64, NULL, &chain));
+    ok(cd_chain_create(way.strands, (size_t)(n - 1 + tail), components, CD_FLOAT64, NULL, &chain));
     ok(cd_chain_set_rest_length(chain, 1));
     ok(cd_chain_set_push(chain, s->push));
     ok(cd_chain_set_lambda(chain, s->lambda));
     ok(cd_chain_set_gravity(chain, gravity, components));
     ok(cd_chain_set_air(chain, s->air / 4, s->air));
-    ok(cd_chain_set_tolerance(chain, tolerance, 1000));
+    ok(cd_chain_set_tolerance(chain, way.tolerance, 1000));
     ok(cd_chain_enable_field(chain, CD_MASS));
     ok(cd_chain_enable_field(chain, CD_REST_LENGTH));
     ok(cd_chain_enable_field(chain, CD_STIFFNESS));
@@ -86,21 +89,24 @@ static int run(const struct scene* s, int backwards, int tail, double tolerance,
         ok(cd_chain_set_plane(chain, 0, below, up, components, 0.3));
         ok(cd_chain_set_callback(chain, 1, &shape, beside, components, 0.5));
     }
-    for (int i = 0; i < n; ++i) {
-        const int at = backwards ? n - 1 - i : i, spring = backwards ? at - 1 : at;
-        put_field(chain, CD_POSITION, at, s->x[i], s->components);
-        put_field(chain, CD_VELOCITY, at, s->v[i], s->components);
-        put_field(chain, CD_MASS, at, &s->mass[i], 1);
-        if (i == s->held[0] || i == s->held[1]) put_field(chain, CD_PIN, at, &held, 1);
-        if (i == s->tied) ok(cd_chain_attach(chain, 0, (size_t)at, s->tie, 0.1, s->x[0], components));
-        if (s->bend > 0) put_field(chain, CD_BEND, at, &s->bend, 1);
-        if (i + 1 < n) put_field(chain, CD_REST_LENGTH, spring, &s->length[i], 1);
-        if (i + 1 < n) put_field(chain, CD_STIFFNESS, spring, i == s->cut ? &none : &s->stiffness, 1);
-    }
-    for (int i = n; i < n + tail; ++i) {
-        put_field(chain, CD_STIFFNESS, i - 1, &none, 1);
-        put_field(chain, CD_MASS, i, &tail_mass, 1);
-        put_field(chain, CD_POSITION, i, far_off, s->components); /* from what it touches */
+    for (size_t strand = 0; strand < way.strands; ++strand) {
+        for (int i = 0; i < n; ++i) {
+            const int at = way.backwards ? n - 1 - i : i, spring = way.backwards ? at - 1 : at;
+            const double place[3] = {s->x[i][0] + 0.15 * (double)strand, s->x[i][1], s->x[i][2]};
+            put_field(chain, CD_POSITION, strand, at, place, s->components);
+            put_field(chain, CD_VELOCITY, strand, at, s->v[i], s->components);
+            put_field(chain, CD_MASS, strand, at, &s->mass[i], 1);
+            if (i == s->held[0] || i == s->held[1]) put_field(chain, CD_PIN, strand, at, &held, 1);
+            if (i == s->tied) ok(cd_chain_attach(chain, strand, (size_t)at, s->tie, 0.1, s->x[0], components));
+            if (s->bend > 0) put_field(chain, CD_BEND, strand, at, &s->bend, 1);
+            if (i + 1 < n) put_field(chain, CD_REST_LENGTH, strand, spring, &s->length[i], 1);
+            if (i + 1 < n) put_field(chain, CD_STIFFNESS, strand, spring, i == s->cut ? &none : &s->stiffness, 1);
+        }
+        for (int i = n; i < n + tail; ++i) {
+            put_field(chain, CD_STIFFNESS, strand, i - 1, &none, 1);
+            put_field(chain, CD_MASS, strand, i, &tail_mass, 1);
+            put_field(chain, CD_POSITION, strand, i, far_off, s->components); /* from what it touches */
+        }
     }
     int solved = 1;
     for (int step = 0; step < STEPS; ++step) {
@@ -114,10 +120,11 @@ static int run(const struct scene* s, int backwards, int tail, double tolerance,
     }
     memset(x, 0, MOST * sizeof *x);
     for (int i = 0; i < n; ++i)
-        ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, (size_t)(backwards ? n - 1 - i : i), 1, x[i], components));
+        ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, (size_t)(way.backwards ? n - 1 - i : i), 1, x[i], components));
     cd_chain_destroy(chain);
     return solved;
 }
+static const struct way as_it_is = {0, 0, 1, 1e-10};
 
 static double difference(double a[MOST][3], double b[MOST][3]) {
     double most = 0;
@@ -134,46 +141,88 @@ static double allowed(const struct scene* s) { return (s->lambda < 1 && !s->push
 static void a_rope_moves_as_its_mirror_image(void** state) {
     (void)state;
     double worst = 0;
-    int same = 0;
+    int same = 0, solved = 0;
     for (uint64_t number = 0; number < 900; ++number) {
         const struct scene s = scene_of(number);
         double there[MOST][3], back[MOST][3], error;
-        const int solved = run(&s, 0, 0, 1e-10, there, &error) & run(&s, 1, 0, 1e-10, back, &error);
+        const struct way backwards = {1, 0, 1, 1e-10};
+        const int both = run(&s, as_it_is, there, &error) & run(&s, backwards, back, &error);
         const double off = difference(there, back);
         if (s.air > 0 || s.bend > 0 ? s.one_end : s.nodes % 2 == 0) {
             if (off != 0) fail_msg("scene %d: %g m apart", (int)number, off);
             ++same;
         }
-        if (solved) worst = fmax(worst, off / allowed(&s));
+        if (!both) continue;
+        ++solved;
+        worst = fmax(worst, off / allowed(&s));
     }
-    print_message("%d of 900 to the bit, the others to %.1e of what is allowed\n", same, worst);
-    assert_true(same > 300 && worst < 1);
+    print_message("%d of 900 to the bit, %d solved, to %.1e of what is allowed\n", same, solved, worst);
+    assert_true(same > 300 && solved > 820 && worst < 1);
 }
 
 /* Nor does the error that it tells: of a tolerance that is met after few iterations, where that is not 0. */
 static void a_rope_does_not_feel_where_its_middle_is(void** state) {
     (void)state;
-    double worst = 0, most = 0;
-    int compared = 0;
+    double worst = 0;
+    int compared = 0, differ = 0;
     for (uint64_t number = 0; number < 600; ++number) {
         const struct scene s = scene_of(number);
         const int tail = 1 + (int)(number % TAIL);
         double own[MOST][3], with_tail[MOST][3], errors[2];
-        if (run(&s, 0, 0, 1e-10, own, &errors[0]) & run(&s, 0, tail, 1e-10, with_tail, &errors[1]))
+        const struct way with = {0, tail, 1, 1e-10}, soon = {0, 0, 1, 0.01}, soon_with = {0, tail, 1, 0.01};
+        if (run(&s, as_it_is, own, &errors[0]) & run(&s, with, with_tail, &errors[1]))
             worst = fmax(worst, difference(own, with_tail) / allowed(&s));
-        run(&s, 0, 0, 0.01, own, &errors[0]), run(&s, 0, tail, 0.01, with_tail, &errors[1]);
+        run(&s, soon, own, &errors[0]), run(&s, soon_with, with_tail, &errors[1]);
         if (s.touches || !(errors[0] > 1e-6 && errors[1] > 0)) continue;
         ++compared;
-        most = fmax(most, fabs(errors[1] / errors[0] - 1));
+        differ += !(fabs(errors[1] / errors[0] - 1) < 1e-6);
     }
-    print_message("to %.1e of what is allowed, and %d errors to %.1e of them\n", worst, compared, most);
-    assert_true(worst < 1 && compared > 200 && most < 1e-6);
+    print_message("to %.1e of what is allowed; %d of %d errors differ\n", worst, differ, compared);
+    assert_true(worst < 1 && compared > 200 && differ < 5); /* rounding may decide for another iteration */
+}
+
+static void a_rope_does_not_feel_others_beside_it(void** state) {
+    (void)state;
+    for (uint64_t number = 0; number < 600; ++number) {
+        const struct scene s = scene_of(number);
+        const struct way among_others = {0, 0, 2 + number % 4, 1e-10};
+        double alone[MOST][3], among[MOST][3], error;
+        run(&s, as_it_is, alone, &error), run(&s, among_others, among, &error);
+        assert_same_bits(alone[0], among[0], 3 * MOST);
+    }
+}
+
+/* Springs that push open along the rope where their nodes begin in one point, the one in the middle as the others; the
+ * rope stays where it is as a whole. */
+static void springs_open_from_one_point(void** state) {
+    (void)state;
+    for (int nodes = 2; nodes < 8; ++nodes)
+        for (int held = 0; held < 2; ++held) {
+            cd_chain* chain = NULL;
+            double x[8][3], middle = 0;
+            ok(cd_chain_create(1, (size_t)nodes - 1, 3, CD_FLOAT64, NULL, &chain));
+            ok(cd_chain_set_rest_length(chain, nodes - 1));
+            ok(cd_chain_set_stiffness(chain, INFINITY));
+            ok(cd_chain_set_push(chain, 1));
+            if (held) ok(cd_chain_set_end(chain, CD_END_LAST, CD_NODE_PINNED));
+            ok(cd_chain_step(chain, 0.1, 1));
+            ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, (size_t)nodes, x[0], 3 * (size_t)nodes));
+            for (int i = 0; i < nodes; ++i) {
+                middle += x[i][0] / nodes;
+                assert_true(fabs(x[i][1]) < 1e-6 && fabs(x[i][2]) < 1e-6);
+                assert_true(i == 0 || fabs(x[i][0] - x[i - 1][0] - 1) < 1e-6);
+            }
+            assert_true(fabs(held ? x[nodes - 1][0] : middle) < 1e-6);
+            cd_chain_destroy(chain);
+        }
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rope_moves_as_its_mirror_image),
         cmocka_unit_test(a_rope_does_not_feel_where_its_middle_is),
+        cmocka_unit_test(a_rope_does_not_feel_others_beside_it),
+        cmocka_unit_test(springs_open_from_one_point),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

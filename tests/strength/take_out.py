@@ -140,7 +140,7 @@ RULES = {
     "and by the interior point": (
         "rope_step.cpp", "    if (!stage.push) {\n        interior", "    if (false) {\n        interior", ["stability_ropes"]),
     "halves of a rope meet": (
-        "rope_elimination.hh", "if (halved && spring_count > 0)", "if (false)", ["physics_rope_ends"]),
+        "rope_elimination.hh", "if (halved)", "if (false)", ["physics_rope_ends"]),
     "they have one sum of what is wrong": (
         "rope_bundle.hh", "L sum(L a) const { return halved ? a + pairs_exchanged(a) : a; }",
         "L sum(L a) const { return a; }", ["physics_rope_ends"]),
