@@ -39,6 +39,9 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
         ask_all(false);
     }
     for (size_t i = 0; i < node_count && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, iteration));
+    if (interior && iteration > 0) // what a part of the way leaves out of the nodes' momentum
+        for (size_t i = 0; i < node_count; ++i)
+            seen.gained = seen.gained - nodes[i].ground * dot(nodes[i].w, nodes[i].next - nodes[i].w);
     seen = of_strands(seen);
     const L worth = larger(seen.worth, larger(weight, least_worth));
     const auto share = [](L wrong, L of) { return select(of, wrong / of, L{}); };

@@ -125,6 +125,9 @@ RULES = {
         "../model/sleep.hh", "part.nodes && sleeps(b, part.number)", "part.nodes && false", BODIES),
     "what breaks wakes": ("../model/chain_rope.cpp", "    wake(c, strand, 1);\n", "", BODIES),
     "and what tears": ("../model/membrane_step.cpp", "        if (m.broken > broken) wake(m);\n", "", BODIES),
+    "nor does what a part of its way leaves out": (
+        "rope_step.cpp", "seen.gained = seen.gained - nodes[i].ground", "seen.gained = seen.gained - 0.0 * nodes[i].ground",
+        ["physics_rope_contact"]),
     "a rope's step makes no energy": (
         "rope_step.cpp", "share(seen.gained, worth + seen.rounding)", "L{}", ["stability_ropes"]),
     "springs that only pull push nothing": (
