@@ -24,7 +24,7 @@ constexpr double kMostCompliance = 0x1.fffffffffffffp1023; // of what is not cut
 // Tensions this small, over the mean force on the nodes, are rounding.
 constexpr double kRounding = 1e-14;
 
-// N lanes: pairs of halves of strands, or rods.
+// N lanes: pairs of halves of strands, or whole ones.
 template <int N> struct RopeBundle {
     using L = Lanes<N>;
     using V = Vector<N>;
@@ -119,11 +119,12 @@ template <int N> struct RopeBundle {
     L best = L::splat(INFINITY), best_lambda{}; // the least error that was reached, and its lambda
     L heavy{};                                  // the mass of the strand, if it may touch something
     bool newtonian = true;                      // while Newton's method is at work
+    L went{};                                   // how much of its way the interior point's last iteration went
     L apart{};                                  // the error of springs between held nodes
     L least_worth{};                            // what tensions times lengths are at least, as errors count
     BadAnswer bad_answer{};
     // Of a lane. Where there are halves, the last spring joins both, and where a strand has an odd number of nodes the
-    // second half begins with a node that is none: held, on a cut spring.
+    // second half begins with a node that is none: held and still, on a cut spring.
     const bool halved = stage.has_halves();
     const size_t node_count = rope_lane_nodes(ropes.nodes, halved);
     const size_t spring_count = halved ? node_count : node_count - 1;
@@ -301,6 +302,7 @@ template <int N> struct RopeBundle {
         }
         if (lacks_node()) {
             nodes[0].mobility = first_halves() * nodes[0].mobility;
+            nodes[0].v0 = select(first_halves(), nodes[0].v0, V{});
             springs[0].compliance = select(first_halves(), springs[0].compliance, L::splat(INFINITY));
         }
         meet();
