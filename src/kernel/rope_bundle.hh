@@ -119,7 +119,6 @@ template <int N> struct RopeBundle {
     L best = L::splat(INFINITY), best_lambda{}; // the least error that was reached, and its lambda
     L heavy{};                                  // the mass of the strand, if it may touch something
     bool newtonian = true;                      // while Newton's method is at work
-    L went{};                                   // how much of its way the interior point's last iteration went
     L apart{};                                  // the error of springs between held nodes
     L least_worth{};                            // what tensions times lengths are at least, as errors count
     BadAnswer bad_answer{};

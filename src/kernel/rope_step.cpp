@@ -13,7 +13,7 @@ constexpr size_t kMostNewton = 8;    // iterations before a safer step is tried
 constexpr double kLeastSlack = 1e-9;
 // Of the interior point.
 constexpr double kFirstGap = 0.1;    // the least gap to start with, over the rest length
-constexpr double kBarrierFall = 0.1; // the barrier of an iteration over that of the one before, which went all its way
+constexpr double kBarrierFall = 0.1; // the barrier of an iteration over that of the one before
 constexpr double kInside = 0.95;     // how much of the way to a tension or gap of 0 a step goes
 
 // ---- the nonlinear system -------------------------------------------------------------------------------------------
@@ -104,7 +104,6 @@ template <int N> void RopeBundle<N>::start_together() {
 // T gap = barrier for every spring, finds it from anywhere.
 template <int N> void RopeBundle<N>::interior(size_t most) {
     newtonian = false;
-    went = one();
     begin();
     L force{}, mass{}, driven{}, pulled{};
     for (size_t i = 0; i < node_count; ++i) {
@@ -132,7 +131,7 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
         L inside{}; // the sum of tensions times gaps
         for (size_t i = 0; i < spring_count; ++i)
             inside = inside + select(springs[i].moves, springs[i].tension * springs[i].gap, L{});
-        const L barrier = (one() - (1 - kBarrierFall) * went) * (share * sum(inside));
+        const L barrier = (kBarrierFall * share) * sum(inside);
         linearize_all(barrier, true, weight, k);
         if (k == most || !any_positive(open)) return;
         is_rod() ? eliminate_rod() : eliminate();
@@ -151,7 +150,7 @@ template <int N> void RopeBundle<N>::step_inside(L barrier) {
         part = select(L{} - change, smaller(part, kInside * (s.tension / (L{} - change))), part);
         part = select(L{} - fall, smaller(part, kInside * (s.gap / (L{} - fall))), part);
     }
-    went = part = open * (L{} - most(L{} - part));
+    part = open * (L{} - most(L{} - part));
     for (size_t i = 0; i < spring_count; ++i) {
         Spring& s = springs[i];
         const L fall = (barrier - s.gap * s.next) / s.tension, on = open * s.moves;

@@ -156,8 +156,6 @@ RULES = {
     "with the force that held nodes bring": (
         "rope_step.cpp", "driven = driven + select(held(i), root(dot(n.b, n.b)), L{});", "",
         ["stability_ropes"]),
-    "whose barrier falls as far as it went": (
-        "rope_step.cpp", "(1 - kBarrierFall) * went", "(1 - kBarrierFall) * one()", ["physics_rope_contact"]),
     "and that long springs pull with": ("rope_step.cpp", " + each * sum(pulled);", ";", ["stability_ropes"]),
     "the best that was found is kept": (
         "rope_step.cpp", "    const L better = best - reached;", "    const L better = one();", ["stability_ropes", "api_rope"]),
