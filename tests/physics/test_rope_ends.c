@@ -217,12 +217,41 @@ static void springs_open_from_one_point(void** state) {
         }
 }
 
+/* A rope of 1000 links is let go from level: a few of its frames need the interior point, the others 2 to 5 of Newton's
+ * iterations. */
+static void a_long_rope_swings_by_few_iterations(void** state) {
+    (void)state;
+    static double x[1001][2];
+    for (int way = 0; way < 2; ++way) {
+        const double gravity[2] = {0, -9.81};
+        size_t iterations, sum = 0;
+        cd_chain* chain = NULL;
+        ok(cd_chain_create(1, 1000, 2, CD_FLOAT64, NULL, &chain));
+        ok(cd_chain_set_rest_length(chain, 10));
+        ok(cd_chain_set_stiffness(chain, INFINITY));
+        ok(cd_chain_set_lambda(chain, way ? 1 : 0.5));
+        ok(cd_chain_set_gravity(chain, gravity, 2));
+        ok(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_PINNED));
+        for (int i = 0; i < 1001; ++i) x[i][0] = 0.01 * i;
+        ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, 1001, x[0], 2002));
+        for (int frame = 0; frame < 120; ++frame) {
+            ok(cd_chain_step(chain, 1 / 60.0, 1));
+            ok(cd_chain_get_convergence(chain, &iterations, NULL));
+            sum += iterations;
+        }
+        print_message("lambda %g: %zu iterations in 120 frames\n", way ? 1 : 0.5, sum);
+        assert_true(sum < (way ? 400 : 700));
+        cd_chain_destroy(chain);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rope_moves_as_its_mirror_image),
         cmocka_unit_test(a_rope_does_not_feel_where_its_middle_is),
         cmocka_unit_test(a_rope_does_not_feel_others_beside_it),
         cmocka_unit_test(springs_open_from_one_point),
+        cmocka_unit_test(a_long_rope_swings_by_few_iterations),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
