@@ -195,8 +195,8 @@ static void the_thickest_air_stops_what_moves_across(void** state) {
         }
 }
 
-/* Hung up, straight or bent, by its first node, its last one or both: links of fixed length and some that yield hold in winds of all
- * strengths, and nothing is much faster than the wind. */
+/* Hung up, straight or bent, by its first node, its last one or both: links of fixed length and some that yield hold in
+ * winds of all strengths, and nothing is much faster than the wind. */
 static void ropes_hold_in_the_strongest_winds(void** state) {
     (void)state;
     double fastest = 0;
