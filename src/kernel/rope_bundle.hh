@@ -485,7 +485,7 @@ template <int N> struct RopeBundle {
     void newton(size_t most);
     void start_together();
     void interior(size_t most);
-    void step_inside(L barrier);
+    L step_inside(L barrier);
     void solve();
     bool try_again();
     void calm();

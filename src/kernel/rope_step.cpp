@@ -13,8 +13,11 @@ constexpr size_t kMostNewton = 8;    // iterations before a safer step is tried
 constexpr double kLeastSlack = 1e-9;
 // Of the interior point.
 constexpr double kFirstGap = 0.1;    // the least gap to start with, over the rest length
-constexpr double kBarrierFall = 0.1; // the barrier of an iteration over that of the one before
-constexpr double kInside = 0.95;     // how much of the way to a tension or gap of 0 a step goes
+constexpr double kInside = 0.95;     // how much of the way to a tension or gap of 0 an iteration goes
+constexpr double kBarrierFall = 0.1; // the barrier of an iteration over the mean of tensions times gaps
+// Where an iteration goes less than this part of its way, some products of tension and gap are far from their mean: to
+// bring them together, the next one's barrier is as far above it as others are below.
+constexpr double kStuck = 0.1;
 
 // ---- the nonlinear system -------------------------------------------------------------------------------------------
 
@@ -127,21 +130,25 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     }
     weight = sum(weight);
     const double share = 1 / double(ropes.nodes - 1);
+    L went = one(), first{}; // the part of its way that the iteration before went; the barrier to begin with
     for (size_t k = 0;; ++k) {
         L inside{}; // the sum of tensions times gaps
         for (size_t i = 0; i < spring_count; ++i)
             inside = inside + select(springs[i].moves, springs[i].tension * springs[i].gap, L{});
-        const L barrier = (kBarrierFall * share) * sum(inside);
+        const L falls = select(went - L::splat(kStuck), L::splat(kBarrierFall), L::splat(1 / kBarrierFall));
+        const L wanted = share * falls * sum(inside);
+        if (k == 0) first = wanted;
+        const L barrier = smaller(wanted, first); // what rises without a bound takes nodes out of all numbers
         linearize_all(barrier, true, weight, k);
         if (k == most || !any_positive(open)) return;
         is_rod() ? eliminate_rod() : eliminate();
         iterations = iterations + open;
-        step_inside(barrier);
+        went = step_inside(barrier);
     }
 }
 
-// The part of a step that leaves all tensions and gaps positive.
-template <int N> void RopeBundle<N>::step_inside(L barrier) {
+// Goes the part of an iteration's way that leaves all tensions and gaps positive, and tells it.
+template <int N> auto RopeBundle<N>::step_inside(L barrier) -> L {
     L part = one();
     for (size_t i = 0; i < spring_count; ++i) {
         const Spring& s = springs[i];
@@ -159,6 +166,7 @@ template <int N> void RopeBundle<N>::step_inside(L barrier) {
     }
     for (size_t i = 0; i < node_count; ++i)
         nodes[i].w = select(open, nodes[i].w + part * (nodes[i].next - nodes[i].w), nodes[i].w);
+    return part;
 }
 
 // ---- the end of a step ----------------------------------------------------------------------------------------------

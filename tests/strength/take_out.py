@@ -128,6 +128,10 @@ RULES = {
     "nor does what a part of its way leaves out": (
         "rope_step.cpp", "seen.gained = seen.gained - nodes[i].ground", "seen.gained = seen.gained - 0.0 * nodes[i].ground",
         ["physics_rope_contact"]),
+    "the interior point's barrier rises where an iteration is stuck": (
+        "rope_step.cpp", "L::splat(1 / kBarrierFall)", "L::splat(kBarrierFall)", ["physics_bed"]),
+    "but not beyond what it was to begin with": (
+        "rope_step.cpp", "barrier = smaller(wanted, first)", "barrier = wanted", ["stability_ropes"]),
     "a rope's step makes no energy": (
         "rope_step.cpp", "share(seen.gained, worth + seen.rounding)", "L{}", ["stability_ropes"]),
     "springs that only pull push nothing": (
