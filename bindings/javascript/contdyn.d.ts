@@ -1178,10 +1178,10 @@ export class Membrane extends Handle {
   get solverTaken(): Solver;
 
   /**
-   * When "coupled" is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
-   * component), in [1e-14, 1/2], default 1e-6. It may take mostIterations, >= 1, default 100. A solve ends, too, when
-   * 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
-   * tolerance step says so with "errorTolerance". Errors: "errorValue".
+   * When "coupled" is content: a residual of `tolerance` times the one it starts from, in [1e-14, 1/2], default
+   * 1e-6. Each component's is the Euclidean norm of its nodes', each over its diagonal entry of the system. It may take
+   * mostIterations, >= 1, default 100, and ends when 500 have not halved the residual, which rounding may keep from
+   * falling. step says "errorTolerance" where it ends short of the tolerance. Errors: "errorValue".
    */
   get tolerance(): { tolerance: number; mostIterations: number };
   set tolerance(value: { tolerance?: number; mostIterations?: number });

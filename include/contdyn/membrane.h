@@ -98,10 +98,10 @@ CD_API cd_status cd_membrane_get_solver(const cd_membrane* membrane, cd_solver* 
 /* Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO: neither. Not part of the saved state. */
 CD_API cd_status cd_membrane_get_solver_taken(const cd_membrane* membrane, cd_solver* out_solver);
 
-/* When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
- * component), in [1e-14, 1/2], default 1e-6. It may take most_iterations, >= 1, default 100. A solve ends, too, when
- * 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
- * tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE. */
+/* When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from, in [1e-14, 1/2], default
+ * 1e-6. Each component's is the Euclidean norm of its nodes', each over its diagonal entry of the system. It may take
+ * most_iterations, >= 1, default 100, and ends when 500 have not halved the residual, which rounding may keep from
+ * falling. cd_membrane_step says CD_ERROR_TOLERANCE where it ends short of the tolerance. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_membrane_set_tolerance(cd_membrane* membrane, double tolerance, size_t most_iterations);
 CD_API cd_status cd_membrane_get_tolerance(const cd_membrane* membrane, double* out_tolerance,
                                            size_t* out_most_iterations);

@@ -338,7 +338,7 @@ struct Stepper {
 
     void solve_together(SheetMove& by) {
         const double share = take_out_velocity(w.gradient.applied);
-        const Goal goal{m.tolerance, m.stiffest, sqrt(w.system.dot(w.scaled, w.scaled)), m.most_iterations};
+        const Goal goal{m.tolerance, sqrt(w.system.dot(w.scaled, w.scaled)), m.most_iterations};
         const Convergence reached =
             solve_coupled(w.system, w.preconditioner, goal, w.gradient, w.residual, w.answer[0]);
         if (reached.iterations > worst.iterations) worst.iterations = reached.iterations;

@@ -72,7 +72,7 @@ Work::Work(const Membrane& m, const MembraneFeatures& f, Carver& coefficients, C
     kept_x = plane(scratch, two_stages);
     kept_v = plane(scratch, two_stages);
 
-    system = {&m.kernels->sheet, &m.parallel, grid, turned, {f.ring[kU], f.ring[kV]}, {}, nullptr};
+    system = {&m.kernels->sheet, &m.parallel, grid, turned, {f.ring[kU], f.ring[kV]}, {}, nullptr, inverse};
     GeneralSheet& sheet = system.sheet;
     sheet = {mass, ground, {spring[kU], spring[kV]}, {bend[kU], bend[kV]}, twist, {}};
     for (double*& moment : sheet.moment) moment = plane(scratch, bends);
@@ -318,17 +318,34 @@ void prepare_preconditioner(const Membrane& m, Work& w, double h, double sigma, 
 
 #endif
 
-// The largest diagonal entry of the system, and whether it is larger than the least mass.
+// Of the system at a node that moves.
+double diagonal_entry(const Membrane& m, const Work& w, size_t u, size_t v) {
+    const size_t left = before(m, kU, u), above = before(m, kV, v);
+    const auto place = [&](size_t column, size_t row) { return row * w.grid.pitch + column; };
+    const size_t at = place(u, v);
+    double sum = w.ground[at] + w.spring[kU][at] + w.spring[kU][place(left, v)] + w.spring[kV][at] +
+                 w.spring[kV][place(u, above)];
+    if (!w.bends) return sum;
+    const size_t right = after(m, kU, u), below = after(m, kV, v);
+    sum += 4 * (w.bend[kU][at] + w.bend[kV][at]);
+    sum += w.bend[kU][place(left, v)] + w.bend[kU][place(right, v)];
+    sum += w.bend[kV][place(u, above)] + w.bend[kV][place(u, below)];
+    return sum + w.twist[at] + w.twist[place(left, v)] + w.twist[place(u, above)] + w.twist[place(left, above)];
+}
+
+// The largest diagonal entry of the system, and whether it is larger than the least mass. For coupled solves the
+// inverse of all.
 void measure(Membrane& m, const Work& w) {
     double lightest = INFINITY;
     m.stiffest = 0;
     for (size_t v = 0; v < m.rows; ++v)
         for (size_t u = 0; u < m.columns; ++u) {
             const size_t at = v * w.grid.pitch + u;
-            double sum = w.ground[at] + 2 * (w.spring[kU][at] + w.spring[kV][at]);
-            if (w.bends) sum += 8 * (w.bend[kU][at] + w.bend[kV][at]) + 4 * w.twist[at];
-            m.stiffest = fmax(m.stiffest, sum);
-            if (w.mass[at] > 0) lightest = fmin(lightest, w.mass[at]);
+            const bool moves = w.mass[at] > 0;
+            const double entry = moves ? diagonal_entry(m, w, u, v) : 0;
+            m.stiffest = fmax(m.stiffest, entry);
+            if (moves) lightest = fmin(lightest, w.mass[at]);
+            if (w.coupled) w.inverse[at] = moves ? 1 / entry : 0;
         }
     m.whole = m.stiffest > 2 * lightest && (m.method != CD_METHOD_IMPLICIT || m.lambda >= 0.5);
     m.mean_apart = m.whole && m.stiffest > kStiffSheet * lightest;

@@ -17,8 +17,8 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
                           const GradientPlanes& planes, double* r, double* x) {
     double *const start = planes.start, *const direction = planes.direction, *const steep = planes.steep,
                   *const applied = planes.applied; // no structured binding: C++17 lets no lambda capture one
-    const double norm = sqrt(system.dot(r, r));
-    if (!goal.goes_on || norm == 0) system.clear(x);
+    const double norm = system.residual_size(r);
+    system.clear(x);
     system.copy(r, start);
     if (norm == 0) return {};
 
@@ -35,22 +35,8 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
     // what the residual is measured by: at least so much that rounding does not show
     const auto measure = [&] {
         const double size = sqrt(system.dot(x, x));
-        const double rounding = kRounding * goal.stiffest * (goal.size + size + kNothing);
-        const double by_change = goal.change > 0 ? goal.change / goal.relative * size : norm;
-        return (by_change < norm ? by_change : norm) + rounding / goal.relative;
+        return norm + kRounding * (goal.size + size + kNothing) / goal.relative;
     };
-    const auto look = [&] {
-        system.apply(x, applied);
-        system.copy(start, r);
-        system.combine(1, r, -1, applied);
-        out.left = sqrt(system.dot(r, r));
-        out.residual = out.left / measure();
-        out.reached = out.residual <= goal.relative;
-    };
-    if (goal.goes_on) {
-        look();
-        if (out.reached) return out;
-    }
     while (out.iterations < goal.most_iterations) {
         preconditioner(system, r, steep);
         // conjugate to the last direction, whatever the preconditioner (Fletcher and Reeves' factor needs it symmetric)
@@ -62,13 +48,18 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
         const double length = system.dot(direction, r) / curvature;
         system.combine(1, x, length, direction);
         system.combine(1, r, -length, applied);
-        out.residual = sqrt(system.dot(r, r)) / measure();
+        out.residual = system.residual_size(r) / measure();
         if (out.residual < least / 2) least = out.residual, halved = out.iterations;
         if (out.iterations - halved > kPatience) break;
         if (out.residual > goal.relative) continue;
-        look();
-        if (out.reached || !(out.left < true_before / 2)) break;
-        true_before = out.left;
+        system.apply(x, applied);
+        system.copy(start, r);
+        system.combine(1, r, -1, applied);
+        const double left = system.residual_size(r);
+        out.residual = left / measure();
+        out.reached = out.residual <= goal.relative;
+        if (out.reached || !(left < true_before / 2)) break;
+        true_before = left;
         curvature = 0;
     }
     return out;

@@ -10,7 +10,6 @@ struct Convergence {
     size_t iterations = 0;
     double residual = 0; // as a fraction of what it is measured by
     bool reached = true;
-    double left = 0; // of the residual, its size
 };
 
 // Of a separable sheet shifted lines, where shifts cover its rates, else V-cycles. With bend, (G + p L) (G + q L), G
@@ -38,13 +37,10 @@ struct GradientPlanes {
 };
 
 // What a solve has to reach: a residual of `relative` times the first one, or of what double precision leaves of it:
-// `stiffest`, the largest diagonal entry of S, times that precision times the size of x and of what r was made from.
-// change: where not 0, also a residual of that part of the size of x.
+// that precision times the size of x and of what r was made from, `size`.
 struct Goal {
-    double relative, stiffest, size;
+    double relative, size;
     size_t most_iterations;
-    double change = 0;
-    bool goes_on = false; // from x as it comes, else from 0
 };
 
 // Solves S x = r. r: in, the right side; out, what is left of it.

@@ -263,6 +263,16 @@ void grid_system(const struct grid* g, long double h, const long double* w, long
     free(tie);
 }
 
+void grid_diagonal(const struct grid* g, long double h, long double* out) {
+    for (size_t i = 0; i < g->nodes; ++i) out[i] = g->held[i] ? 1 : g->mass[i] + h * dampers(g, i);
+    for (size_t k = 0; k < g->terms; ++k) {
+        const struct grid_term* t = &g->term[k];
+        const long double share = h * (t->kind == GRID_TIE ? h : h + g->damping);
+        for (int i = 0; i < t->count; ++i)
+            if (!g->held[t->node[i]]) out[t->node[i]] += share * t->kappa * t->coefficient[i] * t->coefficient[i];
+    }
+}
+
 /* ---- solving ----------------------------------------------------------------------------------------------------- */
 
 #define AT(i, j) (g->factor[g->offset[i] + (j)-g->start[i]])

@@ -48,6 +48,8 @@ long double grid_kinetic_energy(const struct grid* grid, const double* v);
 void grid_right_side(const struct grid* grid, size_t component, long double h, const double* x, const double* v,
                      long double* out);
 void grid_system(const struct grid* grid, long double h, const long double* w, long double* out);
+/* The diagonal of S; of held nodes 1. */
+void grid_diagonal(const struct grid* grid, long double h, long double* out);
 
 /* Solves K x = side between the free nodes, in place; x of the held nodes is what `side` says there. */
 void grid_solve_static(struct grid* grid, long double* side);

@@ -51,13 +51,13 @@
 {8, 1, 0, {0x3af754ebc287b48f, 0xeece48ebe1d451f5}}, /* everything */
 {8, 2, 0, {0x1ad83564a8a1bd2e, 0xd6b1437bc8be1c74}}, /* everything */
 {8, 3, 0, {0x8b6cbd35ec388059, 0x4f31239df50f5e7e}}, /* everything */
-{8, 0, 1, {0x966b5c90b99aedbc, 0xf93271df2b7f3a5d}}, /* everything */
+{8, 0, 1, {0x07011b9ae19be60c, 0x47cbe1948c9cc030}}, /* everything */
 {8, 3, 1, {0x686bdfb652a5b995, 0x790d6ea4b12b61f7}}, /* everything */
 {9, 0, 0, {0xe8a5ff0b91679182, 0xda629aab1e86f719}}, /* everything, tube */
 {9, 1, 0, {0x08a93167d0329b7a, 0x34cf84c253419d23}}, /* everything, tube */
 {9, 2, 0, {0x66cfafd6b74572f5, 0xaacea143fc5fdf12}}, /* everything, tube */
 {9, 3, 0, {0x3d0fe91e35e3c78f, 0xf875ebadc490f80b}}, /* everything, tube */
-{9, 0, 1, {0xa4ef117df485c60e, 0x14d89cabd29caa64}}, /* everything, tube */
+{9, 0, 1, {0x531346c2f77db88a, 0xdaf2406c65b1fe9c}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
 {10, 0, 0, {0x1e8276c80c157d2f, 0x5882769cb8229713}}, /* sail */
 {11, 0, 0, {0x1db817c121151461, 0x9c543d1b6f605bfa}}, /* lengths */

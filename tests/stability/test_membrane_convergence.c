@@ -92,14 +92,15 @@ static void fifteen_iterations_are_enough_for_512_nodes_a_side(void** state) {
 
 /* ---- what is told ------------------------------------------------------------------------------------------------ */
 
-static long double norm(const long double* a, size_t n) {
+static long double norm(const long double* a, const long double* diagonal, size_t n) {
     long double sum = 0;
-    for (size_t i = 0; i < n; ++i) sum += a[i] * a[i];
+    for (size_t i = 0; i < n; ++i) sum += (a[i] / diagonal[i]) * (a[i] / diagonal[i]);
     return sqrtl(sum);
 }
 
 /* The largest |b - S w| / |b - theta S v| of the components over one step of lambda 1/2, from w = v_old + (v_new -
- * v_old) / 2; theta v is the best multiple of v in the energy norm, where the solve starts. */
+ * v_old) / 2; theta v is the best multiple of v in the energy norm, where the solve starts. Each node's part over its
+ * diagonal entry. */
 static double true_residual(cd_membrane* m) {
     struct grid* g = grid_of(m);
     const size_t n = g->nodes, each = g->components;
@@ -110,7 +111,9 @@ static double true_residual(cd_membrane* m) {
     long double* b = calloc(n, sizeof *b);
     long double* w = calloc(n, sizeof *w);
     long double* applied = calloc(n, sizeof *applied);
-    assert_true(x && v && after && b && w && applied);
+    long double* diagonal = calloc(n, sizeof *diagonal);
+    assert_true(x && v && after && b && w && applied && diagonal);
+    grid_diagonal(g, h, diagonal);
     sheet_read(m, CD_POSITION, x);
     sheet_read(m, CD_VELOCITY, v);
     sheet_step(m, dt, 1);
@@ -124,12 +127,12 @@ static double true_residual(cd_membrane* m) {
         for (size_t i = 0; i < n; ++i) miss += w[i] * b[i], energy += w[i] * applied[i];
         const long double theta = energy > 0 ? miss / energy : 0;
         for (size_t i = 0; i < n; ++i) applied[i] = b[i] - theta * applied[i];
-        const long double start = norm(applied, n);
+        const long double start = norm(applied, diagonal, n);
         for (size_t i = 0; i < n; ++i)
             w[i] = g->absent[i] ? 0 : ((long double)v[i * each + c] + after[i * each + c]) / 2;
         grid_system(g, h, w, applied);
         for (size_t i = 0; i < n; ++i) applied[i] = b[i] - applied[i];
-        worst = fmax(worst, (double)(norm(applied, n) / start));
+        worst = fmax(worst, (double)(norm(applied, diagonal, n) / start));
     }
     free(x);
     free(v);
@@ -137,6 +140,7 @@ static double true_residual(cd_membrane* m) {
     free(b);
     free(w);
     free(applied);
+    free(diagonal);
     grid_destroy(g);
     return worst;
 }
@@ -320,6 +324,39 @@ static void a_residual_is_a_number_however_large_the_sheet(void** state) {
         }
 }
 
+/* Ties of any stiffness, whose forces are larger than all others: the whole sheet is as right as one that is pinned
+ * there. The ties yield by about the forces on them over their stiffness. */
+static void a_stiff_tie_hides_nothing(void** state) {
+    (void)state;
+    enum { SIDE = 33, NODES = SIDE * SIDE };
+    static const size_t tied[][2] = {{2, 5}, {30, 5}, {2, 29}, {30, 29}};
+    for (int random = 0; random < 2; ++random) {
+        static double x[2][NODES];
+        for (double stiffness = 0; stiffness < 1e25; stiffness = fmax(1e6, stiffness * 1e3)) {
+            cd_membrane* m = wild_membrane(random ? WILD_RANDOM_MASSES : WILD_FREE, SIDE, SIDE, 1, CD_FLOAT64, 100, 58);
+            const double down = -9.81;
+            ok(cd_membrane_set_gravity(m, &down, 1));
+            ok(cd_membrane_set_lambda(m, 0.7));
+            ok(cd_membrane_set_solver(m, CD_SOLVER_COUPLED));
+            ok(cd_membrane_set_tolerance(m, 1e-10, 1000));
+            if (stiffness == 0) ok(cd_membrane_enable_field(m, CD_PIN));
+            for (size_t k = 0; k < COUNT(tied); ++k) {
+                const double place = 0.01 * (double)k;
+                sheet_set(m, CD_POSITION, tied[k][0], tied[k][1], place);
+                if (stiffness == 0) sheet_set(m, CD_PIN, tied[k][0], tied[k][1], CD_NODE_PINNED);
+                else ok(cd_membrane_attach(m, tied[k][0], tied[k][1], stiffness, 0, &place, 1));
+            }
+            ok(cd_membrane_step(m, dt, 10));
+            sheet_read(m, CD_POSITION, x[stiffness > 0]);
+            double off = 0;
+            for (size_t i = 0; i < NODES && stiffness > 0; ++i) off = fmax(off, fabs(x[1][i] - x[0][i]));
+            print_message("%s, ties of %.0e N/m: %.1e m off\n", random ? "random masses" : "uniform", stiffness, off);
+            assert_true(off <= 1000 / stiffness + 1e-11);
+            cd_membrane_destroy(m);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_residual_is_a_number_however_large_the_sheet),
@@ -330,6 +367,7 @@ int main(void) {
         cmocka_unit_test(a_tolerance_met_is_met_by_the_true_residual),
         cmocka_unit_test(ragged_springs_converge_or_the_status_says_how_far),
         cmocka_unit_test(one_iteration_is_not_enough_and_leaves_a_usable_sheet),
+        cmocka_unit_test(a_stiff_tie_hides_nothing),
         cmocka_unit_test(a_sheet_that_only_falls_needs_no_iterations_to_be_content),
         cmocka_unit_test(a_solve_that_gets_no_further_ends),
     };

@@ -2524,11 +2524,11 @@ namespace Contdyn
             return (Solver)outSolver;
         }
 
-        /// <summary>When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from
-        /// (Euclidean norm, per component), in [1e-14, 1/2], default 1e-6. It may take most_iterations, &gt;= 1,
-        /// default 100. A solve ends, too, when 500 iterations have not halved its residual, for rounding may keep it
-        /// from falling. When it ends short of the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors:
-        /// CD_ERROR_VALUE.</summary>
+        /// <summary>When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from, in
+        /// [1e-14, 1/2], default 1e-6. Each component's is the Euclidean norm of its nodes', each over its diagonal
+        /// entry of the system. It may take most_iterations, &gt;= 1, default 100, and ends when 500 have not halved
+        /// the residual, which rounding may keep from falling. cd_membrane_step says CD_ERROR_TOLERANCE where it ends
+        /// short of the tolerance. Errors: CD_ERROR_VALUE.</summary>
         public void SetTolerance(double tolerance, long mostIterations)
         {
             Changed();
@@ -2536,11 +2536,11 @@ namespace Contdyn
                 "cd_membrane_set_tolerance", "most_iterations")));
         }
 
-        /// <summary>When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from
-        /// (Euclidean norm, per component), in [1e-14, 1/2], default 1e-6. It may take most_iterations, &gt;= 1,
-        /// default 100. A solve ends, too, when 500 iterations have not halved its residual, for rounding may keep it
-        /// from falling. When it ends short of the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors:
-        /// CD_ERROR_VALUE.</summary>
+        /// <summary>When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from, in
+        /// [1e-14, 1/2], default 1e-6. Each component's is the Euclidean norm of its nodes', each over its diagonal
+        /// entry of the system. It may take most_iterations, &gt;= 1, default 100, and ends when 500 have not halved
+        /// the residual, which rounding may keep from falling. cd_membrane_step says CD_ERROR_TOLERANCE where it ends
+        /// short of the tolerance. Errors: CD_ERROR_VALUE.</summary>
         public MembraneTolerance GetTolerance()
         {
             double outTolerance;

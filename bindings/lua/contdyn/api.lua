@@ -1935,10 +1935,10 @@ function Membrane:get_solver_taken()
   return enum_out("cd_solver", out_solver[0])
 end
 
--- When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
--- component), in [1e-14, 1/2], default 1e-6. It may take most_iterations, >= 1, default 100. A solve ends, too, when
--- 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
--- tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE.
+-- When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from, in [1e-14, 1/2], default
+-- 1e-6. Each component's is the Euclidean norm of its nodes', each over its diagonal entry of the system. It may take
+-- most_iterations, >= 1, default 100, and ends when 500 have not halved the residual, which rounding may keep from
+-- falling. cd_membrane_step says CD_ERROR_TOLERANCE where it ends short of the tolerance. Errors: CD_ERROR_VALUE.
 function Membrane:set_tolerance(tolerance, most_iterations)
   local where = "cd_membrane_set_tolerance"
   tolerance = number_in(tolerance, where, "tolerance")
@@ -1947,10 +1947,10 @@ function Membrane:set_tolerance(tolerance, most_iterations)
   check(lib.cd_membrane_set_tolerance(handle_of(self), tolerance, most_iterations))
 end
 
--- When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
--- component), in [1e-14, 1/2], default 1e-6. It may take most_iterations, >= 1, default 100. A solve ends, too, when
--- 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of the
--- tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE.
+-- When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from, in [1e-14, 1/2], default
+-- 1e-6. Each component's is the Euclidean norm of its nodes', each over its diagonal entry of the system. It may take
+-- most_iterations, >= 1, default 100, and ends when 500 have not halved the residual, which rounding may keep from
+-- falling. cd_membrane_step says CD_ERROR_TOLERANCE where it ends short of the tolerance. Errors: CD_ERROR_VALUE.
 function Membrane:get_tolerance()
   local where = "cd_membrane_get_tolerance"
   local out_tolerance = double_1()

@@ -2010,18 +2010,20 @@ impl Membrane {
         known(Solver::from_raw(out_solver), out_solver, "cd_membrane_get_solver_taken")
     }
 
-    /// When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
-    /// component), in \[1e-14, 1/2\], default 1e-6. It may take most_iterations, \>= 1, default 100. A solve ends, too,
-    /// when 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of
-    /// the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE.
+    /// When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from, in \[1e-14, 1/2\],
+    /// default 1e-6. Each component's is the Euclidean norm of its nodes', each over its diagonal entry of the system.
+    /// It may take most_iterations, \>= 1, default 100, and ends when 500 have not halved the residual, which rounding
+    /// may keep from falling. cd_membrane_step says CD_ERROR_TOLERANCE where it ends short of the tolerance. Errors:
+    /// CD_ERROR_VALUE.
     pub fn set_tolerance(&mut self, tolerance: f64, most_iterations: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_tolerance(self.as_ptr(), tolerance, most_iterations) })
     }
 
-    /// When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from (Euclidean norm, per
-    /// component), in \[1e-14, 1/2\], default 1e-6. It may take most_iterations, \>= 1, default 100. A solve ends, too,
-    /// when 500 iterations have not halved its residual, for rounding may keep it from falling. When it ends short of
-    /// the tolerance cd_membrane_step says so with CD_ERROR_TOLERANCE. Errors: CD_ERROR_VALUE.
+    /// When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from, in \[1e-14, 1/2\],
+    /// default 1e-6. Each component's is the Euclidean norm of its nodes', each over its diagonal entry of the system.
+    /// It may take most_iterations, \>= 1, default 100, and ends when 500 have not halved the residual, which rounding
+    /// may keep from falling. cd_membrane_step says CD_ERROR_TOLERANCE where it ends short of the tolerance. Errors:
+    /// CD_ERROR_VALUE.
     pub fn get_tolerance(&self) -> Result<MembraneTolerance> {
         let mut out_tolerance = 0.0;
         let mut out_most_iterations = 0;
