@@ -161,8 +161,9 @@ static void a_tolerance_met_is_met_by_the_true_residual(void** state) {
                 for (int step = 0; step < 2; ++step) {
                     const double residual = true_residual(m);
                     ok(cd_membrane_get_convergence(m, NULL, &told));
-                    /* the last weighing against the velocity may move the residual a little, either way */
-                    if (!(residual <= 1.5 * tolerances[t] + 1e-12) || !(told <= tolerances[t])) {
+                    /* the last weighing against the velocity may move the residual, either way: a coarse one more */
+                    const double differ = told > 1e-11 && tolerances[t] < 0.01 ? fabs(residual - told) / told : 0;
+                    if (!(residual <= 1.5 * tolerances[t] + 1e-12) || !(told <= tolerances[t]) || differ > 0.3) {
                         print_message("%s, k/m dt^2 = %g, tolerance %g, step %d: residual %.2e, told %.2e\n",
                                       wild_names[kind], ratios[r], tolerances[t], step, residual, told);
                         ++missed;
