@@ -29,14 +29,20 @@ struct Processor {
 } // namespace
 #endif
 
+// Asked once a thread: a virtual machine answers each of the processor's questions in microseconds.
 uint32_t runnable_kernels() {
-    uint32_t sets = 1u << CD_KERNELS_PLAIN;
+    constexpr uint32_t plain = 1u << CD_KERNELS_PLAIN;
 #if CD_WITH_AVX2 || CD_WITH_AVX512
+    static thread_local uint32_t sets = 0;
+    if (sets != 0) return sets;
     const Processor processor;
+    sets = plain;
     if (CD_WITH_AVX2 && processor.avx2) sets |= 1u << CD_KERNELS_AVX2;
     if (CD_WITH_AVX512 && processor.avx512) sets |= 1u << CD_KERNELS_AVX512;
-#endif
     return sets;
+#else
+    return plain;
+#endif
 }
 
 cd_kernels fastest_kernels() {
