@@ -1,6 +1,10 @@
 #include "api/block.hh"
 
+#include <float.h>
 #include <math.h>
+#include <stdint.h>
+
+#include <type_traits>
 
 namespace cd {
 
@@ -36,11 +40,12 @@ template <class S> void write_block(const Object& o, const Block& block, const S
 }
 
 template <class S> size_t find_beyond(const Object& o, const S* values, size_t count) {
-    const auto is_good = [most = most_of(o)](S value) { return fabs(double(value)) <= most; };
-    bool good = true; // all of them at first, in a loop that compilers turn into vector instructions
-    for (size_t at = 0; at < count; ++at) good &= is_good(values[at]);
-    for (size_t at = 0; at < count && !good; ++at)
-        if (!is_good(values[at])) return at;
+    const S most = sizeof(S) < sizeof(double) ? FLT_MAX : S(most_of(o));
+    // any of them at first, as wide as the numbers, in a loop that compilers turn into vector instructions
+    std::conditional_t<sizeof(S) == sizeof(double), int64_t, int32_t> bad = 0;
+    for (size_t at = 0; at < count; ++at) bad |= fabs(values[at]) <= most ? 0 : 1;
+    for (size_t at = 0; at < count && bad; ++at)
+        if (!(fabs(values[at]) <= most)) return at;
     return SIZE_MAX;
 }
 
