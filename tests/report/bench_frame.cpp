@@ -1,5 +1,6 @@
 // What a frame takes beside its steps, and what makes a step dearer: numbers read and written, vertices with normals, a
-// copy of the state, a time step of its own every frame, a pinned node in a sheet; and what sleep saves.
+// copy of the state, an object made and destroyed, a time step of its own every frame, a pinned node in a sheet; and what
+// sleep saves.
 #include <cmath>
 #include <cstring>
 
@@ -125,6 +126,18 @@ std::shared_ptr<Chain> a_rod() {
     return rod;
 }
 
+// A short strand as a game makes them by the hundred.
+Bench a_chain_that_comes_and_goes() {
+    return {"frame.create.chain", [] {
+                const auto make = [] {
+                    cd_chain* chain = nullptr;
+                    check(cd_chain_create(1, 15, 3, CD_FLOAT32, nullptr, &chain));
+                    cd_chain_destroy(chain);
+                };
+                return Case{"frame.create.chain", 16, {{"float32", make}}};
+            }};
+}
+
 Bench a_pinned_node() {
     return {"frame.pinned.sheet", [] {
                 const auto plain = rolling_sheet(), pinned = rolling_sheet();
@@ -243,6 +256,7 @@ std::vector<Bench> frame_benches() {
         numbers_of_a_sheet(false),
         numbers_of_a_sheet(true),
         copy_of_a_sheet(),
+        a_chain_that_comes_and_goes(),
         time_steps("frame.dt.chain", 1001, a_chain, [](cd_chain* x, double dt) { return cd_chain_step(x, dt, 1); }),
         time_steps("frame.dt.rod", 1001, a_rod, [](cd_chain* x, double dt) { return cd_chain_step(x, dt, 1); }),
         time_steps("frame.dt.sheet", kNodes, rolling_sheet,
