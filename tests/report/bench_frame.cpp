@@ -1,6 +1,5 @@
 // What a frame takes beside its steps, and what makes a step dearer: numbers read and written, vertices with normals, a
-// copy of the state, an object made and destroyed, a time step of its own every frame, a pinned node in a sheet; and what
-// sleep saves.
+// copy of the state, an object made, a time step of its own every frame, a pinned node in a sheet; and what sleep saves.
 #include <cmath>
 #include <cstring>
 
