@@ -1,4 +1,5 @@
 /* Fields: what is written is what is read, in any range and either precision; switching on and off; views. */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -121,6 +122,27 @@ static void a_wide_chain_read_as_float32_overflows_to_infinity(void** state) {
     ok(cd_chain_read_f32(chain, CD_POSITION, 0, 1, 0, 1, back, 2));
     assert_true(isinf(back[0]) && back[0] > 0 && isinf(back[1]) && back[1] < 0);
     cd_chain_destroy(chain);
+}
+
+/* The largest number of each precision is one, and the next above it is none. */
+static void the_largest_numbers_can_be_written(void** state) {
+    (void)state;
+    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
+        cd_chain* chain = scene_chain(1, 0, 2, precision);
+        const double most = precision == CD_FLOAT32 ? (double)FLT_MAX : DBL_MAX;
+        const double x[2] = {most, -most}, beyond[2] = {0, nextafter(most, INFINITY)};
+        const float narrow[2] = {-FLT_MAX, FLT_MAX}, wide[2] = {0, INFINITY};
+        double back[2];
+        ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, 1, x, 2));
+        ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, 1, back, 2));
+        assert_same_bits(back, x, 2);
+        assert_int_equal(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, 1, beyond, 2), CD_ERROR_VALUE);
+        ok(cd_chain_write_f32(chain, CD_POSITION, 0, 1, 0, 1, narrow, 2));
+        assert_int_equal(cd_chain_write_f32(chain, CD_POSITION, 0, 1, 0, 1, wide, 2), CD_ERROR_VALUE);
+        ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, 1, back, 2));
+        assert_true(back[0] == -(double)FLT_MAX && back[1] == (double)FLT_MAX);
+        cd_chain_destroy(chain);
+    }
 }
 
 static void a_field_switched_on_holds_the_uniform_values(void** state) {
@@ -315,6 +337,7 @@ int main(void) {
         cmocka_unit_test(a_range_touches_what_it_names_and_nothing_else),
         cmocka_unit_test(an_empty_range_is_no_error_and_does_nothing),
         cmocka_unit_test(a_wide_chain_read_as_float32_overflows_to_infinity),
+        cmocka_unit_test(the_largest_numbers_can_be_written),
         cmocka_unit_test(a_field_switched_on_holds_the_uniform_values),
         cmocka_unit_test(a_single_node_has_all_the_mass),
         cmocka_unit_test(a_single_node_has_no_spring_to_switch_on),
