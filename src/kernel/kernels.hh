@@ -54,7 +54,6 @@ struct SheetKernels {
     decltype(&CD_ISA::multiply) multiply;
     decltype(&CD_ISA::wrap) wrap;
     decltype(&CD_ISA::dot) dot;
-    decltype(&CD_ISA::weighted_squares) weighted_squares;
     decltype(&CD_ISA::aggregate) aggregate;
     decltype(&CD_ISA::spread) spread;
 };

@@ -30,7 +30,6 @@ const MembraneKernels membrane_kernels = {
      multiply,
      wrap,
      dot,
-     CD_KERNEL(CD_WITH_COUPLED, weighted_squares),
      CD_KERNEL(CD_WITH_COUPLED, aggregate),
      CD_KERNEL(CD_WITH_COUPLED, spread)},
 #if CD_WITH_CLOTH

@@ -205,8 +205,6 @@ void combine(const Grid& grid, double alpha, double* a, double beta, const doubl
 void multiply(const Grid& grid, const double* a, const double* b, double* out, size_t first, size_t count);
 void wrap(const Grid& grid, double* a, size_t first, size_t count); // fills what lies beyond the rows
 void dot(const Grid& grid, const double* a, const double* b, double* sums, size_t first, size_t count);
-void weighted_squares(const Grid& grid, const double* a, const double* weights, double* sums, size_t first,
-                      size_t count);
 // Between a lattice and one of half as many rows and columns, each node of which stands for up to 2 x 2. Rows are those
 // of the coarse one. coarse = sums of fine - minus; fine += coarse where it moves (gain > 0).
 void aggregate(const Grid& coarse, const Grid& fine, const double* from, const double* minus, double* to, size_t first,

@@ -34,15 +34,6 @@ struct Product {
     template <int N> Lanes<N> operator()(size_t u) const { return Lanes<N>::load(a + u) * Lanes<N>::load(b + u); }
 };
 
-struct WeightedSquare {
-    const double *a, *weights;
-
-    template <int N> Lanes<N> operator()(size_t u) const {
-        const Lanes<N> weighted = Lanes<N>::load(a + u) * Lanes<N>::load(weights + u);
-        return weighted * weighted;
-    }
-};
-
 } // namespace
 
 void transpose(const Grid& grid, const double* from, double* to, size_t to_pitch, size_t first, size_t count) {
@@ -81,12 +72,6 @@ void wrap(const Grid& grid, double* a, size_t first, size_t count) {
 void dot(const Grid& grid, const double* a, const double* b, double* sums, size_t first, size_t count) {
     for (size_t r = first; r < first + count; ++r)
         sums[r] = row_sum(grid.columns, Product{a + r * grid.pitch, b + r * grid.pitch});
-}
-
-void weighted_squares(const Grid& grid, const double* a, const double* weights, double* sums, size_t first,
-                      size_t count) {
-    for (size_t r = first; r < first + count; ++r)
-        sums[r] = row_sum(grid.columns, WeightedSquare{a + r * grid.pitch, weights + r * grid.pitch});
 }
 
 void aggregate(const Grid& coarse, const Grid& fine, const double* from, const double* minus, double* to, size_t first,

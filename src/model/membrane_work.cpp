@@ -320,17 +320,15 @@ void prepare_preconditioner(const Membrane& m, Work& w, double h, double sigma, 
 
 // Of the system at a node that moves.
 double diagonal_entry(const Membrane& m, const Work& w, size_t u, size_t v) {
-    const size_t left = before(m, kU, u), above = before(m, kV, v);
-    const auto place = [&](size_t column, size_t row) { return row * w.grid.pitch + column; };
-    const size_t at = place(u, v);
-    double sum = w.ground[at] + w.spring[kU][at] + w.spring[kU][place(left, v)] + w.spring[kV][at] +
-                 w.spring[kV][place(u, above)];
-    if (!w.bends) return sum;
-    const size_t right = after(m, kU, u), below = after(m, kV, v);
-    sum += 4 * (w.bend[kU][at] + w.bend[kV][at]);
-    sum += w.bend[kU][place(left, v)] + w.bend[kU][place(right, v)];
-    sum += w.bend[kV][place(u, above)] + w.bend[kV][place(u, below)];
-    return sum + w.twist[at] + w.twist[place(left, v)] + w.twist[place(u, above)] + w.twist[place(left, above)];
+    const size_t left = before(m, kU, u), row = v * w.grid.pitch, above = before(m, kV, v) * w.grid.pitch;
+    const size_t at = row + u, back[2] = {row + left, above + u},
+                 next[2] = {row + after(m, kU, u), after(m, kV, v) * w.grid.pitch + u};
+    double sum = w.ground[at];
+    for (Direction d : {kU, kV}) {
+        sum += w.spring[d][at] + w.spring[d][back[d]];
+        if (w.bends) sum += 4 * w.bend[d][at] + w.bend[d][back[d]] + w.bend[d][next[d]];
+    }
+    return w.bends ? sum + w.twist[at] + w.twist[back[kU]] + w.twist[back[kV]] + w.twist[above + left] : sum;
 }
 
 // The largest diagonal entry of the system, and whether it is larger than the least mass. For coupled solves the

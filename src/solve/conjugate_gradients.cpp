@@ -17,7 +17,13 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
                           const GradientPlanes& planes, double* r, double* x) {
     double *const start = planes.start, *const direction = planes.direction, *const steep = planes.steep,
                   *const applied = planes.applied; // no structured binding: C++17 lets no lambda capture one
-    const double norm = system.residual_size(r);
+    // Each node's residual over its diagonal entry: it counts as what it would change, not as a force, of which a stiff
+    // spring makes much of little.
+    const auto size_of_residual = [&] {
+        system.multiply(r, system.inverse_diagonal, steep);
+        return sqrt(system.dot(steep, steep));
+    };
+    const double norm = size_of_residual();
     system.clear(x);
     system.copy(r, start);
     if (norm == 0) return {};
@@ -48,14 +54,14 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
         const double length = system.dot(direction, r) / curvature;
         system.combine(1, x, length, direction);
         system.combine(1, r, -length, applied);
-        out.residual = system.residual_size(r) / measure();
+        out.residual = size_of_residual() / measure();
         if (out.residual < least / 2) least = out.residual, halved = out.iterations;
         if (out.iterations - halved > kPatience) break;
         if (out.residual > goal.relative) continue;
         system.apply(x, applied);
         system.copy(start, r);
         system.combine(1, r, -1, applied);
-        const double left = system.residual_size(r);
+        const double left = size_of_residual();
         out.residual = left / measure();
         out.reached = out.residual <= goal.relative;
         if (out.reached || !(left < true_before / 2)) break;

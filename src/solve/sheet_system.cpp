@@ -1,6 +1,5 @@
 #include "solve/sheet_system.hh"
 
-#include <math.h>
 #include <string.h>
 
 namespace cd {
@@ -38,11 +37,6 @@ double SheetSystem::apply(double* z, double* out) const {
 double SheetSystem::dot(const double* a, const double* b) const {
     rows([&](size_t first, size_t count) { kernels->dot(grid, a, b, sums, first, count); });
     return total(sums, grid.rows);
-}
-
-double SheetSystem::residual_size(const double* r) const {
-    rows([&](size_t first, size_t count) { kernels->weighted_squares(grid, r, inverse_diagonal, sums, first, count); });
-    return sqrt(total(sums, grid.rows));
 }
 
 void SheetSystem::clear(double* plane) const {

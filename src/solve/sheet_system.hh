@@ -13,7 +13,7 @@ struct SheetSystem {
     bool ring[2];      // along u and v
     GeneralSheet sheet;
     double* sums;                   // kEnergies numbers per row
-    const double* inverse_diagonal; // of S, 0 where nothing moves; for residual_size
+    const double* inverse_diagonal; // of S, 0 where nothing moves; for coupled solves
 
     template <class Body> void rows(const Body& body) const { in_parts(*parallel, grid.rows, grid.columns, body); }
     template <class Body> void columns(const Body& body) const { in_parts(*parallel, grid.columns, grid.rows, body); }
@@ -27,9 +27,6 @@ struct SheetSystem {
     // out = S z; returns z S z.
     double apply(double* z, double* out) const;
     double dot(const double* a, const double* b) const;
-    // The size of a residual, each node's over its diagonal entry: so it counts as what it would change, not as a force
-    // that a stiff spring makes of little.
-    double residual_size(const double* r) const;
     void clear(double* plane) const;
     void copy(const double* from, double* to) const;
     // a = alpha a + beta b
