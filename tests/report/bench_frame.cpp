@@ -119,6 +119,12 @@ std::shared_ptr<Chain> a_chain() {
     check(cd_chain_set_end(chain->get(), CD_END_FIRST, CD_NODE_PINNED));
     return chain;
 }
+// So stiff that its factors settle nowhere along it.
+std::shared_ptr<Chain> a_stiff_chain() {
+    const auto chain = a_chain();
+    check(cd_chain_set_stiffness(chain->get(), 100));
+    return chain;
+}
 std::shared_ptr<Chain> a_rod() {
     const auto rod = a_chain();
     check(cd_chain_set_bend(rod->get(), 1e-6));
@@ -257,6 +263,8 @@ std::vector<Bench> frame_benches() {
         copy_of_a_sheet(),
         a_chain_that_comes_and_goes(),
         time_steps("frame.dt.chain", 1001, a_chain, [](cd_chain* x, double dt) { return cd_chain_step(x, dt, 1); }),
+        time_steps("frame.dt.stiff_chain", 1001, a_stiff_chain,
+                   [](cd_chain* x, double dt) { return cd_chain_step(x, dt, 1); }),
         time_steps("frame.dt.rod", 1001, a_rod, [](cd_chain* x, double dt) { return cd_chain_step(x, dt, 1); }),
         time_steps("frame.dt.sheet", kNodes, rolling_sheet,
                    [](cd_membrane* x, double dt) { return cd_membrane_step(x, dt, 1); }),
