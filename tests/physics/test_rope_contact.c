@@ -366,9 +366,11 @@ static void nothing_passes_that_is_slower_than_a_radius_a_step(void** state) {
 static void random_ropes_fall_on_random_bodies(void** state) {
     (void)state;
     static const double dts[] = {1 / 600.0, 1 / 60.0, 0.1, 1};
-    /* And one in which a last iteration that goes a part of its way gives energy where that does not count, and one in
-     * which a step of lambda < 1 that touches would be taken for the best. */
-    static const uint64_t others[][2] = {{858, 9}, {174, 9}};
+    /* And one in which a last iteration that goes a part of its way gives energy where that does not count, one in
+     * which a step of lambda < 1 that touches would be taken for the best, and seven that gave energy with other
+     * barriers. */
+    static const uint64_t others[][2] = {{858, 9},  {174, 9}, {34, 4},  {2, 8},    {338, 9},
+                                         {318, 11}, {662, 2}, {738, 7}, {1102, 14}};
     int missed[COUNT(dts)] = {0}, steps[COUNT(dts)] = {0};
     const uint64_t drawn = is_long() ? 1600 : 120;
     for (uint64_t scene = 0; scene < drawn + COUNT(others); ++scene) {
