@@ -80,7 +80,7 @@ FIELD_FACTS = {
         "components": "POSITION VELOCITY FORCE TARGET WIND",
         "always": "POSITION VELOCITY PIN TENSION STRAIN",
         "viewable": "POSITION VELOCITY FORCE TARGET",
-        "lengths": "REST_LENGTH TENSION WIND STRENGTH STRAIN",
+        "lengths": "REST_LENGTH TENSION WIND STRENGTH STRAIN REST_ANGLE",
         "read_only": "STRAIN",
     },
     "membrane": {

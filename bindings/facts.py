@@ -10,7 +10,7 @@ from prose import DEFAULTS, LIMITS, RANGES, UNITS, WHEN
 
 NUMBER = r"(?:-?\d+(?:\.\d+)?(?:e-?\d+)?(?:/\d+)?|INFINITY|SIZE_MAX)"
 LIMIT = rf"(?:{NUMBER}|nu|nv)"
-FACTOR = r"(?:kg|Pa|[NmsJ1])(?:\^(?:\d+|\([\d/]+\)))?"
+FACTOR = r"(?:kg|Pa|rad|[NmsJ1])(?:\^(?:\d+|\([\d/]+\)))?"
 UNIT = rf"\[(?P<unit>{FACTOR}(?:[ /]{FACTOR})*)\]"
 INTERVAL = rf"\[{LIMIT}, {LIMIT}\]"
 RANGE = (rf"(?P<range>(?:{NUMBER} or )?in {INTERVAL}|>=? {NUMBER}(?: and at most {NUMBER}(?: cells)?)?"

@@ -48,6 +48,7 @@ RANGES = {
     ("cd_chain", "strands"): "in [0, field_strands - first_strand]",
     ("cd_chain", "first"): "in [0, field_nodes - n]",
     ("cd_chain", "n"): "in [0, field_nodes - first]",
+    ("cd_chain_set_rest_angle", "angle"): "in [3.141592653589793 * (1 - springs), 3.141592653589793 * (springs - 1)]",
     ("cd_chain_set_plane", "point"): AMOUNT,
     ("cd_chain_set_plane", "normal"): AMOUNT,
     ("cd_chain_set_capsule", "first"): AMOUNT,

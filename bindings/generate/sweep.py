@@ -6,8 +6,6 @@ from description import BINDINGS
 sys.path.insert(0, str(BINDINGS.parent / "tests" / "bindings"))
 import check_api  # noqa: E402
 
-COMPONENTS = check_api.COMPONENTS
-
 
 def sizes(thing):
     """What create takes, but for the precision and the allocator."""
@@ -20,7 +18,7 @@ def elements(function, array):
     if own is not None:
         return own
     single = array.times in (2, 3) or function.short == "sample" and array.length == "n"
-    count = 1 if single or function.object == "water" else COMPONENTS
+    count = 1 if single else check_api.COMPONENTS[function.object]
     return count * (count if isinstance(array.times, str) else array.times)
 
 
@@ -41,7 +39,7 @@ def numbers(function, array):
     """An array's values."""
     count = elements(function, array)
     if array.name in check_api.STARTS:
-        return [float(x) for x in check_api.IDENTITY[:count]]
+        return check_api.identity(function.object)[:count]
     return [0.0 if array.base in ("double", "float") else 0] * count
 
 

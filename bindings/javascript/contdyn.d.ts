@@ -235,6 +235,7 @@ export const Field: {
   readonly strainV: 32;
   readonly breakingStrainU: 33;
   readonly breakingStrainV: 34;
+  readonly restAngle: 35;
 };
 export type Field = keyof typeof Field;
 
@@ -368,6 +369,7 @@ export function buildInfo(): string;
  *                                         from; how right it is, see getReaction
  *  "wind"       strand, node     m/s     finite; of ropes only
  *  "strength"   strand, spring   N       1e-60 to 1e60, or Infinity; of ropes only: see strength
+ *  "restAngle" strand, node     rad     at most 3.141592653589793 in size: pi; of ropes of 2 components only; see bend
  *  "strain"     strand, spring   -       of ropes, to read only: length now over rest length, less 1; -1 and more
  * (strand): per strand in ropes, shared by the strands of other chains.
  * Nodes joined by welded springs make a group, which may hold one held node: more is "errorUnsupported".
@@ -375,7 +377,7 @@ export function buildInfo(): string;
  * they are switched on.
  */
 export type ChainField = "position" | "velocity" | "force" | "target" | "mass" | "stiffness" | "bend" | "pin" |
-  "restLength" | "tension" | "wind" | "strength" | "strain";
+  "restLength" | "tension" | "wind" | "strength" | "restAngle" | "strain";
 
 /** Part of a field; what is left out is all the rest. */
 export interface ChainRange {
@@ -404,6 +406,7 @@ export interface ChainOptions {
   ring?: boolean;
   sleep?: { speed?: number; seconds?: number };
   restLength?: number;
+  restAngle?: number;
   push?: boolean;
   strength?: number;
   air?: { along?: number; across?: number };
@@ -597,9 +600,10 @@ export class Chain extends Handle {
   // Ropes need "implicit" with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
   // step says "errorUnsupported".
   //
-  // With bend a rope is a rod, or hair, which is straight at rest: its bend energy at a node is b_i / 2 |d r_i|^2, d
-  // r_i
-  // the difference of the spring vectors beside it, each over its rest length and times the mean of the two. Two pinned
+  // With bend a rope is a rod, or hair, straight at rest or, in a plane, curled: its bend energy at a node is
+  // b_i / 2 |d r_i|^2, d r_i the difference of the spring vectors beside it, each over its rest length and times the
+  // mean
+  // of the two, the one before turned by the rest angle. Two pinned
   // nodes at an end clamp it: the inner one, at the clamp, should have twice the bend of the others. Springs that only
   // pull let a rod shorten under pressure about as far as the same force across would bend it: hair that is to stand at
   // its length needs springs that push. Any bend is stable; but where pinned nodes hold a rod bent with more than 1e5
@@ -611,13 +615,27 @@ export class Chain extends Handle {
    * Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
    * where they are. A rope has the fields "tension", at first 0, and "strain". Its strands are individuals: each has
    * its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
-   * switches "tension" off, and "restLength", strength, air, wind and colliders too. Reeled in or paid out a little
+   * switches "tension" off, and "restLength", rest angles, strength, air, wind and colliders too. Reeled in or paid out
+   * a little
    * every step, it is a winch. Errors: "errorValue"; "errorMemory"; "errorUnsupported" with 4 components or no
    * spring, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all springs or
    * two held nodes.
    */
   get restLength(): number;
   set restLength(value: number);
+
+  /**
+   * Rest angle of a strand [rad], by which its last spring is turned from its first at rest, from the first axis to the
+   * second; default 0: straight. Per node with two neighbours: angle / (springs - 1), at most pi in size. It is what
+   * bend
+   * bends about, so it does nothing without bend, and turns with the rope: curls, hooks, tentacles, blades of grass.
+   * The
+   * field "restAngle" has one for each node. Where springs push, a rod takes its shape by turning, else also by going
+   * slack. Errors: "errorValue"; "errorUnsupported" of a chain that is no rope, or without 2 components: in space a
+   * curl needs to know how its links are twisted, which nodes do not tell.
+   */
+  get restAngle(): number;
+  set restAngle(value: number);
 
   /**
    * Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by

@@ -113,6 +113,7 @@ export const Field = enumeration({
   strainV: 32,
   breakingStrainU: 33,
   breakingStrainV: 34,
+  restAngle: 35,
 });
 
 export const Kind = enumeration({
@@ -362,6 +363,15 @@ export class Chain extends Handle {
 
   set restLength(length) {
     check(wasm.cd_chain_set_rest_length(addressOf(this, Chain), number(length, "length")));
+  }
+
+  get restAngle() {
+    check(wasm.cd_chain_get_rest_angle(addressOf(this, Chain), result(0)));
+    return real(0);
+  }
+
+  set restAngle(angle) {
+    check(wasm.cd_chain_set_rest_angle(addressOf(this, Chain), number(angle, "angle")));
   }
 
   get push() {
@@ -759,6 +769,7 @@ const kChain = {
     tension: { per: ["strand", "spring"] },
     wind: { per: ["strand", "node"], components: true },
     strength: { per: ["strand", "spring"] },
+    restAngle: { per: ["strand", "node"] },
     strain: { per: ["strand", "spring"] },
   },
 };

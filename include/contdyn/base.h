@@ -164,7 +164,8 @@ enum {
     CD_STRAIN_U = 31,
     CD_STRAIN_V = 32,
     CD_BREAKING_STRAIN_U = 33,
-    CD_BREAKING_STRAIN_V = 34
+    CD_BREAKING_STRAIN_V = 34,
+    CD_REST_ANGLE = 35
 };
 
 /* ---- callbacks ------------------------------------------------------------------------------------------------- */

@@ -156,8 +156,9 @@ CD_API cd_status cd_chain_get_awake(const cd_chain* chain, size_t* out_nodes);
  * Ropes need CD_METHOD_IMPLICIT with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
  * cd_chain_step says CD_ERROR_UNSUPPORTED.
  *
- * With bend a rope is a rod, or hair, which is straight at rest: its bend energy at a node is b_i / 2 |d r_i|^2, d r_i
- * the difference of the spring vectors beside it, each over its rest length and times the mean of the two. Two pinned
+ * With bend a rope is a rod, or hair, straight at rest or, in a plane, curled: its bend energy at a node is
+ * b_i / 2 |d r_i|^2, d r_i the difference of the spring vectors beside it, each over its rest length and times the mean
+ * of the two, the one before turned by the rest angle. Two pinned
  * nodes at an end clamp it: the inner one, at the clamp, should have twice the bend of the others. Springs that only
  * pull let a rod shorten under pressure about as far as the same force across would bend it: hair that is to stand at
  * its length needs springs that push. Any bend is stable; but where pinned nodes hold a rod bent with more than 1e5
@@ -167,12 +168,21 @@ CD_API cd_status cd_chain_get_awake(const cd_chain* chain, size_t* out_nodes);
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
  * where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
  * its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
- * switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little
+ * switches CD_TENSION off, and CD_REST_LENGTH, rest angles, strength, air, wind and colliders too. Reeled in or paid out a little
  * every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
  * spring, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all springs or
  * two held nodes. */
 CD_API cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
+
+/* Rest angle of a strand [rad], by which its last spring is turned from its first at rest, from the first axis to the
+ * second; default 0: straight. Per node with two neighbours: angle / (springs - 1), at most pi in size. It is what bend
+ * bends about, so it does nothing without bend, and turns with the rope: curls, hooks, tentacles, blades of grass. The
+ * field CD_REST_ANGLE has one for each node. Where springs push, a rod takes its shape by turning, else also by going
+ * slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope, or without 2 components: in space a
+ * curl needs to know how its links are twisted, which nodes do not tell. */
+CD_API cd_status cd_chain_set_rest_angle(cd_chain* chain, double angle);
+CD_API cd_status cd_chain_get_rest_angle(const cd_chain* chain, double* out_angle);
 
 /* Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
  * Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps.
@@ -324,6 +334,7 @@ CD_API cd_status cd_chain_get_thickness(const cd_chain* chain, double* out_radiu
  *                                         from; how right it is, see cd_chain_get_reaction
  *  CD_WIND       strand, node     m/s     finite; of ropes only
  *  CD_STRENGTH   strand, spring   N       1e-60 to 1e60, or INFINITY; of ropes only: see cd_chain_set_strength
+ *  CD_REST_ANGLE strand, node     rad     at most 3.141592653589793 in size: pi; of ropes of 2 components only; see bend
  *  CD_STRAIN     strand, spring   -       of ropes, to read only: length now over rest length, less 1; -1 and more
  * (strand): per strand in ropes, shared by the strands of other chains.
  * Nodes joined by welded springs make a group, which may hold one held node: more is CD_ERROR_UNSUPPORTED.

@@ -76,6 +76,7 @@ cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring) {
 
 CD_GETTER(chain, get_rest_length, double, out_length, x.rope.length)
 CD_GETTER(chain, get_push, int32_t, out_push, x.rope.push)
+CD_GETTER(chain, get_rest_angle, double, out_angle, x.rope.angle)
 CD_GETTER(chain, get_strength, double, out_strength, x.rope.strength)
 CD_GETTER(chain, get_broken, size_t, out_springs, x.broken)
 CD_FUNCTION(chain, const, get_tolerance, (double* out_tolerance, size_t* out_most_iterations),
@@ -126,9 +127,10 @@ cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
     Features wanted = features(c);
     wanted.length = length > 0;
     if (length == 0) wanted.spring_length = wanted.air = wanted.wind = wanted.spring_strength = false;
+    if (length == 0) wanted.angle = wanted.node_angle = false;
     if (length == 0) wanted.colliders = {};
     CD_CHECK(shared::change_features(__func__, c, wanted));
-    if (length == 0) c.air = {}, c.rope.strength = INFINITY, c.rope.thickness = 0;
+    if (length == 0) c.air = {}, c.rope.strength = INFINITY, c.rope.thickness = c.rope.angle = 0;
     c.rope.length = length > 0 ? length : 0; // not -0
     changed(c);
     fill_uniform(c, CD_REST_LENGTH);
@@ -141,6 +143,19 @@ cd_status cd_chain_set_push(cd_chain* chain, int32_t push) {
     if (push != 0 && push != 1) return fail(CD_ERROR_VALUE, __func__, "push is %d, must be 0 or 1", int(push));
     c.rope.push = push;
     wake(c);
+    return CD_OK;
+}
+
+cd_status cd_chain_set_rest_angle(cd_chain* chain, double angle) {
+    CD_OPEN(chain, c);
+    CD_CHECK(in_range(__func__, "angle", angle, -most_angle(c), most_angle(c)));
+    CD_CHECK(can_curl(__func__, c));
+    Features wanted = features(c);
+    wanted.angle = angle != 0;
+    CD_CHECK(shared::change_features(__func__, c, wanted));
+    c.rope.angle = angle != 0 ? angle : 0; // not -0
+    changed(c);
+    fill_uniform(c, CD_REST_ANGLE);
     return CD_OK;
 }
 

@@ -11,6 +11,7 @@ const Array<double>& shared_of(const Chain& c, cd_field field) {
            : field == CD_REST_LENGTH ? c.spring_length
            : field == CD_TENSION     ? c.tension
            : field == CD_STRENGTH    ? c.spring_strength
+           : field == CD_REST_ANGLE  ? c.node_angle
                                      : c.node_bend;
 }
 

@@ -12,11 +12,13 @@ template <> struct Behind<cd_chain> {
     static constexpr const char* name = "chain";
 };
 
-inline bool is_of_ropes(cd_field field) { return field >= CD_REST_LENGTH && field <= CD_STRAIN; }
+inline bool is_of_ropes(cd_field field) {
+    return (field >= CD_REST_LENGTH && field <= CD_STRAIN) || field == CD_REST_ANGLE;
+}
 inline bool needs_length(const Chain&, cd_field field) { return is_of_ropes(field); }
 inline cd_status is_field(const char* function, const Chain&, cd_field field) {
     if (is_of_ropes(field) || (field >= 0 && field <= CD_TARGET)) return CD_OK;
-    return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 7 or 22 to 26", int(field));
+    return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 7, 22 to 26 or 35", int(field));
 }
 inline bool is_always_on(const Chain&, cd_field field) {
     return field == CD_POSITION || field == CD_VELOCITY || field == CD_PIN || field == CD_TENSION || field == CD_STRAIN;
@@ -26,9 +28,10 @@ inline void switch_own(Features& wanted, cd_field field, bool on) {
     if (field == CD_BEND) wanted.node_bend = on;
     if (field == CD_REST_LENGTH) wanted.spring_length = on;
     if (field == CD_WIND) wanted.wind = on;
+    if (field == CD_REST_ANGLE) wanted.node_angle = on;
     if (field == CD_STRENGTH) wanted.spring_strength = on, wanted.spring_stiffness |= on;
 }
-inline bool is_per_spring(cd_field field) { return field == CD_STIFFNESS || (is_of_ropes(field) && field != CD_WIND); }
+inline bool is_per_spring(cd_field field) { return field == CD_STIFFNESS || (is_of_ropes(field) && field != CD_WIND && field != CD_REST_ANGLE); }
 inline cd_status is_rope(const char* function, const Chain& c, const char* only) {
     return must_have_length(function, only, has_lengths(c));
 }
@@ -45,7 +48,17 @@ inline const AirSettings& air_of(const Chain& c) { return c.air; }
 inline size_t strands_of(const Chain& c, cd_field field) {
     return is_state(field) ? c.strands : own_strands(c);
 }
+// A turn in space needs more than an angle.
+inline cd_status can_curl(const char* function, const Chain& c) {
+    CD_CHECK(is_rope(function, c, "only ropes have rest angles"));
+    if (can_curl(c)) return CD_OK;
+    return fail(CD_ERROR_UNSUPPORTED, function, "rest angles need 2 components, not %zu", c.components);
+}
 namespace shared {
+inline cd_status enable_field(const char* function, Chain& c, cd_field field) {
+    if (field == CD_REST_ANGLE) CD_CHECK(can_curl(function, c));
+    return enable_field<Chain>(function, c, field);
+}
 inline cd_status disable_field(const char* function, Chain& c, cd_field field) {
     const bool breaks = field == CD_STIFFNESS && can_break(c);
     return breaks ? fail(CD_ERROR_UNSUPPORTED, function, "field 4, CD_STIFFNESS: springs that may break need it")

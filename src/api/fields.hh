@@ -41,7 +41,8 @@ inline const char* field_name(cd_field field) {
                                         "CD_STRAIN_U",
                                         "CD_STRAIN_V",
                                         "CD_BREAKING_STRAIN_U",
-                                        "CD_BREAKING_STRAIN_V"};
+                                        "CD_BREAKING_STRAIN_V",
+                                        "CD_REST_ANGLE"};
     return names[field];
 }
 
@@ -52,6 +53,7 @@ inline const char* field_takes(cd_field field) {
     case CD_REST_LENGTH:
     case CD_REST_LENGTH_U:
     case CD_REST_LENGTH_V: return "numbers from 1e-60 to 1e60";
+    case CD_REST_ANGLE: return "numbers from -pi to pi";
     case CD_TENSION: return "finite numbers";
     case CD_STRENGTH:
     case CD_BREAKING_STRAIN_U:

@@ -75,6 +75,7 @@ template <int N> struct RopeBundle {
     // Of a rod's node i, its link, and the joint at the node before.
     struct Joint {
         L stiffness, ratio; // of the joint, per velocity; rest length of the link over that of the one before
+        Turn<N> turn;       // from the link before to the link, at rest
         M stiff, reach;     // the joint's impulse is wished - stiff (phi / m + reach psi)
         V wished, impulse;  // impulse: of the last elimination
         M across;
@@ -468,6 +469,8 @@ template <int N> struct RopeBundle {
 
     bool is_rod() const { return CD_WITH_BEND && stage.bends; }
     void begin_joints();
+    V carried(const Joint& joint, V before) const;
+    L bent() const;
     void look_at_joints(Seen& seen) const;
     __attribute__((noinline)) void join(size_t i, Hung& hung);
     __attribute__((noinline)) void pull(const Spring& s, Joint& joint, Hung& hung) const;

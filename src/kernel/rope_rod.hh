@@ -1,25 +1,35 @@
 // Ropes that resist bending: rods. The elimination passes on the mobilities of a node and its link together.
 // (model.md, 49, 50)
 //
-// A joint is a node with a link on either side. With r = w_{i+1} - w_i - ratio (w_i - w_{i-1}), the links' difference
-// as it changes, and D what it is when the step begins, the joint gives the impulse p = -h B (D + h r) along r: on node
-// i + 1, against node i, and ratio times against the link before. `ratio` is the links' rest lengths' ratio, so that a
-// straight rod of uneven links is at rest.
+// A joint is a node with a link on either side. With r = w_{i+1} - w_i - G (w_i - w_{i-1}), the links' difference as it
+// changes, and D what it is when the step begins, the joint gives the impulse p = -h B (D + h r): on node i + 1, against
+// node i, and G^T times against the link before. G is the ratio of the links' rest lengths, times the turn by the rest
+// angle: so a rod whose links are at these angles is at rest, and how it lies in the plane makes no difference.
 //
 // A node that joins what hangs on the left of it has the mobility R = 1 / m; the joint then takes its share of the
-// variance of r, S = R + 1 / (h^2 B) + c, with c that of w_i + ratio u_i alone. What is left is written as products of
+// variance of r, S = R + 1 / (h^2 B) + c, with c that of w_i + G u_i alone, u_i = w_i - w_{i-1}. What is left is written as products of
 // R, 1 / S and what hangs, without the differences in which a stiff joint would lose its digits; and with 1 / S as
 // h^2 B Z, so that a node without bend is a joint of B = 0.
 #pragma once
 
+#include "base/turn.hh"
 #include "kernel/rope_elimination.hh"
 
 namespace cd {
 namespace CD_ISA {
 
-// The joints' stiffness per velocity, and the ratio of the links' lengths. A joint of a cut spring has none.
+// G times what the link before is.
+template <int N> Vector<N> RopeBundle<N>::carried(const Joint& joint, V before) const {
+    const V along = joint.ratio * before;
+    return stage.curls ? joint.turn * along : along;
+}
+
+// The joints' stiffness per velocity, and G. A joint of a cut spring has no stiffness. To lanes that go from a strand's
+// last node it turns the other way.
 template <int N> void RopeBundle<N>::begin_joints() {
     const L h = stage.dt * lambda;
+    double ways[N];
+    for (int j = 0; j < N; ++j) ways[j] = comes_back[j] ? -1 : 1;
     for (size_t i = 1; i < ropes.nodes; ++i) {
         Joint& joint = joints[i];
         joint.stiffness = L{}, joint.ratio = one(), joint.impulse = V{};
@@ -28,7 +38,20 @@ template <int N> void RopeBundle<N>::begin_joints() {
         const L mean = 0.5 * (before.length + link.length), share = mean * link.per_length;
         joint.ratio = link.length * before.per_length;
         joint.stiffness = select(uncut(before) * uncut(link), (h * share) * (h * share) * of_node(c.bend, i - 1), L{});
+        if (!stage.curls) continue;
+        const CosineAndSine<L> turn = turn_by(L::load(ways) * of_node(c.angle, i - 1), one());
+        joint.turn = {turn.cosine, turn.sine};
     }
+}
+
+// The impulses of all joints if nothing moved, times dt, with lambda = 1.
+template <int N> auto RopeBundle<N>::bent() const -> L {
+    L sum{};
+    for (size_t i = 2; i < ropes.nodes; ++i) {
+        const V before = springs[i - 1].before - carried(joints[i], springs[i - 2].before);
+        sum = sum + joints[i].stiffness * root(dot(before, before));
+    }
+    return sum;
 }
 
 // The energy that joints give by the guess beyond the work that their impulses took, and what rounding may make of it:
@@ -38,8 +61,8 @@ template <int N> void RopeBundle<N>::look_at_joints(Seen& seen) const {
     const L per_h = L::splat(1 / stage.dt) * per_lambda;
     for (size_t i = 2; i < ropes.nodes; ++i) {
         const Joint& joint = joints[i];
-        const V before = springs[i - 1].before - joint.ratio * springs[i - 2].before;
-        const V r = (nodes[i].w - nodes[i - 1].w) - joint.ratio * (nodes[i - 1].w - nodes[i - 2].w);
+        const V before = springs[i - 1].before - carried(joint, springs[i - 2].before);
+        const V r = (nodes[i].w - nodes[i - 1].w) - carried(joint, nodes[i - 1].w - nodes[i - 2].w);
         const V change = L::splat(stage.dt) * r, after = before + change;
         const L stiffness = 0.5 * (per_h * per_h * joint.stiffness); // half of it
         seen.gained = seen.gained + stiffness * dot(change, before + after) + per_lambda * dot(joint.impulse, r);
@@ -52,15 +75,19 @@ template <int N> void RopeBundle<N>::join(size_t i, Hung& hung) {
     Joint& joint = joints[i];
     const Node& node = nodes[i];
     const L mobility = node.mobility, stiffness = joint.stiffness, ratio = joint.ratio;
-    const M across = ratio * hung.across, back = ratio * hung.back, link = (ratio * ratio) * hung.link;
+    M across = ratio * hung.across, back = ratio * hung.back, link = (ratio * ratio) * hung.link;
+    if (stage.curls) {
+        across = times_transposed(across, joint.turn), back = joint.turn * back;
+        link = joint.turn * times_transposed(link, joint.turn);
+    }
     const M of_node = hung.c + across, own = back + link; // E, and c - E
     const M all = of_node + own, both = across + link;
     const M yielding = inverse(plus_diagonal(stiffness * plus_diagonal(all, mobility), one())); // Z
     const M stiff = stiffness * yielding;
     const M reach = plus_diagonal(hung.c + back, mobility);
-    const V bent =
-        L::splat(1 / stage.dt) * per_lambda * (i > 1 ? springs[i - 1].before - ratio * springs[i - 2].before : V{});
-    const V wished = stiff * (((hung.y + ratio * hung.link_y) - node.b) - bent);
+    const V bent = L::splat(1 / stage.dt) * per_lambda *
+                   (i > 1 ? springs[i - 1].before - carried(joint, springs[i - 2].before) : V{});
+    const V wished = stiff * (((hung.y + carried(joint, hung.link_y)) - node.b) - bent);
     const M at_link = of_node * stiff;
 
     joint.stiff = stiff, joint.reach = reach, joint.wished = wished;
@@ -115,7 +142,7 @@ template <int N> void RopeBundle<N>::eliminate_rod() {
         const V bend = joint.impulse = joint.wished - joint.stiff * (node.mobility * left.phi + joint.reach * left.psi);
         // A free node takes what makes its momentum right; where it is held, what is left is what its link does.
         left.phi = select(held(i), (V{} - left.psi) - bend, left.phi - node.ground * (node.next - node.b));
-        left.psi = V{} - joint.ratio * bend;
+        left.psi = V{} - joint.ratio * (stage.curls ? transposed(joint.turn) * bend : bend);
     }
 }
 

@@ -120,25 +120,28 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     }
     const double each = 1 / double(ropes.nodes);
     force = (each / stage.dt) * (sum(force) + (each * sum(mass)) * sum(driven)) + each * sum(pulled);
+    // What springs pull with at first: as much as on the nodes, and as joints do. Stiff bent rods that begin with less
+    // take no end of iterations.
+    const L first = force + (is_rod() ? (each / stage.dt / stage.dt) * bent() : L{});
     start_together();
     L weight{}; // of the nodes, times lengths
     for (size_t i = 0; i < spring_count; ++i) {
         Spring& s = springs[i];
         weight = weight + select(s.moves, force * s.length, L{});
         s.gap = larger(s.length - s.long_before, kFirstGap * s.length);
-        s.tension = select(open * s.moves, force, s.tension);
+        s.tension = select(open * s.moves, first, s.tension);
     }
     weight = sum(weight);
     const double share = 1 / double(ropes.nodes - 1);
-    L went = one(), first{}; // the part of its way that the iteration before went; the barrier to begin with
+    L went = one(), highest{}; // the part of its way that the iteration before went; the barrier to begin with
     for (size_t k = 0;; ++k) {
         L inside{}; // the sum of tensions times gaps
         for (size_t i = 0; i < spring_count; ++i)
             inside = inside + select(springs[i].moves, springs[i].tension * springs[i].gap, L{});
         const L falls = select(went - L::splat(kStuck), L::splat(kBarrierFall), L::splat(1 / kBarrierFall));
         const L wanted = share * falls * sum(inside);
-        if (k == 0) first = wanted;
-        const L barrier = smaller(wanted, first); // what rises without a bound takes nodes out of all numbers
+        if (k == 0) highest = wanted;
+        const L barrier = smaller(wanted, highest); // what rises without a bound takes nodes out of all numbers
         linearize_all(barrier, true, weight, k);
         if (k == most || !any_positive(open)) return;
         is_rod() ? eliminate_rod() : eliminate();

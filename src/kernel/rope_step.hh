@@ -39,7 +39,7 @@ template <class T> struct RopeNumbers {
 struct RopeParameters {
     RopeNumbers<double> mass, tie, tie_damping; // [kg], of attachments [N/m], [N s/m]
     RopeNumbers<double> length, stiffness;      // [m], [N/m]: 0: cut, INFINITY: of fixed length
-    RopeNumbers<double> bend;                   // [N/m], of nodes with two springs
+    RopeNumbers<double> bend, angle;            // [N/m], [rad], of nodes with two springs
     RopeNumbers<uint8_t> pin;                   // cd_node
     double drag;                                // [1/s]
 };
@@ -57,7 +57,7 @@ struct RopeStage {
     double gravity[3];
     double along, across, wind[3]; // of the air; wind: where a node has none of its own
     bool push;                     // springs push as well
-    bool bends;                    // whether any node has a bend stiffness
+    bool bends, curls;             // whether any node has a bend stiffness, and a rest angle
     double tolerance;              // of the length that a spring should have, over its rest length
     size_t most_iterations;
     const Obstacle* colliders;
@@ -87,7 +87,7 @@ struct RopeResult {
 // and for each collider.
 constexpr size_t kRopeLanes = 8, kLanesAlone = 2, kRopeScratch = 62, kAirScratch = 15, kContactScratch = 30;
 constexpr size_t kAnswerScratch = 4, kQuestionScratch = 7;
-constexpr size_t kJointScratch = 63, kLinkScratch = 9;
+constexpr size_t kJointScratch = 65, kLinkScratch = 9;
 
 namespace CD_ISA {
 

@@ -57,6 +57,22 @@ template <int N> Matrix<N> plus_diagonal(Matrix<N> a, Lanes<N> d) {
 template <int N> Vector<N> cross(Vector<N> a, Vector<N> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+// A turn about the third axis.
+template <int N> struct Turn {
+    using L = Lanes<N>;
+    using V = Vector<N>;
+    using M = Matrix<N>;
+    L cosine, sine;
+
+    friend V operator*(Turn t, V a) {
+        return {t.cosine * a.x - t.sine * a.y, t.sine * a.x + t.cosine * a.y, a.z};
+    }
+    friend M operator*(Turn t, const M& a) {
+        return {t.cosine * a.x - t.sine * a.y, t.sine * a.x + t.cosine * a.y, a.z};
+    }
+    friend M times_transposed(const M& a, Turn t) { return {t * a.x, t * a.y, t * a.z}; }
+    friend Turn transposed(Turn t) { return {t.cosine, L{} - t.sine}; }
+};
 template <int N> Matrix<N> inverse(const Matrix<N>& a) {
     const Vector<N> x = cross(a.y, a.z), y = cross(a.z, a.x), z = cross(a.x, a.y); // columns of the adjugate
     const Lanes<N> scale = Lanes<N>::splat(1) / dot(a.x, x);

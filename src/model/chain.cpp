@@ -34,7 +34,9 @@ Joint joint_of(const Chain& c, size_t strand, size_t node) {
     const size_t left = own_place(c, strand, node > 0 ? node - 1 : c.springs), right = own_place(c, strand, node);
     if (stiffness_of(c, left) == 0 || stiffness_of(c, right) == 0) return {0, 1, 1};
     const double mean = 0.5 * (length_of(c, left) + length_of(c, right));
-    return {bend, mean / length_of(c, left), mean / length_of(c, right)};
+    Joint joint{bend, mean / length_of(c, left), mean / length_of(c, right)};
+    if (curls(c)) joint.turn = turn_by(angle_of(c, right), 1.0);
+    return joint;
 }
 
 // sqrt(stiffness mass) of a matched end, 0 of every other node [N s/m]; ropes have none.
@@ -70,7 +72,9 @@ Features features(const Chain& c) {
             c.ring != 0,
             has_lengths(c),
             bool(c.spring_length),
-            bool(c.spring_strength)};
+            bool(c.spring_strength),
+            c.rope.angle != 0,
+            bool(c.node_angle)};
 }
 
 namespace {
@@ -107,11 +111,12 @@ bool set_features(Chain& c, const Features& wanted) {
     Change<double> length{c.spring_length, wanted.spring_length ? springs * own : 0};
     Change<double> tension{c.tension, wanted.length ? springs * c.strands : 0};
     Change<double> strength{c.spring_strength, wanted.spring_strength ? springs * own : 0};
+    Change<double> angle{c.node_angle, wanted.node_angle ? c.nodes * own : 0};
     Change<double> ring_response{c.ring_response, needs.ring_response};
 
     const auto all = [&](auto f) {
         return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(length) && f(tension) && f(strength) &&
-               f(ring_response);
+               f(angle) && f(ring_response);
     };
     if (wanted.method == c.method && wanted.ring == (c.ring != 0) && keep_all(all)) return true;
     if (!take_all(c.memory, all)) return false;
@@ -128,6 +133,7 @@ bool set_features(Chain& c, const Features& wanted) {
     if (length.is_new()) fill_uniform(c, CD_REST_LENGTH);
     if (tension.is_new()) memset(c.tension.data, 0, c.tension.bytes());
     if (strength.is_new()) fill_uniform(c, CD_STRENGTH);
+    if (angle.is_new()) fill_uniform(c, CD_REST_ANGLE);
     if (body.wind.is_new()) fill_uniform(c, CD_WIND);
     body.fill(c);
     c.prepared_dt = 0;
@@ -144,6 +150,8 @@ void fill_uniform(Chain& c, cd_field field) {
         for (size_t i = 0; i < c.spring_length.count; ++i) c.spring_length[i] = uniform_length(c);
     if (field == CD_STRENGTH && c.spring_strength)
         for (size_t i = 0; i < c.spring_strength.count; ++i) c.spring_strength[i] = c.rope.strength;
+    if (field == CD_REST_ANGLE && c.node_angle)
+        for (size_t i = 0; i < c.node_angle.count; ++i) c.node_angle[i] = uniform_angle(c);
     if (field == CD_BEND && c.node_bend)
         for (size_t i = 0; i < c.node_bend.count; ++i) c.node_bend[i] = uniform_bend(c);
     if (field == CD_WIND && c.wind)

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "contdyn/chain.h"
+#include "base/turn.hh"
 #include "model/sleep.hh"
 
 namespace cd {
 
 constexpr uint64_t kMostIterations = 10000; // of a rope's step
+constexpr double kHalfTurn = 3.141592653589793; // [rad], the largest rest angle
 
 // Of chains whose springs have a length: see chain_rope.cpp.
 struct RopeSettings {
@@ -16,11 +18,13 @@ struct RopeSettings {
     uint64_t most_iterations = 200;
     double strength = INFINITY; // [N]
     double thickness = 0;       // [m]
+    double angle = 0;           // [rad], of a strand
 
     bool breaks() const { return strength < INFINITY; }
     bool operator==(const RopeSettings& o) const {
         return length == o.length && push == o.push && tolerance == o.tolerance &&
-               most_iterations == o.most_iterations && strength == o.strength && thickness == o.thickness;
+               most_iterations == o.most_iterations && strength == o.strength && thickness == o.thickness &&
+               angle == o.angle;
     }
 };
 
@@ -41,7 +45,7 @@ struct Chain : Body, ChainSettings {
     size_t lines, pitch; // lines: strands * components, side by side; pitch: numbers from one node to the next
 
     // fields of its own, per spring and per node; pin is always there
-    Array<double> spring_stiffness, node_bend, spring_length, spring_strength;
+    Array<double> spring_stiffness, node_bend, spring_length, spring_strength, node_angle;
     Array<double> tension; // with lengths, per spring and strand: state
 
     // what steps need, none of it state: see chain_step.cpp
@@ -57,7 +61,7 @@ struct Chain : Body, ChainSettings {
     // f(array, array of another chain...) for each field, in the order in which they are kept; and for every array.
     template <class F, class... C> static void each_field(F f, C&... c) {
         f(c.pin...), f(c.node_mass...), f(c.spring_stiffness...), f(c.node_bend...), f(c.spring_length...);
-        f(c.spring_strength...);
+        f(c.spring_strength...), f(c.node_angle...);
         f(c.attach_stiffness...), f(c.attach_damping...), f(c.position...), f(c.velocity...), f(c.force...);
         f(c.target...), f(c.tension...), f(c.wind...), f(c.colliders...), f(c.beds...), f(c.calm...);
     }
@@ -115,12 +119,27 @@ inline double strength_of(const Chain& c, size_t at) {
     return c.spring_strength ? c.spring_strength[at] : c.rope.strength;
 }
 inline bool can_break(const Chain& c) { return c.spring_strength || c.rope.breaks(); }
+// Of inner nodes, of which a rest angle other than 0 needs one.
+inline double uniform_angle(const Chain& c) { return c.springs > 1 ? c.rope.angle / double(c.springs - 1) : 0; }
+inline double angle_of(const Chain& c, size_t at) { return c.node_angle ? c.node_angle[at] : uniform_angle(c); }
+inline double most_angle(const Chain& c) { return c.springs > 1 ? kHalfTurn * double(c.springs - 1) : 0; }
+inline bool can_curl(const Chain& c) { return c.components == 2; }
+inline bool curls(const Chain& c) { return CD_WITH_BEND && (c.node_angle || c.rope.angle != 0); }
 double bend_of(const Chain& c, size_t node, size_t at); // 0 at the ends of an open chain
 inline double bend_of(const Chain& c, size_t node) { return bend_of(c, node, node); }
 inline bool has_bend(const Chain& c) { return CD_WITH_BEND && (c.node_bend || c.bend > 0); }
-// The bend energy at a node is stiffness / 2 |right d_right - left d_left|^2, d the vectors of the springs beside it.
+// The bend energy at a node is stiffness / 2 |right d_right - left R d_left|^2, d the vectors of the springs beside it,
+// and R the turn by the rest angle.
 struct Joint {
     double stiffness, left, right;
+    CosineAndSine<double> turn = {1, 0};
+
+    // Component k of R d, or, with `back`, of its inverse times d; of(k): a component of d.
+    template <class F> double turned(size_t k, F of, bool back = false) const {
+        if (turn.cosine == 1 && turn.sine == 0) return of(k); // of any number of components
+        const double sine = (k == 0) == back ? turn.sine : -turn.sine;
+        return turn.cosine * of(k) + sine * of(1 - k);
+    }
 };
 Joint joint_of(const Chain& c, size_t strand, size_t node);
 // An infinite stiffness welds the nodes of a spring that has no length; one that has it keeps it.
@@ -136,13 +155,13 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
                        const cd_allocator& allocator, Chain*& out);
 
 struct Features : BodyFeatures {
-    bool spring_stiffness, node_bend, ring, length, spring_length, spring_strength;
+    bool spring_stiffness, node_bend, ring, length, spring_length, spring_strength, angle, node_angle;
 };
 Features features(const Chain& c);
 inline const char* left_out(const Features& f) {
     if (!CD_WITH_ROPE && f.length) return "ropes are";
     if (!CD_WITH_BEND && f.ring) return "rings are";
-    if (!CD_WITH_BEND && f.node_bend) return "bend is";
+    if (!CD_WITH_BEND && (f.node_bend || f.angle || f.node_angle)) return "bend is";
     return left_out(static_cast<const BodyFeatures&>(f));
 }
 

@@ -1,4 +1,6 @@
 // What a chain consists of, for model/keep.hh. The bytes hold pins, then numbers per node or spring, then the state.
+#include <math.h>
+
 #include "model/chain.hh"
 #include "model/keep.hh"
 
@@ -13,6 +15,8 @@ struct ChainKeep {
     // much of that are beds and callbacks.
     static constexpr uint32_t kOfRopes = 1u << 31, kOfAir = 1u << 30, kOfStrength = 1u << 29, kOfContacts = 1u << 28;
     static constexpr uint32_t kOfShapes = 1u << 27;
+    // The rest angle follows, and the field of them, which has no bit of its own: in the place of fields never kept so.
+    static constexpr uint32_t kOfAngle = 1u << CD_STRAIN, kAngles = 1u << CD_TENSION;
     static constexpr Kind kind = {CD_KIND_CHAIN, "chain", {"strands", "springs"}};
 
     static Shape shape_of(const Chain& c) { return {{c.strands, c.springs}, c.components, c.precision}; }
@@ -23,6 +27,8 @@ struct ChainKeep {
         if (c.node_bend) s.fields |= 1u << CD_BEND;
         if (c.spring_length) s.fields |= 1u << CD_REST_LENGTH;
         if (c.spring_strength) s.fields |= 1u << CD_STRENGTH;
+        if (c.node_angle) s.fields |= kAngles;
+        if (c.rope.angle != 0) s.fields |= kOfAngle;
         if (!(c.rope == RopeSettings())) s.fields |= kOfRopes;
         if (!(c.air == AirSettings())) s.fields |= kOfAir;
         if (c.rope.breaks()) s.fields |= kOfStrength;
@@ -43,7 +49,9 @@ struct ChainKeep {
                 s.own.ring != 0,
                 s.own.rope.length > 0,
                 s.on(CD_REST_LENGTH),
-                s.on(CD_STRENGTH)};
+                s.on(CD_STRENGTH),
+                s.own.rope.angle != 0,
+                (s.fields & kAngles) != 0};
     }
 
     template <class W> static void walk_settings(W& w, Settings& s) {
@@ -55,6 +63,7 @@ struct ChainKeep {
         if (s.fields & kOfStrength) walk(w, rope.strength);
         if (s.fields & kOfContacts) walk(w, s.colliders), walk(w, rope.thickness);
         if (s.fields & kOfShapes) walk(w, s.beds), walk(w, s.callbacks);
+        if (s.fields & kOfAngle) walk(w, rope.angle);
     }
     template <class W> static void walk_choices(W& w, ChainSettings& s) { walk(w, s.ring); }
     template <class W> static void walk_numbers(W& w, ChainSettings& s) { walk(w, s.stiffness), walk(w, s.bend); }
@@ -62,11 +71,13 @@ struct ChainKeep {
     static bool valid(const Chain& c, const Settings& s) {
         const uint32_t optional =
             1u << CD_MASS | 1u << CD_STIFFNESS | 1u << CD_BEND | 1u << CD_FORCE | 1u << CD_TARGET | KeptBody::kOfSleep;
-        const uint32_t of_ropes = s.fields & (kOfRopes | kOfAir | kOfStrength | kOfContacts | kOfShapes |
-                                              1u << CD_REST_LENGTH | 1u << CD_WIND | 1u << CD_STRENGTH);
+        const uint32_t of_ropes =
+            s.fields & (kOfRopes | kOfAir | kOfStrength | kOfContacts | kOfShapes | kOfAngle | kAngles |
+                        1u << CD_REST_LENGTH | 1u << CD_WIND | 1u << CD_STRENGTH);
         return valid_body(s) && (s.fields & ~(optional | of_ropes)) == 0 &&
                (s.own.ring == 0 || (s.own.ring == 1 && c.nodes >= 3)) && valid_parameter(s.own.bend) &&
                valid_rope(c, s.own.rope, of_ropes) && valid_air(c, s.own.air) && valid_strength(s) &&
+               valid_angle(c, s) &&
                valid_contacts(s, s.own.rope.thickness) && are_told(s) &&
                (valid_parameter(s.own.stiffness) || valid_infinite(s.own.stiffness, s.own.rope.length));
     }
@@ -87,6 +98,13 @@ struct ChainKeep {
         const bool contacts = s.colliders > 0 || s.own.rope.thickness > 0;
         return contacts == ((s.fields & kOfContacts) != 0) && s.has_shapes() == ((s.fields & kOfShapes) != 0) &&
                (s.own.air == AirSettings()) == ((s.fields & kOfAir) == 0);
+    }
+
+    static bool valid_angle(const Chain& c, const Settings& s) {
+        const double angle = s.own.rope.angle;
+        const bool told = (s.fields & kOfAngle) != 0, any = told || (s.fields & kAngles) != 0;
+        return told == (angle != 0) && (!any || (can_curl(c) && s.own.rope.length > 0)) &&
+               fabs(angle) <= most_angle(c);
     }
 
     // What may break has stiffnesses of its own.
@@ -115,6 +133,8 @@ struct ChainKeep {
         if (s.on(CD_REST_LENGTH)) check.numbers<double>(springs, valid_shared_mass);
         if (s.on(CD_STRENGTH))
             check.numbers<double>(springs, [](double t, size_t) { return valid_mass(t) || (isinf(t) && t > 0); });
+        if (s.fields & kAngles)
+            check.numbers<double>(nodes, [](double angle, size_t) { return fabs(angle) <= kHalfTurn; });
         const SavedNumbers velocity = check_ties_and_state(check, c, layout_of(c), s, nodes);
         if (rope) check.numbers<double>(springs, [](double t, size_t) { return isfinite(t) != 0; });
         if (!check_surroundings(check, c, layout_of(c), s, own)) return false;

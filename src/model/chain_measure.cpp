@@ -49,9 +49,10 @@ template <class T> struct Measure {
             const Joint joint = joint_of(c, part.first / c.components, i);
             if (joint.stiffness > 0) {
                 const size_t left = i > 0 ? i - 1 : c.nodes - 1, right = after(i);
+                const auto before = [&](size_t k) { return at(x, i, part.first + k) - at(x, left, part.first + k); };
                 elastic.add(0.5 * joint.stiffness * squares(part, [&](size_t l) {
                                 return joint.right * (at(x, right, l) - at(x, i, l)) -
-                                       joint.left * (at(x, i, l) - at(x, left, l));
+                                       joint.left * joint.turned(l - part.first, before);
                             }));
             }
             if (c.target)
@@ -121,9 +122,13 @@ void reaction(const Chain& c, size_t strand, size_t node, double* out) {
         if (!(joint.stiffness > 0)) continue;
         double left[4], right[4];
         vector_of(c, strand, i > 0 ? i - 1 : c.springs, left), vector_of(c, strand, i, right);
-        const double share = i == node ? joint.left + joint.right : i < node ? -joint.right : -joint.left;
-        for (size_t k = 0; k < c.components; ++k)
-            out[k] += share * joint.stiffness * (joint.right * right[k] - joint.left * left[k]);
+        const auto bent = [&](size_t k) {
+            return joint.right * right[k] - joint.left * joint.turned(k, [&](size_t j) { return left[j]; });
+        };
+        for (size_t k = 0; k < c.components; ++k) {
+            const double next = joint.right * bent(k), before = joint.left * joint.turned(k, bent, true);
+            out[k] += joint.stiffness * (i == node ? before + next : i < node ? -next : -before);
+        }
     }
 }
 

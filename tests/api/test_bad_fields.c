@@ -13,6 +13,7 @@ static cd_chain* rope;  /* with CD_REST_LENGTH on */
 
 static const cd_field optional[] = {CD_FORCE, CD_MASS, CD_STIFFNESS, CD_BEND, CD_TARGET};
 static const cd_field shared[] = {CD_MASS, CD_STIFFNESS, CD_BEND, CD_PIN};
+static const cd_field of_ropes[] = {CD_REST_LENGTH, CD_TENSION, CD_WIND, CD_STRENGTH, CD_STRAIN, CD_REST_ANGLE};
 static const cd_field per_strand[] = {CD_POSITION, CD_VELOCITY, CD_FORCE, CD_TARGET};
 
 static double values[ALL];
@@ -56,9 +57,9 @@ static int tear_down(void** state) {
 static void no_number_is_taken_for_a_field(void** state) {
     (void)state;
     static const cd_field none[] = {-1, 8,  9,  10, 11, 12, 13, 14,        15,       16,
-                                    17, 18, 19, 20, 21, 27, 77, INT32_MAX, INT32_MIN};
+                                    17, 18, 19, 20, 21, 27, 34, 36, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < COUNT(none); ++i) {
-        const char* text = text_of("field|%d|must be 0 to 7 or 22 to 26", none[i]);
+        const char* text = text_of("field|%d|must be 0 to 7, 22 to 26 or 35", none[i]);
         for (int with_lengths = 0; with_lengths <= 1; ++with_lengths) {
             cd_chain* c = with_lengths ? rope : chain;
             refuses(c, cd_chain_enable_field(c, none[i]), CD_ERROR_ENUM, text);
@@ -71,7 +72,8 @@ static void no_number_is_taken_for_a_field(void** state) {
 
 static void only_ropes_have_the_fields_of_ropes(void** state) {
     (void)state;
-    for (cd_field f = CD_REST_LENGTH; f <= CD_STRAIN; ++f) {
+    for (size_t i = 0; i < COUNT(of_ropes); ++i) {
+        const cd_field f = of_ropes[i];
         const char* text = text_of("field|%d|rest length", f);
         refuses(chain, cd_chain_enable_field(chain, f), CD_ERROR_UNSUPPORTED, text);
         refuses_transfers(chain, f, 0, 1, 0, 1, 1, CD_ERROR_UNSUPPORTED, text);
@@ -234,6 +236,10 @@ static const struct {
     {CD_STRENGTH, 0, "0"},
     {CD_STRENGTH, -0.5, "-0.5"},
     {CD_STRENGTH, -INFINITY, "-inf"},
+    {CD_REST_ANGLE, NAN, "nan"},
+    {CD_REST_ANGLE, 3.1416, "3.1416"},
+    {CD_REST_ANGLE, -3.1416, "-3.1416"},
+    {CD_REST_ANGLE, INFINITY, "inf"},
 };
 
 static void lengths_beyond_their_range_are_refused(void** state) {

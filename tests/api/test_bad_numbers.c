@@ -33,6 +33,42 @@ static cd_status read_winds(const cd_chain* c, double* winds) {
 #define BODY chain
 #include "bad_surroundings.h"
 
+static void only_ropes_in_a_plane_have_rest_angles(void** state) {
+    (void)state;
+    enum { JOINTS = 4 };
+    const double most = JOINTS * 3.141592653589793;
+    double angle = 1;
+    cd_chain *c = scene_chain(2, JOINTS + 1, 2, CD_FLOAT64), *in_space = scene_chain(2, JOINTS + 1, 3, CD_FLOAT64);
+    refuses(c, cd_chain_set_rest_angle(c, 1), CD_ERROR_UNSUPPORTED, "rest angles|rest length");
+    refuses(in_space, cd_chain_set_rest_angle(in_space, 0), CD_ERROR_UNSUPPORTED, "rest angles|rest length");
+    ok(cd_chain_set_rest_length(c, 1));
+    ok(cd_chain_set_rest_length(in_space, 1));
+    refuses(in_space, cd_chain_set_rest_angle(in_space, 1), CD_ERROR_UNSUPPORTED, "2 components|3");
+    refuses(in_space, cd_chain_enable_field(in_space, CD_REST_ANGLE), CD_ERROR_UNSUPPORTED, "2 components|3");
+    for (int sign = -1; sign <= 1; sign += 2) {
+        refuses(c, cd_chain_set_rest_angle(c, sign * nextafter(most, 100)), CD_ERROR_VALUE, "angle|12.5664");
+        ok(cd_chain_set_rest_angle(c, sign * most));
+    }
+    refuses(c, cd_chain_set_rest_angle(c, NAN), CD_ERROR_VALUE, "angle|nan");
+    ok(cd_chain_enable_field(c, CD_REST_ANGLE));
+    assert_true(scene_get(c, CD_REST_ANGLE, 2) == most / JOINTS);
+    scene_set(c, CD_REST_ANGLE, 2, 0.5);
+    ok(cd_chain_set_rest_angle(c, -2)); /* writes the field anew */
+    assert_true(scene_get(c, CD_REST_ANGLE, 2) == -0.5);
+    ok(cd_chain_set_rest_length(c, 0)); /* switches all of it off */
+    ok(cd_chain_get_rest_angle(c, &angle));
+    assert_true(angle == 0);
+    ok(cd_chain_set_rest_length(c, 1));
+    refuses(c, cd_chain_read_f64(c, CD_REST_ANGLE, 0, 1, 0, 1, out.number, 1), CD_ERROR_DISABLED, "CD_REST_ANGLE");
+    cd_chain_destroy(c);
+    cd_chain_destroy(in_space);
+    c = scene_chain(1, 1, 2, CD_FLOAT64); /* without a joint */
+    ok(cd_chain_set_rest_length(c, 1));
+    ok(cd_chain_set_rest_angle(c, 0));
+    refuses(c, cd_chain_set_rest_angle(c, 1e-300), CD_ERROR_VALUE, "angle");
+    cd_chain_destroy(c);
+}
+
 static void only_ropes_break(void** state) {
     (void)state;
     double strength;
@@ -182,6 +218,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(only_what_sleeps_needs_seconds),
         cmocka_unit_test(only_ropes_break),
+        cmocka_unit_test(only_ropes_in_a_plane_have_rest_angles),
         SURROUNDINGS_TESTS,
         cmocka_unit_test(nothing_moves_that_cannot_be_teleported),
         cmocka_unit_test(only_ropes_are_rigid),

@@ -78,6 +78,9 @@ static void may_sleep(cd_chain* c) { ok(cd_chain_set_sleep(c, 1e-9, 1)); }
 static void may_sleep_faster(cd_chain* c) { ok(cd_chain_set_sleep(c, 2e-9, 1)); }
 static void may_sleep_later(cd_chain* c) { ok(cd_chain_set_sleep(c, 1e-9, 2)); }
 static void length(cd_chain* c) { ok(cd_chain_set_rest_length(c, 2)); }
+static void rest_angle(cd_chain* c) { ok(cd_chain_set_rest_angle(c, 2)); }
+static void rest_angle_back(cd_chain* c) { ok(cd_chain_set_rest_angle(c, -2)); }
+static void no_rest_angles(cd_chain* c) { ok(cd_chain_disable_field(c, CD_REST_ANGLE)); }
 static void strength(cd_chain* c) { ok(cd_chain_set_strength(c, 1e4)); }
 static const double low[COMPONENTS] = {-3, -3}, lower[COMPONENTS] = {-3, -4}, left[COMPONENTS] = {-0.5, 0};
 static void thickness(cd_chain* c) { ok(cd_chain_set_thickness(c, 0.005)); }
@@ -194,6 +197,9 @@ static void (*const rope_changes[])(cd_chain*) = {may_sleep,
                                                   cut_in_one_strand,
                                                   attach_in_one_strand,
                                                   strength,
+                                                  rest_angle,
+                                                  rest_angle_back,
+                                                  no_rest_angles,
                                                   no_strengths,
                                                   end_posed,
                                                   shifted,
@@ -308,8 +314,10 @@ static void every_number_of_every_field_is_in_the_hash(void** state) {
         ok(cd_chain_enable_field(chain, k < 2 ? CD_STIFFNESS : CD_STRENGTH));
         if (k >= 2) ok(cd_chain_set_strength(chain, 100)); /* numbers to change */
         const uint64_t before = hash_of(chain);
-        for (cd_field field = CD_POSITION; field <= (k < 2 ? CD_TARGET : CD_STRENGTH); ++field) {
-            if ((k >= 2 && field == CD_BEND) || (field > CD_TARGET && field < CD_REST_LENGTH)) continue;
+        for (cd_field field = CD_POSITION; field <= (k < 2 ? CD_TARGET : CD_REST_ANGLE); ++field) {
+            const int of_others = (field > CD_TARGET && field < CD_REST_LENGTH) ||
+                                  (field > CD_STRENGTH && field < CD_REST_ANGLE);
+            if ((k >= 2 && field == CD_BEND) || of_others) continue;
             double values[ALL];
             const size_t count = scene_field_count(chain, field);
             scene_read(chain, field, values);

@@ -68,6 +68,9 @@ static void a_new_chain_has_the_defaults_of_the_header(void** state) {
         number = -1;
         ok(cd_chain_get_rest_length(chain, &number));
         assert_true(number == 0);
+        number = -1;
+        ok(cd_chain_get_rest_angle(chain, &number));
+        assert_true(number == 0);
         ring = -1;
         ok(cd_chain_get_push(chain, &ring));
         assert_int_equal(ring, 0);

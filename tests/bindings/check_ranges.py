@@ -219,7 +219,7 @@ def each_with(calls, p, number):
         parts = [q["name"] for q in calls.function["parameters"] if q["role"] == "value" and q["base"] == "size_t"
                  and not q["name"].startswith("first")]
         count = math.prod(changes.get(name, calls.value(name)) for name in parts)
-        changes[arrays[0]["name"]] = count * (COMPONENTS if calls.kind != "water" else 1)
+        changes[arrays[0]["name"]] = count * COMPONENTS[calls.kind]
     return changes
 
 
@@ -298,7 +298,7 @@ def fields(library):
         write = next(f for f in library.api["functions"] if f["name"] == f"cd_{kind}_write_f64")
         for precision in (FLOAT32, FLOAT64) if "range" in field else ():
             calls = Calls(library, write, "with lengths" if field["lengths"] else "new", precision)
-            number, values = enumerators[field["name"]], COMPONENTS if field["components"] else 1
+            number, values = enumerators[field["name"]], COMPONENTS[kind] if field["components"] else 1
             at = int(field["unit"] != "-")  # of all nodes only an end may be matched, and only inside water flows
             place = (0, 1, at, 1) if kind == "chain" else (at, at, 1, 1)
 

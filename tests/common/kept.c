@@ -143,6 +143,7 @@ static void tell_chain(const cd_chain* o) {
     const size_t nodes = scene_nodes(o);
     BODY(chain);
     NUMBER(cd_chain_get_stiffness), NUMBER(cd_chain_get_rest_length), NUMBER(cd_chain_get_strength);
+    NUMBER(cd_chain_get_rest_angle);
     WHOLE(cd_chain_get_ring), WHOLE(cd_chain_get_push);
     for (size_t k = 0; k < scene_own_strands(o) * nodes; ++k) {
         double* const attached = NUMBERS(cd_chain_get_attachment, 2);

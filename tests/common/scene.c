@@ -319,6 +319,10 @@ void scene_lengths(cd_chain* chain) {
     ok(cd_chain_set_air(chain, 0.03, 0.8));
     scatter(chain, CD_WIND, 2, 19);
     vary(chain, CD_STRENGTH, 1000, 20);
+    if (scene_components(chain) == 2) {
+        ok(cd_chain_set_rest_angle(chain, -1));
+        vary(chain, CD_REST_ANGLE, 0.2, 21);
+    }
     meet(chain);
 }
 
@@ -335,7 +339,18 @@ void scene_links(cd_chain* chain) {
     ok(cd_chain_set_wind(chain, wind, scene_components(chain)));
 }
 
-const struct scene rope_scenes[ROPE_SCENES] = {{"lengths", scene_lengths}, {"links", scene_links}};
+void scene_curls(cd_chain* chain) {
+    scene_links(chain);
+    ok(cd_chain_set_bend(chain, 0.01));
+    ok(cd_chain_set_lambda(chain, 0.75));
+    if (scene_components(chain) != 2) return;
+    ok(cd_chain_set_rest_angle(chain, 4));
+    ok(cd_chain_enable_field(chain, CD_REST_ANGLE));
+    for (size_t i = 0; i < scene_nodes(chain); i += 3) scene_set(chain, CD_REST_ANGLE, i, 0.3 * (double)i - 1);
+}
+
+const struct scene rope_scenes[ROPE_SCENES] = {
+    {"lengths", scene_lengths}, {"links", scene_links}, {"curls", scene_curls}};
 
 const struct scene scenes[SCENES] = {
     {"rope", scene_rope},

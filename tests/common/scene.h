@@ -70,7 +70,8 @@ extern const struct scene scenes[SCENES];
 /* Springs that have a length: up to 3 components, and CD_METHOD_IMPLICIT. */
 scene_build scene_lengths; /* every field and parameter that ropes may have */
 scene_build scene_links;   /* of fixed length, hangs by its first end */
-enum { ROPE_SCENES = 2 };
+scene_build scene_curls;   /* resists bending, about rest angles where there are 2 components */
+enum { ROPE_SCENES = 3 };
 extern const struct scene rope_scenes[ROPE_SCENES];
 
 #endif

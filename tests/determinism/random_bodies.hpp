@@ -323,7 +323,19 @@ inline void ChainScene::become_rope(Handle* chain, Random& random, Returned& ret
 
 // What only ropes have. A hard one that ends short of its tolerance steps to the same bits, too.
 inline void ChainScene::act_on_rope(Handle* chain, Random& random, Returned& returned) const {
-    switch (random.below(16)) {
+    switch (random.below(18)) {
+    case 16:
+        if (components != 2 || nodes < 3) break;
+        returned += cd_chain_set_rest_angle(chain, random.chance(0.2) ? 0 : double(nodes - 2) * random.uniform(-3, 3));
+        break;
+    case 17:
+        if (components != 2) break;
+        if (random.chance(0.2)) {
+            returned += cd_chain_disable_field(chain, CD_REST_ANGLE);
+            break;
+        }
+        returned += cd_chain_enable_field(chain, CD_REST_ANGLE);
+        return write_part(*this, chain, CD_REST_ANGLE, random, returned, [&] { return random.uniform(-3.14, 3.14); });
     case 13:
     case 14:
     case 15: return meet_things<RopeThings>(chain, components, size, random, returned);

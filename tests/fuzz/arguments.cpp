@@ -64,6 +64,7 @@ static double pick_value(cd_field field, double size, bool at_rest) {
     case CD_REST_LENGTH_V: return decades(-3, 0);
     case CD_BREAKING_STRAIN_U:
     case CD_BREAKING_STRAIN_V: return chance(0.3) ? double(INFINITY) : decades(-2, 2);
+    case CD_REST_ANGLE: return chance(0.1) ? (chance(0.5) ? 1 : -1) * 3.141592653589793 : uniform(-3.2, 3.15);
     case CD_STRENGTH: return chance(0.3) ? double(INFINITY) : decades(-1, 5);
     case CD_TENSION: return at_rest ? 0 : chance(0.9) ? decades(-2, 3) : uniform(-size, size);
     case CD_VELOCITY:

@@ -43,6 +43,7 @@ bool Chain::extent(cd_field field, Extent& out) const {
     case CD_TENSION:
     case CD_STRENGTH:
     case CD_STRAIN: out = {strands, springs_now(), 1}; return is_rope();
+    case CD_REST_ANGLE: out = {strands, springs + 1, 1}; return is_rope() && components == 2;
     default: return false;
     }
 }
@@ -158,7 +159,7 @@ bool Chain::is_driven() const {
 // ---- calls ---------------------------------------------------------------------------------------------------------
 
 void Chain::act_by_kind() {
-    switch (below(is_rope() || likes_lengths ? 53 : 25)) {
+    switch (below(is_rope() || likes_lengths ? 54 : 25)) {
     case 0: set_number("set_mass", cd_chain_set_mass, pick_number(-2, 3), {1e-3, 1e4}); break;
     case 1: set_stiffness(); break;
     case 2: set_number("set_bend", cd_chain_set_bend, chance(0.3) ? 0 : pick_number(-6, 1), {0, 1e2}, 0); break;
@@ -198,6 +199,7 @@ void Chain::act_by_kind() {
     case 33: set_wind(); break;
     case 34: get_air(); break;
     case 35: set_strength(); break;
+    case 53: set_rest_angle(); break;
     case 36: get_reaction(); break;
     case 37: set_colliders(); break;
     case 38:
@@ -314,7 +316,8 @@ void Chain::get_shape() {
 }
 
 void Chain::get_parameter() {
-    switch (below(13)) {
+    switch (below(14)) {
+    case 13: get("get_rest_angle", cd_chain_get_rest_angle); break;
     case 12: get("get_awake", cd_chain_get_awake); break;
     case 9: get("get_strength", cd_chain_get_strength); break;
     case 10: get("get_colliders", cd_chain_get_colliders); break;

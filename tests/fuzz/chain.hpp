@@ -75,6 +75,7 @@ private:
     void get_air();
     void set_wind();
     void get_convergence();
+    void set_rest_angle();
     void set_strength();
     size_t cut_springs() const;                                // of those that have a stiffness of their own
     double deepest(const std::vector<Thing>& of) const;        // of all free nodes

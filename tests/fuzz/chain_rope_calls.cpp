@@ -99,6 +99,15 @@ void Chain::set_wind() {
     if (status == CD_OK && !moderate) past.moderate = false;
 }
 
+void Chain::set_rest_angle() {
+    const double most = 3.141592653589793 * (springs > 1 ? double(springs - 1) : 0);
+    const double angle = chance(0.2) ? 0 : chance(0.2) ? pick_number(-2, 2) : uniform(-1, 1) * most;
+    const cd_status status = both(text("set_rest_angle %.17g", angle), 0,
+                                  [&](cd_chain* chain, int) { return cd_chain_set_rest_angle(chain, angle); });
+    if (status == CD_OK && !(is_rope() && components == 2 && fabs(angle) <= most))
+        problem("set_rest_angle: it is taken");
+}
+
 void Chain::set_strength() {
     const double strength = chance(0.4) ? double(INFINITY) : pick_number(-2, 5);
     const cd_status status = both(text("set_strength %.17g", strength), 0,

@@ -59,6 +59,7 @@ static struct made chain_call(any* c, size_t number) {
     CALL(cd_chain_set_rest_length(c, 0.9));
     CALL(cd_chain_set_rest_length(c, 0));
     CALL(cd_chain_set_air(c, 0.1, 0.2));
+    CALL(cd_chain_set_rest_angle(c, 1));
     CALL(cd_chain_set_strength(c, 1e6));
     CALL(cd_chain_set_colliders(c, 1));
     CALL(cd_chain_set_colliders(c, 6));

@@ -12,7 +12,7 @@ struct scene {
     int nodes, components, one_end; /* one_end: whether one end is held and the other one free */
     double lambda, stiffness, tie, air, bend;
     int cut, push, touches, tied, held[2]; /* a spring, and nodes: -1: none */
-    double x[MOST][3], v[MOST][3], mass[MOST], length[MOST];
+    double x[MOST][3], v[MOST][3], mass[MOST], length[MOST], angle[MOST];
 };
 
 static struct scene scene_of(uint64_t number) {
@@ -40,6 +40,7 @@ static struct scene scene_of(uint64_t number) {
             s.v[i][k] = i == s.held[0] || i == s.held[1] ? 0 : random_number(&seed);
         }
     }
+    for (int i = 0; i < s.nodes && number % 16 == 6; ++i) s.angle[i] = 3 * random_number(&seed); /* a curled rod's */
     return s;
 }
 
@@ -83,6 +84,7 @@ static int run(const struct scene* s, struct way way, double x[MOST][3], double*
     ok(cd_chain_enable_field(chain, CD_REST_LENGTH));
     ok(cd_chain_enable_field(chain, CD_STIFFNESS));
     if (s->bend > 0) ok(cd_chain_enable_field(chain, CD_BEND));
+    if (s->angle[0] != 0) ok(cd_chain_enable_field(chain, CD_REST_ANGLE));
     if (s->touches) {
         const cd_distance shape = {NULL, ball};
         ok(cd_chain_set_colliders(chain, 2));
@@ -99,6 +101,8 @@ static int run(const struct scene* s, struct way way, double x[MOST][3], double*
             if (i == s->held[0] || i == s->held[1]) put_field(chain, CD_PIN, strand, at, &held, 1);
             if (i == s->tied) ok(cd_chain_attach(chain, strand, (size_t)at, s->tie, 0.1, s->x[0], components));
             if (s->bend > 0) put_field(chain, CD_BEND, strand, at, &s->bend, 1);
+            const double angle = way.backwards ? -s->angle[i] : s->angle[i];
+            if (s->angle[0] != 0) put_field(chain, CD_REST_ANGLE, strand, at, &angle, 1);
             if (i + 1 < n) put_field(chain, CD_REST_LENGTH, strand, spring, &s->length[i], 1);
             if (i + 1 < n) put_field(chain, CD_STIFFNESS, strand, spring, i == s->cut ? &none : &s->stiffness, 1);
         }

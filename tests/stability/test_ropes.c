@@ -11,20 +11,21 @@
 enum { MOST_NODES = 101 };
 
 struct scene {
-    size_t nodes;
+    size_t nodes, components;
     double mass[MOST_NODES], x[MOST_NODES][3], v[MOST_NODES][3];
     double stiffness[MOST_NODES]; /* of springs */
     double length;                /* of a spring */
     int pin[MOST_NODES];
     double gravity;
-    int push;    /* springs push as well */
-    double bend; /* of the whole rope */
+    int push;                 /* springs push as well */
+    double bend;              /* of the whole rope */
+    double angle[MOST_NODES]; /* at rest; of 2 components */
 };
 
 /* A rope of 10 m and 1 kg, level, its first node pinned. */
 static void level(struct scene* s, size_t nodes) {
     memset(s, 0, sizeof *s);
-    s->nodes = nodes;
+    s->nodes = nodes, s->components = 3;
     s->length = 10.0 / (double)(nodes - 1);
     s->gravity = -9.81;
     s->pin[0] = CD_NODE_PINNED;
@@ -37,8 +38,8 @@ static void level(struct scene* s, size_t nodes) {
 static void random_walk(struct scene* s, double speed, uint64_t* seed) {
     for (size_t i = 1; i < s->nodes; ++i) {
         double way[3], size = 0;
-        for (int k = 0; k < 3; ++k) way[k] = random_number(seed), size += way[k] * way[k];
-        for (int k = 0; k < 3; ++k) {
+        for (size_t k = 0; k < s->components; ++k) way[k] = random_number(seed), size += way[k] * way[k];
+        for (size_t k = 0; k < s->components; ++k) {
             s->x[i][k] = s->x[i - 1][k] + s->length * way[k] / sqrt(size);
             s->v[i][k] = speed * random_number(seed);
         }
@@ -103,24 +104,28 @@ static void build(struct scene* s, enum hard hard) {
 }
 
 static cd_chain* make(const struct scene* s, double lambda, cd_precision precision) {
-    const size_t n = s->nodes;
+    const size_t n = s->nodes, components = s->components;
     const double gravity[3] = {0, s->gravity, 0};
     double pin[MOST_NODES];
     cd_chain* chain = NULL;
-    ok(cd_chain_create(1, n - 1, 3, precision, NULL, &chain));
+    ok(cd_chain_create(1, n - 1, components, precision, NULL, &chain));
     ok(cd_chain_set_rest_length(chain, s->length * (double)(n - 1)));
     ok(cd_chain_set_lambda(chain, lambda));
     ok(cd_chain_set_push(chain, s->push));
     ok(cd_chain_set_bend(chain, s->bend));
-    ok(cd_chain_set_gravity(chain, gravity, 3));
+    ok(cd_chain_set_gravity(chain, gravity, components));
     ok(cd_chain_enable_field(chain, CD_MASS));
     ok(cd_chain_enable_field(chain, CD_STIFFNESS));
     for (size_t i = 0; i < n; ++i) pin[i] = s->pin[i];
     ok(cd_chain_write_f64(chain, CD_MASS, 0, 1, 0, n, s->mass, n));
     ok(cd_chain_write_f64(chain, CD_STIFFNESS, 0, 1, 0, n - 1, s->stiffness, n - 1));
-    ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, n, s->x[0], 3 * n));
-    ok(cd_chain_write_f64(chain, CD_VELOCITY, 0, 1, 0, n, s->v[0], 3 * n));
+    for (size_t i = 0; i < n; ++i) {
+        ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, i, 1, s->x[i], components));
+        ok(cd_chain_write_f64(chain, CD_VELOCITY, 0, 1, i, 1, s->v[i], components));
+    }
     ok(cd_chain_write_f64(chain, CD_PIN, 0, 1, 0, n, pin, n));
+    if (components == 2) ok(cd_chain_enable_field(chain, CD_REST_ANGLE));
+    if (components == 2) ok(cd_chain_write_f64(chain, CD_REST_ANGLE, 0, 1, 0, n, s->angle, n));
     return chain;
 }
 
@@ -131,15 +136,17 @@ struct result {
 };
 static struct result look(const cd_chain* chain, const struct scene* s, double tolerance) {
     struct result r = {0, 0, 0, 0, 0, 0};
-    double x[MOST_NODES][3], tension[MOST_NODES], elastic, gravity;
-    ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, s->nodes, x[0], 3 * s->nodes));
+    const size_t components = s->components;
+    double x[3 * MOST_NODES], tension[MOST_NODES], elastic, gravity;
+    ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, s->nodes, x, components * s->nodes));
     ok(cd_chain_read_f64(chain, CD_TENSION, 0, 1, 0, s->nodes - 1, tension, s->nodes - 1));
     ok(cd_chain_get_energy(chain, &r.kinetic, &elastic, &gravity));
     r.energy = r.kinetic + elastic + gravity;
     r.worth = 1e-14 * (double)(s->nodes * s->nodes) * elastic;
     for (size_t i = 0; i + 1 < s->nodes; ++i) {
         double d = 0;
-        for (int k = 0; k < 3; ++k) d += (x[i + 1][k] - x[i][k]) * (x[i + 1][k] - x[i][k]);
+        for (const double* a = x + i * components; a < x + (i + 1) * components; ++a)
+            d += (a[components] - a[0]) * (a[components] - a[0]);
         const double over = (sqrt(d) - s->length - tension[i] / s->stiffness[i]) / s->length;
         r.stretch = fmax(r.stretch, s->push && s->stiffness[i] > 0 ? fabs(over) : over);
         r.tension = fmax(r.tension, tension[i]), r.slack = fmax(r.slack, -tension[i] * over);
@@ -166,18 +173,18 @@ static int is_free(const struct scene* s) {
 
 static struct run run(cd_chain* chain, const struct scene* s, double dt, int steps, double tolerance, int driven) {
     struct run run = {0, 0, 0, 0, 0, 0, 0};
-    double mass = 0, before_p[3], p[3];
+    double mass = 0, before_p[3] = {0, 0, 0}, p[3] = {0, 0, 0};
     for (size_t i = 0; i < s->nodes; ++i) mass += s->mass[i];
     struct result before = look(chain, s, tolerance);
     cd_status before_status = CD_OK;
     run.scale = fmax(mass * 98.1, before.kinetic);
     for (int step = 0; step < steps; ++step) {
         size_t iterations;
-        ok(cd_chain_get_momentum(chain, before_p, 3));
+        ok(cd_chain_get_momentum(chain, before_p, s->components));
         const cd_status status = cd_chain_step(chain, dt, 1);
         assert_true(status == CD_OK || status == CD_ERROR_TOLERANCE);
         ok(cd_chain_get_convergence(chain, &iterations, NULL));
-        ok(cd_chain_get_momentum(chain, p, 3));
+        ok(cd_chain_get_momentum(chain, p, s->components));
         run.iterations += (double)iterations / steps;
         const struct result after = look(chain, s, tolerance);
         assert_true(isfinite(after.energy));
@@ -240,18 +247,18 @@ static void hard_scenes_stay_bounded(void** state) {
 /* Stiff rods that pushed, or that pinned nodes hold bent, and made energy without a word where joints were not asked. */
 static const int stiff_rods[] = {6259, 16907, 25179};
 
-static void thousands_of_random_ropes_stay_bounded(void** state) {
-    (void)state;
-    const int random = is_long() ? 50000 : 5000, count = random + (int)COUNT(stiff_rods);
+static void random_ropes_stay_bounded(int random, const int* hard, int hard_count, int curled) {
+    const int count = random + hard_count;
     int missed = 0;
     double stretch = 0, gain = 0, drift = 0, slack = 0;
     for (int k = 0; k < count; ++k) {
-        const int number = k < random ? k : stiff_rods[k - random];
+        const int number = k < random ? k : hard[k - random];
         static struct scene s;
         uint64_t seed = 1000 + (uint64_t)number;
         const double lambda = number % 3 == 0 ? 1 : 0.75 + 0.25 * random_number(&seed);
         const double dt = pow(10, -1.4 + 1.4 * random_number(&seed)), decades = 3 * fabs(random_number(&seed));
         level(&s, 2 + (size_t)(49 * fabs(random_number(&seed))));
+        if (curled) s.components = 2;
         if (number % 2) random_walk(&s, 5, &seed);
         for (size_t i = 0; i < s.nodes; ++i) {
             s.mass[i] *= pow(10, decades * random_number(&seed));
@@ -268,7 +275,9 @@ static void thousands_of_random_ropes_stay_bounded(void** state) {
         if (number % 4 == 1) s.pin[0] = CD_NODE_FREE;
         const double tolerance = pow(10, number % 3 == 1 ? -2 : -6);
         s.push = number % 8 == 3 && number % 9 != 4;
-        if (number % 2) s.bend = pow(10, (k < random ? 5 : 6) * random_number(&seed));
+        if (number % 2 || curled) s.bend = pow(10, (k < random ? 5 : 6) * random_number(&seed));
+        for (size_t i = 0; i < s.nodes && curled; ++i)
+            s.angle[i] = (number % 5 == 2 ? 0.1 : 3.141592653589793) * random_number(&seed);
         cd_chain* chain = make(&s, lambda, CD_FLOAT64);
         ok(cd_chain_set_tolerance(chain, tolerance, 200));
         double tension[MOST_NODES];
@@ -295,6 +304,15 @@ static void thousands_of_random_ropes_stay_bounded(void** state) {
     assert_true(drift < 1e-10);
     assert_true(slack <= 1);
     assert_true(gain < 1e-9);
+}
+
+static void thousands_of_random_ropes_stay_bounded(void** state) {
+    (void)state;
+    random_ropes_stay_bounded(is_long() ? 50000 : 5000, stiff_rods, (int)COUNT(stiff_rods), 0);
+}
+static void thousands_of_random_curls_stay_bounded(void** state) {
+    (void)state;
+    random_ropes_stay_bounded(is_long() ? 50000 : 3000, NULL, 0, 1);
 }
 
 /* Too few iterations for a scene that needs many: each step says so, and what it leaves has no more energy than nodes
@@ -427,6 +445,7 @@ int main(void) {
         cmocka_unit_test(held_nodes_too_far_apart_are_told),
         cmocka_unit_test(a_step_that_ends_short_keeps_the_best_it_found),
         cmocka_unit_test(thousands_of_random_ropes_stay_bounded),
+        cmocka_unit_test(thousands_of_random_curls_stay_bounded),
     };
     return cmocka_run_group_tests_name("ropes", tests, NULL, NULL);
 }

@@ -145,6 +145,12 @@ void ropes() {
     OK(rope.set_push(true));
     CHECK(GET(rope.get_push()));
     OK(rope.set_push(false));
+    chain blade = GET(chain::create(2, 3, 2));
+    OK(blade.set_rest_length(1));
+    OK(blade.set_rest_angle(1));
+    CHECK(GET(blade.get_rest_angle()) == 1);
+    OK(blade.enable_field(field::rest_angle));
+    CHECK(GET(blade.read_f64(field::rest_angle)) == std::vector<double>(8, 0.5));
     OK(rope.set_tolerance(1e-5));
     OK(rope.set_tolerance(1e-6, 50));
     const stopping limits = GET(rope.get_tolerance());
@@ -174,6 +180,9 @@ void ropes() {
     CHECK(force[0] == 0 && force[1] == 0 && std::fabs(force[2] + 8) < 1e-4);
     CHECK(GET(rope.get_size(field::strain)) == 8);
     for (double strain : GET(rope.read_f64(field::strain))) CHECK(std::fabs(strain) < 1e-5);
+    OK(rope.enable_field(field::bend)); // two strands have their own
+    CHECK(GET(rope.get_size(field::bend)) == 10 && GET(rope.read_f64(field::bend)) == std::vector<double>(10, 0));
+    OK(rope.disable_field(field::bend));
     CHECK(std::isinf(GET(rope.get_strength())) && GET(rope.get_broken()) == 0);
     OK(rope.set_strength(7));
     CHECK(GET(rope.get_strength()) == 7);

@@ -134,6 +134,8 @@ void lengths() {
     }
     chain four = GET(chain::create(1, 5, 4)), single = GET(chain::create(1, 0, 2));
     KEPT(four, status::error_unsupported, "components", four.set_rest_length(1));
+    KEPT(four, status::error_unsupported, "rest angles", four.set_rest_angle(1));
+    for (double bad : {nan_value, HUGE_VAL, -12.6}) KEPT(rope, status::error_value, "angle", rope.set_rest_angle(bad));
     KEPT(single, status::error_unsupported, "springs", single.set_rest_length(1));
 
     OK(rope.set_rest_length(1));

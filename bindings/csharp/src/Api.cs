@@ -177,6 +177,7 @@ namespace Contdyn
         StrainV = 32,
         BreakingStrainU = 33,
         BreakingStrainV = 34,
+        RestAngle = 35,
     }
 
     /// <summary>The kinds of objects.</summary>
@@ -668,6 +669,7 @@ namespace Contdyn
             { Field.Tension, new FieldRow(new[] { 1, 0, 0, 2, 0, 1 }, false, false) },
             { Field.Wind, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, true, false) },
             { Field.Strength, new FieldRow(new[] { 1, 0, 0, 2, 0, 1 }, false, false) },
+            { Field.RestAngle, new FieldRow(new[] { 1, 0, 0, 2, 1, 0 }, false, false) },
             { Field.Strain, new FieldRow(new[] { 1, 0, 0, 2, 0, 1 }, false, false) },
         };
 
@@ -1028,8 +1030,8 @@ namespace Contdyn
         /// <summary>Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length /
         /// springs; nodes stay where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands
         /// are individuals: each has its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first
-        /// those that they shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and
-        /// colliders too. Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE;
+        /// those that they shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, rest angles, strength, air,
+        /// wind and colliders too. Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE;
         /// CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no spring, and for 0 where strands differ in what
         /// they would share, or an infinite stiffness would weld all springs or two held nodes.</summary>
         public double RestLength
@@ -1045,6 +1047,29 @@ namespace Contdyn
                 var length = value;
                 Changed();
                 Check(Native.cd_chain_set_rest_length(Handle, length));
+            }
+        }
+
+        /// <summary>Rest angle of a strand [rad], by which its last spring is turned from its first at rest, from the
+        /// first axis to the second; default 0: straight. Per node with two neighbours: angle / (springs - 1), at most
+        /// pi in size. It is what bend bends about, so it does nothing without bend, and turns with the rope: curls,
+        /// hooks, tentacles, blades of grass. The field CD_REST_ANGLE has one for each node. Where springs push, a rod
+        /// takes its shape by turning, else also by going slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a
+        /// chain that is no rope, or without 2 components: in space a curl needs to know how its links are twisted,
+        /// which nodes do not tell.</summary>
+        public double RestAngle
+        {
+            get
+            {
+                double outAngle;
+                Check(Native.cd_chain_get_rest_angle(Handle, &outAngle));
+                return outAngle;
+            }
+            set
+            {
+                var angle = value;
+                Changed();
+                Check(Native.cd_chain_set_rest_angle(Handle, angle));
             }
         }
 

@@ -135,6 +135,12 @@ namespace Contdyn
         internal static extern int cd_chain_get_rest_length(ChainHandle chain, double* outLength);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_chain_set_rest_angle(ChainHandle chain, double angle);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_chain_get_rest_angle(ChainHandle chain, double* outAngle);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_chain_set_push(ChainHandle chain, int push);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

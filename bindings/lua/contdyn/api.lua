@@ -74,6 +74,8 @@ cd_status cd_chain_get_sleep(const cd_chain* chain, double* out_speed, double* o
 cd_status cd_chain_get_awake(const cd_chain* chain, size_t* out_nodes);
 cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
+cd_status cd_chain_set_rest_angle(cd_chain* chain, double angle);
+cd_status cd_chain_get_rest_angle(const cd_chain* chain, double* out_angle);
 cd_status cd_chain_set_push(cd_chain* chain, int32_t push);
 cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
 cd_status cd_chain_set_strength(cd_chain* chain, double strength);
@@ -553,6 +555,7 @@ api["field"] = support.enumeration("cd_field", {
   ["strain_v"] = 32,
   ["breaking_strain_u"] = 33,
   ["breaking_strain_v"] = 34,
+  ["rest_angle"] = 35,
 })
 
 -- The kinds of objects.
@@ -753,6 +756,7 @@ Chain._fields = {
   [23] = {1, 0, 0, 2, 0, 1, false, false},
   [24] = {1, 0, 0, 2, 1, 0, true, false},
   [25] = {1, 0, 0, 2, 0, 1, false, false},
+  [35] = {1, 0, 0, 2, 1, 0, false, false},
   [26] = {1, 0, 0, 2, 0, 1, false, false},
 }
 
@@ -1067,10 +1071,10 @@ end
 -- Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
 -- where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
 -- its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
--- switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little
--- every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
--- spring, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all springs or
--- two held nodes.
+-- switches CD_TENSION off, and CD_REST_LENGTH, rest angles, strength, air, wind and colliders too. Reeled in or paid
+-- out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4
+-- components or no spring, and for 0 where strands differ in what they would share, or an infinite stiffness would weld
+-- all springs or two held nodes.
 function Chain:set_rest_length(length)
   local where = "cd_chain_set_rest_length"
   length = number_in(length, where, "length")
@@ -1081,15 +1085,41 @@ end
 -- Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
 -- where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
 -- its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
--- switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in or paid out a little
--- every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
--- spring, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all springs or
--- two held nodes.
+-- switches CD_TENSION off, and CD_REST_LENGTH, rest angles, strength, air, wind and colliders too. Reeled in or paid
+-- out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4
+-- components or no spring, and for 0 where strands differ in what they would share, or an infinite stiffness would weld
+-- all springs or two held nodes.
 function Chain:get_rest_length()
   local where = "cd_chain_get_rest_length"
   local out_length = double_1()
   check(lib.cd_chain_get_rest_length(handle_of(self), out_length))
   return tonumber(out_length[0])
+end
+
+-- Rest angle of a strand [rad], by which its last spring is turned from its first at rest, from the first axis to the
+-- second; default 0: straight. Per node with two neighbours: angle / (springs - 1), at most pi in size. It is what bend
+-- bends about, so it does nothing without bend, and turns with the rope: curls, hooks, tentacles, blades of grass. The
+-- field CD_REST_ANGLE has one for each node. Where springs push, a rod takes its shape by turning, else also by going
+-- slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope, or without 2 components: in space a
+-- curl needs to know how its links are twisted, which nodes do not tell.
+function Chain:set_rest_angle(angle)
+  local where = "cd_chain_set_rest_angle"
+  angle = number_in(angle, where, "angle")
+  self._version = self._version + 1
+  check(lib.cd_chain_set_rest_angle(handle_of(self), angle))
+end
+
+-- Rest angle of a strand [rad], by which its last spring is turned from its first at rest, from the first axis to the
+-- second; default 0: straight. Per node with two neighbours: angle / (springs - 1), at most pi in size. It is what bend
+-- bends about, so it does nothing without bend, and turns with the rope: curls, hooks, tentacles, blades of grass. The
+-- field CD_REST_ANGLE has one for each node. Where springs push, a rod takes its shape by turning, else also by going
+-- slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope, or without 2 components: in space a
+-- curl needs to know how its links are twisted, which nodes do not tell.
+function Chain:get_rest_angle()
+  local where = "cd_chain_get_rest_angle"
+  local out_angle = double_1()
+  check(lib.cd_chain_get_rest_angle(handle_of(self), out_angle))
+  return tonumber(out_angle[0])
 end
 
 -- Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by

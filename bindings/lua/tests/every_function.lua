@@ -2,7 +2,7 @@
 -- Made by generate.py from ../api.json: do not edit.
 local ffi = require("ffi")
 return {
-  {class = "Chain", sizes = {2, 4, 3}, calls = {
+  {class = "Chain", sizes = {2, 4, 2}, calls = {
     {name = "cd_chain_get_shape", call = function(o, other, saved)
       return o:get_shape()
     end},
@@ -82,7 +82,7 @@ return {
       return o:get_stiffness_damping()
     end},
     {name = "cd_chain_set_gravity", call = function(o, other, saved)
-      return o:set_gravity({0.0, 0.0, 0.0})
+      return o:set_gravity({0.0, 0.0})
     end},
     {name = "cd_chain_get_gravity", call = function(o, other, saved)
       return o:get_gravity(nil)
@@ -122,6 +122,14 @@ return {
     {name = "cd_chain_get_rest_length", call = function(o, other, saved)
       return o:get_rest_length()
     end},
+    {name = "cd_chain_set_rest_angle", call = function(o, other, saved)
+      return o:set_rest_angle(1)
+    end, told = function(o)
+      return {o:get_rest_angle()}, {1}
+    end},
+    {name = "cd_chain_get_rest_angle", call = function(o, other, saved)
+      return o:get_rest_angle()
+    end},
     {name = "cd_chain_set_push", call = function(o, other, saved)
       return o:set_push(true)
     end, told = function(o)
@@ -153,7 +161,7 @@ return {
       return o:get_air()
     end},
     {name = "cd_chain_set_wind", call = function(o, other, saved)
-      return o:set_wind({0.0, 0.0, 0.0})
+      return o:set_wind({0.0, 0.0})
     end},
     {name = "cd_chain_get_wind", call = function(o, other, saved)
       return o:get_wind(nil)
@@ -178,25 +186,25 @@ return {
       return o:get_colliders()
     end},
     {name = "cd_chain_set_plane", call = function(o, other, saved)
-      return o:set_plane(0, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 1)
+      return o:set_plane(0, {0.0, 0.0}, {1.0, 0.0}, 1)
     end},
     {name = "cd_chain_set_capsule", call = function(o, other, saved)
-      return o:set_capsule(0, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1, 1)
+      return o:set_capsule(0, {0.0, 0.0}, {0.0, 0.0}, 1, 1)
     end},
     {name = "cd_chain_set_bed", call = function(o, other, saved)
-      return o:set_bed(0, {0.0, 0.0, 0.0}, 2, 2, 1, 1, {0.0, 0.0, 0.0, 0.0}, 1)
+      return o:set_bed(0, {0.0, 0.0}, 2, 2, 1, 1, {0.0, 0.0, 0.0, 0.0}, 1)
     end},
     {name = "cd_chain_get_bed", call = function(o, other, saved)
       return o:get_bed(0, ffi.new("double[?]", 0))
     end},
     {name = "cd_chain_set_callback", may_fail = true, call = function(o, other, saved)
-      return o:set_callback(0, nil, {0.0, 0.0, 0.0}, 1)
+      return o:set_callback(0, nil, {0.0, 0.0}, 1)
     end},
     {name = "cd_chain_remove_collider", call = function(o, other, saved)
       return o:remove_collider(0)
     end},
     {name = "cd_chain_set_collider_velocity", call = function(o, other, saved)
-      return o:set_collider_velocity(0, {0.0, 0.0, 0.0})
+      return o:set_collider_velocity(0, {0.0, 0.0})
     end},
     {name = "cd_chain_get_collider", call = function(o, other, saved)
       return o:get_collider(0, nil, nil, nil)
@@ -216,10 +224,10 @@ return {
       return o:disable_field("position")
     end},
     {name = "cd_chain_write_f32", call = function(o, other, saved)
-      return o:write_f32("position", 0, 1, 0, 1, {0.0, 0.0, 0.0})
+      return o:write_f32("position", 0, 1, 0, 1, {0.0, 0.0})
     end},
     {name = "cd_chain_write_f64", call = function(o, other, saved)
-      return o:write_f64("position", 0, 1, 0, 1, {0.0, 0.0, 0.0})
+      return o:write_f64("position", 0, 1, 0, 1, {0.0, 0.0})
     end},
     {name = "cd_chain_read_f32", call = function(o, other, saved)
       return o:read_f32("position", 0, 1, 0, 1, nil)
@@ -231,13 +239,13 @@ return {
       return o:view("position")
     end},
     {name = "cd_chain_impulse", call = function(o, other, saved)
-      return o:impulse(0, 1, {0.0, 0.0, 0.0})
+      return o:impulse(0, 1, {0.0, 0.0})
     end},
     {name = "cd_chain_teleport", call = function(o, other, saved)
-      return o:teleport(0, {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.0})
+      return o:teleport(0, {1.0, 0.0, 0.0, 1.0}, {0.0, 0.0})
     end},
     {name = "cd_chain_attach", call = function(o, other, saved)
-      return o:attach(0, 1, 1, 1, {0.0, 0.0, 0.0})
+      return o:attach(0, 1, 1, 1, {0.0, 0.0})
     end},
     {name = "cd_chain_detach", call = function(o, other, saved)
       return o:detach(0, 1)
@@ -786,7 +794,7 @@ return {
       return o:launch_hull(0, 1, 1, 1, 1)
     end},
     {name = "cd_water_set_hull_pose", call = function(o, other, saved)
-      return o:set_hull_pose(0, {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0})
+      return o:set_hull_pose(0, {1.0})
     end},
     {name = "cd_water_get_hull_pose", call = function(o, other, saved)
       return o:get_hull_pose(0, ffi.new("double[?]", 7))

@@ -173,6 +173,7 @@ class Field(IntEnum):
     STRAIN_V = 32
     BREAKING_STRAIN_U = 33
     BREAKING_STRAIN_V = 34
+    REST_ANGLE = 35
 
 
 class Kind(IntEnum):
@@ -273,6 +274,7 @@ FIELDS: Dict[str, Dict[int, FieldInfo]] = {
         Field.TENSION: FieldInfo(("strand", "spring"), False, True, False, True, False, False),
         Field.WIND: FieldInfo(("strand", "node"), True, False, False, True, False, False),
         Field.STRENGTH: FieldInfo(("strand", "spring"), False, False, False, True, False, False),
+        Field.REST_ANGLE: FieldInfo(("strand", "node"), False, False, False, True, False, False),
         Field.STRAIN: FieldInfo(("strand", "spring"), False, True, False, True, False, True),
     },
     "membrane": {
@@ -418,6 +420,8 @@ FUNCTIONS: Dict[str, str] = {
     "cd_chain_get_awake": "status: chain handle, out_nodes size*",
     "cd_chain_set_rest_length": "status: chain handle, length double",
     "cd_chain_get_rest_length": "status: chain handle, out_length double*",
+    "cd_chain_set_rest_angle": "status: chain handle, angle double",
+    "cd_chain_get_rest_angle": "status: chain handle, out_angle double*",
     "cd_chain_set_push": "status: chain handle, push int",
     "cd_chain_get_push": "status: chain handle, out_push int*",
     "cd_chain_set_strength": "status: chain handle, strength double",

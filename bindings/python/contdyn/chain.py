@@ -30,8 +30,8 @@ class Chain(Body, kind="chain"):
     attachments; those of ropes have their own.
 
     Arrays of positions, velocities, forces and targets have the shape (strands, nodes, components); those of masses,
-    bends and pins (nodes,); of stiffnesses (springs,), in a ring one more. In ropes masses, bends and pins are
-    (strands, nodes); stiffnesses, rest lengths, tensions, strengths and strains (strands, springs).
+    bends and pins (nodes,); of stiffnesses (springs,), in a ring one more. In ropes masses, bends, rest angles and pins
+    are (strands, nodes); stiffnesses, rest lengths, tensions, strengths and strains (strands, springs).
 
     Rest length is zero, unless rest_length makes the chain a rope: a free chain draws together, and one stretched
     evenly is held by its ends. A new chain lies with every node at the origin, at rest and free, mass 1, stiffness 1,
@@ -75,6 +75,9 @@ class Chain(Body, kind="chain"):
                                  "stiffness damping; with bend it is a rod. It has the fields Field.TENSION and "
                                  "Field.STRAIN and, to be switched on, Field.REST_LENGTH, Field.STRENGTH and "
                                  "Field.WIND; it may have air and wind, and its springs may break.")
+    rest_angle = Setting(float, "Rest angle of a strand [rad], by which its last spring is turned from its first at rest; "
+                                "default 0: straight. It is dealt out evenly to the joints, at most pi each, and does "
+                                "nothing without bend; needs 2 components. Field.REST_ANGLE has one for each node.")
     push = Setting(bool, "Whether springs that are shorter than their length push; default False: they are slack.")
     strength = Setting(float, "The tension at which a spring of a rope breaks [N]; default math.inf: none does. A step "
                               "cuts at most one spring of each strand, the one most beyond its strength. "

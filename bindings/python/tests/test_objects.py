@@ -25,7 +25,7 @@ class Everyone(unittest.TestCase):
         own = {
             Chain: {**body, "stiffness": 3.0, "ring": True, "rest_length": 2.0, "push": True, "tolerance": (1e-4, 7),
                     "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0), "strength": 5.0, "colliders": 3,
-                    "thickness": 0.25},
+                    "thickness": 0.25, "rest_angle": -2.5},
             Membrane: {**body, "stiffness": (3.0, 4.0), "ring": (True, False), "solver": Solver.COUPLED,
                        "tolerance": (1e-4, 7), "pressure": 0.5, "rest_length": (2.0, 3.0), "shear": 100.0,
                        "compression": 3.25, "effort": (3, 20), "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0),
@@ -37,7 +37,9 @@ class Everyone(unittest.TestCase):
             for name, value in {**shared, **own[kind]}.items():
                 with self.subTest(kind.__name__, parameter=name):
                     made = make(kind)
-                    if name in ("air", "wind", "strength", "colliders", "thickness", "shear", "compression", "effort",
+                    if name == "rest_angle":
+                        made = Chain(2, 5, 2)
+                    if name in ("rest_angle", "air", "wind", "strength", "colliders", "thickness", "shear", "compression", "effort",
                                 "breaking_strain"):
                         lengthen(made)  # only ropes and cloth have it
                     self.assertNotEqual(getattr(made, name), value)
@@ -188,6 +190,10 @@ class Chains(unittest.TestCase):
         strains = rope.read(Field.STRAIN)
         self.assertEqual(strains.shape, (2, 4))
         close(self, strains[1].tolist(), [t / 1e5 for t in (8, 6, 4, 2)], 9)
+        blade = Chain(2, 3, 2)
+        blade.rest_length, blade.rest_angle = 1, 0.5
+        blade.enable_field(Field.REST_ANGLE)
+        self.assertEqual(blade.read(Field.REST_ANGLE).tolist(), [[0.25] * 4] * 2)
         rope.strength = 100
         rope.enable_field(Field.STRENGTH)
         self.assertEqual(rope.read(Field.STRENGTH).tolist(), [[100] * 4] * 2)

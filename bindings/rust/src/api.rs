@@ -321,11 +321,12 @@ pub enum Field {
     StrainV = 32,
     BreakingStrainU = 33,
     BreakingStrainV = 34,
+    RestAngle = 35,
 }
 
 impl Field {
     /// Every one of them.
-    pub const ALL: [Field; 35] = [
+    pub const ALL: [Field; 36] = [
         Field::Position,
         Field::Velocity,
         Field::Force,
@@ -361,6 +362,7 @@ impl Field {
         Field::StrainV,
         Field::BreakingStrainU,
         Field::BreakingStrainV,
+        Field::RestAngle,
     ];
 
     /// The one with C's value.
@@ -764,7 +766,7 @@ impl Chain {
     }
 
     fn whole(&self, field: Field) -> Result<Whole> {
-        const ROWS: [FieldRow; 13] = [
+        const ROWS: [FieldRow; 14] = [
             FieldRow { field: Field::Position, extents: [1, 0, 0, 2, 1, 0], components: true, one_but_in_ropes: false },
             FieldRow { field: Field::Velocity, extents: [1, 0, 0, 2, 1, 0], components: true, one_but_in_ropes: false },
             FieldRow { field: Field::Force, extents: [1, 0, 0, 2, 1, 0], components: true, one_but_in_ropes: false },
@@ -779,6 +781,8 @@ impl Chain {
             FieldRow { field: Field::Tension, extents: [1, 0, 0, 2, 0, 1], components: false, one_but_in_ropes: false },
             FieldRow { field: Field::Wind, extents: [1, 0, 0, 2, 1, 0], components: true, one_but_in_ropes: false },
             FieldRow { field: Field::Strength, extents: [1, 0, 0, 2, 0, 1], components: false,
+                one_but_in_ropes: false },
+            FieldRow { field: Field::RestAngle, extents: [1, 0, 0, 2, 1, 0], components: false,
                 one_but_in_ropes: false },
             FieldRow { field: Field::Strain, extents: [1, 0, 0, 2, 0, 1], components: false, one_but_in_ropes: false },
         ];
@@ -1079,10 +1083,10 @@ impl Chain {
     /// Rest length of a strand \[m\], 0 or in \[1e-60, 1e60\]; default 0: no rope. Per spring: length / springs; nodes
     /// stay where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals:
     /// each has its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they
-    /// shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in
-    /// or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED
-    /// with 4 components or no spring, and for 0 where strands differ in what they would share, or an infinite
-    /// stiffness would weld all springs or two held nodes.
+    /// shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, rest angles, strength, air, wind and colliders
+    /// too. Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
+    /// CD_ERROR_UNSUPPORTED with 4 components or no spring, and for 0 where strands differ in what they would share, or
+    /// an infinite stiffness would weld all springs or two held nodes.
     pub fn set_rest_length(&mut self, length: f64) -> Result<()> {
         check(unsafe { sys::cd_chain_set_rest_length(self.as_ptr(), length) })
     }
@@ -1090,14 +1094,36 @@ impl Chain {
     /// Rest length of a strand \[m\], 0 or in \[1e-60, 1e60\]; default 0: no rope. Per spring: length / springs; nodes
     /// stay where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals:
     /// each has its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they
-    /// shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, strength, air, wind and colliders too. Reeled in
-    /// or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED
-    /// with 4 components or no spring, and for 0 where strands differ in what they would share, or an infinite
-    /// stiffness would weld all springs or two held nodes.
+    /// shared. Length 0 switches CD_TENSION off, and CD_REST_LENGTH, rest angles, strength, air, wind and colliders
+    /// too. Reeled in or paid out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
+    /// CD_ERROR_UNSUPPORTED with 4 components or no spring, and for 0 where strands differ in what they would share, or
+    /// an infinite stiffness would weld all springs or two held nodes.
     pub fn get_rest_length(&self) -> Result<f64> {
         let mut out_length = 0.0;
         check(unsafe { sys::cd_chain_get_rest_length(self.as_ptr(), &mut out_length) })?;
         Ok(out_length)
+    }
+
+    /// Rest angle of a strand \[rad\], by which its last spring is turned from its first at rest, from the first axis
+    /// to the second; default 0: straight. Per node with two neighbours: angle / (springs - 1), at most pi in size. It
+    /// is what bend bends about, so it does nothing without bend, and turns with the rope: curls, hooks, tentacles,
+    /// blades of grass. The field CD_REST_ANGLE has one for each node. Where springs push, a rod takes its shape by
+    /// turning, else also by going slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope, or
+    /// without 2 components: in space a curl needs to know how its links are twisted, which nodes do not tell.
+    pub fn set_rest_angle(&mut self, angle: f64) -> Result<()> {
+        check(unsafe { sys::cd_chain_set_rest_angle(self.as_ptr(), angle) })
+    }
+
+    /// Rest angle of a strand \[rad\], by which its last spring is turned from its first at rest, from the first axis
+    /// to the second; default 0: straight. Per node with two neighbours: angle / (springs - 1), at most pi in size. It
+    /// is what bend bends about, so it does nothing without bend, and turns with the rope: curls, hooks, tentacles,
+    /// blades of grass. The field CD_REST_ANGLE has one for each node. Where springs push, a rod takes its shape by
+    /// turning, else also by going slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope, or
+    /// without 2 components: in space a curl needs to know how its links are twisted, which nodes do not tell.
+    pub fn get_rest_angle(&self) -> Result<f64> {
+        let mut out_angle = 0.0;
+        check(unsafe { sys::cd_chain_get_rest_angle(self.as_ptr(), &mut out_angle) })?;
+        Ok(out_angle)
     }
 
     /// Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by

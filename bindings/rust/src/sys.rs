@@ -101,6 +101,7 @@ pub const CD_STRAIN_U: cd_field = 31;
 pub const CD_STRAIN_V: cd_field = 32;
 pub const CD_BREAKING_STRAIN_U: cd_field = 33;
 pub const CD_BREAKING_STRAIN_V: cd_field = 34;
+pub const CD_REST_ANGLE: cd_field = 35;
 
 pub type cd_kind = i32;
 pub const CD_KIND_CHAIN: cd_kind = 1;
@@ -236,6 +237,8 @@ extern "C" {
     pub fn cd_chain_get_awake(chain: *const cd_chain, out_nodes: *mut usize) -> cd_status;
     pub fn cd_chain_set_rest_length(chain: *mut cd_chain, length: f64) -> cd_status;
     pub fn cd_chain_get_rest_length(chain: *const cd_chain, out_length: *mut f64) -> cd_status;
+    pub fn cd_chain_set_rest_angle(chain: *mut cd_chain, angle: f64) -> cd_status;
+    pub fn cd_chain_get_rest_angle(chain: *const cd_chain, out_angle: *mut f64) -> cd_status;
     pub fn cd_chain_set_push(chain: *mut cd_chain, push: i32) -> cd_status;
     pub fn cd_chain_get_push(chain: *const cd_chain, out_push: *mut i32) -> cd_status;
     pub fn cd_chain_set_strength(chain: *mut cd_chain, strength: f64) -> cd_status;

@@ -148,7 +148,8 @@ enum class field : std::int32_t {
     strain_u = CD_STRAIN_U,
     strain_v = CD_STRAIN_V,
     breaking_strain_u = CD_BREAKING_STRAIN_U,
-    breaking_strain_v = CD_BREAKING_STRAIN_V
+    breaking_strain_v = CD_BREAKING_STRAIN_V,
+    rest_angle = CD_REST_ANGLE
 };
 
 // The two ends of a chain.
@@ -605,6 +606,8 @@ public:
     // Rest length of a strand [m], 0: none; whether springs shorter than theirs push or are slack.
     outcome<> set_rest_length(double length) { return call(cd_chain_set_rest_length, length); }
     outcome<double> get_rest_length() const { return value<double>(cd_chain_get_rest_length); }
+    outcome<> set_rest_angle(double angle) { return call(cd_chain_set_rest_angle, angle); }
+    outcome<double> get_rest_angle() const { return value<double>(cd_chain_get_rest_angle); }
     outcome<> set_push(bool push) { return call(cd_chain_set_push, push); }
     outcome<bool> get_push() const { return value<bool>(cd_chain_get_push); }
 
@@ -832,7 +835,7 @@ private:
         double length = 0;
         if (s == CD_OK) s = cd_chain_get_rest_length(handle_, &length);
         if (!each) components = 1;
-        if (!each && (length == 0 || f == field::bend)) strands = 1;
+        if (!each && length == 0) strands = 1;
         return {s, {0, strands, 0, items}, strands * items * components};
     }
 };

@@ -4,10 +4,10 @@ use super::functions::Call;
 use contdyn::*;
 
 pub fn make_chain() -> Chain {
-    Chain::new(2, 4, 3, Precision::Float64).unwrap()
+    Chain::new(2, 4, 2, Precision::Float64).unwrap()
 }
 
-pub const CHAIN: [Call<Chain>; 85] = [
+pub const CHAIN: [Call<Chain>; 87] = [
     Call {
         name: "cd_chain_get_shape",
         may_fail: false,
@@ -131,13 +131,13 @@ pub const CHAIN: [Call<Chain>; 85] = [
     Call {
         name: "cd_chain_set_gravity",
         may_fail: false,
-        call: |o, _other, _saved| o.set_gravity(&[0.0, 0.0, 0.0]).map(drop),
+        call: |o, _other, _saved| o.set_gravity(&[0.0, 0.0]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_get_gravity",
         may_fail: false,
-        call: |o, _other, _saved| o.get_gravity(&mut [0.0; 3]).map(drop),
+        call: |o, _other, _saved| o.get_gravity(&mut [0.0; 2]).map(drop),
         told: |_| true,
     },
     Call {
@@ -198,6 +198,18 @@ pub const CHAIN: [Call<Chain>; 85] = [
         told: |_| true,
     },
     Call {
+        name: "cd_chain_set_rest_angle",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_rest_angle(1.0).map(drop),
+        told: |o| o.get_rest_angle().unwrap() == 1.0,
+    },
+    Call {
+        name: "cd_chain_get_rest_angle",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_rest_angle().map(drop),
+        told: |_| true,
+    },
+    Call {
         name: "cd_chain_set_push",
         may_fail: false,
         call: |o, _other, _saved| o.set_push(true).map(drop),
@@ -230,7 +242,7 @@ pub const CHAIN: [Call<Chain>; 85] = [
     Call {
         name: "cd_chain_get_reaction",
         may_fail: false,
-        call: |o, _other, _saved| o.get_reaction(0, 1, &mut [0.0; 3]).map(drop),
+        call: |o, _other, _saved| o.get_reaction(0, 1, &mut [0.0; 2]).map(drop),
         told: |_| true,
     },
     Call {
@@ -251,13 +263,13 @@ pub const CHAIN: [Call<Chain>; 85] = [
     Call {
         name: "cd_chain_set_wind",
         may_fail: false,
-        call: |o, _other, _saved| o.set_wind(&[0.0, 0.0, 0.0]).map(drop),
+        call: |o, _other, _saved| o.set_wind(&[0.0, 0.0]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_get_wind",
         may_fail: false,
-        call: |o, _other, _saved| o.get_wind(&mut [0.0; 3]).map(drop),
+        call: |o, _other, _saved| o.get_wind(&mut [0.0; 2]).map(drop),
         told: |_| true,
     },
     Call {
@@ -296,19 +308,19 @@ pub const CHAIN: [Call<Chain>; 85] = [
     Call {
         name: "cd_chain_set_plane",
         may_fail: false,
-        call: |o, _other, _saved| o.set_plane(0, &[0.0, 0.0, 0.0], &[1.0, 0.0, 0.0], 1.0).map(drop),
+        call: |o, _other, _saved| o.set_plane(0, &[0.0, 0.0], &[1.0, 0.0], 1.0).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_set_capsule",
         may_fail: false,
-        call: |o, _other, _saved| o.set_capsule(0, &[0.0, 0.0, 0.0], &[0.0, 0.0, 0.0], 1.0, 1.0).map(drop),
+        call: |o, _other, _saved| o.set_capsule(0, &[0.0, 0.0], &[0.0, 0.0], 1.0, 1.0).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_set_bed",
         may_fail: false,
-        call: |o, _other, _saved| o.set_bed(0, &[0.0, 0.0, 0.0], 2, 2, 1.0, 1.0, &[0.0, 0.0, 0.0, 0.0], 1.0).map(drop),
+        call: |o, _other, _saved| o.set_bed(0, &[0.0, 0.0], 2, 2, 1.0, 1.0, &[0.0, 0.0, 0.0, 0.0], 1.0).map(drop),
         told: |_| true,
     },
     Call {
@@ -320,7 +332,7 @@ pub const CHAIN: [Call<Chain>; 85] = [
     Call {
         name: "cd_chain_set_callback",
         may_fail: true,
-        call: |o, _other, _saved| unsafe { o.set_callback(0, None, Some(&[0.0, 0.0, 0.0]), 1.0) }.map(drop),
+        call: |o, _other, _saved| unsafe { o.set_callback(0, None, Some(&[0.0, 0.0]), 1.0) }.map(drop),
         told: |_| true,
     },
     Call {
@@ -332,14 +344,14 @@ pub const CHAIN: [Call<Chain>; 85] = [
     Call {
         name: "cd_chain_set_collider_velocity",
         may_fail: false,
-        call: |o, _other, _saved| o.set_collider_velocity(0, &[0.0, 0.0, 0.0]).map(drop),
+        call: |o, _other, _saved| o.set_collider_velocity(0, &[0.0, 0.0]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_get_collider",
         may_fail: false,
-        call: |o, _other, _saved| o.get_collider(0, Some(&mut [0.0; 3]), Some(&mut [0.0; 3]),
-            Some(&mut [0.0; 3])).map(drop),
+        call: |o, _other, _saved| o.get_collider(0, Some(&mut [0.0; 2]), Some(&mut [0.0; 2]),
+            Some(&mut [0.0; 2])).map(drop),
         told: |_| true,
     },
     Call {
@@ -369,25 +381,25 @@ pub const CHAIN: [Call<Chain>; 85] = [
     Call {
         name: "cd_chain_write_f32",
         may_fail: false,
-        call: |o, _other, _saved| o.write_f32(Field::Position, 0, 1, 0, 1, &[0.0, 0.0, 0.0]).map(drop),
+        call: |o, _other, _saved| o.write_f32(Field::Position, 0, 1, 0, 1, &[0.0, 0.0]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_write_f64",
         may_fail: false,
-        call: |o, _other, _saved| o.write_f64(Field::Position, 0, 1, 0, 1, &[0.0, 0.0, 0.0]).map(drop),
+        call: |o, _other, _saved| o.write_f64(Field::Position, 0, 1, 0, 1, &[0.0, 0.0]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_read_f32",
         may_fail: false,
-        call: |o, _other, _saved| o.read_f32(Field::Position, 0, 1, 0, 1, &mut [0.0; 3]).map(drop),
+        call: |o, _other, _saved| o.read_f32(Field::Position, 0, 1, 0, 1, &mut [0.0; 2]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_read_f64",
         may_fail: false,
-        call: |o, _other, _saved| o.read_f64(Field::Position, 0, 1, 0, 1, &mut [0.0; 3]).map(drop),
+        call: |o, _other, _saved| o.read_f64(Field::Position, 0, 1, 0, 1, &mut [0.0; 2]).map(drop),
         told: |_| true,
     },
     Call {
@@ -399,20 +411,19 @@ pub const CHAIN: [Call<Chain>; 85] = [
     Call {
         name: "cd_chain_impulse",
         may_fail: false,
-        call: |o, _other, _saved| o.impulse(0, 1, &[0.0, 0.0, 0.0]).map(drop),
+        call: |o, _other, _saved| o.impulse(0, 1, &[0.0, 0.0]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_teleport",
         may_fail: false,
-        call: |o, _other, _saved| o.teleport(0, Some(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]), &[0.0, 0.0,
-            0.0]).map(drop),
+        call: |o, _other, _saved| o.teleport(0, Some(&[1.0, 0.0, 0.0, 1.0]), &[0.0, 0.0]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_attach",
         may_fail: false,
-        call: |o, _other, _saved| o.attach(0, 1, 1.0, 1.0, Some(&[0.0, 0.0, 0.0])).map(drop),
+        call: |o, _other, _saved| o.attach(0, 1, 1.0, 1.0, Some(&[0.0, 0.0])).map(drop),
         told: |_| true,
     },
     Call {
@@ -478,13 +489,13 @@ pub const CHAIN: [Call<Chain>; 85] = [
     Call {
         name: "cd_chain_get_momentum",
         may_fail: false,
-        call: |o, _other, _saved| o.get_momentum(&mut [0.0; 3]).map(drop),
+        call: |o, _other, _saved| o.get_momentum(&mut [0.0; 2]).map(drop),
         told: |_| true,
     },
     Call {
         name: "cd_chain_sample",
         may_fail: false,
-        call: |o, _other, _saved| o.sample(0, &[0.0], Outside::Refused, &mut [0.0; 3]).map(drop),
+        call: |o, _other, _saved| o.sample(0, &[0.0], Outside::Refused, &mut [0.0; 2]).map(drop),
         told: |_| true,
     },
     Call {
@@ -1406,7 +1417,7 @@ pub const WATER: [Call<Water>; 82] = [
     Call {
         name: "cd_water_set_hull_pose",
         may_fail: false,
-        call: |o, _other, _saved| o.set_hull_pose(0, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]).map(drop),
+        call: |o, _other, _saved| o.set_hull_pose(0, &[1.0]).map(drop),
         told: |_| true,
     },
     Call {
