@@ -6,10 +6,16 @@ from description import BINDINGS
 sys.path.insert(0, str(BINDINGS.parent / "tests" / "bindings"))
 import check_api  # noqa: E402
 
+COMPONENTS = {"chain": 2, "membrane": 3, "water": 1}  # rest angles need 2, and there beds have one row
+VALUES = {("chain", "columns"): 4, ("chain", "rows"): 1}
+
 
 def sizes(thing):
     """What create takes, but for the precision and the allocator."""
-    return check_api.SHAPES[thing.name][:-2]
+    shape = [*check_api.SHAPES[thing.name][:-2]]
+    if thing.name != "water":
+        shape[2] = COMPONENTS[thing.name]
+    return shape
 
 
 def elements(function, array):
@@ -18,17 +24,17 @@ def elements(function, array):
     if own is not None:
         return own
     single = array.times in (2, 3) or function.short == "sample" and array.length == "n"
-    count = 1 if single else check_api.COMPONENTS[function.object]
+    count = 1 if single else COMPONENTS[function.object]
     return count * (count if isinstance(array.times, str) else array.times)
 
 
-def value(parameter, enums):
+def value(thing, parameter, enums):
     """A number, or the short name of an enumerator."""
     if parameter.enum == "cd_field":
         raise ValueError("see field()")
     if parameter.enum:
         return enums[parameter.enum]["values"][0]["short"]
-    return check_api.VALUES.get(parameter.name, 1)
+    return VALUES.get((thing.name, parameter.name), check_api.VALUES.get(parameter.name, 1))
 
 
 def field(thing):
@@ -39,7 +45,8 @@ def numbers(function, array):
     """An array's values."""
     count = elements(function, array)
     if array.name in check_api.STARTS:
-        return check_api.identity(function.object)[:count]
+        size = COMPONENTS[function.object] if function.object == "chain" else 3
+        return [float(row == column) for row in range(size) for column in range(size)][:count]
     return [0.0 if array.base in ("double", "float") else 0] * count
 
 
@@ -59,11 +66,11 @@ def arguments(thing, function, enums):
         elif p.base == "cd_field":
             yield p, "enum", field(thing)
         elif p.enum:
-            yield p, "enum", value(p, enums)
+            yield p, "enum", value(thing, p, enums)
         elif p.is_flag:
-            yield p, "flag", bool(value(p, enums))
+            yield p, "flag", bool(value(thing, p, enums))
         else:
-            yield p, "number", value(p, enums)
+            yield p, "number", value(thing, p, enums)
 
 
 def told_by(thing, function):

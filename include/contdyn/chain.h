@@ -158,20 +158,19 @@ CD_API cd_status cd_chain_get_awake(const cd_chain* chain, size_t* out_nodes);
  *
  * With bend a rope is a rod, or hair, straight at rest or, in a plane, curled: its bend energy at a node is
  * b_i / 2 |d r_i|^2, d r_i the difference of the spring vectors beside it, each over its rest length and times the mean
- * of the two, the one before turned by the rest angle. Two pinned
- * nodes at an end clamp it: the inner one, at the clamp, should have twice the bend of the others. Springs that only
- * pull let a rod shorten under pressure about as far as the same force across would bend it: hair that is to stand at
- * its length needs springs that push. Any bend is stable; but where pinned nodes hold a rod bent with more than 1e5
- * times the energy m g L of the rope, or where its nodes lie a hundred of its lengths apart, rounding may let a step end
- * short of its tolerance. */
+ * of the two, the one before turned by the rest angle. Two pinned nodes at an end clamp it: the inner one, at the
+ * clamp, should have twice the bend of the others. Springs that only pull let a rod shorten under pressure about as far
+ * as the same force across would bend it: hair that is to stand at its length needs springs that push. Any bend is
+ * stable; but where pinned nodes hold a rod bent with more than 1e5 times the energy m g L of the rope, or where its
+ * nodes lie a hundred of its lengths apart, rounding may let a step end short of its tolerance. */
 
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
  * where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
  * its own pins, masses, stiffnesses, bends, rest lengths and attachments, at first those that they shared. Length 0
- * switches CD_TENSION off, and CD_REST_LENGTH, rest angles, strength, air, wind and colliders too. Reeled in or paid out a little
- * every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4 components or no
- * spring, and for 0 where strands differ in what they would share, or an infinite stiffness would weld all springs or
- * two held nodes. */
+ * switches CD_TENSION off, and CD_REST_LENGTH, rest angles, strength, air, wind and colliders too. Reeled in or paid
+ * out a little every step, it is a winch. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED with 4
+ * components or no spring, and for 0 where strands differ in what they would share, or an infinite stiffness would weld
+ * all springs or two held nodes. */
 CD_API cd_status cd_chain_set_rest_length(cd_chain* chain, double length);
 CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_length);
 

@@ -56,6 +56,7 @@ inline cd_status can_curl(const char* function, const Chain& c) {
 }
 namespace shared {
 inline cd_status enable_field(const char* function, Chain& c, cd_field field) {
+    CD_CHECK(has_length(function, c, field));
     if (field == CD_REST_ANGLE) CD_CHECK(can_curl(function, c));
     return enable_field<Chain>(function, c, field);
 }

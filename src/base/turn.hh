@@ -3,9 +3,7 @@
 
 namespace cd {
 
-template <class T> struct CosineAndSine {
-    T cosine, sine;
-};
+template <class T> struct CosineAndSine { T cosine, sine; };
 
 // Of an angle from -pi to pi, a number or numbers side by side, to some 1e-15: Taylor's series for an eighth of it, and
 // three times the double of the angle. one: as many times 1.

@@ -64,9 +64,7 @@ template <int N> struct Turn {
     using M = Matrix<N>;
     L cosine, sine;
 
-    friend V operator*(Turn t, V a) {
-        return {t.cosine * a.x - t.sine * a.y, t.sine * a.x + t.cosine * a.y, a.z};
-    }
+    friend V operator*(Turn t, V a) { return {t.cosine * a.x - t.sine * a.y, t.sine * a.x + t.cosine * a.y, a.z}; }
     friend M operator*(Turn t, const M& a) {
         return {t.cosine * a.x - t.sine * a.y, t.sine * a.x + t.cosine * a.y, a.z};
     }

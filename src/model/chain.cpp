@@ -115,8 +115,8 @@ bool set_features(Chain& c, const Features& wanted) {
     Change<double> ring_response{c.ring_response, needs.ring_response};
 
     const auto all = [&](auto f) {
-        return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(length) && f(tension) && f(strength) &&
-               f(angle) && f(ring_response);
+        return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(length) && f(tension) && f(strength) && f(angle) &&
+               f(ring_response);
     };
     if (wanted.method == c.method && wanted.ring == (c.ring != 0) && keep_all(all)) return true;
     if (!take_all(c.memory, all)) return false;

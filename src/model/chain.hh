@@ -7,7 +7,7 @@
 
 namespace cd {
 
-constexpr uint64_t kMostIterations = 10000; // of a rope's step
+constexpr uint64_t kMostIterations = 10000;     // of a rope's step
 constexpr double kHalfTurn = 3.141592653589793; // [rad], the largest rest angle
 
 // Of chains whose springs have a length: see chain_rope.cpp.
@@ -124,7 +124,7 @@ inline double uniform_angle(const Chain& c) { return c.springs > 1 ? c.rope.angl
 inline double angle_of(const Chain& c, size_t at) { return c.node_angle ? c.node_angle[at] : uniform_angle(c); }
 inline double most_angle(const Chain& c) { return c.springs > 1 ? kHalfTurn * double(c.springs - 1) : 0; }
 inline bool can_curl(const Chain& c) { return c.components == 2; }
-inline bool curls(const Chain& c) { return CD_WITH_BEND && (c.node_angle || c.rope.angle != 0); }
+inline bool curls(const Chain& c) { return CD_WITH_ROPE && CD_WITH_BEND && (c.node_angle || c.rope.angle != 0); }
 double bend_of(const Chain& c, size_t node, size_t at); // 0 at the ends of an open chain
 inline double bend_of(const Chain& c, size_t node) { return bend_of(c, node, node); }
 inline bool has_bend(const Chain& c) { return CD_WITH_BEND && (c.node_bend || c.bend > 0); }

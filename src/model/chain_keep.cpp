@@ -71,14 +71,12 @@ struct ChainKeep {
     static bool valid(const Chain& c, const Settings& s) {
         const uint32_t optional =
             1u << CD_MASS | 1u << CD_STIFFNESS | 1u << CD_BEND | 1u << CD_FORCE | 1u << CD_TARGET | KeptBody::kOfSleep;
-        const uint32_t of_ropes =
-            s.fields & (kOfRopes | kOfAir | kOfStrength | kOfContacts | kOfShapes | kOfAngle | kAngles |
-                        1u << CD_REST_LENGTH | 1u << CD_WIND | 1u << CD_STRENGTH);
+        const uint32_t of_ropes = s.fields & (kOfRopes | kOfAir | kOfStrength | kOfContacts | kOfShapes | kOfAngle |
+                                              kAngles | 1u << CD_REST_LENGTH | 1u << CD_WIND | 1u << CD_STRENGTH);
         return valid_body(s) && (s.fields & ~(optional | of_ropes)) == 0 &&
                (s.own.ring == 0 || (s.own.ring == 1 && c.nodes >= 3)) && valid_parameter(s.own.bend) &&
                valid_rope(c, s.own.rope, of_ropes) && valid_air(c, s.own.air) && valid_strength(s) &&
-               valid_angle(c, s) &&
-               valid_contacts(s, s.own.rope.thickness) && are_told(s) &&
+               valid_angle(c, s) && valid_contacts(s, s.own.rope.thickness) && are_told(s) &&
                (valid_parameter(s.own.stiffness) || valid_infinite(s.own.stiffness, s.own.rope.length));
     }
 
@@ -103,8 +101,7 @@ struct ChainKeep {
     static bool valid_angle(const Chain& c, const Settings& s) {
         const double angle = s.own.rope.angle;
         const bool told = (s.fields & kOfAngle) != 0, any = told || (s.fields & kAngles) != 0;
-        return told == (angle != 0) && (!any || (can_curl(c) && s.own.rope.length > 0)) &&
-               fabs(angle) <= most_angle(c);
+        return told == (angle != 0) && (!any || (can_curl(c) && s.own.rope.length > 0)) && fabs(angle) <= most_angle(c);
     }
 
     // What may break has stiffnesses of its own.

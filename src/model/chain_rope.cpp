@@ -29,15 +29,15 @@ RopeParameters parameters_of(Chain& c, bool changed) {
     // Numbers that all strands have in common: of each node, what the total comes to; of all springs; and none.
     double *const mass = c.coefficients.data, *const one = mass + c.nodes;
     for (size_t i = 0; i < c.nodes && changed; ++i) mass[i] = uniform_mass(c, i);
-    if (changed) one[0] = uniform_length(c), one[1] = uniform_stiffness(c), one[2] = 0, one[3] = uniform_bend(c), one[4] = uniform_angle(c);
+    if (changed)
+        one[0] = uniform_length(c), one[1] = uniform_stiffness(c), one[2] = 0, one[3] = uniform_bend(c),
+        one[4] = uniform_angle(c);
     const auto own = [&](const Array<double>& field, const double* common, size_t of_item) {
         return field ? RopeNumbers<double>{field.data, c.strands, 1} : RopeNumbers<double>{common, of_item, 0};
     };
-    return {own(c.node_mass, mass, 1),           own(c.attach_stiffness, one + 2, 0),
-            own(c.attach_damping, one + 2, 0),   own(c.spring_length, one, 0),
-            own(c.spring_stiffness, one + 1, 0), own(c.node_bend, one + 3, 0),
-            own(c.node_angle, one + 4, 0),
-            {c.pin.data, c.strands, 1},          c.drag};
+    return {own(c.node_mass, mass, 1),     own(c.attach_stiffness, one + 2, 0), own(c.attach_damping, one + 2, 0),
+            own(c.spring_length, one, 0),  own(c.spring_stiffness, one + 1, 0), own(c.node_bend, one + 3, 0),
+            own(c.node_angle, one + 4, 0), {c.pin.data, c.strands, 1},          c.drag};
 }
 
 // Cuts the spring of a strand whose tension is most beyond its strength; whether there is one.

@@ -315,8 +315,8 @@ static void every_number_of_every_field_is_in_the_hash(void** state) {
         if (k >= 2) ok(cd_chain_set_strength(chain, 100)); /* numbers to change */
         const uint64_t before = hash_of(chain);
         for (cd_field field = CD_POSITION; field <= (k < 2 ? CD_TARGET : CD_REST_ANGLE); ++field) {
-            const int of_others = (field > CD_TARGET && field < CD_REST_LENGTH) ||
-                                  (field > CD_STRENGTH && field < CD_REST_ANGLE);
+            const int of_others =
+                (field > CD_TARGET && field < CD_REST_LENGTH) || (field > CD_STRENGTH && field < CD_REST_ANGLE);
             if ((k >= 2 && field == CD_BEND) || of_others) continue;
             double values[ALL];
             const size_t count = scene_field_count(chain, field);

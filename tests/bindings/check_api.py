@@ -54,9 +54,10 @@ def dll(api, objdump, library):
 PLAIN = {"size_t": ctypes.c_size_t, "uint32_t": ctypes.c_uint32, "uint64_t": ctypes.c_uint64, "int32_t": ctypes.c_int32,
          "float": ctypes.c_float, "double": ctypes.c_double, "const char*": ctypes.c_char_p, "void": None}
 OK, NULL, RANGE, UNSUPPORTED = 0, 1, 5, 9
-COMPONENTS = {"chain": 2, "membrane": 3, "water": 1}  # rest angles need 2, and pressure 3
-SHAPES = {"chain": (2, 4, COMPONENTS["chain"], 1, None), "membrane": (4, 5, COMPONENTS["membrane"], 1, None),
+COMPONENTS = 3
+SHAPES = {"chain": (2, 4, COMPONENTS, 1, None), "membrane": (4, 5, COMPONENTS, 1, None),
           "water": (5, 4, 1.0, 2.0, 1, None)}
+IN_A_PLANE = ("cd_chain_set_rest_angle", "CD_REST_ANGLE")  # what needs 2 components
 # Arguments with which every call succeeds; what is not here is 1.
 VALUES = {"lambda": 0.5, "tolerance": 0.01, "dt": 0.01, "strand": 0, "index_size": 4, "stride": 64,
           "position_offset": 0, "normal_offset": 12, "depth_offset": 24, "first": 0, "first_strand": 0, "first_u": 0,
@@ -69,11 +70,8 @@ COUNTS = {"set_bed": {"heights": 4}, "get_bed": {"out_heights": 0}, "set_hull": 
           "get_hull_velocity": {"out_velocity": 6}, "set_hull_force": {"force": 6}, "get_hull_force": {"out_force": 6},
           "get_hull_load": {"out_load": 6}}
 STARTS = ("rotation", "normal", "pose")  # what begins as this does, in as many numbers as it has
+IDENTITY = [float(row == column) for row in range(COMPONENTS) for column in range(COMPONENTS)]
 ROOM = 1 << 16
-
-
-def identity(kind):
-    return [float(row == column) for row in range(COMPONENTS[kind]) for column in range(COMPONENTS[kind])]
 
 
 class Library:
@@ -89,10 +87,14 @@ class Library:
     def plain(self, name):
         return ctypes.c_int32 if name in self.enums else PLAIN[name]
 
-    def create(self, kind):
+    def create(self, kind, what=None, precision=1):
+        """An object that has what is named."""
         handle = ctypes.c_void_p()
         create = getattr(self.dll, f"cd_{kind}_create")
         numbers = [*SHAPES[kind]]
+        numbers[-2] = precision
+        if what in IN_A_PLANE:
+            numbers[2] = 2
         assert create(*numbers, ctypes.byref(handle)) == OK, self.dll.cd_error_message()
         return handle
 
@@ -125,7 +127,7 @@ def arguments(library, function, handle, other, saved):
         elif role == "length":
             counted = next(q for q in function["parameters"] if q["name"] == p["of"][0])
             single = counted["times"] in (2, 3) or function["short"] == "sample" and p["name"] == "n"
-            value = {"bytes": ROOM}.get(counted["role"], 1 if single else COMPONENTS[kind])
+            value = {"bytes": ROOM}.get(counted["role"], 1 if single or kind == "water" else COMPONENTS)
             if function["short"] == "load":
                 value = len(saved)
             value = COUNTS.get(function["short"], {}).get(p["of"][0], value)
@@ -134,7 +136,7 @@ def arguments(library, function, handle, other, saved):
         elif role == "callbacks":
             value = None if p["null"] else (ctypes.c_size_t * 2)(1, 1)  # never called
         elif p["name"] in STARTS:
-            value = (ctypes.c_double * 9)(*identity(kind))
+            value = (ctypes.c_double * len(IDENTITY))(*IDENTITY)
         elif role != "length":
             value = ctypes.create_string_buffer(ROOM)
         kept.append(value)
@@ -164,14 +166,14 @@ def extent(kind, field, is_rope=False):
     else:
         n_x, n_y = a + (per == "x-face"), b + (per == "y-face")
         numbers, count = (0, 0, n_x, n_y), n_x * n_y
-    return numbers, count * (COMPONENTS[kind] if field["components"] else 1)
+    return numbers, count * (COMPONENTS if field["components"] else 1)
 
 
 def fields(library):
     for thing in library.api["objects"]:
         kind, described = thing["name"], {field["name"]: field for field in thing["fields"]}
         for name, value in library.enums["cd_field"].items():
-            handle = library.create(kind)
+            handle = library.create(kind, name)
 
             def call(verb, *rest):
                 return getattr(library.dll, f"cd_{kind}_{verb}")(handle, value, *rest)

@@ -122,17 +122,14 @@ def ends(described, base, names):
 class Calls:
     """Calls of one function on objects of one state, each with valid arguments but for what is tried."""
 
-    def __init__(self, library, function, state, precision=FLOAT64):
+    def __init__(self, library, function, state, precision=FLOAT64, needs=None):
         self.library, self.function, self.state = library, function, state
         self.precision, self.kind, self.name = precision, function["object"], function["name"]
         self.codes = {error["code"] for error in function["errors"]}
-        self.objects, self.what = [], ""
+        self.objects, self.what, self.needs = [], "", needs or self.name
 
     def make(self):
-        shape, handle = list(SHAPES[self.kind]), ctypes.c_void_p()
-        shape[-2] = self.precision
-        dll = self.library.dll
-        assert getattr(dll, f"cd_{self.kind}_create")(*shape, ctypes.byref(handle)) == OK
+        handle, dll = self.library.create(self.kind, self.needs, self.precision), self.library.dll
         if self.state == "with hulls":
             assert dll.cd_water_set_hulls(handle, 1, PLATES, 1) == OK
             assert dll.cd_water_set_disc(handle, 0, 1.0, 1.0) == OK
@@ -219,7 +216,7 @@ def each_with(calls, p, number):
         parts = [q["name"] for q in calls.function["parameters"] if q["role"] == "value" and q["base"] == "size_t"
                  and not q["name"].startswith("first")]
         count = math.prod(changes.get(name, calls.value(name)) for name in parts)
-        changes[arrays[0]["name"]] = count * COMPONENTS[calls.kind]
+        changes[arrays[0]["name"]] = count * (COMPONENTS if calls.kind != "water" else 1)
     return changes
 
 
@@ -297,8 +294,8 @@ def fields(library):
         check(("range" in field) != field["read_only"], f"cd_{kind}, {field['name']}: no range, or one to read only")
         write = next(f for f in library.api["functions"] if f["name"] == f"cd_{kind}_write_f64")
         for precision in (FLOAT32, FLOAT64) if "range" in field else ():
-            calls = Calls(library, write, "with lengths" if field["lengths"] else "new", precision)
-            number, values = enumerators[field["name"]], COMPONENTS[kind] if field["components"] else 1
+            calls = Calls(library, write, "with lengths" if field["lengths"] else "new", precision, field["name"])
+            number, values = enumerators[field["name"]], COMPONENTS if field["components"] else 1
             at = int(field["unit"] != "-")  # of all nodes only an end may be matched, and only inside water flows
             place = (0, 1, at, 1) if kind == "chain" else (at, at, 1, 1)
 

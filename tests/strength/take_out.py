@@ -131,7 +131,11 @@ RULES = {
     "the interior point's barrier rises where an iteration is stuck": (
         "rope_step.cpp", "L::splat(1 / kBarrierFall)", "L::splat(kBarrierFall)", ["physics_bed"]),
     "but not beyond what it was to begin with": (
-        "rope_step.cpp", "barrier = smaller(wanted, first)", "barrier = wanted", ["stability_ropes"]),
+        "rope_step.cpp", "barrier = smaller(wanted, highest)", "barrier = wanted", ["stability_ropes"]),
+    "and stiff joints count for it": ("rope_step.cpp", "* bent() : L{}", "* L{} : L{}", ["stability_ropes"]),
+    "a curl turns with its rod": ("rope_rod.hh", "stage.curls ? joint.turn * along : along", "along", ["physics_rope_curl"]),
+    "to the other side where it is solved from its end": (
+        "rope_rod.hh", "comes_back[j] ? -1 : 1", "1", ["physics_rope_ends"]),
     "a rope's step makes no energy": (
         "rope_step.cpp", "share(seen.gained, worth + seen.rounding)", "L{}", ["stability_ropes"]),
     "springs that only pull push nothing": (

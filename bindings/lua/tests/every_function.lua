@@ -192,7 +192,7 @@ return {
       return o:set_capsule(0, {0.0, 0.0}, {0.0, 0.0}, 1, 1)
     end},
     {name = "cd_chain_set_bed", call = function(o, other, saved)
-      return o:set_bed(0, {0.0, 0.0}, 2, 2, 1, 1, {0.0, 0.0, 0.0, 0.0}, 1)
+      return o:set_bed(0, {0.0, 0.0}, 4, 1, 1, 1, {0.0, 0.0, 0.0, 0.0}, 1)
     end},
     {name = "cd_chain_get_bed", call = function(o, other, saved)
       return o:get_bed(0, ffi.new("double[?]", 0))
@@ -794,7 +794,7 @@ return {
       return o:launch_hull(0, 1, 1, 1, 1)
     end},
     {name = "cd_water_set_hull_pose", call = function(o, other, saved)
-      return o:set_hull_pose(0, {1.0})
+      return o:set_hull_pose(0, {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0})
     end},
     {name = "cd_water_get_hull_pose", call = function(o, other, saved)
       return o:get_hull_pose(0, ffi.new("double[?]", 7))

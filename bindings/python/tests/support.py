@@ -82,10 +82,15 @@ def lengthen(made, length=1):
         made.rest_length = length if isinstance(made, Chain) else (length, length)
 
 
+def possible(made):
+    """The fields that it can have: rest angles need 2 components."""
+    return [field for field in type(made)._fields if field != Field.REST_ANGLE or made.shape.components == 2]
+
+
 def switch_all_on(made):
     lengthen(made)  # some fields are of ropes and cloth only
-    for field, info in type(made)._fields.items():
-        if not info.always:
+    for field in possible(made):
+        if not type(made)._fields[field].always:
             made.enable_field(field)
 
 

@@ -320,7 +320,7 @@ pub const CHAIN: [Call<Chain>; 87] = [
     Call {
         name: "cd_chain_set_bed",
         may_fail: false,
-        call: |o, _other, _saved| o.set_bed(0, &[0.0, 0.0], 2, 2, 1.0, 1.0, &[0.0, 0.0, 0.0, 0.0], 1.0).map(drop),
+        call: |o, _other, _saved| o.set_bed(0, &[0.0, 0.0], 4, 1, 1.0, 1.0, &[0.0, 0.0, 0.0, 0.0], 1.0).map(drop),
         told: |_| true,
     },
     Call {
@@ -1417,7 +1417,7 @@ pub const WATER: [Call<Water>; 82] = [
     Call {
         name: "cd_water_set_hull_pose",
         may_fail: false,
-        call: |o, _other, _saved| o.set_hull_pose(0, &[1.0]).map(drop),
+        call: |o, _other, _saved| o.set_hull_pose(0, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]).map(drop),
         told: |_| true,
     },
     Call {
