@@ -128,8 +128,8 @@ template <int N> void RopeBundle<N>::eliminate_rod() {
         Node& node = nodes[i];
         Joint& joint = joints[i];
         node.next = (node.y + node.c * left.phi) + joint.across * left.psi;
-        if (i == 0) return;
         if (has_contacts()) pressed<true>(i, left);
+        if (i == 0) return;
         if (has_air()) resisted<true>(i, left);
         Spring& s = springs[i - 1];
         V impulse{};
