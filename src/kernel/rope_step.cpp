@@ -237,6 +237,12 @@ template <int N> void RopeBundle<N>::calm() {
     meet();
     Seen seen;
     for (size_t i = 0; i < spring_count; ++i) linearize(i, L{}, false, seen); // for settle()
+    if (has_callbacks()) ask_all(false);
+    for (size_t at = 0; at < node_count * stage.collider_count && has_contacts(); ++at) { // for forget_overlaps()
+        const size_t i = at / stage.collider_count;
+        const V before = nodes[i].x0;
+        look_at_end(at % stage.collider_count, i, before, before + L::splat(stage.dt) * nodes[i].w, contacts[at]);
+    }
 }
 
 // Velocities along springs that are taut become those with which they lengthened in the step beyond its tolerance, or

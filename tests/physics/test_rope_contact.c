@@ -363,17 +363,10 @@ static void nothing_passes_that_is_slower_than_a_radius_a_step(void** state) {
 
 /* Random crumpled ropes among a floor and two capsules that may overlap: solved but for few steps of 0.1 s and more,
  * never deeper than the tolerance where they are, and no energy from nothing. */
-static void random_ropes_fall_on_random_bodies(void** state) {
-    (void)state;
+static void random_falls(int rods, uint64_t drawn, const uint64_t (*others)[2], size_t other_count) {
     static const double dts[] = {1 / 600.0, 1 / 60.0, 0.1, 1};
-    /* And one in which a last iteration that goes a part of its way gives energy where that does not count, one in
-     * which a step of lambda < 1 that touches would be taken for the best, and seven that gave energy with other
-     * barriers. */
-    static const uint64_t others[][2] = {{858, 9},  {174, 9}, {34, 4},  {2, 8},    {338, 9},
-                                         {318, 11}, {662, 2}, {738, 7}, {1102, 14}};
     int missed[COUNT(dts)] = {0}, steps[COUNT(dts)] = {0};
-    const uint64_t drawn = is_long() ? 1600 : 120;
-    for (uint64_t scene = 0; scene < drawn + COUNT(others); ++scene) {
+    for (uint64_t scene = 0; scene < drawn + other_count; ++scene) {
         const uint64_t number = scene < drawn ? scene : others[scene - drawn][0];
         uint64_t seed = 77 + 13 * number + (scene < drawn ? other_scenes() : 100003 * others[scene - drawn][1]);
         const size_t d = number % COUNT(dts);
@@ -390,14 +383,16 @@ static void random_ropes_fall_on_random_bodies(void** state) {
         }
         put(&r);
         if (number % 2) ok(cd_chain_set_stiffness(r.chain, pow(10, 4 + 2 * random_number(&seed))));
+        if (rods) ok(cd_chain_set_bend(r.chain, pow(10, 5 * random_number(&seed))));
+        const double rough = rods == 2 ? 0 : 1; /* with friction */
         if (number % 5 < 2) ok(cd_chain_set_end(r.chain, CD_END_FIRST, CD_NODE_PINNED));
         const double floor[3] = {0, -0.5, 0}, normal[3] = {0.3 * random_number(&seed), 1, 0.3 * random_number(&seed)};
-        ok(cd_chain_set_plane(r.chain, 0, floor, normal, 3, fabs(random_number(&seed))));
+        ok(cd_chain_set_plane(r.chain, 0, floor, normal, 3, rough * fabs(random_number(&seed))));
         for (size_t c = 1; c < 3; ++c) {
             double ends[2][3];
             for (int k = 0; k < 6; ++k) ends[k / 3][k % 3] = (k % 3 == 1 ? 0.2 : 1.5) * random_number(&seed);
             const double radius = 0.25 + 0.15 * random_number(&seed);
-            ok(cd_chain_set_capsule(r.chain, c, ends[0], ends[1], 3, radius, fabs(random_number(&seed))));
+            ok(cd_chain_set_capsule(r.chain, c, ends[0], ends[1], 3, radius, rough * fabs(random_number(&seed))));
         }
         double before = INFINITY;
         for (int step = 0; step < 150; ++step) {
@@ -408,7 +403,8 @@ static void random_ropes_fall_on_random_bodies(void** state) {
             const double now = energy_of(&r);
             if (status == CD_OK) {
                 assert_true(deepest_in(&r) < 1e-6 * (1 + 1e-6));
-                if (!(now <= before + 1e-3))
+                if (!(now <=
+                      before + 1e-3 + (rods ? 1e-5 * fabs(before) : 0))) /* what bends pull, times the tolerance */
                     fail_msg("rope %d: energy from %.9g to %.9g in step %d", (int)number, before, now, step);
             }
             before = status == CD_OK ? now : INFINITY;
@@ -417,7 +413,24 @@ static void random_ropes_fall_on_random_bodies(void** state) {
     }
     for (size_t d = 0; d < COUNT(dts); ++d)
         print_message("dt %g: %d of %d steps missed\n", dts[d], missed[d], steps[d]);
-    assert_true(missed[0] == 0 && missed[1] == 0 && missed[2] < steps[2] / 100 && missed[3] < steps[3] / 100);
+    assert_true(missed[0] == 0 && missed[1] <= (rods ? steps[1] / 500 : 0));
+    assert_true(missed[2] < steps[2] / (rods ? 50 : 100) && missed[3] < steps[3] / 100);
+}
+static void random_ropes_fall_on_random_bodies(void** state) {
+    (void)state;
+    /* And one in which a last iteration that goes a part of its way gives energy where that does not count, one in
+     * which a step of lambda < 1 that touches would be taken for the best, and seven that gave energy with other
+     * barriers. */
+    static const uint64_t others[][2] = {{858, 9},  {174, 9}, {34, 4},  {2, 8},    {338, 9},
+                                         {318, 11}, {662, 2}, {738, 7}, {1102, 14}};
+    random_falls(0, is_long() ? 1600 : 120, others, COUNT(others));
+}
+/* Of every stiffness; and without friction, with one whose last iterations go to no number. */
+static void random_rods_fall_on_random_bodies(void** state) {
+    (void)state;
+    static const uint64_t others[][2] = {{1478, 1}};
+    random_falls(1, is_long() ? 1600 : 120, NULL, 0);
+    random_falls(2, is_long() ? 1600 : 40, others, COUNT(others));
 }
 
 int main(void) {
@@ -434,6 +447,7 @@ int main(void) {
         cmocka_unit_test(held_strands_stay_beside_those_that_touch),
         cmocka_unit_test(nothing_passes_that_is_slower_than_a_radius_a_step),
         cmocka_unit_test(random_ropes_fall_on_random_bodies),
+        cmocka_unit_test(random_rods_fall_on_random_bodies),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -133,6 +133,11 @@ RULES = {
     "but not beyond what it was to begin with": (
         "rope_step.cpp", "barrier = smaller(wanted, highest)", "barrier = wanted", ["stability_ropes"]),
     "and stiff joints count for it": ("rope_step.cpp", "* bent() : L{}", "* L{} : L{}", ["stability_ropes"]),
+    "the push on a rod's first node is found as others are": (
+        "rope_rod.hh", "        if (has_contacts()) pressed<true>(i, left);\n        if (i == 0) return;\n",
+        "        if (i == 0) return;\n        if (has_contacts()) pressed<true>(i, left);\n", ["physics_rope_contact"]),
+    "what a failed solve touches is looked at again": (
+        "rope_step.cpp", "at < node_count * stage.collider_count && has_contacts()", "false", ["physics_rope_contact"]),
     "a curl turns with its rod": ("rope_rod.hh", "stage.curls ? joint.turn * along : along", "along", ["physics_rope_curl"]),
     "to the other side where it is solved from its end": (
         "rope_rod.hh", "comes_back[j] ? -1 : 1", "1", ["physics_rope_ends"]),
