@@ -178,13 +178,15 @@ template <int N> void RopeBundle<N>::solve() {
     lambda = L::splat(stage.lambda);
     open = one();
     prepare();
+    // Links that push have no safer step: there Newton's method goes on.
+    const size_t last = kMostNewton + (stage.push ? stage.most_iterations : 0);
     begin();
-    newton(kMostNewton);
+    newton(stage.lambda < 1 ? kMostNewton : last);
     if (!try_again()) return;
     if (stage.lambda < 1) {
         lambda = select(open, one(), lambda);
         begin();
-        newton(kMostNewton);
+        newton(last);
         if (!try_again()) return;
     }
     if (!stage.push) {

@@ -136,6 +136,8 @@ RULES = {
     "the push on a rod's first node is found as others are": (
         "rope_rod.hh", "        if (has_contacts()) pressed<true>(i, left);\n        if (i == 0) return;\n",
         "        if (i == 0) return;\n        if (has_contacts()) pressed<true>(i, left);\n", ["physics_rope_contact"]),
+    "where links push Newton's method goes on": (
+        "rope_step.cpp", "stage.push ? stage.most_iterations : 0", "0", ["physics_rope_contact"]),
     "what a failed solve touches is looked at again": (
         "rope_step.cpp", "at < node_count * stage.collider_count && has_contacts()", "false", ["physics_rope_contact"]),
     "a curl turns with its rod": ("rope_rod.hh", "stage.curls ? joint.turn * along : along", "along", ["physics_rope_curl"]),

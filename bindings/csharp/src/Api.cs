@@ -1247,8 +1247,9 @@ namespace Contdyn
         /// `tolerance` times its length, and springs gave no more energy than that is worth; a slack one may keep a
         /// tension of about the tolerance times the largest force on the nodes. In [1e-14, 1/2], default 1e-6.
         /// most_iterations, 1 to 10000, default 200, are those that a step may take by the slow and sure method, an
-        /// interior point, after at most 16 by Newton's. A tolerance looser than 1e-4 costs more time, not less: what a
-        /// step leaves wrong, the next one must mend. Errors: CD_ERROR_VALUE.</summary>
+        /// interior point, after at most 16 by Newton's; where springs push, by Newton's too. A tolerance looser than
+        /// 1e-4 costs more time, not less: what a step leaves wrong, the next one must mend. Errors:
+        /// CD_ERROR_VALUE.</summary>
         public void SetTolerance(double tolerance, long mostIterations)
         {
             Changed();
@@ -1260,8 +1261,9 @@ namespace Contdyn
         /// `tolerance` times its length, and springs gave no more energy than that is worth; a slack one may keep a
         /// tension of about the tolerance times the largest force on the nodes. In [1e-14, 1/2], default 1e-6.
         /// most_iterations, 1 to 10000, default 200, are those that a step may take by the slow and sure method, an
-        /// interior point, after at most 16 by Newton's. A tolerance looser than 1e-4 costs more time, not less: what a
-        /// step leaves wrong, the next one must mend. Errors: CD_ERROR_VALUE.</summary>
+        /// interior point, after at most 16 by Newton's; where springs push, by Newton's too. A tolerance looser than
+        /// 1e-4 costs more time, not less: what a step leaves wrong, the next one must mend. Errors:
+        /// CD_ERROR_VALUE.</summary>
         public ChainTolerance GetTolerance()
         {
             double outTolerance;
