@@ -31,7 +31,9 @@ inline void switch_own(Features& wanted, cd_field field, bool on) {
     if (field == CD_REST_ANGLE) wanted.node_angle = on;
     if (field == CD_STRENGTH) wanted.spring_strength = on, wanted.spring_stiffness |= on;
 }
-inline bool is_per_spring(cd_field field) { return field == CD_STIFFNESS || (is_of_ropes(field) && field != CD_WIND && field != CD_REST_ANGLE); }
+inline bool is_per_spring(cd_field field) {
+    return field == CD_STIFFNESS || (is_of_ropes(field) && field != CD_WIND && field != CD_REST_ANGLE);
+}
 inline cd_status is_rope(const char* function, const Chain& c, const char* only) {
     return must_have_length(function, only, has_lengths(c));
 }

@@ -7,9 +7,9 @@
 // angle: so a rod whose links are at these angles is at rest, and how it lies in the plane makes no difference.
 //
 // A node that joins what hangs on the left of it has the mobility R = 1 / m; the joint then takes its share of the
-// variance of r, S = R + 1 / (h^2 B) + c, with c that of w_i + G u_i alone, u_i = w_i - w_{i-1}. What is left is written as products of
-// R, 1 / S and what hangs, without the differences in which a stiff joint would lose its digits; and with 1 / S as
-// h^2 B Z, so that a node without bend is a joint of B = 0.
+// variance of r, S = R + 1 / (h^2 B) + c, with c that of w_i + G u_i alone, u_i = w_i - w_{i-1}. What is left is
+// written as products of R, 1 / S and what hangs, without the differences in which a stiff joint would lose its digits;
+// and with 1 / S as h^2 B Z, so that a node without bend is a joint of B = 0.
 #pragma once
 
 #include "base/turn.hh"

@@ -119,8 +119,12 @@ inline double strength_of(const Chain& c, size_t at) {
     return c.spring_strength ? c.spring_strength[at] : c.rope.strength;
 }
 inline bool can_break(const Chain& c) { return c.spring_strength || c.rope.breaks(); }
-// Of inner nodes, of which a rest angle other than 0 needs one.
-inline double uniform_angle(const Chain& c) { return c.springs > 1 ? c.rope.angle / double(c.springs - 1) : 0; }
+// Of inner nodes, of which a rest angle other than 0 needs one. As many half turns as there are may round to more than
+// one for each.
+inline double uniform_angle(const Chain& c) {
+    const double each = c.springs > 1 ? c.rope.angle / double(c.springs - 1) : 0;
+    return fabs(each) < kHalfTurn ? each : copysign(kHalfTurn, each);
+}
 inline double angle_of(const Chain& c, size_t at) { return c.node_angle ? c.node_angle[at] : uniform_angle(c); }
 inline double most_angle(const Chain& c) { return c.springs > 1 ? kHalfTurn * double(c.springs - 1) : 0; }
 inline bool can_curl(const Chain& c) { return c.components == 2; }

@@ -70,6 +70,24 @@ static void what_is_set_for_ropes_is_kept_at_the_ends_of_every_range(void** stat
     }
 }
 
+static void rest_angles_are_kept_at_the_ends_of_their_range(void** state) {
+    (void)state;
+    enum { JOINTS = 13 };
+    struct kept_kind in_a_plane = kept_kinds[CHAIN];
+    in_a_plane.shape[0] = STRANDS, in_a_plane.shape[1] = JOINTS + 1, in_a_plane.shape[2] = 2;
+    for (int k = 0; k < 6; ++k) {
+        cd_chain* chain = scene_chain(STRANDS, JOINTS + 1, 2, k % 2 ? CD_FLOAT64 : CD_FLOAT32);
+        ok(cd_chain_set_rest_length(chain, 1));
+        ok(cd_chain_set_bend(chain, 1));
+        ok(cd_chain_set_rest_angle(chain, (k / 2 == 1 ? -1 : 1) * JOINTS * 3.141592653589793));
+        if (k > 1) ok(cd_chain_enable_field(chain, CD_REST_ANGLE));
+        if (k > 3) ok(cd_chain_set_rest_angle(chain, 0)); /* of each node alone */
+        if (k > 3) scene_set(chain, CD_REST_ANGLE, 3, 5e-324);
+        kept_assert_all(&in_a_plane, chain, k % 2 ? CD_FLOAT64 : CD_FLOAT32);
+        cd_chain_destroy(chain);
+    }
+}
+
 /* Chains that never were ropes are saved as they always were: what is set for ropes takes no bytes until it is. */
 static void what_is_as_in_a_new_chain_takes_no_bytes(void** state) {
     (void)state;
@@ -121,6 +139,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_was_saved_can_be_loaded_at_the_ends_of_every_range),
         cmocka_unit_test(what_is_set_for_ropes_is_kept_at_the_ends_of_every_range),
+        cmocka_unit_test(rest_angles_are_kept_at_the_ends_of_their_range),
         cmocka_unit_test(what_is_as_in_a_new_chain_takes_no_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
