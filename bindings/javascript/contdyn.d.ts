@@ -630,8 +630,8 @@ export class Chain extends Handle {
    * bends about, so it does nothing without bend, and turns with the rope: curls, hooks, tentacles, blades of grass.
    * The
    * field "restAngle" has one for each node. Where springs push, a rod takes its shape by turning, else also by going
-   * slack. Errors: "errorValue"; "errorUnsupported" of a chain that is no rope, or without 2 components: in space a
-   * curl needs to know how its links are twisted, which nodes do not tell.
+   * slack. Errors: "errorValue"; "errorUnsupported" of a chain that is no rope, or, but for 0, without 2 components: in
+   * space a curl needs to know how its links are twisted, which nodes do not tell.
    */
   get restAngle(): number;
   set restAngle(value: number);

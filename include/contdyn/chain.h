@@ -178,8 +178,8 @@ CD_API cd_status cd_chain_get_rest_length(const cd_chain* chain, double* out_len
  * second; default 0: straight. Per node with two neighbours: angle / (springs - 1), at most pi in size. It is what bend
  * bends about, so it does nothing without bend, and turns with the rope: curls, hooks, tentacles, blades of grass. The
  * field CD_REST_ANGLE has one for each node. Where springs push, a rod takes its shape by turning, else also by going
- * slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope, or without 2 components: in space a
- * curl needs to know how its links are twisted, which nodes do not tell. */
+ * slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope, or, but for 0, without 2 components: in
+ * space a curl needs to know how its links are twisted, which nodes do not tell. */
 CD_API cd_status cd_chain_set_rest_angle(cd_chain* chain, double angle);
 CD_API cd_status cd_chain_get_rest_angle(const cd_chain* chain, double* out_angle);
 

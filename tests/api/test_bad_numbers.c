@@ -44,6 +44,7 @@ static void only_ropes_in_a_plane_have_rest_angles(void** state) {
     ok(cd_chain_set_rest_length(c, 1));
     ok(cd_chain_set_rest_length(in_space, 1));
     refuses(in_space, cd_chain_set_rest_angle(in_space, 1), CD_ERROR_UNSUPPORTED, "2 components|3");
+    ok(cd_chain_set_rest_angle(in_space, 0)); /* which is what it has */
     refuses(in_space, cd_chain_enable_field(in_space, CD_REST_ANGLE), CD_ERROR_UNSUPPORTED, "2 components|3");
     for (int sign = -1; sign <= 1; sign += 2) {
         refuses(c, cd_chain_set_rest_angle(c, sign * nextafter(most, 100)), CD_ERROR_VALUE, "angle|40.8407");

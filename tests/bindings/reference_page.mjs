@@ -66,7 +66,8 @@ try {
   assert.deepEqual((await shown()).filter((name) => !winds.includes(name)), ["cd_field"]); // that CD_WIND is one of
   assert.equal(await browser.run('document.getElementById("found").textContent'), `${winds.length} found`);
   await find("SET rest chain");
-  assert.deepEqual((await shown()).sort(), ["cd_chain_get_rest_length", "cd_chain_set_rest_length"]);
+  assert.deepEqual((await shown()).sort(), ["cd_chain_get_rest_angle", "cd_chain_get_rest_length",
+    "cd_chain_set_rest_angle", "cd_chain_set_rest_length"]);
   await browser.run('document.getElementById("search").form.requestSubmit()');
   await browser.until('location.hash === "#cd_chain_set_rest_length"', "the first that was found");
   await find("capstan, or no such word");

@@ -1055,8 +1055,8 @@ namespace Contdyn
         /// pi in size. It is what bend bends about, so it does nothing without bend, and turns with the rope: curls,
         /// hooks, tentacles, blades of grass. The field CD_REST_ANGLE has one for each node. Where springs push, a rod
         /// takes its shape by turning, else also by going slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a
-        /// chain that is no rope, or without 2 components: in space a curl needs to know how its links are twisted,
-        /// which nodes do not tell.</summary>
+        /// chain that is no rope, or, but for 0, without 2 components: in space a curl needs to know how its links are
+        /// twisted, which nodes do not tell.</summary>
         public double RestAngle
         {
             get

@@ -1108,8 +1108,9 @@ impl Chain {
     /// to the second; default 0: straight. Per node with two neighbours: angle / (springs - 1), at most pi in size. It
     /// is what bend bends about, so it does nothing without bend, and turns with the rope: curls, hooks, tentacles,
     /// blades of grass. The field CD_REST_ANGLE has one for each node. Where springs push, a rod takes its shape by
-    /// turning, else also by going slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope, or
-    /// without 2 components: in space a curl needs to know how its links are twisted, which nodes do not tell.
+    /// turning, else also by going slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope, or,
+    /// but for 0, without 2 components: in space a curl needs to know how its links are twisted, which nodes do not
+    /// tell.
     pub fn set_rest_angle(&mut self, angle: f64) -> Result<()> {
         check(unsafe { sys::cd_chain_set_rest_angle(self.as_ptr(), angle) })
     }
@@ -1118,8 +1119,9 @@ impl Chain {
     /// to the second; default 0: straight. Per node with two neighbours: angle / (springs - 1), at most pi in size. It
     /// is what bend bends about, so it does nothing without bend, and turns with the rope: curls, hooks, tentacles,
     /// blades of grass. The field CD_REST_ANGLE has one for each node. Where springs push, a rod takes its shape by
-    /// turning, else also by going slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope, or
-    /// without 2 components: in space a curl needs to know how its links are twisted, which nodes do not tell.
+    /// turning, else also by going slack. Errors: CD_ERROR_VALUE; CD_ERROR_UNSUPPORTED of a chain that is no rope, or,
+    /// but for 0, without 2 components: in space a curl needs to know how its links are twisted, which nodes do not
+    /// tell.
     pub fn get_rest_angle(&self) -> Result<f64> {
         let mut out_angle = 0.0;
         check(unsafe { sys::cd_chain_get_rest_angle(self.as_ptr(), &mut out_angle) })?;
