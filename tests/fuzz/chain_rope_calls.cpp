@@ -104,7 +104,7 @@ void Chain::set_rest_angle() {
     const double angle = chance(0.2) ? 0 : chance(0.2) ? pick_number(-2, 2) : uniform(-1, 1) * most;
     const cd_status status = both(text("set_rest_angle %.17g", angle), 0,
                                   [&](cd_chain* chain, int) { return cd_chain_set_rest_angle(chain, angle); });
-    if (status == CD_OK && !(is_rope() && components == 2 && fabs(angle) <= most))
+    if (status == CD_OK && !(is_rope() && (components == 2 || angle == 0) && fabs(angle) <= most))
         problem("set_rest_angle: it is taken");
 }
 
