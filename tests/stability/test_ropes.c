@@ -319,7 +319,6 @@ static void thousands_of_random_curls_stay_bounded(void** state) {
  * that no spring holds. */
 static void steps_that_end_early_are_told_and_bounded(void** state) {
     (void)state;
-    int solved = 0;
     for (int hard = 0; hard < HARD; ++hard) {
         static struct scene s;
         for (int way = 0; way < 4; ++way) {
@@ -336,30 +335,29 @@ static void steps_that_end_early_are_told_and_bounded(void** state) {
             bound = sqrt(2 * kinetic);
             double mass = 0;
             for (size_t i = 0; i < s.nodes; ++i) mass += s.mass[i];
-            for (int step = 0; step < 50; ++step) {
+            for (int step = 0; step < 50 + 50 * push; ++step) {
+                const double dt = step < 50 ? 0.1 : 1; /* where links push, nine iterations may be enough for 0.1 */
                 size_t iterations;
                 double error, held[2][3];
                 ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, 1, held[0], 3));
-                const cd_status status = cd_chain_step(chain, 0.1, 1);
+                const cd_status status = cd_chain_step(chain, dt, 1);
                 assert_true(status == CD_OK || status == CD_ERROR_TOLERANCE);
                 ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, 1, held[1], 3));
                 for (int k = 0; k < 3 && s.pin[0] != CD_NODE_FREE; ++k) /* moves as it is told */
-                    assert_near(held[1][k], held[0][k] + 0.1 * s.v[0][k], 1e-12, 0);
+                    assert_near(held[1][k], held[0][k] + dt * s.v[0][k], 1e-12, 0);
                 ok(cd_chain_get_convergence(chain, &iterations, &error));
                 assert_int_equal(status == CD_OK, error <= 1e-14);
                 told += status != CD_OK;
-                bound += 0.1 * fabs(s.gravity) * sqrt(mass);
+                bound += dt * fabs(s.gravity) * sqrt(mass);
                 ok(cd_chain_get_energy(chain, &kinetic, NULL, NULL));
                 assert_true(isfinite(kinetic));
                 if (hard != WHIP && hard != TOO_LONG && hard != SOFT && hard != MIXED && !driven)
                     assert_true(sqrt(2 * kinetic) <= bound * 1.001);
             }
-            if (!push) assert_true(told > 0);
-            solved += push && told == 0; /* nine iterations may be enough */
+            assert_true(told > 0);
             cd_chain_destroy(chain);
         }
     }
-    assert_true(solved <= 1);
 }
 
 /* A rod on its end, which pushes, and is kicked aside: it falls, and no step gives it energy. */

@@ -39,8 +39,8 @@ class Everyone(unittest.TestCase):
                     made = make(kind)
                     if name == "rest_angle":
                         made = Chain(2, 5, 2)
-                    if name in ("rest_angle", "air", "wind", "strength", "colliders", "thickness", "shear", "compression", "effort",
-                                "breaking_strain"):
+                    if name in ("rest_angle", "air", "wind", "strength", "colliders", "thickness", "shear",
+                                "compression", "effort", "breaking_strain"):
                         lengthen(made)  # only ropes and cloth have it
                     self.assertNotEqual(getattr(made, name), value)
                     setattr(made, name, value)
