@@ -59,6 +59,10 @@ size_t tear_springs(Membrane& m, ClothWork& w);
 
 // ---- what surrounds cloth (membrane_cloth_act.cpp) ----
 
+// x with matrix x = right, by elimination: matrix is symmetric, of 3 rows in the order of ClothMatrix::ground. False if it
+// is not positive definite.
+bool solve_block(const double* matrix, const double* right, double* x);
+
 // Adds the air to ground and right side for a step of impulses h.
 void add_air(const Membrane& m, ClothWork& w, double h);
 // The most contacts of a node in one step: with the nearest colliders.
@@ -67,8 +71,10 @@ inline size_t most_contacts(size_t colliders) { return colliders < kMostTouched 
 // These are there in builds with colliders only.
 // Finds what nodes may touch in a step of dt that begins at the time `now`; tells how many contacts there are.
 size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt);
-// Friction goes by the pushes of the velocities w from here on.
-void take_pushes(ClothWork& w, size_t contacts, double dt);
+// Friction goes by the pushes at `velocity` from here on, where the residual without contacts is `rest`.
+void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* rest);
+// Whether the velocities w lead into a collider.
+bool touches(const ClothWork& w, size_t contacts, double dt);
 // residual += the contacts' impulses at `velocity`; ground, if not null, gets their stiffness.
 void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* residual,
                   double* const* ground);

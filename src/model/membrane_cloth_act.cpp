@@ -13,6 +13,7 @@ struct Vector3 {
     double operator[](int i) const { return k[i]; }
 };
 Vector3 vector_at(double* const* planes, size_t at) { return {{planes[0][at], planes[1][at], planes[2][at]}}; }
+Vector3 operator+(Vector3 a, Vector3 b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
 Vector3 operator-(Vector3 a, Vector3 b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
 Vector3 operator*(double s, Vector3 a) { return {{s * a[0], s * a[1], s * a[2]}}; }
 double dot(Vector3 a, Vector3 b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
@@ -27,6 +28,17 @@ void add_alike(double* const* planes, size_t at, double weight) {
 }
 
 } // namespace
+
+bool solve_block(const double* matrix, const double* right, double* x) {
+    const double xx = matrix[0], xy = matrix[3] / xx, xz = matrix[4] / xx, yy = matrix[1] - xy * matrix[3];
+    const double rest = matrix[5] - xy * matrix[4], yz = rest / yy, zz = matrix[2] - xz * matrix[4] - yz * rest;
+    if (!(xx > 0 && yy > 0 && zz > 0)) return false;
+    const double y = right[1] - xy * right[0];
+    x[2] = (right[2] - xz * right[0] - yz * y) / zz;
+    x[1] = y / yy - yz * x[2];
+    x[0] = right[0] / xx - xy * x[1] - xz * x[2];
+    return true;
+}
 
 // ---- air ------------------------------------------------------------------------------------------------------------
 
@@ -69,6 +81,19 @@ namespace {
 // How stiff a contact is, over the mass of its node; and the speed e of v / (v + e) in friction [m/s].
 constexpr double kContactStiffness = 1e4, kStickSpeed = 1e-3;
 
+// A direction at right angles to `way`: any, if that is 0.
+Vector3 across(Vector3 way) {
+    int least = 0;
+    for (int k = 1; k < 3; ++k)
+        if (fabs(way[k]) < fabs(way[least])) least = k;
+    Vector3 off{};
+    off.k[least] = 1;
+    const double square = dot(way, way);
+    if (!(square > 0)) return off;
+    off = off - way[least] / square * way;
+    return 1 / sqrt(dot(off, off)) * off;
+}
+
 struct Gap {
     Vector3 normal;
     double size;
@@ -88,7 +113,7 @@ Gap gap_to(const Obstacle& to, Vector3 x, double time) {
     const double along = square > 0 ? fmin(fmax(dot(way, from) / square, 0), 1) : 0;
     const Vector3 off = from - along * way;
     const double distance = sqrt(dot(off, off));
-    return {distance > 0 ? 1 / distance * off : Vector3{{1, 0, 0}}, distance - to.radius};
+    return {distance > 0 ? 1 / distance * off : across(way), distance - to.radius};
 }
 
 // The push against what comes nearer than there is room.
@@ -158,9 +183,59 @@ size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt) {
     return found;
 }
 
-void take_pushes(ClothWork& w, size_t contacts, double dt) {
+namespace {
+
+// The resistance of a contact's friction: coefficient times push over the slip, whose direction it takes.
+double resistance_of(const ClothContact& c, Vector3 velocity, Vector3& slip) {
+    const Vector3 through = velocity - collider_velocity(c), normal = normal_of(c);
+    slip = through - dot(normal, through) * normal;
+    return c.friction * c.push / (sqrt(dot(slip, slip)) + kStickSpeed);
+}
+
+// The pushes that friction goes by: those of the contacts at this velocity, but no more than would keep the node out if it
+// alone gave way. `rest` is its residual without contacts. At the minimum of Phi both are the same; before, the first are
+// off by as much as contacts are stiffer than what else acts on the node.
+void take_pushes_on(ClothContact* of_node, size_t count, double inertia, Vector3 velocity, Vector3 rest,
+                    double inverse_dt) {
+    Vector3 slip, change = 1 / inertia * rest;
+    for (size_t j = 0; j < count; ++j) {
+        const double resistance = resistance_of(of_node[j], velocity, slip);
+        change = change - resistance / inertia * slip;
+    }
+    double matrix[6] = {1, 1, 1};
+    double* const planes[6] = {matrix, matrix + 1, matrix + 2, matrix + 3, matrix + 4, matrix + 5};
+    Vector3 pushed = change, by{};
+    bool meets[kMostTouched];
+    for (size_t j = 0; j < count; ++j) {
+        const Vector3 normal = normal_of(of_node[j]);
+        const double into = -(of_node[j].room * inverse_dt + dot(normal, velocity));
+        const double stiffness = of_node[j].stiffness / inertia;
+        meets[j] = into > dot(normal, change);
+        if (!meets[j]) continue;
+        add_square(planes, 0, stiffness, normal);
+        pushed = pushed + stiffness * into * normal;
+    }
+    const bool solved = solve_block(matrix, pushed.k, by.k);
+    for (size_t j = 0; j < count; ++j) {
+        const double now = push_of(of_node[j], velocity, inverse_dt);
+        of_node[j].push = solved && meets[j] ? fmin(now, push_of(of_node[j], velocity + by, inverse_dt)) : 0;
+    }
+}
+
+} // namespace
+
+void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* rest) {
+    for (size_t i = 0, count; i < contacts; i += count) {
+        const size_t at = size_t(w.contacts[i].at);
+        for (count = 1; i + count < contacts && w.contacts[i + count].at == w.contacts[i].at;) ++count;
+        take_pushes_on(w.contacts + i, count, w.inertia[at], vector_at(velocity, at), vector_at(rest, at), 1 / dt);
+    }
+}
+
+bool touches(const ClothWork& w, size_t contacts, double dt) {
     for (size_t i = 0; i < contacts; ++i)
-        w.contacts[i].push = push_of(w.contacts[i], vector_at(w.w, size_t(w.contacts[i].at)), 1 / dt);
+        if (push_of(w.contacts[i], vector_at(w.w, size_t(w.contacts[i].at)), 1 / dt) > 0) return true;
+    return false;
 }
 
 void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* residual,
@@ -170,13 +245,12 @@ void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const*
         const ClothContact& c = w.contacts[i];
         const size_t at = size_t(c.at);
         const Vector3 own = vector_at(velocity, at), normal = normal_of(c);
-        const double push = push_of(c, own, inverse_dt), most = c.friction * c.push;
-        if (!(push > 0) && !(most > 0)) continue;
+        const double push = push_of(c, own, inverse_dt);
+        if (!(push > 0) && !(c.push > 0)) continue;
         for (int k = 0; k < 3; ++k) residual[k][at] += push * normal[k];
         if (ground && push > 0) add_square(ground, at, c.stiffness, normal);
-        if (!(most > 0)) continue;
-        const Vector3 through = own - collider_velocity(c), slip = through - dot(normal, through) * normal;
-        const double resistance = most / (sqrt(dot(slip, slip)) + kStickSpeed);
+        Vector3 slip;
+        const double resistance = resistance_of(c, own, slip);
         for (int k = 0; k < 3; ++k) residual[k][at] -= resistance * slip[k];
         if (!ground) continue;
         add_alike(ground, at, resistance);

@@ -32,7 +32,8 @@ struct ClothStep {
     ClothWork& w;
     double dt, h;
     size_t contacts = 0, iterations = 0;
-    double left = 0; // of the gradient that the step starts from
+    double left = 0;      // of the gradient that the step starts from
+    bool touched = false; // whether an iteration met a collider
 
     const SheetKernels& sheet() const { return m.kernels->sheet; }
     const ClothKernels& cloth() const { return m.kernels->cloth; }
@@ -86,6 +87,7 @@ struct ClothStep {
             cloth().residual(w.grid, w.springs(), matrix, with, w.to, w.residual, curves, scratch, first, count);
             if (w.has_bend()) cloth().bend(w.grid, matrix, -1 / dt, w.to, w.residual, scratch, first, count);
         });
+        if (curves && CD_WITH_CONTACT) take_pushes(w, contacts, dt, velocity, w.residual);
         if (curves && w.ground[0] != w.own[0])
             for (int k = 0; k < 6; ++k)
                 memcpy(w.ground[k] - kBefore, w.own[k] - kBefore,
@@ -187,7 +189,8 @@ struct ClothStep {
         const double flat = kFlat * falls;
         for (int i = 0; i < kMostSearches && falls < flat; ++i) { // secants; a side that stays counts for half
             const double middle = least + (most - least) * (falls / (falls - rises));
-            if (!(middle > least && middle < most)) break;
+            if (!(middle < most)) return most; // where it rises by rounding only
+            if (!(middle > least)) break;
             const double now = slope(from, middle, way);
             if (now <= 0) least = middle, falls = now, rises *= 0.5;
             else if (now > 0) most = middle, rises = now, falls *= 0.5;
@@ -206,13 +209,14 @@ struct ClothStep {
     void newton() {
         uint64_t most = m.cloth.newton;
         double start = 0;
-        for (uint64_t i = 0; i < most; ++i) {
-            if (CD_WITH_CONTACT) take_pushes(w, contacts, dt);
+        touched = false;
+        for (uint64_t i = 0;; ++i) {
+            touched |= CD_WITH_CONTACT && touches(w, contacts, dt);
             find_residual(w.w, true);
             const double size = dot(w.residual, w.residual);
             if (i == 0) start = size;
             left = size == 0 ? 0 : sqrt(size / start);
-            if (!(size > 0) || !solve()) break;
+            if (i == most || !(size > 0) || !solve()) break;
             const double falls = -dot(w.residual, w.direction);
             if (!(falls < 0)) break;
             const double share = search(falls);
@@ -221,42 +225,38 @@ struct ClothStep {
         }
     }
 
-    // The velocity that a free sheet has as a whole, after w has been shifted to it; 0 where something holds it.
-    void share_momentum(double* mean) const {
-        for (int k = 0; k < 3; ++k) mean[k] = 0;
-        if (w.has_blocks()) return;
-        double force[3] = {}, missing[3] = {}, inertia = 0;
+    bool is_held() const {
         for (size_t v = 0; v < m.rows; ++v)
-            for (size_t u = 0; u < m.columns; ++u) {
-                const size_t at = w.place(u, v);
-                if (!(w.moves[at] > 0)) {
-                    if (present(m, u, v)) return;
-                    continue;
-                }
-                inertia += w.inertia[at];
-                for (int k = 0; k < 3; ++k) {
-                    force[k] += w.rhs[k][at];
-                    missing[k] += w.rhs[k][at] - w.inertia[at] * w.w[k][at];
-                }
-            }
-        if (!(inertia > 0)) return;
-        for (int k = 0; k < 3; ++k) {
-            mean[k] = force[k] / inertia;
-            const double shift = missing[k] / inertia;
-            each_place([&](size_t at) { w.w[k][at] += w.moves[at] * shift; });
-        }
+            for (size_t u = 0; u < m.columns; ++u)
+                if (!(w.moves[w.place(u, v)] > 0) && present(m, u, v)) return true;
+        return false;
+    }
+
+    // The velocity that a free sheet has as a whole, after w has been shifted to it. Springs cancel in its balance.
+    void share_momentum(double* mean) const {
+        double force[3] = {}, missing[3] = {}, matrix[6] = {}, shift[3] = {};
+        const int blocks = w.has_blocks() ? 6 : 3;
+        each_place([&](size_t at) {
+            if (!(w.moves[at] > 0)) return;
+            double own[6] = {}, kept[3];
+            for (int k = 0; k < blocks; ++k) own[k] = w.own[k][at], matrix[k] += own[k];
+            const double x = w.w[0][at], y = w.w[1][at], z = w.w[2][at];
+            kept[0] = own[0] * x + own[3] * y + own[4] * z;
+            kept[1] = own[3] * x + own[1] * y + own[5] * z;
+            kept[2] = own[4] * x + own[5] * y + own[2] * z;
+            for (int k = 0; k < 3; ++k) force[k] += w.rhs[k][at], missing[k] += w.rhs[k][at] - kept[k];
+        });
+        if (!solve_block(matrix, force, mean) || !solve_block(matrix, missing, shift)) return;
+        for (int k = 0; k < 3; ++k) each_place([&](size_t at) { w.w[k][at] += w.moves[at] * shift[k]; });
     }
     template <class F> void each_place(F f) const {
         for (size_t v = 0; v < m.rows; ++v)
             for (size_t u = 0; u < m.columns; ++u) f(w.place(u, v));
     }
 
-    // Scales what w has beside the mean motion, so that Phi does not rise along it. The mean, which may be as good as
-    // nothing beside the rest, is what all of it is added to.
-    void scale() const {
-        double mean[3];
-        if (CD_WITH_CONTACT) take_pushes(w, contacts, dt);
-        share_momentum(mean);
+    // Scales what w has beside this velocity of the whole sheet, so that Phi does not rise along it. That velocity, which
+    // may be as good as nothing beside the rest, is what all of it is added to.
+    void scale(const double* mean) const {
         double* const* const way = w.direction;
         for (int k = 0; k < 3; ++k)
             each_place([&](size_t at) {
@@ -273,6 +273,17 @@ struct ClothStep {
             share = falls < 0 ? share_of(w.w, way, least, falls, 1, end) : least;
         }
         combine(1, w.w, share, way);
+    }
+
+    // A sheet that nothing holds and that touches nothing keeps its momentum, however little of its step was found, also in
+    // air. Should it touch something after all, or air be so thick that rounding counts, the last scaling sees to it.
+    void bound() const {
+        double mean[3] = {};
+        const bool alone = !is_held() && !touched;
+        if (alone) share_momentum(mean);
+        scale(mean);
+        static constexpr double kRest[3] = {};
+        if (alone && w.has_blocks()) scale(kRest);
     }
 
     // Positions, velocities, what a node would do by itself, and what resists it.
@@ -350,7 +361,7 @@ struct ClothStep {
         iterations = 0;
         start(now);
         newton();
-        scale();
+        bound();
         return finish();
     }
 };

