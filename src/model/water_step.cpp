@@ -174,11 +174,10 @@ struct Stepper {
                 {end_of(a, false, time), end_of(a, true, time)}};
     }
 
-    // In a part of the step, as the clock counts however steps share calls.
+    // In a part of the step, as the clock counts however steps share calls: whole steps, which do not round, before it.
     double time_at(double part) const {
-        const double here = done + part;
-        if (w.clock.dt != dt) return w.clock.time() + here * dt;
-        return w.clock.start + (double(w.clock.counted) + here) * dt;
+        if (w.clock.dt != dt) return w.clock.time() + (done + part) * dt;
+        return w.clock.start + ((double(w.clock.counted) + done) + part) * dt;
     }
 
     WaterEnd end_of(Axis a, bool at_last, double time) const {
