@@ -40,8 +40,8 @@
 {7, 16, 7, {0x63ca19db50de809c, 0x04286088411c9917}}, /* river */
 {7, 2, 16, {0x9358a1bbc79a7277, 0xd5defa16bbd85854}}, /* river */
 {8, 13, 9, {0xe8b9d74f3e3b41e4, 0x6ff3490b9960871f}}, /* torus */
-{8, 1, 17, {0xb5ee5fb0a94ffff0, 0x01340486f726c40d}}, /* torus */
-{8, 17, 1, {0x2e8cee63efb9cfa2, 0x688e3a524699351a}}, /* torus */
+{8, 1, 17, {0x313e2cd3165347ce, 0x06069fae6dbdb945}}, /* torus */
+{8, 17, 1, {0x4b0ad42f9f5936d6, 0xc0c7db92ce165e64}}, /* torus */
 {8, 16, 7, {0x240a90f75cc20524, 0xd776ccd4bab4ca17}}, /* torus */
 {8, 2, 16, {0x699d6a80082044fd, 0x962b646db81dfdd6}}, /* torus */
 {9, 13, 9, {0x685449c367df7c34, 0xd52e06c00dd0e03d}}, /* masked */
@@ -60,7 +60,7 @@
 {11, 16, 7, {0xa6304876edd36a8c, 0xed8dbd2c0c4d45cd}}, /* everything */
 {11, 2, 16, {0x67a8e069bb1b10eb, 0x455850753748076d}}, /* everything */
 {12, 13, 9, {0x209fcd069fa2509a, 0xb2aa7a19affd5fd4}}, /* everything, long steps */
-{12, 1, 17, {0x340c8fdd43afe4e0, 0x57708d58b904d8d4}}, /* everything, long steps */
+{12, 1, 17, {0x27fc469269520656, 0xa8870a195e046a5f}}, /* everything, long steps */
 {12, 17, 1, {0xd972a3fe216a4de6, 0x98d9b174d0106581}}, /* everything, long steps */
 {12, 16, 7, {0xc626e1949ce767e7, 0xea33ad104585e052}}, /* everything, long steps */
 {12, 2, 16, {0xabb0ab4281074977, 0xfa9f8907a8278d83}}, /* everything, long steps */
@@ -70,7 +70,7 @@
 {13, 16, 7, {0xfd30525396e103b9, 0x3f06eb96bf3aa4f1}}, /* hulls */
 {13, 2, 16, {0xe12339a361270d3b, 0xb266aa14a2f9c800}}, /* hulls */
 {14, 13, 9, {0x21c36bfaa3e70d79, 0x9c697498702044c9}}, /* hulls, long steps */
-{14, 1, 17, {0x68781f4f68cc6b7d, 0x402c2db22ac4bb34}}, /* hulls, long steps */
+{14, 1, 17, {0x40c4397670653e1e, 0xe8faa4edf48ddcbd}}, /* hulls, long steps */
 {14, 17, 1, {0xccc7d08a0a8435cd, 0x692820bdf4d08b8e}}, /* hulls, long steps */
 {14, 16, 7, {0x7f8702140b86c9b6, 0x86f45bdcfa112be2}}, /* hulls, long steps */
 {14, 2, 16, {0x422cfaa7d49bfa69, 0xdae09937ebedeb05}}, /* hulls, long steps */
