@@ -178,7 +178,7 @@ struct Stepper {
                 {end_of(a, false, time), end_of(a, true, time)}};
     }
 
-    // In a part of the step, as the clock counts however steps share calls: whole steps, which do not round, before it.
+    // In a part of the step, as the clock counts however steps share calls: of whole steps the sum does not round.
     double time_at(double part) const {
         if (w.clock.dt != dt) return w.clock.time() + (done + part) * dt;
         return w.clock.start + ((double(w.clock.counted) + done) + part) * dt;

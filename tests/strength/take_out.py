@@ -63,6 +63,8 @@ RULES = {
         ["stability_water_extremes"]),
     "velocities follow what the limiter lets through": (
         "water/velocity.hh", "if (any_limited)", "if (false)", ["stability_water_energy"]),
+    "and what does not go through gains nothing": (
+        "water/carry.hh", "        if (any_limited) {", "        if (false) {", ["stability_water_energy"]),
     "the energy bound of long steps": (
         "water/line.hh", "if (kind.any_long) balance(kind);", "", ["stability_water_energy"]),
     "a long step is rough from a change of 5% on": (
