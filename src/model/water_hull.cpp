@@ -100,10 +100,10 @@ template <class T> bool hand_on(Water& w, double level, double height, const Hul
     bool good = count > 0;
     each_that_takes([&](size_t at) { good &= double(depth[at]) + more <= most_of(w); });
     if (!good) return false;
-    double left = 0; // of what goes to one cell rounding leaves to the next
+    double left = 0; // of what goes to one cell rounding leaves to the next, or takes from it as far as there is water
     each_that_takes([&](size_t at) {
-        const double had = double(depth[at]);
-        depth[at] = T(had + (more + left));
+        const double had = double(depth[at]), has = had + (more + left);
+        depth[at] = T(has > 0 ? has : 0);
         left -= double(depth[at]) - (had + more);
     });
     w.account.add(-left * cell_area(w));

@@ -89,8 +89,8 @@ void feel_water(const Water& w, HullWork& work, Axis a, double theta, double dt)
 
 namespace {
 
-constexpr int kMostHeaves = 40, kMostHalvings = 10; // iterations of heave, and halvings of the way of one
-constexpr double kLeastGain = 0x1p-60;              // of an iteration, over the energies: less is rounding
+constexpr int kMostHeaves = 40;        // iterations of heave
+constexpr double kLeastGain = 0x1p-60; // of one, over the energies: less is rounding
 
 // Solves the symmetric system of three, whose diagonal is positive, for x.
 void solve(const double (&a)[6], const double (&b)[3], double (&x)[3]) {
@@ -104,7 +104,8 @@ void solve(const double (&a)[6], const double (&b)[3], double (&x)[3]) {
 } // namespace
 
 // Minimizes inertia (v - v0)^2 / 2 - dt force v + energy(pose + dt v) by Newton's method, which the piecewise quadratic
-// energy lets end after a few exact steps; a step that does not lower the function is halved.
+// energy lets end after a few exact steps. One that does not lower the function is halved, as long as the slope that it
+// begins with promises more than rounding: in the air it is that of the fall alone, which may end far below the bed.
 void heave(const Water& w, size_t index, HullPose& pose, double (&v)[3], double dt) {
     const Hull& h = hull(w, index);
     double all[6];
@@ -133,9 +134,10 @@ void heave(const Water& w, size_t index, HullPose& pose, double (&v)[3], double 
         solve(system, right, change);
         double part = 1, gain = 0;
         for (int k = 0; k < 3; ++k) gain += 0.5 * (right[k] * change[k]);
-        if (!(gain > kLeastGain * (contact.energy + moving))) break;
+        const double least = kLeastGain * (contact.energy + moving);
+        if (!(gain > least)) break;
         bool better = false;
-        for (int half = 0; half < kMostHalvings && !better; ++half, part /= 2) {
+        for (; !better && part * gain > least; part /= 2) {
             for (int k = 0; k < 3; ++k) next[k] = v[k] + part * change[k];
             const HullContact there(w, index, pose_at(next));
             const double then = value(next, there);

@@ -38,8 +38,7 @@ struct WaterWork {
         scratch.fits = scratch.fits && multiply(per_task, most, size) && multiply(lines, kTallies, lines);
         task = scratch.numbers(size);
         tally = scratch.numbers(lines);
-        const bool has_lines_beside = w.cells[kX] > 1 && w.cells[kY] > 1;
-        if (CD_WITH_ADVECTED && f.momentum == CD_MOMENTUM_ADVECTED && has_lines_beside)
+        if (CD_WITH_ADVECTED && f.momentum == CD_MOMENTUM_ADVECTED)
             moved = scratch.numbers(w.plane * number_size(w) / sizeof(double) + 1);
         if (f.hulls.count == 0) return;
         for (double** plane : {&hulls.load, &hulls.stiff, &hulls.own[0], &hulls.own[1]})
@@ -76,6 +75,11 @@ struct Stepper {
 
     const WaterKernels& kernels() const { return *w.kernels; }
     StateNumbers moved() const { return {work.moved, w.precision == CD_FLOAT64}; }
+    // Whether what moves along an axis carries velocities of the other one: there are faces between its lines, or of a
+    // ring of one line from it to itself.
+    bool carries(Axis a) const {
+        return work.moved && w.cells[a] > 1 && (w.cells[other(a)] > 1 || periodic(w, other(a)));
+    }
     size_t stride(Axis a) const { return a == kX ? 1 : w.pitch; }
     size_t byte_stride(Axis a) const { return a == kX ? 1 : w.cells[kX] + 1; }
 
@@ -133,7 +137,7 @@ struct Stepper {
             return good;
         });
         count_up(lines.lines);
-        if (CD_WITH_ADVECTED && work.moved) carry(a);
+        if (CD_WITH_ADVECTED && carries(a)) carry(a);
     }
 
     // A pack of lines of which parts are asleep: each run of awake tiles is a line of its own, with a wall where it
@@ -174,11 +178,10 @@ struct Stepper {
                 {end_of(a, false, time), end_of(a, true, time)}};
     }
 
-    // In a part of the step, as the clock counts however steps share calls.
+    // In a part of the step, as the clock counts however steps share calls: of whole steps the sum does not round.
     double time_at(double part) const {
-        const double here = done + part;
-        if (w.clock.dt != dt) return w.clock.time() + here * dt;
-        return w.clock.start + (double(w.clock.counted) + here) * dt;
+        if (w.clock.dt != dt) return w.clock.time() + (done + part) * dt;
+        return w.clock.start + ((double(w.clock.counted) + done) + part) * dt;
     }
 
     WaterEnd end_of(Axis a, bool at_last, double time) const {
@@ -204,7 +207,7 @@ struct Stepper {
         lines.pressure_share = dt / (w.density * w.size[a]);
         lines.load = {work.hulls.load, true}, lines.stiff = {work.hulls.stiff, true};
         lines.mask = w.mask.data, lines.wall = w.wall[a].data;
-        lines.moved = moved();
+        if (carries(a)) lines.moved = moved();
         lines.tally = work.tally;
         return lines;
     }

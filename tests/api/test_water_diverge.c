@@ -124,7 +124,7 @@ static void what_is_finite_has_not_diverged(void** state) {
     ok(cd_water_set_method(w, CD_METHOD_SYMPLECTIC_EULER));
     ok(cd_water_step(w, 0.00012178729921880059, 1));
     ok(cd_water_set_side(w, CD_SIDE_Y_LAST, CD_BORDER_OPEN, -0.75230832132907843, 0));
-    ok(cd_water_step(w, 11062.09931374951, 1));
+    ok(cd_water_step(w, 20000, 1));
     assert_true(kind_is_finite(&kinds[WATER], w));
     cd_water_destroy(w);
 }

@@ -4,20 +4,20 @@
 {0, 17, 1, {0x91b076a87dd56eee, 0x6957decb95b00c01}}, /* beach */
 {0, 16, 7, {0xb08bf2b4f7f226ec, 0x9416679f50ba4193}}, /* beach */
 {0, 2, 16, {0x745bae2d9f39ceed, 0x30346aea6e28e47f}}, /* beach */
-{1, 13, 9, {0x631ec1d9f51e98ab, 0x839e38f3d0dac1e3}}, /* dam */
+{1, 13, 9, {0x028ca785b4f144f5, 0xe9f8a1d31efe1362}}, /* dam */
 {1, 1, 17, {0xecdb26bc5b1e7eec, 0x7d4ccd182f396cfd}}, /* dam */
 {1, 17, 1, {0x1fcd93a6615d713e, 0x3ea7f5a7c64321b1}}, /* dam */
-{1, 16, 7, {0x10427dac58fa4405, 0x752ad42ad96a2935}}, /* dam */
-{1, 2, 16, {0x200263ed247e496c, 0xe231227e4f58fc20}}, /* dam */
+{1, 16, 7, {0xd3b5540093440c18, 0x46daf8920b4c5468}}, /* dam */
+{1, 2, 16, {0xf9c392929a86679f, 0x458791d2f94cf08f}}, /* dam */
 {2, 13, 9, {0x50a689ddf5a53ae1, 0x088481e89ee42c23}}, /* flood */
 {2, 1, 17, {0x49c2aa75d9e0d7f3, 0x50371d5db650f36d}}, /* flood */
 {2, 17, 1, {0x423c672a3e4aa3fd, 0xcd2745d8e9cf84fd}}, /* flood */
 {2, 16, 7, {0xfd95f8bf9ff5fbb2, 0xaec5685319e634d8}}, /* flood */
 {2, 2, 16, {0x602dc4845c9ea7eb, 0x8c4e889121d29e03}}, /* flood */
-{3, 13, 9, {0x64831d3e9c44ded4, 0x413aca2348b6d561}}, /* weir */
-{3, 1, 17, {0x2ba55771517f3457, 0x662cf7cb35c2126b}}, /* weir */
-{3, 17, 1, {0x269e407816e6f158, 0x95c25b5ce1c73c21}}, /* weir */
-{3, 16, 7, {0xc4b51373f6f99fc0, 0xa8836fa6e460c456}}, /* weir */
+{3, 13, 9, {0xd4ad5f5646f70261, 0x823389e65b582111}}, /* weir */
+{3, 1, 17, {0x0ada2790caee2487, 0x686ce2749c44bef7}}, /* weir */
+{3, 17, 1, {0x269e407816e6f158, 0x38543cc12e62b352}}, /* weir */
+{3, 16, 7, {0x04eff7db40e176a4, 0x0778df9af7d6aa0a}}, /* weir */
 {3, 2, 16, {0x78825d8a673da664, 0xdd13867e87b40d01}}, /* weir */
 {4, 13, 9, {0x34ff9a256ba8112e, 0x380f62d35a5d541c}}, /* explicit */
 {4, 1, 17, {0x198e4dec868efae1, 0x9bd595cdeda19578}}, /* explicit */
@@ -34,14 +34,14 @@
 {6, 17, 1, {0x616bb3d6395b86d5, 0x59431f3f818a6151}}, /* tide */
 {6, 16, 7, {0x3f33358f064f89cd, 0x805824bb28d8d993}}, /* tide */
 {6, 2, 16, {0x0e3644fcde0e37fa, 0x49586a8c78572324}}, /* tide */
-{7, 13, 9, {0xc6c78f7f00970a9b, 0xdef795a41abf9673}}, /* river */
+{7, 13, 9, {0x12e5018792f8e675, 0x5c3a6bf7834339ec}}, /* river */
 {7, 1, 17, {0x0bf022df59761559, 0x2fe2b547ac76b05f}}, /* river */
-{7, 17, 1, {0xb974bd8d9dc61c61, 0x03f5c59d81d86bc9}}, /* river */
-{7, 16, 7, {0x63ca19db50de809c, 0x04286088411c9917}}, /* river */
+{7, 17, 1, {0x00cf9dc2b663e646, 0x170e09030fc470ef}}, /* river */
+{7, 16, 7, {0xa6c47866be8b8713, 0xfea0bf057a3c0da3}}, /* river */
 {7, 2, 16, {0x9358a1bbc79a7277, 0xd5defa16bbd85854}}, /* river */
 {8, 13, 9, {0xe8b9d74f3e3b41e4, 0x6ff3490b9960871f}}, /* torus */
-{8, 1, 17, {0xb5ee5fb0a94ffff0, 0x01340486f726c40d}}, /* torus */
-{8, 17, 1, {0x2e8cee63efb9cfa2, 0x688e3a524699351a}}, /* torus */
+{8, 1, 17, {0x313e2cd3165347ce, 0x06069fae6dbdb945}}, /* torus */
+{8, 17, 1, {0x4b0ad42f9f5936d6, 0xc0c7db92ce165e64}}, /* torus */
 {8, 16, 7, {0x240a90f75cc20524, 0xd776ccd4bab4ca17}}, /* torus */
 {8, 2, 16, {0x699d6a80082044fd, 0x962b646db81dfdd6}}, /* torus */
 {9, 13, 9, {0x685449c367df7c34, 0xd52e06c00dd0e03d}}, /* masked */
@@ -49,28 +49,28 @@
 {9, 17, 1, {0x1d326e3ce732cdfa, 0x33f3c06b72c03e8c}}, /* masked */
 {9, 16, 7, {0x007e077e8746bddd, 0x1ea4b528ac880f49}}, /* masked */
 {9, 2, 16, {0xc84b6b1dd312aefd, 0x0024e715f5ab37de}}, /* masked */
-{10, 13, 9, {0x01cb6f68ecf23f8e, 0x942b53187457d406}}, /* fed */
+{10, 13, 9, {0x673015b80de6e6f4, 0x8ac94472b26c03ad}}, /* fed */
 {10, 1, 17, {0xeb401a96a66eb344, 0xe33227e318a863b4}}, /* fed */
 {10, 17, 1, {0x76a00fc9e757c8c6, 0x8bb0f004791a59d4}}, /* fed */
-{10, 16, 7, {0x0f8a10c41740fc7c, 0x56579e455719bbea}}, /* fed */
+{10, 16, 7, {0xcfce26918295275c, 0xf4e913f8eb226c33}}, /* fed */
 {10, 2, 16, {0x5709f1bd2d163a80, 0x167ac3319304afdc}}, /* fed */
-{11, 13, 9, {0x78948a4c1009652a, 0x1681724f448fdb27}}, /* everything */
+{11, 13, 9, {0x0b8fec5efb77e6b2, 0xa1821ef758d1188d}}, /* everything */
 {11, 1, 17, {0x8fac8eabbf31e934, 0xfc20fb6fa8aeb6b8}}, /* everything */
-{11, 17, 1, {0xa57c557aeb89ebd9, 0x466110e9d5fa1673}}, /* everything */
-{11, 16, 7, {0xa6304876edd36a8c, 0xed8dbd2c0c4d45cd}}, /* everything */
-{11, 2, 16, {0x67a8e069bb1b10eb, 0x455850753748076d}}, /* everything */
-{12, 13, 9, {0x209fcd069fa2509a, 0xb2aa7a19affd5fd4}}, /* everything, long steps */
-{12, 1, 17, {0x340c8fdd43afe4e0, 0x57708d58b904d8d4}}, /* everything, long steps */
-{12, 17, 1, {0xd972a3fe216a4de6, 0x98d9b174d0106581}}, /* everything, long steps */
-{12, 16, 7, {0xc626e1949ce767e7, 0xea33ad104585e052}}, /* everything, long steps */
-{12, 2, 16, {0xabb0ab4281074977, 0xfa9f8907a8278d83}}, /* everything, long steps */
+{11, 17, 1, {0x44996cadb85026a9, 0x6b1bfe9f5a4caacc}}, /* everything */
+{11, 16, 7, {0xd9037aee63017d4d, 0x383bcbef2440651e}}, /* everything */
+{11, 2, 16, {0x360560a04cba8f76, 0x683232cf4d8ec0f1}}, /* everything */
+{12, 13, 9, {0x6c83c22f3ac78845, 0x808e272e1762576d}}, /* everything, long steps */
+{12, 1, 17, {0x27fc469269520656, 0xa8870a195e046a5f}}, /* everything, long steps */
+{12, 17, 1, {0x47ff0f3f2a19f778, 0x40da0300f2b439d1}}, /* everything, long steps */
+{12, 16, 7, {0xeac5bb97cd9e7612, 0xf509145b02cf3487}}, /* everything, long steps */
+{12, 2, 16, {0x600a69a03cdcad37, 0x66c9d603d22a95fb}}, /* everything, long steps */
 {13, 13, 9, {0xe611220169d11c60, 0xa6127523876c3d0b}}, /* hulls */
 {13, 1, 17, {0x6ef5d7cc35874677, 0x97b2e2dd7b414db8}}, /* hulls */
 {13, 17, 1, {0xe0a9300a90974681, 0xe89d7a6e2a349417}}, /* hulls */
 {13, 16, 7, {0xfd30525396e103b9, 0x3f06eb96bf3aa4f1}}, /* hulls */
 {13, 2, 16, {0xe12339a361270d3b, 0xb266aa14a2f9c800}}, /* hulls */
 {14, 13, 9, {0x21c36bfaa3e70d79, 0x9c697498702044c9}}, /* hulls, long steps */
-{14, 1, 17, {0x68781f4f68cc6b7d, 0x402c2db22ac4bb34}}, /* hulls, long steps */
+{14, 1, 17, {0x40c4397670653e1e, 0xe8faa4edf48ddcbd}}, /* hulls, long steps */
 {14, 17, 1, {0xccc7d08a0a8435cd, 0x692820bdf4d08b8e}}, /* hulls, long steps */
 {14, 16, 7, {0x7f8702140b86c9b6, 0x86f45bdcfa112be2}}, /* hulls, long steps */
-{14, 2, 16, {0x422cfaa7d49bfa69, 0xdae09937ebedeb05}}, /* hulls, long steps */
+{14, 2, 16, {0xca31aa580d5b08e5, 0x06c44b7f67fd9e0c}}, /* hulls, long steps */

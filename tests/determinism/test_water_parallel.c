@@ -45,6 +45,24 @@ static void steps_at_once_are_steps_one_by_one(void** state) {
         }
 }
 
+/* Of a level that changes, in which part of a step its value is taken counts too: lambda of it. */
+static void a_level_that_changes_is_the_same_in_steps_one_by_one(void** state) {
+    (void)state;
+    for (int part = 0; part < 50; ++part) {
+        uint64_t hashes[2];
+        for (int singly = 0; singly < 2; ++singly) {
+            cd_water* w = pool(20, 1, CD_FLOAT64);
+            pool_fill(w, CD_DEPTH, 1);
+            ok(cd_water_set_lambda(w, 0.5 + 0.01 * part));
+            ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_OPEN, 1, 1));
+            for (int calls = 0; calls < 20 * (singly ? 3 : 1); ++calls) pool_step(w, 0.1, singly ? 1 : 3);
+            hashes[singly] = hash_of(w);
+            cd_water_destroy(w);
+        }
+        if (hashes[0] != hashes[1]) fail_msg("lambda %g", 0.5 + 0.01 * part);
+    }
+}
+
 /* ---- rows that have nothing to do with each other ---- */
 
 enum { NX = 21, ROWS = 19, MOST = (NX + 1) * (ROWS + 1) };
@@ -124,6 +142,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_job_system_leaves_no_trace),
         cmocka_unit_test(steps_at_once_are_steps_one_by_one),
+        cmocka_unit_test(a_level_that_changes_is_the_same_in_steps_one_by_one),
         cmocka_unit_test(a_slice_goes_as_each_of_many_rows_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -207,6 +207,50 @@ static void a_stream_round_a_ring_stays_smooth_at_any_speed(void** state) {
     }
 }
 
+/* A ring of one row is the same water as one of two equal rows: the velocity across it goes with the stream, too. */
+static void a_ring_of_one_row_goes_as_one_of_two(void** state) {
+    (void)state;
+    enum { CELLS = 20 };
+    for (int along_y = 0; along_y < 2; ++along_y)
+        for (int sleeps = 0; sleeps < 2; ++sleeps) {
+            double across[2][CELLS], depths[2][CELLS], momentum = 0;
+            for (size_t rows = 1; rows <= 2; ++rows) {
+                cd_water* w = line_basin(along_y, CELLS, rows, 1, CD_FLOAT64);
+                basin_set_way(w, &ways[ADVECTED]);
+                ok(cd_water_set_first(w, along_y));
+                if (sleeps) ok(cd_water_set_sleep(w, 1e-3));
+                ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+                ok(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_PERIODIC, 0, 0));
+                const cd_field other = along_y ? CD_VELOCITY_X : CD_VELOCITY_Y;
+                for (size_t i = 0; i <= CELLS; ++i)
+                    for (size_t j = 0; j <= rows; ++j) {
+                        const size_t x = along_y ? j : i, y = along_y ? i : j;
+                        if (j < rows) basin_set(w, line_field(along_y, CD_VELOCITY_X), x, y, 1);
+                        if (i == CELLS) continue;
+                        basin_set(w, other, x, y, i < CELLS / 2 ? 1 : 0);
+                        if (j < rows) basin_set(w, CD_DEPTH, x, y, 1 + 0.3 * sin(2 * (double)PI * (double)i / CELLS));
+                    }
+                for (int steps = 0; steps < 2; ++steps) {
+                    double sum = 0;
+                    for (size_t i = 0; i < CELLS; ++i) {
+                        const size_t x = along_y ? 0 : i, y = along_y ? i : 0;
+                        across[rows - 1][i] = basin_get(w, other, x, y);
+                        depths[rows - 1][i] = basin_get(w, CD_DEPTH, x, y);
+                        sum += across[rows - 1][i] * depths[rows - 1][i];
+                    }
+                    if (steps == 0) momentum = sum, basin_step(w, 0.1, 100);
+                    else assert_near(sum, momentum, 1e-13, 0);
+                }
+                cd_water_destroy(w);
+            }
+            for (size_t i = 0; i < CELLS; ++i) {
+                assert_near(across[0][i], across[1][i], 1e-12, 1);
+                assert_near(depths[0][i], depths[1][i], 1e-12, 1);
+            }
+            assert_true(across[0][0] < 0.9); /* the front has gone round half of it */
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_stream_that_goes_round_keeps_its_momentum),
@@ -215,6 +259,7 @@ int main(void) {
         cmocka_unit_test(a_swift_stream_stays_smooth),
         cmocka_unit_test(a_stream_round_a_ring_stays_smooth_at_any_speed),
         cmocka_unit_test(walls_and_masks_hold_water_exactly),
+        cmocka_unit_test(a_ring_of_one_row_goes_as_one_of_two),
     };
     return cmocka_run_group_tests_name("water momentum", tests, NULL, NULL);
 }

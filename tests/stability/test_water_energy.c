@@ -202,6 +202,40 @@ static void a_film_does_not_throw_the_lake_that_it_falls_into(void** state) {
         }
 }
 
+/* A layer of water on a ledge falls into a lake below it, or a pit of one cell: only what falls is pushed by the fall,
+ * and not the lake's water at the same face. */
+static void water_that_falls_over_a_ledge_makes_no_energy(void** state) {
+    (void)state;
+    static const struct {
+        double drop, film, depth;
+        size_t ledge, lake;
+    } falls[] = {{1, 0.1, 0.5, 4, 6}, {0.3, 0.05, 0.2, 10, 30}, {5, 1, 3, 10, 30}, {0.1, 1e-3, 0.03, 2, 1}};
+    static const double courants[] = {0.01, 0.05, 0.2, 0.6, 1, 2, 6, 30};
+    static const int which[] = {ADVECTED, EXPLICIT_ADVECTED};
+    for (size_t k = 0; k < COUNT(which); ++k)
+        for (size_t f = 0; f < COUNT(falls); ++f)
+            for (size_t c = 0; c < COUNT(courants); ++c)
+                for (int down = 0; down < 2; ++down) {
+                    if (k > 0 && courants[c] > 0.2) continue;
+                    const size_t n = falls[f].ledge + falls[f].lake;
+                    cd_water* w = basin(n, 1, 1, 1, CD_FLOAT64);
+                    basin_set_way(w, &ways[which[k]]);
+                    for (size_t i = 0; i < n; ++i) {
+                        const size_t at = down ? n - 1 - i : i;
+                        basin_set(w, CD_BED, at, 0, i < falls[f].ledge ? falls[f].drop : 0);
+                        basin_set(w, CD_DEPTH, at, 0, i < falls[f].ledge ? falls[f].film : falls[f].depth);
+                    }
+                    const double start = basin_energy(w), dt = courants[c] / sqrt(9.81 * falls[f].depth);
+                    for (int step = 0; step < 500; ++step) {
+                        basin_step(w, dt, 1);
+                        if (!(basin_energy(w) <= (1 + 1e-5) * start))
+                            fail_msg("%s, fall %d, courant %g: %g of the energy after %d steps", ways[which[k]].name,
+                                     (int)f, courants[c], basin_energy(w) / start, step + 1);
+                    }
+                    cd_water_destroy(w);
+                }
+}
+
 /* ---- long runs --------------------------------------------------------------------------------------------------- */
 
 static void a_lively_basin_calms_down_in_a_hundred_thousand_steps(void** state) {
@@ -252,8 +286,7 @@ static void water_among_hills_rests_after_steps_of_an_hour(void** state) {
             basin_set_way(w, &ways[k]);
             for (size_t c = 0; c < NX * NY; ++c) {
                 const double x = (double)(c % NX), y = (double)(c / NX);
-                const double bed =
-                    1.5 * sin(along * x + phase) * cos(across * y) + 0.15 * (1 + random_number(&chance));
+                const double bed = 1.5 * sin(along * x + phase) * cos(across * y) + 0.15 * (1 + random_number(&chance));
                 basin_set(w, CD_BED, c % NX, c / NX, bed);
                 basin_set(w, CD_DEPTH, c % NX, c / NX, fmax(0, 0.5 * sin(0.3 * x + phase) - bed));
             }
@@ -277,6 +310,7 @@ int main(void) {
         cmocka_unit_test(no_energy_is_made_but_by_linear_momentum_that_deepens),
         cmocka_unit_test(a_seiche_from_rest_gains_no_energy),
         cmocka_unit_test(a_film_does_not_throw_the_lake_that_it_falls_into),
+        cmocka_unit_test(water_that_falls_over_a_ledge_makes_no_energy),
         cmocka_unit_test(a_lively_basin_calms_down_in_a_hundred_thousand_steps),
     };
     return cmocka_run_group_tests_name("water energy", tests, NULL, NULL);

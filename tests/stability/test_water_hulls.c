@@ -113,10 +113,43 @@ static void a_hull_of_any_mass_comes_to_rest_in_long_steps(void** state) {
     }
 }
 
+/* In long steps gravity would take a hull in the air far below the bed: it comes down onto the water all the same, with
+ * no more energy than would lift it by a centimetre. */
+static void a_hull_that_leaves_the_water_comes_down_in_long_steps(void** state) {
+    (void)state;
+    static const double upward[] = {1e-4, 1e-3, 0.3, 10}, masses[] = {0.1, 1, 50, 500};
+    for (double dt = 1; dt < 1e8; dt *= 7)
+        for (size_t k = 0; k < COUNT(upward) * COUNT(masses); ++k) {
+            const double mass = masses[k % COUNT(masses)], speed = upward[k / COUNT(masses)];
+            cd_water* w;
+            double velocity[6] = {0, 0, speed}, pose[7], load[6], most = -HUGE_VAL;
+            ok(cd_water_create(30, 30, 1, 1, CD_FLOAT64, NULL, &w));
+            pool_fill(w, CD_DEPTH, 1);
+            ok(cd_water_set_hulls(w, 1, 4, 2));
+            ok(cd_water_set_hull(w, 0, mass, 4, 2, NULL, 0));
+            ok(cd_water_launch_hull(w, 0, 15.3, 14.8, 1, 0.2));
+            ok(cd_water_get_hull_pose(w, 0, pose, 7));
+            ok(cd_water_set_hull_velocity(w, 0, velocity, 6));
+            const double start = energy(w), height = pose[2];
+            for (int step = 0; step < 10; ++step) {
+                pool_step(w, dt, 1);
+                most = fmax(most, energy(w) - start);
+            }
+            ok(cd_water_get_hull_pose(w, 0, pose, 7));
+            ok(cd_water_get_hull_load(w, 0, load, 6));
+            if (!(most <= 0.01 * mass * 9.81) || !(pose[2] - height < 0.01) ||
+                !(fabs(load[2] / (mass * 9.81) - 1) < 0.01))
+                fail_msg("dt %g, %g kg, upward at %g m/s: %g J gained, %g m higher, %g of its weight is borne", dt,
+                         mass, speed, most, pose[2] - height, load[2] / (mass * 9.81));
+            cd_water_destroy(w);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(water_and_hulls_gain_no_energy),
         cmocka_unit_test(a_hull_of_any_mass_comes_to_rest_in_long_steps),
+        cmocka_unit_test(a_hull_that_leaves_the_water_comes_down_in_long_steps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

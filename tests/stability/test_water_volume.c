@@ -180,10 +180,32 @@ static void anything_at_all_keeps_its_account_and_no_column_is_less_than_empty(v
     assert_true(worst[1] <= 1e-13);
 }
 
+/* ---- launches ---------------------------------------------------------------------------------------------------- */
+
+/* What a hull displaces is far less than what rounding takes from deep cells, and so is the water in shallow ones. */
+static void a_launch_hands_on_water_without_taking_more_than_there_is(void** state) {
+    (void)state;
+    enum { LINE = 64 };
+    double depth[LINE];
+    for (int length = 1; length <= 3; ++length) {
+        cd_water* w = basin(LINE, 1, 1, 1, CD_FLOAT32);
+        for (size_t i = 0; i < LINE; ++i) basin_set(w, CD_BED, i, 0, i % 8 ? -100 : -1e-7);
+        for (size_t i = 0; i < LINE; ++i) basin_set(w, CD_SURFACE, i, 0, 0);
+        ok(cd_water_restart_account(w));
+        ok(cd_water_set_hulls(w, 1, 4, 2));
+        ok(cd_water_set_hull(w, 0, 0.1, length, 1, NULL, 0));
+        ok(cd_water_launch_hull(w, 0, 20.5, 0.5, 1, 0));
+        assert_no_depth_below_0(w, depth);
+        assert_true(basin_volume_off(w) <= 1e-15);
+        cd_water_destroy(w);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_hundred_thousand_steps_of_storms_lose_no_water),
         cmocka_unit_test(anything_at_all_keeps_its_account_and_no_column_is_less_than_empty),
+        cmocka_unit_test(a_launch_hands_on_water_without_taking_more_than_there_is),
     };
     return cmocka_run_group_tests_name("water volume", tests, NULL, NULL);
 }

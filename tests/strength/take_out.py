@@ -63,6 +63,8 @@ RULES = {
         ["stability_water_extremes"]),
     "velocities follow what the limiter lets through": (
         "water/velocity.hh", "if (any_limited)", "if (false)", ["stability_water_energy"]),
+    "and what does not go through gains nothing": (
+        "water/carry.hh", "        if (any_limited) {", "        if (false) {", ["stability_water_energy"]),
     "the energy bound of long steps": (
         "water/line.hh", "if (kind.any_long) balance(kind);", "", ["stability_water_energy"]),
     "a long step is rough from a change of 5% on": (
@@ -98,6 +100,12 @@ RULES = {
         "water/velocity.hh", "larger(-most, smaller(most, u))", "u", ["physics_water_symmetry"]),
     "what rounding takes is handed on": (
         "water/sweep.cpp", "rest.owed = rest.owed + one.owed;", "(void)one;", ["physics_water_lake"]),
+    "whole steps count before a part of one": (
+        "../model/water_step.cpp", "((double(w.clock.counted) + done) + part)",
+        "(double(w.clock.counted) + (done + part))", ["determinism_water_parallel"]),
+    "a ring of one line carries velocities across it": (
+        "../model/water_step.cpp", "(w.cells[other(a)] > 1 || periodic(w, other(a)))", "w.cells[other(a)] > 1",
+        ["physics_water_momentum"]),
     "waves wake what a step carries them into": (
         SLEEP, "left > weakest && ", "left > 1e300 * weakest && ", SLEEPS),
     "what acts may raise waves at once": ("../model/water_sleep.hh", "kStrong = 1024;", "kStrong = 1;", SLEEPS),
@@ -307,6 +315,10 @@ RULES = {
         ["stability_water_hulls"]),
     "a launched hull has displaced its water": (
         "../model/water_hull.cpp", "        sink<T>(w, index, work);\n", "", ["physics_water_hulls"]),
+    "and leaves no depth below 0": (
+        "../model/water_hull.cpp", "T(has > 0 ? has : 0)", "T(has)", ["stability_water_volume"]),
+    "a hull in the air comes down in any step": (
+        HULL_STEP, "part * gain > least", "part > 0x1p-10", ["stability_water_hulls"]),
     "what bears a hull has no corners": (
         HULL_PLATES, "weight[0] = 0.5 * ((0.5 - off) * (0.5 - off)), weight[1] = 0.75 - off * off;\n"
         "    weight[2] = 0.5 * ((0.5 + off) * (0.5 + off));",

@@ -93,15 +93,20 @@ template <int N> struct FaceCarriers {
     const StepKind<N> kind;
     StreamAlong<N> stream;
     size_t first;
-    bool any_bounded;
+    bool any_bounded, any_limited;
 
     CD_INLINED CarrierLanes<N> at(size_t k) const {
         const size_t i = first + k;
         const auto l = line.cell(line.left(i)), r = line.cell(i);
         const auto l_after = line.cell_after(line.left(i)), r_after = line.cell_after(i);
-        const L v0 = mean_depth(l, r), v1 = mean_depth(l_after, r_after), base = line.speed[i];
+        const L v0 = mean_depth(l, r), v1 = mean_depth(l_after, r_after), base = line.speed[i], u = line.velocity[i];
         const L late = line.push_of(i, kind) * line.rise_at(i, l_after, r_after);
-        CarrierLanes<N> out{v0, v0 * base - v1 * late, line.velocity[i]};
+        CarrierLanes<N> out{v0, v0 * base - v1 * late, u};
+        if (any_limited) { // what does not go through gains nothing by the push
+            const L push = v0 * (base - u) - v1 * late;
+            const L less = v0 * u + line.pull[i] * push;
+            out.load = select(smaller(line.limits, size_of(out.load) - size_of(less)), less, out.load);
+        }
         if (kind.any_long) { // all of the push comes before
             out.speed = select(kind.is_long, any_bounded ? line.bounded(i, base - late) : base - late, out.speed);
             out.load = select(kind.is_long, v0 * out.speed, out.load);
@@ -131,7 +136,7 @@ template <int N> struct FaceCarriers {
 };
 
 template <int N> void WaterLine<N>::carry(const StepKind<N>& kind) {
-    const FaceCarriers<N> faces{*this, kind, {*this, kind}, first_face(), any_positive(bounds)};
+    const FaceCarriers<N> faces{*this, kind, {*this, kind}, first_face(), any_positive(bounds), any_positive(limits)};
     carry_line<N>(n - first_face(), ring, faces, Panel<N>{speed.first + first_face() * N}, pull, spare[0]);
     if (ring) speed.put(n, speed[0]);
 }
