@@ -266,8 +266,17 @@ template <int N> void RopeBundle<N>::calm() {
         const L keeps = part * opposite(held(i)); // held nodes move as they are told, whatever went wrong
         n.w = select(open, select(keeps, select(one() - part, less, n.w), n.b), n.w);
     }
-    const L wrong = open * select(one() - part, one(), L{});
-    for (size_t i = 0; i < spring_count; ++i) springs[i].tension = select(wrong, L{}, springs[i].tension);
+    // No tension is more than all that springs did to the nodes' momentum; those of another motion mean nothing.
+    L done{};
+    for (size_t i = 0; i < node_count; ++i) {
+        const V by_springs = nodes[i].ground * (nodes[i].w - nodes[i].b);
+        done = done + root(dot(by_springs, by_springs));
+    }
+    const L most = select(one() - part, L{}, (1 / stage.dt) * (per_lambda * sum(done)));
+    for (size_t i = 0; i < spring_count; ++i) {
+        L& t = springs[i].tension;
+        t = select(open, larger(smaller(t, most), L{} - most), t);
+    }
     meet();
     Seen seen;
     for (size_t i = 0; i < spring_count; ++i) linearize(i, L{}, false, seen); // for settle()
