@@ -43,12 +43,11 @@ template <int N> void RopeBundle<N>::look_at_winch(size_t i) {
 }
 
 // What a winch gives beyond tension times what the spring shortens by. The impulse acts along z, and the nodes of a
-// spring that turns by an angle a go 1 / cos(a / 2) times as far along z (lambda = 1/2): as far as the rest length fell,
-// that is the winch's work; where it did not, it would be energy from nothing.
+// spring that turns by an angle a go 1 / cos(a / 2) times as far along z (lambda = 1/2): where the rest length fell, that
+// is the winch's work; where it did not, it would be energy from nothing.
 template <int N> auto RopeBundle<N>::by_winch(const Spring& s, L stretch, V dw) const -> L {
     const L further = stretch - stage.dt * dot(s.acting, dw);
-    const L part = smaller(positive(s.reeled / (L{} - stretch)), one()); // of the stretch
-    return select(size_of(s.reeled), part * positive(s.tension * further), L{});
+    return select(L{} - s.reeled * stretch, positive(s.tension * further), L{});
 }
 
 // ---- the nonlinear system -------------------------------------------------------------------------------------------
