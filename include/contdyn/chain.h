@@ -207,10 +207,10 @@ CD_API cd_status cd_chain_get_broken(const cd_chain* chain, size_t* out_springs)
 /* The force [N], one number per component, with which the springs of a rope pull at a node, and its bend: of a held
  * node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have
  * now, 0 of a spring without length, and of what the bend there and at the nodes beside it does.
- * After CD_ERROR_TOLERANCE tensions are a guess, 0 or at most the sum of what springs did to each node in that step: a
- * rope of fixed length with a driven end that the motion would stretch has no tension that holds it. To tie a rope to a
- * body of your own, give the last node the body's mass, in CD_MASS; or drive the end, and give the rope a finite
- * stiffness.
+ * After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum of what springs did to each
+ * node in it: a rope of fixed length with a driven end that the motion would stretch has no tension that holds it. To
+ * tie a rope to a body of your own, give the last node the body's mass, in CD_MASS; or drive the end, and give the rope
+ * a finite stiffness.
  * Where tensions are read, or a strength is set, take lambda = 1: with 1/2 < lambda < 1 they miss part of the pull of
  * springs that hardly yield, up to a third where nodes swing; with 1/2 they can be twice the mean just after a jolt.
  * With lambda < 1 and infinite stiffness a load m that is reeled in makes them uncertain by a few times m * tolerance *
@@ -338,8 +338,8 @@ CD_API cd_status cd_chain_get_thickness(const cd_chain* chain, double* out_radiu
  *  CD_PIN        (strand), node   -       a cd_node
  *  CD_REST_LENGTH strand, spring  m       1e-60 to 1e60; of ropes only
  *  CD_TENSION    strand, spring   N       finite double; of ropes only: what the last step found and the next one starts
- *                                         from; how right it is, after CD_ERROR_TOLERANCE too, see
- *                                         cd_chain_get_reaction
+ *                                         from; how right it is, also after a step that ended short of its
+ *                                         tolerance, see cd_chain_get_reaction
  *  CD_WIND       strand, node     m/s     finite; of ropes only
  *  CD_STRENGTH   strand, spring   N       1e-60 to 1e60, or INFINITY; of ropes only: see cd_chain_set_strength
  *  CD_REST_ANGLE strand, node     rad     at most 3.141592653589793 in size: pi; of ropes of 2 components only; see bend

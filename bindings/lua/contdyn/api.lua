@@ -1180,15 +1180,15 @@ end
 
 -- The force [N], one number per component, with which the springs of a rope pull at a node, and its bend: of a held
 -- node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have
--- now, 0 of a spring without length, and of what the bend there and at the nodes beside it does. After
--- CD_ERROR_TOLERANCE tensions are a guess, 0 or at most the sum of what springs did to each node in that step: a rope
--- of fixed length with a driven end that the motion would stretch has no tension that holds it. To tie a rope to a body
--- of your own, give the last node the body's mass, in CD_MASS; or drive the end, and give the rope a finite stiffness.
--- Where tensions are read, or a strength is set, take lambda = 1: with 1/2 < lambda < 1 they miss part of the pull of
--- springs that hardly yield, up to a third where nodes swing; with 1/2 they can be twice the mean just after a jolt.
--- With lambda < 1 and infinite stiffness a load m that is reeled in makes them uncertain by a few times m * tolerance *
--- length / dt^2, of 10 kg on 4 m of rope 0.5 N at dt = 1/60 s and 130 N at 1/960 s: a smaller tolerance mends that.
--- Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
+-- now, 0 of a spring without length, and of what the bend there and at the nodes beside it does. After a step that
+-- ended short of its tolerance tensions are a guess, 0 or at most the sum of what springs did to each node in it: a
+-- rope of fixed length with a driven end that the motion would stretch has no tension that holds it. To tie a rope to a
+-- body of your own, give the last node the body's mass, in CD_MASS; or drive the end, and give the rope a finite
+-- stiffness. Where tensions are read, or a strength is set, take lambda = 1: with 1/2 < lambda < 1 they miss part of
+-- the pull of springs that hardly yield, up to a third where nodes swing; with 1/2 they can be twice the mean just
+-- after a jolt. With lambda < 1 and infinite stiffness a load m that is reeled in makes them uncertain by a few times m
+-- * tolerance * length / dt^2, of 10 kg on 4 m of rope 0.5 N at dt = 1/60 s and 130 N at 1/960 s: a smaller tolerance
+-- mends that. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
 function Chain:get_reaction(strand, node, out_force)
   local where = "cd_chain_get_reaction"
   strand = integer_in(strand, where, "strand")
