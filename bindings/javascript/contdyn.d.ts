@@ -366,7 +366,8 @@ export function buildInfo(): string;
  *  "pin"        (strand), node   -       a Node
  *  "restLength" strand, spring  m       1e-60 to 1e60; of ropes only
  *  "tension"    strand, spring   N       finite double; of ropes only: what the last step found and the next one starts
- *                                         from; how right it is, see getReaction
+ *                                         from; how right it is, also after a step that ended short of its
+ *                                         tolerance, see getReaction
  *  "wind"       strand, node     m/s     finite; of ropes only
  *  "strength"   strand, spring   N       1e-60 to 1e60, or Infinity; of ropes only: see strength
  *  "restAngle" strand, node     rad     at most 3.141592653589793 in size: pi; of ropes of 2 components only; see bend
@@ -596,7 +597,10 @@ export class Chain extends Handle {
   // is at most 2 T e + k e^2: e is tolerance * length; T is the spring's tension, or the mean force on the nodes where
   // that is larger and the interior point was needed; k e^2 is left out where the stiffness is infinite. A spring that
   // is
-  // longer than its tension makes it, because positions were written so, comes back within the step at any speed.
+  // longer than its tension makes it, because positions were written so, comes back within the step at any speed. Where
+  // a rest length is reduced, the work of that is no energy added: tension times what the length falls by, with 1/2
+  // along
+  // the mean of the spring's directions before and after the step.
   // Ropes need "implicit" with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
   // step says "errorUnsupported".
   //
@@ -647,8 +651,11 @@ export class Chain extends Handle {
   /**
    * The tension at which a spring breaks [N], 1e-60 to 1e60, or Infinity, the default: springs hold. A rope's step ends
    * by cutting, of each strand, the spring whose tension is most beyond its strength: its stiffness and tension become
-   * 0, and the next step shows what the others bear. Mend it by writing "stiffness", which a finite strength switches
-   * on and keeps on. The field "strength" has one for each spring.
+   * 0, and the next step shows what the others bear. Where a step ends short of its tolerance and leaves springs of
+   * fixed
+   * length longer than that allows, as between held nodes that are driven apart, no tension is enough: then the weakest
+   * breaks of those that hold on to the longest one, up to the next held nodes. Mend it by writing "stiffness", which a
+   * finite strength switches on and keeps on. The field "strength" has one for each spring.
    * Errors: "errorValue"; "errorMemory"; "errorUnsupported" of a chain that is no rope.
    */
   get strength(): number;
@@ -661,6 +668,12 @@ export class Chain extends Handle {
    * The force [N], one number per component, with which the springs of a rope pull at a node, and its bend: of a held
    * node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have
    * now, 0 of a spring without length, and of what the bend there and at the nodes beside it does.
+   * After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum of what springs did to
+   * each
+   * node in it: a rope of fixed length with a driven end that the motion would stretch has no tension that holds it. To
+   * tie a rope to a body of your own, give the last node the body's mass, in "mass"; or drive the end, and give the
+   * rope
+   * a finite stiffness.
    * Where tensions are read, or a strength is set, take lambda = 1: with 1/2 < lambda < 1 they miss part of the pull of
    * springs that hardly yield, up to a third where nodes swing; with 1/2 they can be twice the mean just after a jolt.
    * With lambda < 1 and infinite stiffness a load m that is reeled in makes them uncertain by a few times m * tolerance
@@ -945,7 +958,7 @@ export class Chain extends Handle {
    * the first bad one, the chain can be read, and steps again after reset, a load, or once finite positions and
    * velocities have been written; of ropes "errorUnsupported" for what they can't have, "errorCallback" as
    * setCallback says, and "errorTolerance" if a step ended short of its tolerance: all steps are made, and
-   * good to the error that convergence tells.
+   * good to the error that convergence tells, but for tensions: see getReaction.
    */
   step(dt: number, count?: number): void;
 

@@ -152,7 +152,9 @@ CD_API cd_status cd_chain_get_awake(const cd_chain* chain, size_t* out_nodes);
  * as much as errors of length within the tolerance are worth. For each spring, before the step and again after it, that
  * is at most 2 T e + k e^2: e is tolerance * length; T is the spring's tension, or the mean force on the nodes where
  * that is larger and the interior point was needed; k e^2 is left out where the stiffness is infinite. A spring that is
- * longer than its tension makes it, because positions were written so, comes back within the step at any speed.
+ * longer than its tension makes it, because positions were written so, comes back within the step at any speed. Where
+ * a rest length is reduced, the work of that is no energy added: tension times what the length falls by, with 1/2 along
+ * the mean of the spring's directions before and after the step.
  * Ropes need CD_METHOD_IMPLICIT with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
  * cd_chain_step says CD_ERROR_UNSUPPORTED.
  *
@@ -191,8 +193,10 @@ CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
 
 /* The tension at which a spring breaks [N], 1e-60 to 1e60, or INFINITY, the default: springs hold. A rope's step ends
  * by cutting, of each strand, the spring whose tension is most beyond its strength: its stiffness and tension become
- * 0, and the next step shows what the others bear. Mend it by writing CD_STIFFNESS, which a finite strength switches
- * on and keeps on. The field CD_STRENGTH has one for each spring.
+ * 0, and the next step shows what the others bear. Where a step ends short of its tolerance and leaves springs of fixed
+ * length longer than that allows, as between held nodes that are driven apart, no tension is enough: then the weakest
+ * breaks of those that hold on to the longest one, up to the next held nodes. Mend it by writing CD_STIFFNESS, which a
+ * finite strength switches on and keeps on. The field CD_STRENGTH has one for each spring.
  * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
 CD_API cd_status cd_chain_set_strength(cd_chain* chain, double strength);
 CD_API cd_status cd_chain_get_strength(const cd_chain* chain, double* out_strength);
@@ -203,6 +207,10 @@ CD_API cd_status cd_chain_get_broken(const cd_chain* chain, size_t* out_springs)
 /* The force [N], one number per component, with which the springs of a rope pull at a node, and its bend: of a held
  * node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have
  * now, 0 of a spring without length, and of what the bend there and at the nodes beside it does.
+ * After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum of what springs did to each
+ * node in it: a rope of fixed length with a driven end that the motion would stretch has no tension that holds it. To
+ * tie a rope to a body of your own, give the last node the body's mass, in CD_MASS; or drive the end, and give the rope
+ * a finite stiffness.
  * Where tensions are read, or a strength is set, take lambda = 1: with 1/2 < lambda < 1 they miss part of the pull of
  * springs that hardly yield, up to a third where nodes swing; with 1/2 they can be twice the mean just after a jolt.
  * With lambda < 1 and infinite stiffness a load m that is reeled in makes them uncertain by a few times m * tolerance *
@@ -330,7 +338,8 @@ CD_API cd_status cd_chain_get_thickness(const cd_chain* chain, double* out_radiu
  *  CD_PIN        (strand), node   -       a cd_node
  *  CD_REST_LENGTH strand, spring  m       1e-60 to 1e60; of ropes only
  *  CD_TENSION    strand, spring   N       finite double; of ropes only: what the last step found and the next one starts
- *                                         from; how right it is, see cd_chain_get_reaction
+ *                                         from; how right it is, also after a step that ended short of its
+ *                                         tolerance, see cd_chain_get_reaction
  *  CD_WIND       strand, node     m/s     finite; of ropes only
  *  CD_STRENGTH   strand, spring   N       1e-60 to 1e60, or INFINITY; of ropes only: see cd_chain_set_strength
  *  CD_REST_ANGLE strand, node     rad     at most 3.141592653589793 in size: pi; of ropes of 2 components only; see bend
@@ -417,7 +426,7 @@ CD_API cd_status cd_chain_weld(cd_chain* chain, size_t strand, size_t spring);
  * the first bad one, the chain can be read, and steps again after cd_chain_reset, a load, or once finite positions and
  * velocities have been written; of ropes CD_ERROR_UNSUPPORTED for what they can't have, CD_ERROR_CALLBACK as
  * cd_chain_set_callback says, and CD_ERROR_TOLERANCE if a step ended short of its tolerance: all steps are made, and
- * good to the error that cd_chain_get_convergence tells. */
+ * good to the error that cd_chain_get_convergence tells, but for tensions: see cd_chain_get_reaction. */
 CD_API cd_status cd_chain_step(cd_chain* chain, double dt, size_t count);
 
 /* The longest dt at which CD_METHOD_SYMPLECTIC_EULER stays bounded, whatever method is set: the largest dt with

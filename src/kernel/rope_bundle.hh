@@ -100,6 +100,7 @@ template <int N> struct RopeBundle {
         L pushed;           // the tension that would be below 0
         V impulse;          // phi of the last elimination
         L long_before, gap; // |D0|, and of the interior point what is left to L
+        L reeled;           // by how much its length fell since the last step
     };
 
     const Ropes& ropes;
@@ -351,6 +352,7 @@ template <int N> struct RopeBundle {
             springs[i].impulse = select(open, V{}, springs[i].impulse);
             springs[i].pushed = L{};
             springs[i].tension = springs[i].moves * select(open, load_tension(i), springs[i].tension);
+            look_at_winch(i);
         }
         for (size_t i = 0; i < node_count && has_air(); ++i) in_air[i].way = way_at(i);
         if (is_rod()) begin_joints();
@@ -390,18 +392,9 @@ template <int N> struct RopeBundle {
         }
     };
 
-    // Spring i where no node moves by it. One of fixed length may be as much too long as positions are rounded.
-    __attribute__((noinline)) void rest(size_t i) {
-        Spring& s = springs[i];
-        const L over = long_after(i) - s.length, idle = opposite(s.moves);
-        const L yields = idle * select(s.compliance, one(), L{}), rigid = idle * opposite(s.compliance);
-        s.tension = select(yields, (one() / s.compliance) * (stage.push ? over : positive(over)), s.tension);
-        const V left = nodes[i].x0, right = nodes[i + 1].x0;
-        const L rounded = ropes.position.range().epsilon * (root(dot(left, left)) + root(dot(right, right)));
-        apart = select(rigid, larger(apart, s.per_length * (over - rounded)), apart);
-        for (L* a : {&s.taut, &s.transverse, &s.axial, &s.wished}) *a = select(idle, L{}, *a);
-        s.wish = select(idle, nodes[i + 1].w - nodes[i].w, s.wish);
-    }
+    __attribute__((noinline)) void rest(size_t i); // in rope_step.cpp, with the two below
+    void look_at_winch(size_t i);
+    __attribute__((noinline)) L by_winch(const Spring& s, L stretch, V dw) const;
 
     // Linearizes spring i about the guess (w, T). barrier > 0: T gap = barrier instead of "slack or taut".
     void linearize(size_t i, L barrier, bool interior, Seen& seen) {
@@ -420,10 +413,11 @@ template <int N> struct RopeBundle {
         L over = long_after - length;
 
         const L missing = over - s.compliance * t;
-        // The work that its impulse did on the nodes, beyond what a spring of this tension can give.
+        // The work that its impulse did on the nodes, beyond what a spring of this tension can give, and its winch.
         const L stretch = long_after - s.long_before;
         here.probe = 0.0 * missing;
         here.gained = t * stretch - dot(s.impulse, dw) * per_lambda;
+        if (any_positive(size_of(s.reeled))) here.gained = here.gained - by_winch(s, stretch, dw);
         here.worth = (size_of(t) + s.pushed) * length;
         here.pushed = s.pushed * length;
         L yields = s.compliance;

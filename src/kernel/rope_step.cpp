@@ -19,6 +19,37 @@ constexpr double kBarrierFall = 0.1; // the barrier of an iteration over the mea
 // bring them together, the next one's barrier is as far above it as others are below.
 constexpr double kStuck = 0.1;
 
+// ---- springs -------------------------------------------------------------------------------------------------------
+
+// Spring i where no node moves by it. One of fixed length may be as much too long as positions are rounded.
+template <int N> void RopeBundle<N>::rest(size_t i) {
+    Spring& s = springs[i];
+    const L over = long_after(i) - s.length, idle = opposite(s.moves);
+    const L yields = idle * select(s.compliance, one(), L{}), rigid = idle * opposite(s.compliance);
+    s.tension = select(yields, (one() / s.compliance) * (stage.push ? over : positive(over)), s.tension);
+    const V left = nodes[i].x0, right = nodes[i + 1].x0;
+    const L rounded = ropes.position.range().epsilon * (root(dot(left, left)) + root(dot(right, right)));
+    apart = select(rigid, larger(apart, s.per_length * (over - rounded)), apart);
+    for (L* a : {&s.taut, &s.transverse, &s.axial, &s.wished}) *a = select(idle, L{}, *a);
+    s.wish = select(idle, nodes[i + 1].w - nodes[i].w, s.wish);
+}
+
+// What its length before the step is more than the length that it has now and the tension of the last step explain, but
+// for the tolerance, is by how much its rest length fell.
+template <int N> void RopeBundle<N>::look_at_winch(size_t i) {
+    Spring& s = springs[i];
+    const L over = (s.long_before - s.length) - s.compliance * load_tension(i), error = stage.tolerance * s.length;
+    s.reeled = select(s.moves, over - smaller(larger(over, L{} - error), error), L{});
+}
+
+// What a winch gives beyond tension times what the spring shortens by. The impulse acts along z, and the nodes of a
+// spring that turns by an angle a go 1 / cos(a / 2) times as far along z (lambda = 1/2): where the rest length fell, that
+// is the winch's work; where it did not, it would be energy from nothing.
+template <int N> auto RopeBundle<N>::by_winch(const Spring& s, L stretch, V dw) const -> L {
+    const L further = stretch - stage.dt * dot(s.acting, dw);
+    return select(L{} - s.reeled * stretch, positive(s.tension * further), L{});
+}
+
 // ---- the nonlinear system -------------------------------------------------------------------------------------------
 
 // What is seen of both halves of strands, in both lanes; a probe of each error.
@@ -234,8 +265,17 @@ template <int N> void RopeBundle<N>::calm() {
         const L keeps = part * opposite(held(i)); // held nodes move as they are told, whatever went wrong
         n.w = select(open, select(keeps, select(one() - part, less, n.w), n.b), n.w);
     }
-    const L wrong = open * select(one() - part, one(), L{});
-    for (size_t i = 0; i < spring_count; ++i) springs[i].tension = select(wrong, L{}, springs[i].tension);
+    // No tension is more than all that springs did to the nodes' momentum; those of another motion mean nothing.
+    L done{};
+    for (size_t i = 0; i < node_count; ++i) {
+        const V by_springs = nodes[i].ground * (nodes[i].w - nodes[i].b);
+        done = done + root(dot(by_springs, by_springs));
+    }
+    const L most = select(one() - part, L{}, (1 / stage.dt) * (per_lambda * sum(done)));
+    for (size_t i = 0; i < spring_count; ++i) {
+        L& t = springs[i].tension;
+        t = select(open, larger(smaller(t, most), L{} - most), t);
+    }
     meet();
     Seen seen;
     for (size_t i = 0; i < spring_count; ++i) linearize(i, L{}, false, seen); // for settle()

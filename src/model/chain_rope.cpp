@@ -40,17 +40,46 @@ RopeParameters parameters_of(Chain& c, bool changed) {
             own(c.node_angle, one + 4, 0), {c.pin.data, c.strands, 1},          c.drag};
 }
 
-// Cuts the spring of a strand whose tension is most beyond its strength; whether there is one.
-bool breaks(Chain& c, size_t strand) {
-    size_t worst = c.tension.count;
-    double most = 1;
-    for (size_t i = 0; i < c.springs; ++i) {
-        const size_t at = own_place(c, strand, i);
-        const double load = c.tension[at] / strength_of(c, at);
-        if (load > most) most = load, worst = at;
+// By how much spring i is longer than its length, over that, beyond what the tolerance and the rounding of positions
+// explain: 0 and less where it is not, or yields.
+double beyond_its_length(const Chain& c, size_t strand, size_t i) {
+    if (!is_rigid(c, own_place(c, strand, i))) return 0;
+    double size = 0; // of the positions
+    for (size_t k = 0; k < c.components; ++k)
+        for (const size_t node : {i, i + 1}) size += fabs(get_number(c, c.position, place(c, strand, node, k)));
+    const double rounded = state_of(c, c.position).range().epsilon * size / length_of(c, own_place(c, strand, i));
+    return strain_of(c, strand, i) - c.rope.tolerance - rounded;
+}
+
+// Cuts the spring of a strand that bears most over its strength, if that is more than 1; whether there is one. solved:
+// whether the step reached its tolerance. Where springs of fixed length stay too long, no tension is enough: what the
+// longest of them should bear has no bound, and others of fixed length pass it on, up to held nodes. The weakest of
+// these breaks, and the longest before others that are as weak.
+bool breaks(Chain& c, size_t strand, bool solved) {
+    size_t first = 0, end = c.springs, worst = c.springs;
+    double longest = 0, most = 1;
+    for (size_t i = 0; i < c.springs && !solved; ++i) {
+        const double beyond = beyond_its_length(c, strand, i);
+        if (beyond > longest) longest = beyond, worst = i;
     }
-    if (worst == c.tension.count) return false;
-    c.spring_stiffness[worst] = c.tension[worst] = 0;
+    const bool bounded = worst == c.springs;
+    const auto load = [&](size_t i) {
+        const size_t at = own_place(c, strand, i);
+        return (bounded ? c.tension[at] : 1) / strength_of(c, at);
+    };
+    if (!bounded) {
+        const auto goes_on = [&](size_t node, size_t spring) { // what spring bears, from node on
+            return !held(c, own_place(c, strand, node)) && is_rigid(c, own_place(c, strand, spring));
+        };
+        first = worst, end = worst + 1, most = load(worst);
+        while (first > 0 && goes_on(first, first - 1)) --first;
+        while (end < c.springs && goes_on(end, end)) ++end;
+    }
+    for (size_t i = first; i < end; ++i)
+        if (load(i) > most) most = load(i), worst = i;
+    if (worst == c.springs || most == 0) return false; // of infinite strength
+    const size_t at = own_place(c, strand, worst);
+    c.spring_stiffness[at] = c.tension[at] = 0;
     wake(c, strand, 1);
     return true;
 }
@@ -148,7 +177,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                 results[t].add(result);
                 if (!result.finite && s < bad[t]) bad[t] = s;
                 for (size_t i = 0; i < several; ++i) {
-                    if (can_break(c)) broken[t] += breaks(c, awake[i]);
+                    if (can_break(c)) broken[t] += breaks(c, awake[i], result.error <= c.rope.tolerance);
                     if (may_sleep(c)) fall_asleep(c, ChainPart(c, awake[i]), around);
                 }
             }

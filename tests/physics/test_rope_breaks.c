@@ -111,6 +111,56 @@ static void a_jerked_rope_snaps_in_one_place(void** state) {
     cd_chain_destroy(c);
 }
 
+/* What no tension holds breaks: a rope of fixed length between ends that are driven apart, at its weakest spring, in each
+ * strand by itself. One of infinite strength holds, and one that is let go. */
+static void what_no_tension_holds_breaks_at_its_weakest(void** state) {
+    (void)state;
+    static const double speeds[] = {1e-3, 0.1, 1, 10, 100};
+    for (int way = 0; way < 8 * (int)COUNT(speeds); ++way) {
+        const double speed = speeds[way / 8];
+        cd_chain* c = NULL;
+        double x[STRANDS][NODES][2], v[2] = {speed, 0}, strength[STRANDS][SPRINGS], k[SPRINGS];
+        const double gravity[2] = {0, way % 2 ? -9.81 : 0};
+        ok(cd_chain_create(STRANDS, SPRINGS, 2, way / 4 % 2 ? CD_FLOAT32 : CD_FLOAT64, NULL, &c));
+        ok(cd_chain_set_rest_length(c, length));
+        ok(cd_chain_set_stiffness(c, INFINITY));
+        ok(cd_chain_set_tolerance(c, 1e-5, 200));
+        ok(cd_chain_set_lambda(c, way / 2 % 2 ? 1 : 0.5));
+        ok(cd_chain_set_gravity(c, gravity, 2));
+        ok(cd_chain_set_strength(c, 1e9));
+        ok(cd_chain_enable_field(c, CD_STRENGTH));
+        ok(cd_chain_read_f64(c, CD_STRENGTH, 0, STRANDS, 0, SPRINGS, strength[0], STRANDS * SPRINGS));
+        for (int s = 0; s < STRANDS; ++s)
+            for (int i = 0; i < NODES; ++i) x[s][i][0] = length / SPRINGS * i, x[s][i][1] = s;
+        strength[1][4] = 1e8, strength[2][0] = 1e8;
+        for (int i = 0; i < SPRINGS; ++i) strength[3][i] = INFINITY;
+        ok(cd_chain_write_f64(c, CD_POSITION, 0, STRANDS, 0, NODES, x[0][0], STRANDS * NODES * 2));
+        ok(cd_chain_write_f64(c, CD_STRENGTH, 0, STRANDS, 0, SPRINGS, strength[0], STRANDS * SPRINGS));
+        ok(cd_chain_set_end(c, CD_END_FIRST, CD_NODE_PINNED));
+        ok(cd_chain_set_end(c, CD_END_LAST, CD_NODE_DRIVEN));
+        for (size_t s = 0; s < STRANDS - 1; ++s) ok(cd_chain_write_f64(c, CD_VELOCITY, s, 1, SPRINGS, 1, v, 2));
+        v[0] = -0.1; /* the last one is let go */
+        ok(cd_chain_write_f64(c, CD_VELOCITY, STRANDS - 1, 1, SPRINGS, 1, v, 2));
+        size_t broken = 0, all = 0;
+        for (int step = 0; step < 10; ++step) {
+            const cd_status status = cd_chain_step(c, 0.1, 1); /* strand 3 can't be solved */
+            assert_true(status == CD_OK || status == CD_ERROR_TOLERANCE);
+            ok(cd_chain_get_broken(c, &broken));
+            all += broken;
+        }
+        assert_int_equal(all, 3);
+        static const int cut[STRANDS] = {-2, 4, 0, -1, -1}; /* -2: any one */
+        for (int s = 0; s < STRANDS; ++s) {
+            int gone = 0;
+            ok(cd_chain_read_f64(c, CD_STIFFNESS, (size_t)s, 1, 0, SPRINGS, k, SPRINGS));
+            for (int i = 0; i < SPRINGS; ++i) gone += k[i] == 0;
+            assert_int_equal(gone, cut[s] != -1);
+            if (cut[s] >= 0) assert_true(k[cut[s]] == 0);
+        }
+        cd_chain_destroy(c);
+    }
+}
+
 /* Broken springs take what energy they held with them: none comes from nothing. */
 static void no_energy_comes_of_breaking(void** state) {
     (void)state;
@@ -158,6 +208,30 @@ static void a_held_node_feels_the_weight_that_hangs_from_it(void** state) {
             for (int i = 0; i < SPRINGS; ++i) /* k_i = k SPRINGS, length_i = length / SPRINGS */
                 assert_near(strain[i], elastic ? below(i) / (1e7 * length) : 0, 2e-14, 1);
         }
+        cd_chain_destroy(c);
+    }
+}
+
+/* A straight rope that a driven end would stretch: no step is solved, and tensions are no larger than what the springs
+ * did to the nodes, which is what holds them against gravity and what little they move. */
+static void tensions_of_unsolved_steps_are_of_the_size_of_the_forces(void** state) {
+    (void)state;
+    for (int way = 0; way < 4; ++way) {
+        const double dt = 1 / 600.0, v[3] = {0, -0.02, 0};
+        cd_chain* c = hanging(INFINITY);
+        double most = 0, tension[STRANDS * SPRINGS];
+        int told = 0;
+        ok(cd_chain_set_lambda(c, way % 2 ? 1 : 0.5));
+        ok(cd_chain_set_end(c, CD_END_LAST, CD_NODE_DRIVEN));
+        for (size_t s = 0; s < STRANDS; ++s) ok(cd_chain_write_f64(c, CD_VELOCITY, s, 1, SPRINGS, 1, v, 3));
+        for (int step = 0; step < 60; ++step) {
+            told += cd_chain_step(c, way / 2 ? dt : 10 * dt, 1) == CD_ERROR_TOLERANCE;
+            ok(cd_chain_read_f64(c, CD_TENSION, 0, STRANDS, 0, SPRINGS, tension, STRANDS * SPRINGS));
+            for (int i = 0; i < STRANDS * SPRINGS; ++i) most = fmax(most, tension[i]);
+        }
+        print_message("%d of 60 steps ended short; tensions up to %.3g weights\n", told, most / (mass * weight));
+        assert_true(told == 60);
+        assert_true(most < 100 * mass * weight);
         cd_chain_destroy(c);
     }
 }
@@ -223,8 +297,10 @@ int main(void) {
         cmocka_unit_test(a_rope_bears_its_strength_and_no_more),
         cmocka_unit_test(the_spring_most_beyond_its_strength_breaks_first),
         cmocka_unit_test(a_jerked_rope_snaps_in_one_place),
+        cmocka_unit_test(what_no_tension_holds_breaks_at_its_weakest),
         cmocka_unit_test(no_energy_comes_of_breaking),
         cmocka_unit_test(a_held_node_feels_the_weight_that_hangs_from_it),
+        cmocka_unit_test(tensions_of_unsolved_steps_are_of_the_size_of_the_forces),
         cmocka_unit_test(a_hung_rope_pulls_its_pins_together_and_down),
         cmocka_unit_test(reactions_and_strains_of_odd_springs),
     };

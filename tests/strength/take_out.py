@@ -153,6 +153,19 @@ RULES = {
         "rope_rod.hh", "comes_back[j] ? -1 : 1", "1", ["physics_rope_ends"]),
     "a rope's step makes no energy": (
         "rope_step.cpp", "share(seen.gained, worth + seen.rounding)", "L{}", ["stability_ropes"]),
+    "the work of a winch is no energy made": (
+        "rope_bundle.hh", "here.gained = here.gained - by_winch(s, stretch, dw)", "here.gained = here.gained",
+        ["physics_rope_winch"]),
+    "but errors of length are no winch": (
+        "rope_step.cpp", "over - smaller(larger(over, L{} - error), error)", "over", ["physics_rope_winch"]),
+    "no tension is more than springs did to nodes": (
+        "rope_step.cpp", "larger(smaller(t, most), L{} - most)", "t", ["physics_rope_breaks"]),
+    "what no tension holds breaks": (
+        "../model/chain_rope.cpp", "i < c.springs && !solved; ++i", "i < c.springs && false; ++i", ["physics_rope_breaks"]),
+    "at the weakest of the springs that pass it on": (
+        "../model/chain_rope.cpp", "goes_on(first, first - 1)", "false", ["physics_rope_breaks"]),
+    "beyond what rounding explains": (
+        "../model/chain_rope.cpp", "c.rope.tolerance - rounded;", "c.rope.tolerance;", ["physics_rope_breaks"]),
     "springs that only pull push nothing": (
         "rope_step.cpp", "larger(seen.pushed, seen.slack * seen.lengths)", "seen.slack * seen.lengths",
         ["stability_ropes"]),
@@ -294,7 +307,7 @@ RULES = {
     "slack springs have no tension after a step": (
         "rope_step.cpp", "select(slack, L{}, s.tension)", "s.tension", ["stability_ropes"]),
     "held nodes may be apart by what is rounded": (
-        "rope_bundle.hh", "(over - rounded)", "over", ["physics_rope_bend"]),
+        "rope_step.cpp", "(over - rounded)", "over", ["physics_rope_bend"]),
     "creases of beds are round": (
         "collider.hh", "kRoundCrease = 0.25;", "kRoundCrease = 1e-9;", ["physics_bed"]),
     "a hollow is met at the plane that touches it": (

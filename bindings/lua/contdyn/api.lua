@@ -1144,9 +1144,11 @@ end
 
 -- The tension at which a spring breaks [N], 1e-60 to 1e60, or INFINITY, the default: springs hold. A rope's step ends
 -- by cutting, of each strand, the spring whose tension is most beyond its strength: its stiffness and tension become 0,
--- and the next step shows what the others bear. Mend it by writing CD_STIFFNESS, which a finite strength switches on
--- and keeps on. The field CD_STRENGTH has one for each spring. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
--- CD_ERROR_UNSUPPORTED of a chain that is no rope.
+-- and the next step shows what the others bear. Where a step ends short of its tolerance and leaves springs of fixed
+-- length longer than that allows, as between held nodes that are driven apart, no tension is enough: then the weakest
+-- breaks of those that hold on to the longest one, up to the next held nodes. Mend it by writing CD_STIFFNESS, which a
+-- finite strength switches on and keeps on. The field CD_STRENGTH has one for each spring. Errors: CD_ERROR_VALUE;
+-- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope.
 function Chain:set_strength(strength)
   local where = "cd_chain_set_strength"
   strength = number_in(strength, where, "strength")
@@ -1156,9 +1158,11 @@ end
 
 -- The tension at which a spring breaks [N], 1e-60 to 1e60, or INFINITY, the default: springs hold. A rope's step ends
 -- by cutting, of each strand, the spring whose tension is most beyond its strength: its stiffness and tension become 0,
--- and the next step shows what the others bear. Mend it by writing CD_STIFFNESS, which a finite strength switches on
--- and keeps on. The field CD_STRENGTH has one for each spring. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
--- CD_ERROR_UNSUPPORTED of a chain that is no rope.
+-- and the next step shows what the others bear. Where a step ends short of its tolerance and leaves springs of fixed
+-- length longer than that allows, as between held nodes that are driven apart, no tension is enough: then the weakest
+-- breaks of those that hold on to the longest one, up to the next held nodes. Mend it by writing CD_STIFFNESS, which a
+-- finite strength switches on and keeps on. The field CD_STRENGTH has one for each spring. Errors: CD_ERROR_VALUE;
+-- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope.
 function Chain:get_strength()
   local where = "cd_chain_get_strength"
   local out_strength = double_1()
@@ -1176,12 +1180,15 @@ end
 
 -- The force [N], one number per component, with which the springs of a rope pull at a node, and its bend: of a held
 -- node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have
--- now, 0 of a spring without length, and of what the bend there and at the nodes beside it does. Where tensions are
--- read, or a strength is set, take lambda = 1: with 1/2 < lambda < 1 they miss part of the pull of springs that hardly
--- yield, up to a third where nodes swing; with 1/2 they can be twice the mean just after a jolt. With lambda < 1 and
--- infinite stiffness a load m that is reeled in makes them uncertain by a few times m * tolerance * length / dt^2, of
--- 10 kg on 4 m of rope 0.5 N at dt = 1/60 s and 130 N at 1/960 s: a smaller tolerance mends that. Errors:
--- CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
+-- now, 0 of a spring without length, and of what the bend there and at the nodes beside it does. After a step that
+-- ended short of its tolerance tensions are a guess, 0 or at most the sum of what springs did to each node in it: a
+-- rope of fixed length with a driven end that the motion would stretch has no tension that holds it. To tie a rope to a
+-- body of your own, give the last node the body's mass, in CD_MASS; or drive the end, and give the rope a finite
+-- stiffness. Where tensions are read, or a strength is set, take lambda = 1: with 1/2 < lambda < 1 they miss part of
+-- the pull of springs that hardly yield, up to a third where nodes swing; with 1/2 they can be twice the mean just
+-- after a jolt. With lambda < 1 and infinite stiffness a load m that is reeled in makes them uncertain by a few times m
+-- * tolerance * length / dt^2, of 10 kg on 4 m of rope 0.5 N at dt = 1/60 s and 130 N at 1/960 s: a smaller tolerance
+-- mends that. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
 function Chain:get_reaction(strand, node, out_force)
   local where = "cd_chain_get_reaction"
   strand = integer_in(strand, where, "strand")
@@ -1667,7 +1674,7 @@ end
 -- again after cd_chain_reset, a load, or once finite positions and velocities have been written; of ropes
 -- CD_ERROR_UNSUPPORTED for what they can't have, CD_ERROR_CALLBACK as cd_chain_set_callback says, and
 -- CD_ERROR_TOLERANCE if a step ended short of its tolerance: all steps are made, and good to the error that
--- cd_chain_get_convergence tells.
+-- cd_chain_get_convergence tells, but for tensions: see cd_chain_get_reaction.
 function Chain:step(dt, count)
   local where = "cd_chain_step"
   dt = number_in(dt, where, "dt")

@@ -1,0 +1,219 @@
+/* Ropes that are reeled in while they swing: against the equations of a load on a massless rope, and no energy but the
+ * work of the winch. */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "reference.h"
+
+enum { SPRINGS = 8, NODES = SPRINGS + 1 };
+
+/* A heavy load at the end of a light rope of fixed length, straight, at an angle to straight down; it swings at the
+ * rate `swing`, and the winch already draws the rope in by `reel` a second. */
+static cd_chain* load_on_a_winch(double length, double angle, double swing, double reel, double gravity) {
+    const double g[2] = {0, -gravity}, way[2] = {sin(angle), -cos(angle)}, across[2] = {cos(angle), sin(angle)};
+    double x[NODES][2], v[NODES][2], mass[NODES];
+    cd_chain* c = NULL;
+    ok(cd_chain_create(1, SPRINGS, 2, CD_FLOAT64, NULL, &c));
+    ok(cd_chain_set_rest_length(c, length));
+    ok(cd_chain_set_stiffness(c, INFINITY));
+    ok(cd_chain_set_gravity(c, g, 2));
+    ok(cd_chain_enable_field(c, CD_MASS));
+    for (int i = 0; i < NODES; ++i) {
+        const double part = (double)i / SPRINGS;
+        mass[i] = i < SPRINGS ? 1e-3 : 70;
+        for (int k = 0; k < 2; ++k)
+            x[i][k] = part * length * way[k], v[i][k] = part * (length * swing * across[k] - reel * way[k]);
+    }
+    ok(cd_chain_write_f64(c, CD_MASS, 0, 1, 0, NODES, mass, NODES));
+    ok(cd_chain_write_f64(c, CD_POSITION, 0, 1, 0, NODES, x[0], 2 * NODES));
+    ok(cd_chain_set_end(c, CD_END_FIRST, CD_NODE_PINNED));
+    ok(cd_chain_write_f64(c, CD_VELOCITY, 0, 1, 0, NODES, v[0], 2 * NODES));
+    return c;
+}
+/* Where the load is, and how it moves. */
+static void where(const cd_chain* c, double* x, double* v) {
+    ok(cd_chain_read_f64(c, CD_POSITION, 0, 1, SPRINGS, 1, x, 2));
+    ok(cd_chain_read_f64(c, CD_VELOCITY, 0, 1, SPRINGS, 1, v, 2));
+}
+
+/* Without gravity a load that spins keeps its angular momentum, whatever the tolerance and the step. */
+static void a_load_that_spins_keeps_its_angular_momentum(void** state) {
+    (void)state;
+    static const double tolerances[] = {1e-5, 1e-6, 1e-7, 1e-8, 1e-9}, rates[] = {8, 15, 60, 240, 2400};
+    for (size_t t = 0; t < COUNT(tolerances); ++t)
+        for (size_t r = 0; r < COUNT(rates); ++r) {
+            cd_chain* c = load_on_a_winch(3, 1, 4, 2, 0);
+            double x[2], v[2];
+            ok(cd_chain_set_tolerance(c, tolerances[t], 200));
+            const int steps = (int)(rates[r] / 2);
+            for (int step = 1; step <= steps; ++step) {
+                ok(cd_chain_set_rest_length(c, 3 - 2 * step / rates[r]));
+                ok(cd_chain_step(c, 1 / rates[r], 1));
+            }
+            where(c, x, v);
+            const double kept = (x[0] * v[1] - x[1] * v[0]) / (3 * 3 * 4.0);
+            if (!(fabs(kept - 1) < 1e-4))
+                fail_msg("tolerance %g, %g steps a second: %.5f of it", tolerances[t], rates[r], kept);
+            cd_chain_destroy(c);
+        }
+}
+
+/* A load that swings: angle'' = -(2 length' angle' + g sin angle) / length. */
+static void a_load_that_swings_is_reeled_in_to_second_order(void** state) {
+    (void)state;
+    const double start = 0.8, reel = 2, length = 8, seconds = 2.4, g = 9.81;
+    double angle = start, swing = 0, errors[3];
+    const int fine = 100000;
+    const double h = seconds / fine;
+    for (int i = 0; i < fine; ++i) { /* the midpoint rule */
+        const double l = length - reel * h * i, middle = l - reel * h / 2;
+        const double a = angle + h / 2 * swing, w = swing + h / 2 * (2 * reel * swing - g * sin(angle)) / l;
+        angle += h * w, swing += h * (2 * reel * w - g * sin(a)) / middle;
+    }
+    const double last = length - reel * seconds;
+    for (size_t k = 0; k < COUNT(errors); ++k) {
+        const double rate = 30 * pow(2, (double)k);
+        cd_chain* c = load_on_a_winch(length, start, 0, reel, g);
+        double x[2], v[2];
+        ok(cd_chain_set_tolerance(c, 1e-9, 200));
+        for (int step = 1; step <= (int)(seconds * rate + 0.5); ++step) {
+            ok(cd_chain_set_rest_length(c, length - reel * step / rate));
+            ok(cd_chain_step(c, 1 / rate, 1));
+        }
+        where(c, x, v);
+        errors[k] = hypot(x[0] - last * sin(angle), x[1] + last * cos(angle));
+        cd_chain_destroy(c);
+    }
+    print_message("errors %.2e, %.2e, %.2e m\n", errors[0], errors[1], errors[2]);
+    assert_true(errors[1] < 2e-3);
+    for (int k = 0; k < 2; ++k) assert_true(errors[k] > 3 * errors[k + 1]);
+}
+
+/* Ropes of constant length that turn far in a step, to loose tolerances: errors of length that the step before left are
+ * no winch, and explain no energy but their own. */
+static void errors_of_length_are_no_winch(void** state) {
+    (void)state;
+    enum { MOST = 8 };
+    double worst = 0;
+    for (int scene = 0; scene < 2000; ++scene) {
+        uint64_t seed = 100 + (uint64_t)scene;
+        const size_t n = 1 + (size_t)(MOST * fabs(random_number(&seed))) % MOST;
+        const double tolerance = pow(10, -2.5 + random_number(&seed)), turns = 10 * pow(10, random_number(&seed));
+        double x[MOST + 1][2] = {{0}}, v[MOST + 1][2] = {{0}}, tension[2][MOST] = {{0}}, before, now;
+        for (size_t i = 0; i <= n; ++i) {
+            const double way = 3.14 * random_number(&seed);
+            if (i > 0) x[i][0] = x[i - 1][0] + cos(way), x[i][1] = x[i - 1][1] + sin(way);
+            for (int k = 0; k < 2 && (i > 0 || scene % 2); ++k)
+                v[i][k] = turns * ((k ? x[i][0] : -x[i][1]) + random_number(&seed));
+        }
+        cd_chain* c = NULL;
+        ok(cd_chain_create(1, n, 2, CD_FLOAT64, NULL, &c));
+        ok(cd_chain_set_rest_length(c, (double)n));
+        ok(cd_chain_set_stiffness(c, INFINITY));
+        ok(cd_chain_set_mass(c, (double)(n + 1)));
+        ok(cd_chain_write_f64(c, CD_POSITION, 0, 1, 0, n + 1, x[0], 2 * (n + 1)));
+        ok(cd_chain_write_f64(c, CD_VELOCITY, 0, 1, 0, n + 1, v[0], 2 * (n + 1)));
+        if (scene % 2 == 0) ok(cd_chain_set_end(c, CD_END_FIRST, CD_NODE_PINNED));
+        ok(cd_chain_set_tolerance(c, tolerance, 200));
+        ok(cd_chain_get_energy(c, &before, NULL, NULL));
+        for (int step = 0; step < 40; ++step) {
+            size_t iterations;
+            ok(cd_chain_step(c, 1, 1));
+            ok(cd_chain_get_convergence(c, &iterations, NULL));
+            ok(cd_chain_get_energy(c, &now, NULL, NULL));
+            ok(cd_chain_read_f64(c, CD_TENSION, 0, 1, 0, n, tension[step % 2], n));
+            const double highest = fmax(before, now);
+            double room = iterations > 8 ? 4 * sqrt(2 * (double)(n + 1) * highest) : 0;
+            for (size_t i = 0; i < n; ++i) room += 2 * (tension[0][i] + tension[1][i]);
+            worst = fmax(worst, (now - before - tolerance * room) / highest);
+            before = now;
+        }
+        cd_chain_destroy(c);
+    }
+    print_message("energy from nothing: %.2e of what there is\n", worst);
+    assert_true(worst < 1e-9);
+}
+
+/* Ropes at random that are reeled in or paid out evenly: over some steps they gain no more than the work of the winch,
+ * tension times what the rest length falls by, along the mean direction of a step. */
+static void random_winches_gain_no_more_than_their_work(void** state) {
+    (void)state;
+    enum { MOST = 20 };
+    double worst = 0;
+    for (int scene = 0; scene < 600; ++scene) {
+        uint64_t seed = 1000 + (uint64_t)scene;
+        const int springs = 1 + (int)((MOST - 1) * fabs(random_number(&seed)));
+        const size_t n = (size_t)springs, nodes = n + 1;
+        const double dt = pow(10, -1.7 + random_number(&seed)), tolerance = pow(10, -6 + 2 * random_number(&seed));
+        const double lambda = scene % 2 ? 0.5 : 1, reel = 0.03 * random_number(&seed), of = 1.0 / springs,
+                     g[2] = {0, -9.81};
+        const double stiffness = scene % 5 ? INFINITY : pow(10, 4 + 3 * random_number(&seed));
+        const double speed = 2 * pow(10, random_number(&seed));
+        double x[2][MOST + 1][2] = {{{0}}}, v[MOST + 1][2] = {{0}}, mass[MOST + 1], tension[MOST], was[MOST] = {0};
+        double length = 1, heavy = 0, gain = 0, size = 0, kinetic, elastic, gravity;
+        for (int i = 0; i <= springs; ++i) {
+            const double way = 4 * random_number(&seed);
+            mass[i] = pow(10, 2 * random_number(&seed)) * of, heavy += mass[i];
+            for (int k = 0; k < 2 && i > 0; ++k)
+                x[1][i][k] = x[1][i - 1][k] + of * (k ? sin(way) : cos(way)), v[i][k] = speed * random_number(&seed);
+        }
+        cd_chain* c = NULL;
+        ok(cd_chain_create(1, n, 2, CD_FLOAT64, NULL, &c));
+        ok(cd_chain_set_rest_length(c, length));
+        ok(cd_chain_set_stiffness(c, stiffness));
+        ok(cd_chain_set_lambda(c, lambda));
+        ok(cd_chain_set_tolerance(c, tolerance, 200));
+        ok(cd_chain_set_gravity(c, g, 2));
+        ok(cd_chain_enable_field(c, CD_MASS));
+        ok(cd_chain_write_f64(c, CD_MASS, 0, 1, 0, nodes, mass, nodes));
+        ok(cd_chain_write_f64(c, CD_POSITION, 0, 1, 0, nodes, x[1][0], 2 * nodes));
+        ok(cd_chain_write_f64(c, CD_VELOCITY, 0, 1, 0, nodes, v[0], 2 * nodes));
+        ok(cd_chain_set_end(c, CD_END_FIRST, CD_NODE_PINNED));
+        ok(cd_chain_get_energy(c, &kinetic, &elastic, &gravity));
+        double before = kinetic + elastic + gravity;
+        for (int step = 0; step < 60; ++step) {
+            const double falls = length - reel > 0.2 ? reel : 0;
+            size_t iterations;
+            ok(cd_chain_set_rest_length(c, length -= falls));
+            ok(cd_chain_step(c, dt, 1));
+            ok(cd_chain_get_convergence(c, &iterations, NULL));
+            memcpy(x[0], x[1], sizeof x[0]);
+            ok(cd_chain_read_f64(c, CD_POSITION, 0, 1, 0, nodes, x[1][0], 2 * nodes));
+            ok(cd_chain_read_f64(c, CD_TENSION, 0, 1, 0, n, tension, n));
+            ok(cd_chain_get_energy(c, &kinetic, &elastic, &gravity));
+            const double now = kinetic + elastic + gravity, wrong = tolerance * length * of;
+            gain += now - before;
+            size = fmax(size, kinetic + 10 * heavy);
+            for (int i = 0; i < springs; ++i) {
+                double d[2][2], l[2], z[2];
+                for (int t = 0; t < 2; ++t) {
+                    for (int k = 0; k < 2; ++k) d[t][k] = x[t][i + 1][k] - x[t][i][k];
+                    l[t] = hypot(d[t][0], d[t][1]);
+                }
+                for (int k = 0; k < 2; ++k) z[k] = (d[0][k] + d[1][k]) / 2;
+                const double along = lambda < 1 && falls > 0 ? (l[0] + l[1]) / 2 / hypot(z[0], z[1]) : 1;
+                const double work = tension[i] * falls * of;
+                gain -= work * along + 2 * (tension[i] + was[i]) * wrong;
+                if (!isinf(stiffness)) gain -= 2 * stiffness * springs * wrong * wrong;
+                size += fabs(work), was[i] = tension[i];
+            }
+            if (iterations > 8) gain -= 2 * wrong * (sqrt(2 * heavy * kinetic) / dt + 10 * heavy);
+            before = now;
+        }
+        worst = fmax(worst, gain / size);
+        cd_chain_destroy(c);
+    }
+    print_message("energy from nothing: %.2e of what moves\n", worst);
+    assert_true(worst < 1e-6);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_load_that_spins_keeps_its_angular_momentum),
+        cmocka_unit_test(a_load_that_swings_is_reeled_in_to_second_order),
+        cmocka_unit_test(errors_of_length_are_no_winch),
+        cmocka_unit_test(random_winches_gain_no_more_than_their_work),
+    };
+    return cmocka_run_group_tests_name("rope winches", tests, NULL, NULL);
+}
