@@ -378,7 +378,7 @@ namespace Contdyn
     /// <summary>The library's functions that belong to no object.</summary>
     public static unsafe class Library
     {
-        /// <summary>C's SIZE_MAX, where a function gives it a meaning.</summary>
+        /// <summary>C's SIZE_MAX, for offsets that may be it.</summary>
         public const long SizeMax = -1;
 
         /// <summary>Name of a status, such as "CD_ERROR_VALUE"; "CD_ERROR_UNKNOWN" for a number that is none. A static
@@ -3929,7 +3929,7 @@ namespace Contdyn
             long size = bufferLength;
             Check(Native.cd_membrane_write_vertices(Handle, buffer, Native.Size(size, "cd_membrane_write_vertices",
                 "size"), Native.Size(stride, "cd_membrane_write_vertices", "stride"), Native.Size(positionOffset,
-                "cd_membrane_write_vertices", "position_offset"), Native.Size(normalOffset,
+                "cd_membrane_write_vertices", "position_offset"), Native.SizeOrNone(normalOffset,
                 "cd_membrane_write_vertices", "normal_offset")));
         }
 
@@ -5481,8 +5481,9 @@ namespace Contdyn
             long size = bufferLength;
             Check(Native.cd_water_write_vertices(Handle, buffer, Native.Size(size, "cd_water_write_vertices", "size"),
                 Native.Size(stride, "cd_water_write_vertices", "stride"), Native.Size(positionOffset,
-                "cd_water_write_vertices", "position_offset"), Native.Size(normalOffset, "cd_water_write_vertices",
-                "normal_offset"), Native.Size(depthOffset, "cd_water_write_vertices", "depth_offset")));
+                "cd_water_write_vertices", "position_offset"), Native.SizeOrNone(normalOffset,
+                "cd_water_write_vertices", "normal_offset"), Native.SizeOrNone(depthOffset, "cd_water_write_vertices",
+                "depth_offset")));
         }
 
         /// <summary>How many indices cd_water_write_indices writes now: 6 per square of four neighbouring cells that
