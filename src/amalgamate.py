@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the library as one C++ file and its public headers, for projects without a build of their own for it.
 
-    amalgamate.py FOLDER        writes FOLDER/contdyn.cpp and FOLDER/contdyn/*.h
+    amalgamate.py FOLDER        writes FOLDER/contdyn.cpp, FOLDER/contdyn/*.h and FOLDER/contdyn/contdyn.hpp
 
     c++ -std=c++17 -O3 -fno-math-errno -fno-trapping-math -c -I FOLDER FOLDER/contdyn.cpp
     cc game.c -I FOLDER contdyn.o -lm
@@ -17,6 +17,7 @@ from pathlib import Path
 
 SOURCES = Path(__file__).resolve().parent
 HEADERS = SOURCES.parent / "include" / "contdyn"
+CPP_HEADER = SOURCES.parent / "bindings" / "cpp" / "include" / "contdyn" / "contdyn.hpp"
 LAYERS = ["base", "solve", "model", "api", "kernel"]  # the kernels' own names are not seen by the others
 INCLUDE = re.compile(r'^#include "(.*)"\n', re.MULTILINE)
 
@@ -153,7 +154,7 @@ def main():
     folder = Path(sys.argv[1])
     (folder / "contdyn").mkdir(parents=True, exist_ok=True)
     (folder / "contdyn.cpp").write_text(Amalgamation().text(), encoding="utf-8", newline="\n")
-    for header in HEADERS.glob("*.h"):
+    for header in [*HEADERS.glob("*.h"), CPP_HEADER]:
         (folder / "contdyn" / header.name).write_bytes(header.read_bytes())
 
 

@@ -191,8 +191,11 @@ class Method:
                 self.passed[p.name] = f"(int){v}"
             elif p.is_flag:
                 self.passed[p.name] = f"{v} ? 1 : 0"
+            elif p.role == "value" and p.base == "size_t":
+                size = "SizeOrNone" if p.may_be_none else "Size"
+                self.passed[p.name] = f'Native.{size}({v}, "{f.name}", "{p.name}")'
             elif p.role == "value":
-                self.passed[p.name] = f'Native.Size({v}, "{f.name}", "{p.name}")' if p.base == "size_t" else v
+                self.passed[p.name] = v
             elif p.role == "handle":
                 self.passed[p.name] = f'Native.NotNull({v}, "{v}").Handle'
             elif p.role == "callbacks":
@@ -549,7 +552,7 @@ def api_module(api):
         lines += callback_struct(struct, api.enums)
     lines += doc("The library's functions that belong to no object.")
     lines += ["public static unsafe class Library", "{"]
-    lines += ["    /// <summary>C's SIZE_MAX, where a function gives it a meaning.</summary>",
+    lines += ["    /// <summary>C's SIZE_MAX, for offsets that may be it.</summary>",
               "    public const long SizeMax = -1;", ""]
     structs = []
     for f in api.free:

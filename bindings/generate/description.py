@@ -86,6 +86,8 @@ class Parameter:
         self.enum = self.base if self.base in enums else None
         self.is_flag = self.base == "int32_t" and self.role in ("value", "result")
         self.is_const = self.type.startswith("const ")
+        allowed = entry.get("range") or {}
+        self.may_be_none = self.role == "value" and "SIZE_MAX" in allowed.get("values", [])
 
     @property
     def word(self):

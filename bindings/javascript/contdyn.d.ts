@@ -506,8 +506,8 @@ export class Chain extends Handle {
 
   /**
    * Bend stiffness b [N/m], >= 0. Per node with two neighbours: b times the cube of the number of springs (Kass 1997,
-   * eq. 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam of the rigidity E I [N m^2].
-   * Errors: "errorMemory" when bend is switched on.
+   * eq. 5; eq. 8 prints the square). With b = E I / L^3, L the length of all its springs, held ones too, a rope bends
+   * as a beam of the rigidity E I [N m^2]. Errors: "errorMemory" when bend is switched on.
    */
   get bend(): number;
   set bend(value: number);
@@ -1173,7 +1173,8 @@ export interface MembraneOptions {
  * are first order in time under the alternating solver, all else is second.
  *
  * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
- * 1e60, masses as small as 1e-60.
+ * 1e60, masses as small as 1e-60. Unlike a chain, a membrane does not tell the force on its held nodes; what a
+ * collider feels, neither does.
  *
  * Every function returns "errorNull" for a null pointer and "errorHandle" for a handle of another kind; the
  * comments name the other errors. Functions that the chain has too mean the same here.
@@ -1263,8 +1264,7 @@ export class Membrane extends Handle {
    * energy
    * k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the edges; along v
    * likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. A sheet of 1 component has no size of its
-   * own: one with the sides L_u and L_v under the tension S [N/m] has k_u = S L_v / L_u and k_v = S L_u / L_v, a square
-   * one S.
+   * own: with the sides L_u and L_v under the tension S [N/m] k_u = S L_v / L_u and k_v = S L_u / L_v, a square one S.
    */
   get stiffness(): { alongU: number; alongV: number };
   set stiffness(value: { alongU?: number; alongV?: number });
@@ -1304,8 +1304,7 @@ export class Membrane extends Handle {
   /**
    * Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a node is
    * pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3 components only;
-   * it costs memory while it is not 0. Errors: "errorUnsupported" for another number of components unless 0;
-   * "errorMemory".
+   * it costs memory while it is not 0. Errors: "errorUnsupported" for other components unless 0; "errorMemory".
    */
   get pressure(): number;
   set pressure(value: number);
@@ -1439,8 +1438,9 @@ export class Membrane extends Handle {
    * Resistance of the air, per area of cloth [N s/m^3], in [0, 1e60], default 0: a piece of area a whose velocity
    * through the air is w, w_t along the cloth and w_n across it, is pushed by -a (along w_t + across w_n). Implicit, so
    * that it only takes energy, as seen from the air, at any dt; areas and directions are those that the step starts
-   * from. Air of density 1.2 kg/m^3 that passes at the speed s has about across = 1.2 s and along = 0.02 s.
-   * Errors: "errorMemory" too.
+   * from. Air of density 1.2 kg/m^3 that passes at the speed s has about across = 1.2 s and along = 0.02 s. A node
+   * on an edge bears half the air: with "equal", where it has the whole mass, a flat sheet folds as it falls;
+   * with "halfEnds" it falls flat. Errors: "errorMemory" too.
    */
   get air(): { along: number; across: number };
   set air(value: { along?: number; across?: number });

@@ -210,6 +210,7 @@ export class Chain extends Handle {
       member(Precision, precision, "precision"), 0, result(0)));
     super(wasm.cd_chain_destroy, components);
     assign(this, options, ["strands", "springs", "components", "precision"]);
+    if (new.target === Chain) Object.preventExtensions(this); // a property that is misspelt throws
   }
 
   get shape() {
@@ -781,6 +782,7 @@ export class Membrane extends Handle {
       precision, "precision"), 0, result(0)));
     super(wasm.cd_membrane_destroy, components);
     assign(this, options, ["nu", "nv", "components", "precision"]);
+    if (new.target === Membrane) Object.preventExtensions(this); // a property that is misspelt throws
   }
 
   get shape() {
@@ -1418,6 +1420,7 @@ export class Water extends Handle {
       precision, "precision"), 0, result(0)));
     super(wasm.cd_water_destroy, 1);
     assign(this, options, ["nx", "ny", "dx", "dy", "precision"]);
+    if (new.target === Water) Object.preventExtensions(this); // a property that is misspelt throws
   }
 
   get shape() {

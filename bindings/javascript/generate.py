@@ -383,6 +383,7 @@ class Module:
         yield f"    super(wasm.cd_{name}_destroy, {'components' if has_components else 1});"
         every = ", ".join(f'"{n}"' for n in names)
         yield from wrapped(f"assign(this, options, [{every}]);", 4)
+        yield f"    if (new.target === {Name}) Object.preventExtensions(this); // a property that is misspelt throws"
         yield "  }"
         members = {"dispose", "disposed"}
 

@@ -147,6 +147,9 @@ export function take(bytes) {
 /** Numbers as a typed array or a flat array; nested arrays are rows. */
 function flat(values, parameter) {
   if (values instanceof View) return values.dense();
+  if (values instanceof BigInt64Array || values instanceof BigUint64Array) {
+    refuse("errorValue", `${parameter} is a ${values.constructor.name}, must be an array of numbers`);
+  }
   if (ArrayBuffer.isView(values) && !(values instanceof DataView)) return values;
   if (!Array.isArray(values)) refuse("errorValue", `${parameter} is ${shown(values)}, must be an array of numbers`);
   const numbers = values.some(Array.isArray) ? values.flat(Infinity) : values;
@@ -369,6 +372,9 @@ function placeOf(object, kind, field, range) {
   const place = {};
   starts.forEach((start, i) => {
     place[start] = size(range[start] ?? 0, start);
+    if (place[start] > extents[i]) {
+      refuse("errorRange", `the range's ${start} is ${place[start]}, must be at most ${extents[i]}`);
+    }
     place[counts[i]] = size(range[counts[i]] ?? Math.max(0, extents[i] - place[start]), counts[i]);
   });
   const values = counts.reduce((product, key) => product * place[key], 1);

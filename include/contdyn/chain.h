@@ -89,8 +89,8 @@ CD_API cd_status cd_chain_set_stiffness(cd_chain* chain, double stiffness);
 CD_API cd_status cd_chain_get_stiffness(const cd_chain* chain, double* out_stiffness);
 
 /* Bend stiffness b [N/m], >= 0. Per node with two neighbours: b times the cube of the number of springs (Kass 1997,
- * eq. 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam of the rigidity E I [N m^2].
- * Errors: CD_ERROR_MEMORY when bend is switched on. */
+ * eq. 5; eq. 8 prints the square). With b = E I / L^3, L the length of all its springs, held ones too, a rope bends
+ * as a beam of the rigidity E I [N m^2]. Errors: CD_ERROR_MEMORY when bend is switched on. */
 CD_API cd_status cd_chain_set_bend(cd_chain* chain, double bend);
 CD_API cd_status cd_chain_get_bend(const cd_chain* chain, double* out_bend);
 

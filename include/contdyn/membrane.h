@@ -42,7 +42,8 @@
  * are first order in time under the alternating solver, all else is second.
  *
  * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
- * 1e60, masses as small as 1e-60.
+ * 1e60, masses as small as 1e-60. Unlike a chain, a membrane does not tell the force on its held nodes; what a
+ * collider feels, neither does.
  *
  * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
  * comments name the other errors. Functions that the chain has too mean the same here. */
@@ -137,8 +138,7 @@ CD_API cd_status cd_membrane_get_mass_rule(const cd_membrane* membrane, cd_mass_
 /* Stretch stiffness along u and along v [N/m], >= 0: a sheet stretched evenly along u by the length d holds the energy
  * k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the edges; along v
  * likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. A sheet of 1 component has no size of its
- * own: one with the sides L_u and L_v under the tension S [N/m] has k_u = S L_v / L_u and k_v = S L_u / L_v, a square
- * one S. */
+ * own: with the sides L_u and L_v under the tension S [N/m] k_u = S L_v / L_u and k_v = S L_u / L_v, a square one S. */
 CD_API cd_status cd_membrane_set_stiffness(cd_membrane* membrane, double along_u, double along_v);
 CD_API cd_status cd_membrane_get_stiffness(const cd_membrane* membrane, double* out_along_u, double* out_along_v);
 
@@ -167,8 +167,7 @@ CD_API cd_status cd_membrane_get_gravity(const cd_membrane* membrane, double* ou
 
 /* Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a node is
  * pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3 components only;
- * it costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for another number of components unless 0;
- * CD_ERROR_MEMORY. */
+ * it costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_set_pressure(cd_membrane* membrane, double pressure);
 CD_API cd_status cd_membrane_get_pressure(const cd_membrane* membrane, double* out_pressure);
 
@@ -258,8 +257,9 @@ CD_API cd_status cd_membrane_get_effort(const cd_membrane* membrane, size_t* out
 /* Resistance of the air, per area of cloth [N s/m^3], in [0, 1e60], default 0: a piece of area a whose velocity
  * through the air is w, w_t along the cloth and w_n across it, is pushed by -a (along w_t + across w_n). Implicit, so
  * that it only takes energy, as seen from the air, at any dt; areas and directions are those that the step starts
- * from. Air of density 1.2 kg/m^3 that passes at the speed s has about across = 1.2 s and along = 0.02 s.
- * Errors: CD_ERROR_MEMORY too. */
+ * from. Air of density 1.2 kg/m^3 that passes at the speed s has about across = 1.2 s and along = 0.02 s. A node
+ * on an edge bears half the air: with CD_MASS_EQUAL, where it has the whole mass, a flat sheet folds as it falls;
+ * with CD_MASS_HALF_ENDS it falls flat. Errors: CD_ERROR_MEMORY too. */
 CD_API cd_status cd_membrane_set_air(cd_membrane* membrane, double along, double across);
 CD_API cd_status cd_membrane_get_air(const cd_membrane* membrane, double* out_along, double* out_across);
 

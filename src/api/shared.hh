@@ -283,7 +283,8 @@ template <class X, class EachNode> cd_status teleport(const char* function, X& x
 // Whether the object can make steps of dt: with 0 it makes none.
 template <class X> cd_status can_step(const char* function, const X& x, double dt, size_t& count) {
     if (dt == 0) count = 0;
-    else CD_CHECK(in_range(function, "dt", dt, kLeastStep, kMostStep));
+    else if (!(dt >= kLeastStep && dt <= kMostStep))
+        return fail(CD_ERROR_VALUE, function, "dt is %g, must be 0 or in [%g, %g]", dt, kLeastStep, kMostStep);
     return count > 0 ? is_finite(function, x) : CD_OK;
 }
 inline cd_status diverged_at(const char* function, uint64_t step) {

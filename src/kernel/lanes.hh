@@ -48,8 +48,8 @@ constexpr LaneKind lane_kind(int n) {
     return (width & (width - 1)) == 0 && width <= kNative ? LaneKind::kVector : LaneKind::kPair;
 }
 
-constexpr char kAllLanes = -1; // a mask argument of AVX-512's functions
-constexpr int kRoundAsSet = 4; // and one of rounding: as the control register says
+[[maybe_unused]] constexpr char kAllLanes = -1; // a mask argument of AVX-512's functions
+[[maybe_unused]] constexpr int kRoundAsSet = 4; // and one of rounding: as the control register says
 
 // Numbers of a vector in another precision. GCC 12 goes from eight floats to eight doubles, and back, by halves.
 template <class To, class From> inline To converted(From a) {

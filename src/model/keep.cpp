@@ -33,7 +33,8 @@ static cd_status read_number(const char* function, Reader& reader, size_t size, 
     if (format != kFormat)
         return fail(CD_ERROR_FORMAT, function, "format version is %u, this library reads %u", format, kFormat);
     if (checksum(reader.from, size - kHeader) != sum)
-        return fail(CD_ERROR_FORMAT, function, "the checksum of %zu bytes does not fit: damaged or cut short", size);
+        return fail(CD_ERROR_FORMAT, function,
+                    "the checksum of %zu bytes does not fit: damaged, cut short or followed by others", size);
     return CD_OK;
 }
 

@@ -122,6 +122,7 @@ static void only_ropes_are_rigid(void** state) {
 static void no_time_is_too_short_for_no_steps(void** state) {
     (void)state;
     refuses_each(chain, cd_chain_step(chain, bad, 0), "dt", not_finite);
+    refuses(chain, cd_chain_step(chain, -1, 1), CD_ERROR_VALUE, "dt is -1|0 or in [1e-30, 1e+30]");
 }
 
 static void a_bed_is_no_shape_on_a_line(void** state) {

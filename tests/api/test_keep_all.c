@@ -200,8 +200,8 @@ static void no_other_length_is_loaded(void** state) {
         unsigned char* longer = calloc(blob.size + 16, 1);
         assert_non_null(longer);
         memcpy(longer, blob.bytes, blob.size);
-        kind_refuses(kind, object, load, (object, longer, blob.size + 1), CD_ERROR_FORMAT, "");
-        kind_refuses(kind, object, load, (object, longer, blob.size + 16), CD_ERROR_FORMAT, "");
+        kind_refuses(kind, object, load, (object, longer, blob.size + 1), CD_ERROR_FORMAT, "followed by others");
+        kind_refuses(kind, object, load, (object, longer, blob.size + 16), CD_ERROR_FORMAT, "followed by others");
         free(longer), free(blob.bytes);
         kind->destroy(source), kind->destroy(object);
     }

@@ -103,6 +103,7 @@ static void an_impulse_too_strong_for_the_precision_changes_nothing(void** state
 static void no_time_is_too_short_for_no_steps(void** state) {
     (void)state;
     refuses_each(m, cd_membrane_step(m, bad, 0), "dt", not_finite);
+    refuses(m, cd_membrane_step(m, -1, 1), CD_ERROR_VALUE, "dt is -1|0 or in [1e-30, 1e+30]");
 }
 
 static void no_more_places_are_sampled_than_fit_in_memory(void** state) {

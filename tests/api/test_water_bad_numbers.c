@@ -28,6 +28,7 @@ static int tear_down(void** state) {
 static void no_time_is_too_short_for_no_steps(void** state) {
     (void)state;
     refuses_each(w, cd_water_step(w, bad, 0), "dt", not_finite);
+    refuses(w, cd_water_step(w, -1, 1), CD_ERROR_VALUE, "dt is -1|0 or in [1e-30, 1e+30]");
 }
 
 static void no_side_takes_a_level_or_a_discharge_that_is_no_number(void** state) {

@@ -57,6 +57,9 @@ if [[ +$parts+ != *+SAVE+* && +$parts+ != *+FLOAT64+* ]]; then
         esac
         [ "$status" = "$expected" ] || fail "a saved state that needs $part gives $status, not $expected"
     done < <("$out/loads" load "$out/states")
+    expected="the rest length is 0"
+    [[ +$parts+ != *+CONTACT+* ]] || expected="colliders are left out of this build"
+    "$out/loads" touch . | grep -q "$expected" || fail "colliders are not refused with: $expected"
 fi
 "$CC" -std=c11 "$SOURCE/tests/bindings/conformance.c" -I"$SOURCE/bindings/conformance" -I"$SOURCE/include" \
     "$out/src/libcontdyn.a" -lm -o "$out/conformance"

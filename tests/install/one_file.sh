@@ -17,5 +17,6 @@ flags=
     -o "$out/conformance"
 "$out/conformance" "$SOURCE/bindings/conformance/scenes.txt"
 ! needs "$out/conformance" | grep -E 'stdc|gcc' || fail "a C program with it needs the C++ run time"
+"$CXX" -std=c++17 -fsyntax-only -I "$out" "$SOURCE/bindings/cpp/examples/rope.cpp" # the header for C++ lies beside it
 ! "$CXX" -std=c++17 -ffast-math -fsyntax-only -I "$out" "$out/contdyn.cpp" 2>"$out/said" || fail "-ffast-math is taken"
 grep -q 'without -ffast-math' "$out/said" || fail "-ffast-math is refused without the reason"

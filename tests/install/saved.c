@@ -1,7 +1,8 @@
 /* States that need the parts of the library which can be left out.
  *
  *   saved write FOLDER   saves each, with the whole library
- *   saved load FOLDER    loads each, and prints its part and the status */
+ *   saved load FOLDER    loads each, and prints its part and the status
+ *   saved touch .        prints what colliders of a chain without rest lengths are refused for */
 #include <contdyn/contdyn.h>
 #include <math.h>
 #include <stdio.h>
@@ -64,6 +65,12 @@ int main(int count, char** words) {
     if (count != 3) return 2;
     const int writes = strcmp(words[1], "write") == 0;
     const char* const folder = words[2];
+    if (strcmp(words[1], "touch") == 0) {
+        cd_chain* const chain = new_chain();
+        if (cd_chain_set_colliders(chain, 1) != CD_OK) puts(cd_error_message());
+        cd_chain_destroy(chain);
+        return 0;
+    }
     STATE("none", 0, chain, must(cd_chain_set_mass(x, 2)));
     STATE("none", 1, membrane, must(cd_membrane_set_mass(x, 2)));
     STATE("none", 2, water, must(cd_water_set_drag(x, 2)));

@@ -378,7 +378,7 @@ namespace Contdyn
     /// <summary>The library's functions that belong to no object.</summary>
     public static unsafe class Library
     {
-        /// <summary>C's SIZE_MAX, where a function gives it a meaning.</summary>
+        /// <summary>C's SIZE_MAX, for offsets that may be it.</summary>
         public const long SizeMax = -1;
 
         /// <summary>Name of a status, such as "CD_ERROR_VALUE"; "CD_ERROR_UNKNOWN" for a number that is none. A static
@@ -838,8 +838,9 @@ namespace Contdyn
         }
 
         /// <summary>Bend stiffness b [N/m], &gt;= 0. Per node with two neighbours: b times the cube of the number of
-        /// springs (Kass 1997, eq. 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam
-        /// of the rigidity E I [N m^2]. Errors: CD_ERROR_MEMORY when bend is switched on.</summary>
+        /// springs (Kass 1997, eq. 5; eq. 8 prints the square). With b = E I / L^3, L the length of all its springs,
+        /// held ones too, a rope bends as a beam of the rigidity E I [N m^2]. Errors: CD_ERROR_MEMORY when bend is
+        /// switched on.</summary>
         public double Bend
         {
             get
@@ -2408,7 +2409,8 @@ namespace Contdyn
     /// coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with stiffness damping are first order in time
     /// under the alternating solver, all else is second.
     /// What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as
-    /// large as 1e60, masses as small as 1e-60.
+    /// large as 1e60, masses as small as 1e-60. Unlike a chain, a membrane does not tell the force on its held
+    /// nodes; what a collider feels, neither does.
     /// Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind;
     /// the comments name the other errors. Functions that the chain has too mean the same here.</summary>
     public sealed unsafe class Membrane : LibraryObject
@@ -2671,8 +2673,8 @@ namespace Contdyn
         /// <summary>Stretch stiffness along u and along v [N/m], &gt;= 0: a sheet stretched evenly along u by the
         /// length d holds the energy k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and
         /// half of it along the edges; along v likewise. Waves run across the sheet along u in sqrt(mass / k_u)
-        /// seconds. A sheet of 1 component has no size of its own: one with the sides L_u and L_v under the tension S
-        /// [N/m] has k_u = S L_v / L_u and k_v = S L_u / L_v, a square one S.</summary>
+        /// seconds. A sheet of 1 component has no size of its own: with the sides L_u and L_v under the tension S [N/m]
+        /// k_u = S L_v / L_u and k_v = S L_u / L_v, a square one S.</summary>
         public void SetStiffness(double alongU, double alongV)
         {
             Changed();
@@ -2682,8 +2684,8 @@ namespace Contdyn
         /// <summary>Stretch stiffness along u and along v [N/m], &gt;= 0: a sheet stretched evenly along u by the
         /// length d holds the energy k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and
         /// half of it along the edges; along v likewise. Waves run across the sheet along u in sqrt(mass / k_u)
-        /// seconds. A sheet of 1 component has no size of its own: one with the sides L_u and L_v under the tension S
-        /// [N/m] has k_u = S L_v / L_u and k_v = S L_u / L_v, a square one S.</summary>
+        /// seconds. A sheet of 1 component has no size of its own: with the sides L_u and L_v under the tension S [N/m]
+        /// k_u = S L_v / L_u and k_v = S L_u / L_v, a square one S.</summary>
         public MembraneStiffness GetStiffness()
         {
             double outAlongU;
@@ -2803,8 +2805,8 @@ namespace Contdyn
 
         /// <summary>Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the
         /// force on a node is pressure times the gradient of the volume under the sheet, at the positions a step starts
-        /// from. 3 components only; it costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for another number
-        /// of components unless 0; CD_ERROR_MEMORY.</summary>
+        /// from. 3 components only; it costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for other
+        /// components unless 0; CD_ERROR_MEMORY.</summary>
         public double Pressure
         {
             get
@@ -3028,7 +3030,9 @@ namespace Contdyn
         /// whose velocity through the air is w, w_t along the cloth and w_n across it, is pushed by -a (along w_t +
         /// across w_n). Implicit, so that it only takes energy, as seen from the air, at any dt; areas and directions
         /// are those that the step starts from. Air of density 1.2 kg/m^3 that passes at the speed s has about across =
-        /// 1.2 s and along = 0.02 s. Errors: CD_ERROR_MEMORY too.</summary>
+        /// 1.2 s and along = 0.02 s. A node on an edge bears half the air: with CD_MASS_EQUAL, where it has the whole
+        /// mass, a flat sheet folds as it falls; with CD_MASS_HALF_ENDS it falls flat. Errors: CD_ERROR_MEMORY
+        /// too.</summary>
         public void SetAir(double along, double across)
         {
             Changed();
@@ -3039,7 +3043,9 @@ namespace Contdyn
         /// whose velocity through the air is w, w_t along the cloth and w_n across it, is pushed by -a (along w_t +
         /// across w_n). Implicit, so that it only takes energy, as seen from the air, at any dt; areas and directions
         /// are those that the step starts from. Air of density 1.2 kg/m^3 that passes at the speed s has about across =
-        /// 1.2 s and along = 0.02 s. Errors: CD_ERROR_MEMORY too.</summary>
+        /// 1.2 s and along = 0.02 s. A node on an edge bears half the air: with CD_MASS_EQUAL, where it has the whole
+        /// mass, a flat sheet folds as it falls; with CD_MASS_HALF_ENDS it falls flat. Errors: CD_ERROR_MEMORY
+        /// too.</summary>
         public MembraneAir GetAir()
         {
             double outAlong;
@@ -3939,7 +3945,7 @@ namespace Contdyn
             long size = bufferLength;
             Check(Native.cd_membrane_write_vertices(Handle, buffer, Native.Size(size, "cd_membrane_write_vertices",
                 "size"), Native.Size(stride, "cd_membrane_write_vertices", "stride"), Native.Size(positionOffset,
-                "cd_membrane_write_vertices", "position_offset"), Native.Size(normalOffset,
+                "cd_membrane_write_vertices", "position_offset"), Native.SizeOrNone(normalOffset,
                 "cd_membrane_write_vertices", "normal_offset")));
         }
 
@@ -5493,8 +5499,9 @@ namespace Contdyn
             long size = bufferLength;
             Check(Native.cd_water_write_vertices(Handle, buffer, Native.Size(size, "cd_water_write_vertices", "size"),
                 Native.Size(stride, "cd_water_write_vertices", "stride"), Native.Size(positionOffset,
-                "cd_water_write_vertices", "position_offset"), Native.Size(normalOffset, "cd_water_write_vertices",
-                "normal_offset"), Native.Size(depthOffset, "cd_water_write_vertices", "depth_offset")));
+                "cd_water_write_vertices", "position_offset"), Native.SizeOrNone(normalOffset,
+                "cd_water_write_vertices", "normal_offset"), Native.SizeOrNone(depthOffset, "cd_water_write_vertices",
+                "depth_offset")));
         }
 
         /// <summary>How many indices cd_water_write_indices writes now: 6 per square of four neighbouring cells that

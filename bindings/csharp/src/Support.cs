@@ -57,11 +57,16 @@ namespace Contdyn
 
         internal static UIntPtr Size(long value, string function, string name)
         {
-            if (value == Contdyn.Library.SizeMax)
-                return UIntPtr.Size == 4 ? (UIntPtr)uint.MaxValue : (UIntPtr)ulong.MaxValue;
             if (value < 0 || UIntPtr.Size == 4 && value > uint.MaxValue)
                 throw Range(function, name, " is " + value + ", must be at least 0 and fit a size");
             return (UIntPtr)(ulong)value;
+        }
+
+        /// <summary>Of an argument that may be SizeMax.</summary>
+        internal static UIntPtr SizeOrNone(long value, string function, string name)
+        {
+            if (value != Contdyn.Library.SizeMax) return Size(value, function, name);
+            return UIntPtr.Size == 4 ? (UIntPtr)uint.MaxValue : (UIntPtr)ulong.MaxValue;
         }
 
         internal static long Length(Array array)

@@ -149,9 +149,13 @@ static class Arrays
         Tests.Refused(Status.ErrorRange, "normal has 3 numbers, must have 2",
             () => made.SetPlane(0, new double[2], new[] { 1.0, 0, 0 }, 0));
         Tests.Refused(Status.ErrorRange, "node is -2", () => made.Impulse(0, -2, 1, 2));
+        Tests.Refused(Status.ErrorRange, "cd_chain_step: count is -1", () => made.Step(0.1, -1));
+        Tests.Refused(Status.ErrorRange, "cd_chain_create: springs is -1", () => new Chain(1, -1, 2));
         Tests.Refused(Status.ErrorEnum, "cd_chain_set_end", () => made.SetEnd(End.First, (Node)77));
         Tests.Refused(Status.ErrorNull, "gravity is null", () => made.SetGravity(null));
         var pool = new Water(4, 4, 1, 1);
+        Tests.Refused(Status.ErrorRange, "position_offset is -1",
+            () => pool.WriteVertices(new float[48], 12, Library.SizeMax, Library.SizeMax, Library.SizeMax));
         Tests.Refused(Status.ErrorRange, "at has 3 numbers, must be a multiple of 2",
             () => pool.Sample(new double[3], Outside.Refused, null, null, null, null));
         Tests.Refused(Status.ErrorRange, "out_depth has 3 numbers, must have 1",

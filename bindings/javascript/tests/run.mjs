@@ -196,6 +196,10 @@ test("what C's types do not hold is refused, never cut short", () => {
   refused("errorValue", /mass is "2", must be a number/, () => { rope.mass = "2"; });
   refused("errorValue", /ring is 1, must be true or false/, () => { rope.ring = 1; });
   refused("errorValue", /number 1 is "2"/, () => { rope.gravity = [0, "2", 0]; });
+  refused("errorValue", /gravity is a BigInt64Array, must be an array of numbers/, () => {
+    rope.gravity = new BigInt64Array(3);
+  });
+  refused("errorRange", /range's first is 100, must be at most 4/, () => rope.read("position", { first: 100 }));
   refused("errorEnum", /method is "euler", must be one of "implicit"/, () => { rope.method = "euler"; });
   refused("errorEnum", /kind is 1, must be one of/, () => rope.setEnd("first", Node.pinned));
   refused("errorEnum", /field is "depth", a chain has position/, () => rope.read("depth"));
@@ -205,6 +209,14 @@ test("what C's types do not hold is refused, never cut short", () => {
   refused("errorHandle", /source is an object, must be a Chain/, () => rope.copyState(makers.water()));
   refused("errorHandle", /source is null/, () => rope.copyState(null));
   assert.equal(rope.hash(), before);
+});
+
+test("a property that there is none of cannot be set, but by a class that extends one of these", () => {
+  for (const make of Object.values(makers)) assert.throws(() => { make().misspelt = 1; }, TypeError);
+  class Named extends Chain {
+    name = "rope";
+  }
+  assert.equal(new Named({ strands: 1, springs: 2, components: 2 }).name, "rope");
 });
 
 test("a disposed object refuses every call", () => {

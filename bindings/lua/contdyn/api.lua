@@ -903,8 +903,8 @@ function Chain:get_stiffness()
 end
 
 -- Bend stiffness b [N/m], >= 0. Per node with two neighbours: b times the cube of the number of springs (Kass 1997, eq.
--- 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam of the rigidity E I [N m^2].
--- Errors: CD_ERROR_MEMORY when bend is switched on.
+-- 5; eq. 8 prints the square). With b = E I / L^3, L the length of all its springs, held ones too, a rope bends as a
+-- beam of the rigidity E I [N m^2]. Errors: CD_ERROR_MEMORY when bend is switched on.
 function Chain:set_bend(bend)
   local where = "cd_chain_set_bend"
   bend = number_in(bend, where, "bend")
@@ -913,8 +913,8 @@ function Chain:set_bend(bend)
 end
 
 -- Bend stiffness b [N/m], >= 0. Per node with two neighbours: b times the cube of the number of springs (Kass 1997, eq.
--- 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam of the rigidity E I [N m^2].
--- Errors: CD_ERROR_MEMORY when bend is switched on.
+-- 5; eq. 8 prints the square). With b = E I / L^3, L the length of all its springs, held ones too, a rope bends as a
+-- beam of the rigidity E I [N m^2]. Errors: CD_ERROR_MEMORY when bend is switched on.
 function Chain:get_bend()
   local where = "cd_chain_get_bend"
   local out_bend = double_1()
@@ -1866,7 +1866,8 @@ end
 -- h) (w_v h) is beyond 1e4. Plates with stiffness damping are first order in time under the alternating solver, all
 -- else is second.
 -- What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
--- 1e60, masses as small as 1e-60.
+-- 1e60, masses as small as 1e-60. Unlike a chain, a membrane does not tell the force on its held nodes; what a collider
+-- feels, neither does.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 -- comments name the other errors. Functions that the chain has too mean the same here.
 local Membrane = support.class("Membrane", lib.cd_membrane_destroy)
@@ -2084,8 +2085,7 @@ end
 -- Stretch stiffness along u and along v [N/m], >= 0: a sheet stretched evenly along u by the length d holds the energy
 -- k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the edges; along v
 -- likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. A sheet of 1 component has no size of its
--- own: one with the sides L_u and L_v under the tension S [N/m] has k_u = S L_v / L_u and k_v = S L_u / L_v, a square
--- one S.
+-- own: with the sides L_u and L_v under the tension S [N/m] k_u = S L_v / L_u and k_v = S L_u / L_v, a square one S.
 function Membrane:set_stiffness(along_u, along_v)
   local where = "cd_membrane_set_stiffness"
   along_u = number_in(along_u, where, "along_u")
@@ -2097,8 +2097,7 @@ end
 -- Stretch stiffness along u and along v [N/m], >= 0: a sheet stretched evenly along u by the length d holds the energy
 -- k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the edges; along v
 -- likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. A sheet of 1 component has no size of its
--- own: one with the sides L_u and L_v under the tension S [N/m] has k_u = S L_v / L_u and k_v = S L_u / L_v, a square
--- one S.
+-- own: with the sides L_u and L_v under the tension S [N/m] k_u = S L_v / L_u and k_v = S L_u / L_v, a square one S.
 function Membrane:get_stiffness()
   local where = "cd_membrane_get_stiffness"
   local out_along_u = double_1()
@@ -2189,8 +2188,7 @@ end
 
 -- Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a node is
 -- pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3 components only; it
--- costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for another number of components unless 0;
--- CD_ERROR_MEMORY.
+-- costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY.
 function Membrane:set_pressure(pressure)
   local where = "cd_membrane_set_pressure"
   pressure = number_in(pressure, where, "pressure")
@@ -2200,8 +2198,7 @@ end
 
 -- Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a node is
 -- pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3 components only; it
--- costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for another number of components unless 0;
--- CD_ERROR_MEMORY.
+-- costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY.
 function Membrane:get_pressure()
   local where = "cd_membrane_get_pressure"
   local out_pressure = double_1()
@@ -2424,8 +2421,9 @@ end
 -- Resistance of the air, per area of cloth [N s/m^3], in [0, 1e60], default 0: a piece of area a whose velocity through
 -- the air is w, w_t along the cloth and w_n across it, is pushed by -a (along w_t + across w_n). Implicit, so that it
 -- only takes energy, as seen from the air, at any dt; areas and directions are those that the step starts from. Air of
--- density 1.2 kg/m^3 that passes at the speed s has about across = 1.2 s and along = 0.02 s. Errors: CD_ERROR_MEMORY
--- too.
+-- density 1.2 kg/m^3 that passes at the speed s has about across = 1.2 s and along = 0.02 s. A node on an edge bears
+-- half the air: with CD_MASS_EQUAL, where it has the whole mass, a flat sheet folds as it falls; with CD_MASS_HALF_ENDS
+-- it falls flat. Errors: CD_ERROR_MEMORY too.
 function Membrane:set_air(along, across)
   local where = "cd_membrane_set_air"
   along = number_in(along, where, "along")
@@ -2437,8 +2435,9 @@ end
 -- Resistance of the air, per area of cloth [N s/m^3], in [0, 1e60], default 0: a piece of area a whose velocity through
 -- the air is w, w_t along the cloth and w_n across it, is pushed by -a (along w_t + across w_n). Implicit, so that it
 -- only takes energy, as seen from the air, at any dt; areas and directions are those that the step starts from. Air of
--- density 1.2 kg/m^3 that passes at the speed s has about across = 1.2 s and along = 0.02 s. Errors: CD_ERROR_MEMORY
--- too.
+-- density 1.2 kg/m^3 that passes at the speed s has about across = 1.2 s and along = 0.02 s. A node on an edge bears
+-- half the air: with CD_MASS_EQUAL, where it has the whole mass, a flat sheet folds as it falls; with CD_MASS_HALF_ENDS
+-- it falls flat. Errors: CD_ERROR_MEMORY too.
 function Membrane:get_air()
   local where = "cd_membrane_get_air"
   local out_along = double_1()

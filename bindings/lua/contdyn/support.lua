@@ -132,7 +132,8 @@ function support.integer_in(value, where, name)
   if ffi.istype(uint64, value) or ffi.istype(size, value) or ffi.istype(int64, value) and value >= 0 then
     return value
   end
-  fail(RANGE, ("%s: %s is %s, must be a whole number, at least 0"):format(where, name, shown(value)))
+  fail(RANGE, ("%s: %s is %s, must be a whole number from 0 to 2^53, or an FFI integer"):format(
+    where, name, shown(value)))
 end
 
 local array_types, element_sizes = {}, {}

@@ -147,6 +147,8 @@ test("values of other types", function()
   refused("error_value", "mass is \"2\", must be a number", made.set_mass, made, "2")
   refused("error_value", "must be true or false", made.set_ring, made, 2)
   refused("error_range", "node is -1", made.impulse, made, 0, -1, {1, 2})
+  refused("error_range", "springs is 1.1529215046068e+18, must be a whole number from 0 to 2^53", contdyn.Chain.create, 1,
+    2 ^ 60, 2)
   refused("error_range", "node is 1.5", made.impulse, made, 0, 1.5, {1, 2})
   refused("error_range", "node is nan", made.impulse, made, 0, 0 / 0, {1, 2})
   refused("error_enum", "must be one of driven, free", made.set_end, made, "first", "pin")

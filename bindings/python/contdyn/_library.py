@@ -79,6 +79,7 @@ _check_version()
 
 MOST = {"size": 2 ** (8 * ctypes.sizeof(ctypes.c_size_t)) - 1, "int": 2**31 - 1}
 LEAST = {"size": 0, "int": -(2**31)}
+WORDS = {"size": "an integer", "int": "an integer, an enumerator or a bool", "double": "a number"}
 
 
 def failure(status: int) -> Error:
@@ -109,17 +110,19 @@ class Function:
             raise TypeError(f"{self.name} takes {self.count - 1} values besides the object, not {len(arguments) - 1}")
         try:
             for k, kind in self.integers:
-                if not LEAST[kind] <= arguments[k] <= MOST[kind]:
+                if not (hasattr(arguments[k], "__index__") and LEAST[kind] <= arguments[k] <= MOST[kind]):
                     self.refuse(k, arguments[k])
             return self.raw(*arguments)
         except ArgumentError as error:
             k = int(str(error).split()[1].rstrip(":")) - 1  # "argument 2: ..."
-            name, kind = _parameters(self.name)[k]
-            raise TypeError(f"{self.name}: {name} is {arguments[k]!r}, must be a {kind}") from None
+            self.refuse(k, arguments[k])
 
     def refuse(self, k: int, value: Any) -> NoReturn:
+        """Argument k is out of the range of its type, or of another type."""
         name, kind = _parameters(self.name)[k]
-        raise RangeError(f"{self.name}: {name} is {value}, must be in [{LEAST[kind]}, {MOST[kind]}]")
+        if kind in MOST and hasattr(value, "__index__"):
+            raise RangeError(f"{self.name}: {name} is {value}, must be in [{LEAST[kind]}, {MOST[kind]}]")
+        raise TypeError(f"{self.name}: {name} is {value!r}, must be {WORDS.get(kind, f'a {kind}')}") from None
 
 
 class Functions:

@@ -78,12 +78,13 @@ class Object:
 
     def _create(self, allocator: Optional[Allocator], *arguments: Any) -> None:
         provider = Provider(allocator) if allocator is not None else None
-        self._step, self._lock = self._c.step.raw, threading.RLock()
+        self._lock = threading.RLock()
         made = c_void_p()
         status = self._c.create(*arguments, byref(provider.struct) if provider else None, byref(made))
         if status:
             raise provider.cause(failure(status)) if provider else failure(status)
         handle = Handle(made.value)
+        self._step = self._c.step.raw
         handle.destroy, handle.provider, handle.shown, handle.shapes = self._c.destroy.raw, provider, {}, {}
         self._handle = handle
         *sizes, precision = self._get("get_shape")
@@ -195,7 +196,7 @@ class Object:
         rope, ended short of its tolerance. CallbackError: a callback of a collider gave no distance. All steps have
         been made in all these cases.
         """
-        if not 0 <= count <= _MOST_STEPS:
+        if not (hasattr(count, "__index__") and 0 <= count <= _MOST_STEPS):
             self._c.step.refuse(2, count)
         with self._lock:
             try:
@@ -367,6 +368,8 @@ def _name(field: Field) -> str:
 
 def rest(first: int, n: Optional[int], extent: int, what: str) -> int:
     """How many from `first` on: n, or all there are."""
+    if not hasattr(first, "__index__") or not (n is None or hasattr(n, "__index__")):
+        raise TypeError(f"{what} from {first!r} on, {n!r} of them: must be integers")
     count = n if n is not None else max(extent - first, 0)
     if first < 0 or count < 0 or first + count > extent:
         raise RangeError(f"{what} [{first}, {first + count}) of {extent}")

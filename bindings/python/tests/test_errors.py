@@ -6,6 +6,7 @@ import unittest
 
 import contdyn
 from contdyn import Chain, Edge, End, Field, Membrane, Method, Node, Precision, Water
+from contdyn._library import Functions
 
 from support import Heap, api, lengthen, make, moving
 
@@ -413,10 +414,25 @@ class Errors(unittest.TestCase):
             with self.assertRaises(TypeError):
                 use()
             self.assertEqual(chain.hash(), before)
+        for use, told in ((lambda c: Chain("1", 2, 3), "cd_chain_create: strands is '1', must be an integer"),
+                          (lambda c: Chain(1.5, 2, 3), "cd_chain_create: strands is 1.5, must be an integer"),
+                          (setting("method", "implicit"), "cd_chain_set_method: method is 'implicit', must be"),
+                          (setting("mass", "1"), "cd_chain_set_mass: mass is '1', must be a number"),
+                          (lambda c: c.step(0.1, "1"), "cd_chain_step: count is '1', must be an integer"),
+                          (lambda c: c.read(Field.POSITION, first="a"), "places from 'a' on")):
+            with self.subTest(told), self.assertRaisesRegex(TypeError, re.escape(told)):
+                use(chain)
         for use in (lambda: setattr(contdyn.Membrane(2, 2, 1), "stiffness", 1), lambda: chain.read("position"),
                     lambda: setattr(contdyn.Membrane(2, 2, 1), "stiffness", (1, 2, 3))):
             with self.assertRaises(TypeError):
                 use()
+
+    def test_what_was_left_out_of_the_library_is_named(self):
+        class Bridge(Chain):
+            _c = Functions("cd_bridge_")  # which no build has
+
+        with self.assertRaisesRegex(contdyn.UnsupportedError, "^cd_bridge_create: this build"):
+            Bridge(1, 2, 3)
 
     def test_settings_of_several_values_name_them(self):
         for made, name, value, names in ((Membrane(2, 2, 3), "stiffness", 5, "2 values, (along_u, along_v)"),

@@ -946,15 +946,15 @@ impl Chain {
     }
 
     /// Bend stiffness b \[N/m\], \>= 0. Per node with two neighbours: b times the cube of the number of springs (Kass
-    /// 1997, eq. 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam of the rigidity E I
-    /// \[N m^2\]. Errors: CD_ERROR_MEMORY when bend is switched on.
+    /// 1997, eq. 5; eq. 8 prints the square). With b = E I / L^3, L the length of all its springs, held ones too, a
+    /// rope bends as a beam of the rigidity E I \[N m^2\]. Errors: CD_ERROR_MEMORY when bend is switched on.
     pub fn set_bend(&mut self, bend: f64) -> Result<()> {
         check(unsafe { sys::cd_chain_set_bend(self.as_ptr(), bend) })
     }
 
     /// Bend stiffness b \[N/m\], \>= 0. Per node with two neighbours: b times the cube of the number of springs (Kass
-    /// 1997, eq. 5; eq. 8 prints the square). A rope of length L with b = E I / L^3 bends as a beam of the rigidity E I
-    /// \[N m^2\]. Errors: CD_ERROR_MEMORY when bend is switched on.
+    /// 1997, eq. 5; eq. 8 prints the square). With b = E I / L^3, L the length of all its springs, held ones too, a
+    /// rope bends as a beam of the rigidity E I \[N m^2\]. Errors: CD_ERROR_MEMORY when bend is switched on.
     pub fn get_bend(&self) -> Result<f64> {
         let mut out_bend = 0.0;
         check(unsafe { sys::cd_chain_get_bend(self.as_ptr(), &mut out_bend) })?;
@@ -1847,7 +1847,8 @@ pub struct MembraneEnergy {
 /// CD_FLOAT64 or the coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with stiffness damping are first
 /// order in time under the alternating solver, all else is second.
 /// What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as
-/// large as 1e60, masses as small as 1e-60.
+/// large as 1e60, masses as small as 1e-60. Unlike a chain, a membrane does not tell the force on its held nodes;
+/// what a collider feels, neither does.
 /// Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 /// comments name the other errors. Functions that the chain has too mean the same here.
 pub struct Membrane {
@@ -2152,8 +2153,8 @@ impl Membrane {
     /// Stretch stiffness along u and along v \[N/m\], \>= 0: a sheet stretched evenly along u by the length d holds the
     /// energy k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the
     /// edges; along v likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. A sheet of 1 component
-    /// has no size of its own: one with the sides L_u and L_v under the tension S \[N/m\] has k_u = S L_v / L_u and k_v
-    /// = S L_u / L_v, a square one S.
+    /// has no size of its own: with the sides L_u and L_v under the tension S \[N/m\] k_u = S L_v / L_u and k_v = S L_u
+    /// / L_v, a square one S.
     pub fn set_stiffness(&mut self, along_u: f64, along_v: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_stiffness(self.as_ptr(), along_u, along_v) })
     }
@@ -2161,8 +2162,8 @@ impl Membrane {
     /// Stretch stiffness along u and along v \[N/m\], \>= 0: a sheet stretched evenly along u by the length d holds the
     /// energy k_u d^2 / 2. Per spring along u: nu k_u / (nv + 1), half edges: nu k_u / nv and half of it along the
     /// edges; along v likewise. Waves run across the sheet along u in sqrt(mass / k_u) seconds. A sheet of 1 component
-    /// has no size of its own: one with the sides L_u and L_v under the tension S \[N/m\] has k_u = S L_v / L_u and k_v
-    /// = S L_u / L_v, a square one S.
+    /// has no size of its own: with the sides L_u and L_v under the tension S \[N/m\] k_u = S L_v / L_u and k_v = S L_u
+    /// / L_v, a square one S.
     pub fn get_stiffness(&self) -> Result<MembraneStiffness> {
         let mut out_along_u = 0.0;
         let mut out_along_v = 0.0;
@@ -2237,16 +2238,16 @@ impl Membrane {
 
     /// Pressure \[Pa\] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a
     /// node is pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3
-    /// components only; it costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for another number of
-    /// components unless 0; CD_ERROR_MEMORY.
+    /// components only; it costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0;
+    /// CD_ERROR_MEMORY.
     pub fn set_pressure(&mut self, pressure: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_pressure(self.as_ptr(), pressure) })
     }
 
     /// Pressure \[Pa\] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a
     /// node is pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3
-    /// components only; it costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for another number of
-    /// components unless 0; CD_ERROR_MEMORY.
+    /// components only; it costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0;
+    /// CD_ERROR_MEMORY.
     pub fn get_pressure(&self) -> Result<f64> {
         let mut out_pressure = 0.0;
         check(unsafe { sys::cd_membrane_get_pressure(self.as_ptr(), &mut out_pressure) })?;
@@ -2443,7 +2444,8 @@ impl Membrane {
     /// velocity through the air is w, w_t along the cloth and w_n across it, is pushed by -a (along w_t + across w_n).
     /// Implicit, so that it only takes energy, as seen from the air, at any dt; areas and directions are those that the
     /// step starts from. Air of density 1.2 kg/m^3 that passes at the speed s has about across = 1.2 s and along = 0.02
-    /// s. Errors: CD_ERROR_MEMORY too.
+    /// s. A node on an edge bears half the air: with CD_MASS_EQUAL, where it has the whole mass, a flat sheet folds as
+    /// it falls; with CD_MASS_HALF_ENDS it falls flat. Errors: CD_ERROR_MEMORY too.
     pub fn set_air(&mut self, along: f64, across: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_air(self.as_ptr(), along, across) })
     }
@@ -2452,7 +2454,8 @@ impl Membrane {
     /// velocity through the air is w, w_t along the cloth and w_n across it, is pushed by -a (along w_t + across w_n).
     /// Implicit, so that it only takes energy, as seen from the air, at any dt; areas and directions are those that the
     /// step starts from. Air of density 1.2 kg/m^3 that passes at the speed s has about across = 1.2 s and along = 0.02
-    /// s. Errors: CD_ERROR_MEMORY too.
+    /// s. A node on an edge bears half the air: with CD_MASS_EQUAL, where it has the whole mass, a flat sheet folds as
+    /// it falls; with CD_MASS_HALF_ENDS it falls flat. Errors: CD_ERROR_MEMORY too.
     pub fn get_air(&self) -> Result<MembraneAir> {
         let mut out_along = 0.0;
         let mut out_across = 0.0;

@@ -16,6 +16,10 @@
 #ifndef CONTDYN_CONTDYN_HPP
 #define CONTDYN_CONTDYN_HPP
 
+#if __cplusplus < 201703L && !defined(_MSVC_LANG)
+#error "contdyn.hpp needs C++17"
+#endif
+
 #include <contdyn/contdyn.h>
 
 #include <cstddef>
