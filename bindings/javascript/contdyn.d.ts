@@ -1464,9 +1464,9 @@ export class Membrane extends Handle {
    * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
    * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
    * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
-   * what
-   * it bears by 1e-3 m/s. What lies inside when a step begins comes out of it.
+   * begins to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
+   * 1e-3
+   * m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside comes out.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1487,9 +1487,9 @@ export class Membrane extends Handle {
    * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
    * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
    * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
-   * what
-   * it bears by 1e-3 m/s. What lies inside when a step begins comes out of it.
+   * begins to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
+   * 1e-3
+   * m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside comes out.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1509,9 +1509,9 @@ export class Membrane extends Handle {
    * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
    * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
    * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
-   * what
-   * it bears by 1e-3 m/s. What lies inside when a step begins comes out of it.
+   * begins to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
+   * 1e-3
+   * m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside comes out.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1531,9 +1531,9 @@ export class Membrane extends Handle {
    * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
    * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
    * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
-   * what
-   * it bears by 1e-3 m/s. What lies inside when a step begins comes out of it.
+   * begins to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
+   * 1e-3
+   * m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside comes out.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for

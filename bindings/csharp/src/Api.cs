@@ -3111,12 +3111,13 @@ namespace Contdyn
         /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
         /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
         /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
-        /// what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks are those
-        /// of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
-        /// plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all
-        /// nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
+        /// 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside
+        /// comes out. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public long Colliders
         {
             get
@@ -3141,12 +3142,13 @@ namespace Contdyn
         /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
         /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
         /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
-        /// what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks are those
-        /// of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
-        /// plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all
-        /// nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
+        /// 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside
+        /// comes out. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetPlane(long index, double[] point, double[] normal, double friction)
         {
             fixed (double* pointPointer = point)
@@ -3162,12 +3164,13 @@ namespace Contdyn
         /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
         /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
         /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
-        /// what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks are those
-        /// of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
-        /// plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all
-        /// nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
+        /// 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside
+        /// comes out. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetPlane(long index, ReadOnlySpan<double> point, ReadOnlySpan<double> normal, double friction)
         {
             fixed (double* pointPointer = &MemoryMarshal.GetReference(point))
@@ -3194,12 +3197,13 @@ namespace Contdyn
         /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
         /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
         /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
-        /// what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks are those
-        /// of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
-        /// plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all
-        /// nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
+        /// 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside
+        /// comes out. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetCapsule(long index, double[] first, double[] last, double radius, double friction)
         {
             fixed (double* firstPointer = first)
@@ -3216,12 +3220,13 @@ namespace Contdyn
         /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
         /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
         /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
-        /// what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks are those
-        /// of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
-        /// plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all
-        /// nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
+        /// 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside
+        /// comes out. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetCapsule(long index, ReadOnlySpan<double> first, ReadOnlySpan<double> last, double radius,
             double friction)
         {
@@ -3249,12 +3254,13 @@ namespace Contdyn
         /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
         /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
         /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
-        /// what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks are those
-        /// of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
-        /// plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all
-        /// nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
+        /// 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside
+        /// comes out. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetBed(long index, double[] origin, long columns, long rows, double columnSpacing,
             double rowSpacing, double[] heights, double friction)
         {
@@ -3272,12 +3278,13 @@ namespace Contdyn
         /// force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
         /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
         /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second. So what friction holds creeps: at half of
-        /// what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks are those
-        /// of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
-        /// plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all
-        /// nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
+        /// 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside
+        /// comes out. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetBed(long index, ReadOnlySpan<double> origin, long columns, long rows, double columnSpacing,
             double rowSpacing, ReadOnlySpan<double> heights, double friction)
         {

@@ -2472,12 +2472,12 @@ end
 -- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
 -- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
 -- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
--- default effort what begins to slide is up to a quarter too slow in its first half second. So what friction holds
--- creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks
--- are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
--- plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all nodes;
--- answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load
--- CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
+-- default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are now and then
+-- deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
+-- inside comes out. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+-- node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
+-- asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one
+-- that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
 function Membrane:set_colliders(count)
   local where = "cd_membrane_set_colliders"
   count = integer_in(count, where, "count")
@@ -2491,12 +2491,12 @@ end
 -- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
 -- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
 -- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
--- default effort what begins to slide is up to a quarter too slow in its first half second. So what friction holds
--- creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks
--- are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
--- plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all nodes;
--- answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load
--- CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
+-- default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are now and then
+-- deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
+-- inside comes out. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+-- node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
+-- asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one
+-- that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
 function Membrane:get_colliders()
   local where = "cd_membrane_get_colliders"
   local out_count = size_t_1()
@@ -2510,12 +2510,12 @@ end
 -- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
 -- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
 -- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
--- default effort what begins to slide is up to a quarter too slow in its first half second. So what friction holds
--- creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks
--- are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
--- plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all nodes;
--- answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load
--- CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
+-- default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are now and then
+-- deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
+-- inside comes out. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+-- node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
+-- asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one
+-- that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
 function Membrane:set_plane(index, point, normal, friction)
   local where = "cd_membrane_set_plane"
   index = integer_in(index, where, "index")
@@ -2534,12 +2534,12 @@ end
 -- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
 -- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
 -- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
--- default effort what begins to slide is up to a quarter too slow in its first half second. So what friction holds
--- creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks
--- are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
--- plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all nodes;
--- answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load
--- CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
+-- default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are now and then
+-- deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
+-- inside comes out. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+-- node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
+-- asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one
+-- that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
 function Membrane:set_capsule(index, first, last, radius, friction)
   local where = "cd_membrane_set_capsule"
   index = integer_in(index, where, "index")
@@ -2559,12 +2559,12 @@ end
 -- a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some
 -- 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself.
 -- Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the
--- default effort what begins to slide is up to a quarter too slow in its first half second. So what friction holds
--- creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step begins comes out of it. Beds and callbacks
--- are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above that
--- plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for all nodes;
--- answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load
--- CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
+-- default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are now and then
+-- deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
+-- inside comes out. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+-- node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
+-- asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one
+-- that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.
 function Membrane:set_bed(index, origin, columns, rows, column_spacing, row_spacing, heights, friction)
   local where = "cd_membrane_set_bed"
   index = integer_in(index, where, "index")

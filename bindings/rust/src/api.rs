@@ -2487,12 +2487,12 @@ impl Membrane {
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
-    /// half second. So what friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step
-    /// begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
-    /// step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it
-    /// out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
-    /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
-    /// functions of cd_chain.
+    /// half second, and nodes are now and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at
+    /// half of what it bears by 1e-3 m/s. What lies inside comes out. Beds and callbacks are those of cd_chain, met at
+    /// the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
+    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
+    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
+    /// Errors and ranges are those of the functions of cd_chain.
     pub fn set_colliders(&mut self, count: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_colliders(self.as_ptr(), count) })
     }
@@ -2504,12 +2504,12 @@ impl Membrane {
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
-    /// half second. So what friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step
-    /// begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
-    /// step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it
-    /// out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
-    /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
-    /// functions of cd_chain.
+    /// half second, and nodes are now and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at
+    /// half of what it bears by 1e-3 m/s. What lies inside comes out. Beds and callbacks are those of cd_chain, met at
+    /// the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
+    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
+    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
+    /// Errors and ranges are those of the functions of cd_chain.
     pub fn get_colliders(&self) -> Result<usize> {
         let mut out_count = 0;
         check(unsafe { sys::cd_membrane_get_colliders(self.as_ptr(), &mut out_count) })?;
@@ -2523,12 +2523,12 @@ impl Membrane {
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
-    /// half second. So what friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step
-    /// begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
-    /// step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it
-    /// out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
-    /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
-    /// functions of cd_chain.
+    /// half second, and nodes are now and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at
+    /// half of what it bears by 1e-3 m/s. What lies inside comes out. Beds and callbacks are those of cd_chain, met at
+    /// the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
+    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
+    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
+    /// Errors and ranges are those of the functions of cd_chain.
     pub fn set_plane(&mut self, index: usize, point: &[f64], normal: &[f64], friction: f64) -> Result<()> {
         let count = count_of(point.len(), 1, "cd_membrane_set_plane", "point")?;
         same(Some(normal.len()), count.checked_mul(1), "cd_membrane_set_plane", "normal")?;
@@ -2543,12 +2543,12 @@ impl Membrane {
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
-    /// half second. So what friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step
-    /// begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
-    /// step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it
-    /// out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
-    /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
-    /// functions of cd_chain.
+    /// half second, and nodes are now and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at
+    /// half of what it bears by 1e-3 m/s. What lies inside comes out. Beds and callbacks are those of cd_chain, met at
+    /// the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
+    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
+    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
+    /// Errors and ranges are those of the functions of cd_chain.
     pub fn set_capsule(&mut self, index: usize, first: &[f64], last: &[f64], radius: f64, friction: f64) -> Result<()> {
         let count = count_of(first.len(), 1, "cd_membrane_set_capsule", "first")?;
         same(Some(last.len()), count.checked_mul(1), "cd_membrane_set_capsule", "last")?;
@@ -2563,12 +2563,12 @@ impl Membrane {
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
-    /// half second. So what friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside when a step
-    /// begins comes out of it. Beds and callbacks are those of cd_chain, met at the plane that touches them where a
-    /// step finds a node: what a hollow rises above that plane a node may end inside of, and the next step takes it
-    /// out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
-    /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the
-    /// functions of cd_chain.
+    /// half second, and nodes are now and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at
+    /// half of what it bears by 1e-3 m/s. What lies inside comes out. Beds and callbacks are those of cd_chain, met at
+    /// the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
+    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
+    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
+    /// Errors and ranges are those of the functions of cd_chain.
     pub fn set_bed(&mut self, index: usize, origin: &[f64], columns: usize, rows: usize, column_spacing: f64,
         row_spacing: f64, heights: &[f64], friction: f64) -> Result<()> {
         let count = count_of(origin.len(), 1, "cd_membrane_set_bed", "origin")?;
