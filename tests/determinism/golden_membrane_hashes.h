@@ -59,6 +59,6 @@
 {9, 3, 0, {0x3d0fe91e35e3c78f, 0xf875ebadc490f80b}}, /* everything, tube */
 {9, 0, 1, {0x531346c2f77db88a, 0xdaf2406c65b1fe9c}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
-{10, 0, 0, {0x1e8276c80c157d2f, 0x5882769cb8229713}}, /* sail */
-{11, 0, 0, {0x1db817c121151461, 0x9c543d1b6f605bfa}}, /* lengths */
-{12, 0, 0, {0x15093751113cb4cb, 0x361a219ce5e547b4}}, /* lengths, tube */
+{10, 0, 0, {0xc1992b33cd86060b, 0x5882769cb8229713}}, /* sail */
+{11, 0, 0, {0x259a5f5f9efd83a4, 0xc8a593739cf24fc5}}, /* lengths */
+{12, 0, 0, {0x05ee3813a6531a36, 0x24060b5c566a5bbc}}, /* lengths, tube */
