@@ -1919,10 +1919,10 @@ export interface WaterOptions {
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the
  * linear mode, of which shores are steep, take a little more than 1/2. Advected water gains no energy in steps in
  * which waves cross half a cell or more, and up to 0.012 in all at shores in shorter ones; where films on cliffs are
- * given high velocities, in one of a hundred random scenes, more, up to as much as it has, and most of it in the next
- * step. Linear water gains energy where it deepens under a velocity, h_t u^2 / 2 which its equations do not take away
- * again: at random shores some hundredths in all (and see hulls). In steps in which waves cross more than a cell, and
- * depths are not smooth, no face gains more energy than its water loses by falling.
+ * given high velocities more, up to as much again, most of it in the next step (one of a hundred random scenes).
+ * Linear water gains energy where it deepens under a velocity, h_t u^2 / 2 which its equations do not take away again:
+ * at random shores some hundredths in all (and see hulls). In steps in which waves cross more than a cell, and depths
+ * are not smooth, no face gains more energy than its water loses by falling.
  *
  * Explicit steps (method) share all of this but the surface that is solved for: half of the slope pushes,
  * the water moves, then the other half (velocity Verlet).
@@ -2020,12 +2020,12 @@ export class Water extends Handle {
    * What is at a side. `value` now, and how fast it changes, `rate` per second, from now on, both at most 1e60 in size,
    * in "float32" 1e30:
    *   "open"     level of the water outside [m], which is at rest: a tide is its level and rate, set anew as it
-   *                      goes. Waves leave without an echo, of high ones with one of some hundredths, by u = 2 (sqrt(g
-   * d)
-   *                      - sqrt(g D)), d the depth in the cell at the side and D that of the level over the same bed;
-   *                      linear, u = sqrt(g d) (1 - D / d). The discharge is u d. Where that is faster than the waves,
-   * as
-   *                      over a side that lies higher than the level, water falls off: a stream that is slower than its
+   *                      goes. Low waves leave without an echo, and some hundredths of high ones come back, by u = 2
+   *                      (sqrt(g d) - sqrt(g D)), d the depth in the cell at the side and D that of the level over the
+   *                      same bed; linear, u = sqrt(g d) (1 - D / d). The discharge is u d. Where that is faster than
+   * the
+   *                      waves, as over a side that lies higher than the level, water falls off: a stream slower than
+   * its
    *                      waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
    *   "level"    level [m] that is held at the side itself, whatever flows out: of depth D there water crosses it
    *                      with U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and discharge U D.
@@ -2185,10 +2185,8 @@ export class Water extends Handle {
   // of a hull that lies still the floor displaces its own mass, draft = mass / (density area) for a flat one.
   //
   // Steps stay bounded at any dt, for hulls of any mass; hulls and water together gain no energy beyond what the water
-  // itself does. That is much where a hull presses a slice of linear water dry: 13 times what was there, in steps in
-  // which
-  // waves cross 2.8 cells; advected water gained none there. In steps in which waves cross many cells, or a hull its
-  // own
+  // itself does. That is much where a hull presses linear water dry: 13 times what was there in steps in which waves
+  // cross 2.8 cells; advected water gained none there. In steps in which waves cross many cells, or a hull its own
   // length, hulls are slowed down. Momentum that drag takes from a hull the water gets, in such long steps less; of
   // what
   // its waves take, half or more. Forces cost time in proportion to the cells under hulls, and steps of water with

@@ -3081,10 +3081,10 @@ end
 -- lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
 -- mode, of which shores are steep, take a little more than 1/2. Advected water gains no energy in steps in which waves
 -- cross half a cell or more, and up to 0.012 in all at shores in shorter ones; where films on cliffs are given high
--- velocities, in one of a hundred random scenes, more, up to as much as it has, and most of it in the next step. Linear
--- water gains energy where it deepens under a velocity, h_t u^2 / 2 which its equations do not take away again: at
--- random shores some hundredths in all (and see hulls). In steps in which waves cross more than a cell, and depths are
--- not smooth, no face gains more energy than its water loses by falling.
+-- velocities more, up to as much again, most of it in the next step (one of a hundred random scenes). Linear water
+-- gains energy where it deepens under a velocity, h_t u^2 / 2 which its equations do not take away again: at random
+-- shores some hundredths in all (and see hulls). In steps in which waves cross more than a cell, and depths are not
+-- smooth, no face gains more energy than its water loses by falling.
 -- Explicit steps (cd_water_set_method) share all of this but the surface that is solved for: half of the slope pushes,
 -- the water moves, then the other half (velocity Verlet).
 -- Rows and columns are solved in turn only. In steps in which waves cross many cells, those that run aslant are slower
@@ -3314,17 +3314,17 @@ end
 
 -- What is at a side. `value` now, and how fast it changes, `rate` per second, from now on, both at most 1e60 in size,
 -- in CD_FLOAT32 1e30: CD_BORDER_OPEN level of the water outside [m], which is at rest: a tide is its level and rate,
--- set anew as it goes. Waves leave without an echo, of high ones with one of some hundredths, by u = 2 (sqrt(g d) -
--- sqrt(g D)), d the depth in the cell at the side and D that of the level over the same bed; linear, u = sqrt(g d) (1 -
--- D / d). The discharge is u d. Where that is faster than the waves, as over a side that lies higher than the level,
--- water falls off: a stream that is slower than its waves leaves at critical depth, u = sqrt(g d), a faster one as it
--- comes. CD_BORDER_LEVEL level [m] that is held at the side itself, whatever flows out: of depth D there water crosses
--- it with U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and discharge U D. Waves are thrown back.
--- What is faster than its waves falls off as above. CD_BORDER_INFLOW discharge per metre of the side [m^2/s] into the
--- water, velocity times depth, whatever the depth is; it comes in at critical depth where the cell is shallower. If
--- negative it leaves, as far as there is water CD_BORDER_WALL, CD_BORDER_PERIODIC value and rate mean nothing Both
--- sides of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the opposite
--- one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
+-- set anew as it goes. Low waves leave without an echo, and some hundredths of high ones come back, by u = 2 (sqrt(g d)
+-- - sqrt(g D)), d the depth in the cell at the side and D that of the level over the same bed; linear, u = sqrt(g d) (1
+-- - D / d). The discharge is u d. Where that is faster than the waves, as over a side that lies higher than the level,
+-- water falls off: a stream slower than its waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
+-- CD_BORDER_LEVEL level [m] that is held at the side itself, whatever flows out: of depth D there water crosses it with
+-- U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and discharge U D. Waves are thrown back. What is
+-- faster than its waves falls off as above. CD_BORDER_INFLOW discharge per metre of the side [m^2/s] into the water,
+-- velocity times depth, whatever the depth is; it comes in at critical depth where the cell is shallower. If negative
+-- it leaves, as far as there is water CD_BORDER_WALL, CD_BORDER_PERIODIC value and rate mean nothing Both sides of a
+-- direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the opposite one as a
+-- wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
 function Water:set_side(side, kind, value, rate)
   local where = "cd_water_set_side"
   side = enum_in("cd_side", side, where, "side")
