@@ -222,7 +222,7 @@ static void a_bar_that_moves_sweeps_the_sheet_along(void** state) {
             ok(cd_membrane_step(m, dt, 1));
             deepest = fmax(deepest, -least_gap(m));
         }
-        assert_true(deepest < (way ? 5e-3 : 1e-3)); /* of 0.1 m a step with way = 1 */
+        assert_true(deepest < (way ? 2.5e-3 : 1e-3)); /* of 0.1 m a step with way = 1 */
         middle_of(m, CD_VELOCITY, v);
         ok(cd_membrane_read_f64(m, CD_POSITION, 8, 8, 1, 1, x, 3));
         print_message("swept for 2 s at 3 m/s: its middle at %.4f m, all at %.3f m/s, deepest %.1e m\n", x[0], v[0],
@@ -277,7 +277,7 @@ static void a_tablecloth_keeps_its_thickness_and_gains_no_energy(void** state) {
             }
             print_message("tablecloth, dt %.4f, effort %d: %.1e m too near, energy rose by %.1e J\n", steps[s], way,
                           deepest, risen);
-            assert_true(deepest < (way || steps[s] > 0.05 ? 4e-3 : 1e-3));
+            assert_true(deepest < (way ? 4e-3 : steps[s] > 0.05 ? 2.5e-3 : 1e-3));
             assert_true(risen < 1e-12);
             cd_membrane_destroy(m);
         }
