@@ -1,7 +1,6 @@
 /* Ropes that are reeled in while they swing: against the equations of a load on a massless rope, and no energy but the
  * work of the winch. */
 #include <math.h>
-#include <string.h>
 
 #include "check.h"
 #include "reference.h"
