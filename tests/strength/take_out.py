@@ -94,6 +94,8 @@ RULES = {
     "slopes across": (
         "water/across.cpp", "return smaller(q, positive(given - q)) * half_slope(through, u);", "return 0.0 * q;",
         ["physics_water_thacker", "physics_water_momentum"]),
+    "between dry lines nothing moves": (
+        "water/across.cpp", "select(water[i], u, L{})", "u", ["api_water_diverge"]),
     "a side's depth is that of half a cell before": (
         "water/surface.hh", "- L::load(half_cell))", "- 0.0 * L::load(half_cell))", ["physics_water_sides"]),
     "what leaves runs no faster than it came": (
@@ -408,6 +410,8 @@ def main():
         wrong = list(check())
         print("\n".join(wrong))
         return 1 if wrong else 0
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
+        sys.exit(__doc__)
     names = sys.argv[2:] or list(RULES)
     tree, build = copy_and_configure(sys.argv[1])
     for test in sorted({test for name in names for test in RULES[name][3]}):
