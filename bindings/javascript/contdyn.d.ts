@@ -1206,7 +1206,7 @@ export class Membrane extends Handle {
   get solver(): Solver;
   set solver(value: Solver);
 
-  /** Which of the two the last call of step took; "auto": neither. Not part of the saved state. */
+  /** Which of the two the last step took that found it awake; "auto": neither. Not part of the saved state. */
   get solverTaken(): Solver;
 
   /**

@@ -2554,7 +2554,7 @@ namespace Contdyn
             }
         }
 
-        /// <summary>Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO: neither. Not part of the
+        /// <summary>Which of the two the last step took that found it awake; CD_SOLVER_AUTO: neither. Not part of the
         /// saved state.</summary>
         public Solver GetSolverTaken()
         {

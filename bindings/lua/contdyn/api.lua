@@ -1967,7 +1967,7 @@ function Membrane:get_solver()
   return enum_out("cd_solver", out_solver[0])
 end
 
--- Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO: neither. Not part of the saved state.
+-- Which of the two the last step took that found it awake; CD_SOLVER_AUTO: neither. Not part of the saved state.
 function Membrane:get_solver_taken()
   local where = "cd_membrane_get_solver_taken"
   local out_solver = cd_solver_1()

@@ -2040,7 +2040,7 @@ impl Membrane {
         known(Solver::from_raw(out_solver), out_solver, "cd_membrane_get_solver")
     }
 
-    /// Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO: neither. Not part of the saved state.
+    /// Which of the two the last step took that found it awake; CD_SOLVER_AUTO: neither. Not part of the saved state.
     pub fn get_solver_taken(&self) -> Result<Solver> {
         let mut out_solver = 0;
         check(unsafe { sys::cd_membrane_get_solver_taken(self.as_ptr(), &mut out_solver) })?;
