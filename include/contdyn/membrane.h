@@ -188,7 +188,7 @@ CD_API cd_status cd_membrane_set_ring(cd_membrane* membrane, int32_t along_u, in
 CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_along_u, int32_t* out_along_v);
 
 /* Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s], in
- * [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
+ * [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_set_sleep(cd_membrane* membrane, double speed, double seconds);
 CD_API cd_status cd_membrane_get_sleep(const cd_membrane* membrane, double* out_speed, double* out_seconds);
 CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_nodes);

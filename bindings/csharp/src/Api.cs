@@ -2875,8 +2875,8 @@ namespace Contdyn
         }
 
         /// <summary>Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some
-        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE;
-        /// CD_ERROR_MEMORY.</summary>
+        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors:
+        /// CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
         public void SetSleep(double speed, double seconds)
         {
             Changed();
@@ -2884,8 +2884,8 @@ namespace Contdyn
         }
 
         /// <summary>Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some
-        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE;
-        /// CD_ERROR_MEMORY.</summary>
+        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors:
+        /// CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
         public MembraneSleep GetSleep()
         {
             double outSpeed;
@@ -2895,8 +2895,8 @@ namespace Contdyn
         }
 
         /// <summary>Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some
-        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE;
-        /// CD_ERROR_MEMORY.</summary>
+        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors:
+        /// CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
         public long GetAwake()
         {
             UIntPtr outNodes;
