@@ -1206,7 +1206,7 @@ export class Membrane extends Handle {
   get solver(): Solver;
   set solver(value: Solver);
 
-  /** Which of the two the last call of step took; "auto": neither. Not part of the saved state. */
+  /** Which of the two the last step took that found it awake; "auto": neither. Not part of the saved state. */
   get solverTaken(): Solver;
 
   /**
@@ -1343,7 +1343,7 @@ export class Membrane extends Handle {
   /**
    * Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s],
    * in
-   * [1e-30, 1e60]: as sleep says. Errors: "errorValue"; "errorMemory".
+   * [1e-30, 1e60]: as sleep says; nor does the effort wake it. Errors: "errorValue"; "errorMemory".
    */
   get sleep(): { speed: number; seconds: number };
   set sleep(value: { speed?: number; seconds?: number });
@@ -1351,7 +1351,7 @@ export class Membrane extends Handle {
   /**
    * Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s],
    * in
-   * [1e-30, 1e60]: as sleep says. Errors: "errorValue"; "errorMemory".
+   * [1e-30, 1e60]: as sleep says; nor does the effort wake it. Errors: "errorValue"; "errorMemory".
    */
   get awake(): number;
 

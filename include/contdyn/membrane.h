@@ -96,7 +96,7 @@ CD_API cd_status cd_membrane_get_lambda(const cd_membrane* membrane, double* out
 /* How implicit steps solve their system; see above. Errors: CD_ERROR_ENUM; CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_set_solver(cd_membrane* membrane, cd_solver solver);
 CD_API cd_status cd_membrane_get_solver(const cd_membrane* membrane, cd_solver* out_solver);
-/* Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO: neither. Not part of the saved state. */
+/* Which of the two the last step took that found it awake; CD_SOLVER_AUTO: neither. Not part of the saved state. */
 CD_API cd_status cd_membrane_get_solver_taken(const cd_membrane* membrane, cd_solver* out_solver);
 
 /* When CD_SOLVER_COUPLED is content: a residual of `tolerance` times the one it starts from, in [1e-14, 1/2], default
@@ -188,7 +188,7 @@ CD_API cd_status cd_membrane_set_ring(cd_membrane* membrane, int32_t along_u, in
 CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_along_u, int32_t* out_along_v);
 
 /* Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s], in
- * [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
+ * [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_set_sleep(cd_membrane* membrane, double speed, double seconds);
 CD_API cd_status cd_membrane_get_sleep(const cd_membrane* membrane, double* out_speed, double* out_seconds);
 CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_nodes);

@@ -63,7 +63,7 @@ cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring) {
         if (c.pin[at] == CD_NODE_MATCHED)
             return fail(CD_ERROR_UNSUPPORTED, __func__, "ring is 1, but node %zu is a matched end",
                         at / own_strands(c));
-    if (ring == c.ring) return CD_OK;
+    if (ring == c.ring) return wake(c), CD_OK;
     Features wanted = features(c);
     wanted.ring = ring != 0;
     CD_CHECK(shared::change_features(__func__, c, wanted));

@@ -132,7 +132,9 @@ cd_status cd_membrane_set_ring(cd_membrane* membrane, int32_t along_u, int32_t a
     MembraneFeatures closed = features(m);
     for (Direction d : {kU, kV}) closed.ring[d] = wanted[d] != 0;
     CD_CHECK(is_built(__func__, left_out(closed)));
-    return set_ring(m, along_u != 0, along_v != 0) ? CD_OK : fail(CD_ERROR_MEMORY, __func__, "no memory");
+    if (!set_ring(m, along_u != 0, along_v != 0)) return fail(CD_ERROR_MEMORY, __func__, "no memory");
+    wake(m);
+    return CD_OK;
 }
 
 cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_along_u, int32_t* out_along_v) {

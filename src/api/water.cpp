@@ -107,7 +107,7 @@ cd_status cd_water_get_side(const cd_water* water, cd_side side, cd_border* out_
 // ---- sleep ----------------------------------------------------------------------------------------------------------
 
 CD_GETTER(water, get_sleep, double, out_height, x.sleep)
-CD_GETTER(water, get_awake, size_t, out_cells, x.awake)
+CD_GETTER(water, get_awake, size_t, out_cells, x.sleep > 0 ? x.awake : x.cells[kX] * x.cells[kY])
 
 cd_status cd_water_set_sleep(cd_water* water, double height) {
     CD_OPEN(water, w);

@@ -54,7 +54,7 @@ struct Membrane : Body, MembraneSettings {
     double residual;
 
     // what steps need, none of it state: see membrane_step.cpp
-    cd_solver taken;       // by the last call of step; CD_SOLVER_AUTO: none
+    cd_solver taken;       // by the last step that found it awake; CD_SOLVER_AUTO: none
     Array<double> pressed; // the force of the pressure, laid out like the positions
     double stiffest;       // the largest diagonal entry of the system, where there is one
     bool whole;            // see membrane_step.cpp

@@ -141,6 +141,7 @@ void clear_state(Water& w) {
     w.clock = {};
     w.account = {};
     w.first = kX;
+    w.awake = w.cells[kX] * w.cells[kY];
     if constexpr (CD_WITH_HULL) reset_hulls(w);
 }
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Builds and runs the consumers in a C project that adds contdyn as a subdirectory; nothing but the library is built.
-# The library is optimised there whatever the project's own build type.
+# The library is optimised there whatever the project's own build type; the name of its folder has a space.
 . "$(dirname "$0")/common.sh"
 
-out=$WORK/subdirectory
+out="$WORK/sub directory"
 configures "$out" -S "$here/subdirectory" -DCONTDYN_SOURCE="$SOURCE"
 builds "$out"
 runs shared "$out/rope_shared"

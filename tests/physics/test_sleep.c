@@ -45,7 +45,12 @@ static void what_rests_sleeps(void** state) {
         uint64_t made, of_never;
         step(body, never, 3);
         ok(kind->get_steps(x, &made)), ok(kind->get_steps(never, &of_never));
-        assert_true(made > of_never);   /* time passes in sleep */
+        assert_true(made > of_never); /* time passes in sleep */
+        if (body->kind == MEMBRANE) { /* and of the solver is told what it took awake */
+            cd_solver taken, by_never;
+            ok(cd_membrane_get_solver_taken(x, &taken)), ok(cd_membrane_get_solver_taken(never, &by_never));
+            assert_int_equal(taken, by_never);
+        }
         ok(set_sleep(body, x, 0, NAN)); /* off, and awake */
         assert_int_equal(awake(body, x), body->parts * body->nodes);
         kind->destroy(x), kind->destroy(never);
@@ -144,6 +149,7 @@ static void drag(cd_chain* c) { ok(cd_chain_set_drag(c, 0)); }
 static void stiffness(cd_chain* c) { ok(cd_chain_set_stiffness(c, 10)); }
 static void rigid(cd_chain* c) { ok(cd_chain_set_stiffness(c, INFINITY)); }
 static void length(cd_chain* c) { ok(cd_chain_set_rest_length(c, 2)); }
+static void no_ring(cd_chain* c) { ok(cd_chain_set_ring(c, 0)); } /* as it was */
 static void push(cd_chain* c) { ok(cd_chain_set_push(c, 1)); }
 static void strength(cd_chain* c) { ok(cd_chain_set_strength(c, 1e-3)); }
 static void mass(cd_chain* c) { ok(cd_chain_set_mass(c, 2)); }
@@ -164,9 +170,9 @@ static void what_changes_a_strand_wakes_it(void** state) {
     (void)state;
     static act* const of_one[] = {
         write_position, write_nothing_new, write_single, write_mass, impulse, teleport, attach, detach, cut, weld};
-    static act* const of_all[] = {no_force, method,  let_go,   gravity_off, drag,      stiffness, rigid,
-                                  length,   push,    strength, mass,        bend,      air,       wind,
-                                  plane,    removed, moving,   callback,    thickness, reset,     sleep_longer};
+    static act* const of_all[] = {no_force, method,   let_go,    gravity_off, drag,         stiffness, rigid, length,
+                                  push,     strength, mass,      bend,        air,          wind,      plane, removed,
+                                  moving,   callback, thickness, reset,       sleep_longer, no_ring};
     const struct body* const body = &bodies[ROPES];
     cd_chain *const asleep = ropes(CD_FLOAT64), *const c = ropes(CD_FLOAT64);
     ok(cd_chain_enable_field(asleep, CD_FORCE)), ok(cd_chain_enable_field(asleep, CD_MASS));
@@ -199,7 +205,7 @@ static void what_changes_a_sheet_wakes_it(void** state) {
     ok(cd_membrane_attach(asleep, 2, 4, 0, 0, NULL, 0));
     ok(cd_membrane_set_sleep(asleep, speed, seconds));
     rest(body, asleep);
-    enum { CHANGES = 24 };
+    enum { CHANGES = 25 };
     for (int change = 0; change < CHANGES; ++change) {
         ok(cd_membrane_copy_state(m, asleep));
         if (change == 0) ok(cd_membrane_write_f64(m, CD_VELOCITY, 3, 3, 1, 1, none, 3));
@@ -226,6 +232,7 @@ static void what_changes_a_sheet_wakes_it(void** state) {
         if (change == 21) ok(cd_membrane_set_bend(m, 3));
         if (change == 22) ok(cd_membrane_set_mass_rule(m, CD_MASS_HALF_ENDS));
         if (change == 23) ok(cd_membrane_reset(m));
+        if (change == 24) ok(cd_membrane_set_ring(m, 0, 0)); /* as it was */
         assert_int_equal(awake(body, m), SIDE * SIDE);
     }
     ok(cd_membrane_copy_state(m, asleep));

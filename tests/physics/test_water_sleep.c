@@ -413,6 +413,24 @@ static void the_height_is_kept(void** state) {
     cd_water_destroy(other);
 }
 
+/* All are awake before the first step, and where nothing sleeps, whatever slept before. */
+static void all_are_awake_before_a_step_and_without_sleep(void** state) {
+    (void)state;
+    cd_water *w = lake(N, M, CD_FLOAT64, &ways[LINEAR]), *never = lake(N, M, CD_FLOAT64, &ways[LINEAR]);
+    for (int how = 0; how < 3; ++how) {
+        ok(cd_water_set_sleep(w, height));
+        if (how == 0) assert_int_equal(awake(w), CELLS);
+        basin_step(w, 0.1, 1);
+        assert_int_equal(awake(w), 0);
+        if (how == 0) ok(cd_water_set_sleep(w, 0));
+        if (how == 1) ok(cd_water_copy_state(w, never));
+        if (how == 2) ok(cd_water_reset(w));
+        assert_int_equal(awake(w), CELLS);
+    }
+    cd_water_destroy(w);
+    cd_water_destroy(never);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_lake_at_rest_sleeps),
@@ -426,6 +444,7 @@ int main(void) {
         cmocka_unit_test(without_gravity_sources_act),
         cmocka_unit_test(the_height_is_kept),
         cmocka_unit_test(what_pressure_holds_aslant_sleeps),
+        cmocka_unit_test(all_are_awake_before_a_step_and_without_sleep),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2554,7 +2554,7 @@ namespace Contdyn
             }
         }
 
-        /// <summary>Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO: neither. Not part of the
+        /// <summary>Which of the two the last step took that found it awake; CD_SOLVER_AUTO: neither. Not part of the
         /// saved state.</summary>
         public Solver GetSolverTaken()
         {
@@ -2875,8 +2875,8 @@ namespace Contdyn
         }
 
         /// <summary>Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some
-        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE;
-        /// CD_ERROR_MEMORY.</summary>
+        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors:
+        /// CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
         public void SetSleep(double speed, double seconds)
         {
             Changed();
@@ -2884,8 +2884,8 @@ namespace Contdyn
         }
 
         /// <summary>Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some
-        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE;
-        /// CD_ERROR_MEMORY.</summary>
+        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors:
+        /// CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
         public MembraneSleep GetSleep()
         {
             double outSpeed;
@@ -2895,8 +2895,8 @@ namespace Contdyn
         }
 
         /// <summary>Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some
-        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE;
-        /// CD_ERROR_MEMORY.</summary>
+        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors:
+        /// CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
         public long GetAwake()
         {
             UIntPtr outNodes;

@@ -1967,7 +1967,7 @@ function Membrane:get_solver()
   return enum_out("cd_solver", out_solver[0])
 end
 
--- Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO: neither. Not part of the saved state.
+-- Which of the two the last step took that found it awake; CD_SOLVER_AUTO: neither. Not part of the saved state.
 function Membrane:get_solver_taken()
   local where = "cd_membrane_get_solver_taken"
   local out_solver = cd_solver_1()
@@ -2259,7 +2259,7 @@ function Membrane:get_ring()
 end
 
 -- Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s], in
--- [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+-- [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
 function Membrane:set_sleep(speed, seconds)
   local where = "cd_membrane_set_sleep"
   speed = number_in(speed, where, "speed")
@@ -2269,7 +2269,7 @@ function Membrane:set_sleep(speed, seconds)
 end
 
 -- Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s], in
--- [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+-- [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
 function Membrane:get_sleep()
   local where = "cd_membrane_get_sleep"
   local out_speed = double_1()
@@ -2279,7 +2279,7 @@ function Membrane:get_sleep()
 end
 
 -- Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s], in
--- [1e-30, 1e60]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+-- [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
 function Membrane:get_awake()
   local where = "cd_membrane_get_awake"
   local out_nodes = size_t_1()

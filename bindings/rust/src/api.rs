@@ -2040,7 +2040,7 @@ impl Membrane {
         known(Solver::from_raw(out_solver), out_solver, "cd_membrane_get_solver")
     }
 
-    /// Which of the two the last call of cd_membrane_step took; CD_SOLVER_AUTO: neither. Not part of the saved state.
+    /// Which of the two the last step took that found it awake; CD_SOLVER_AUTO: neither. Not part of the saved state.
     pub fn get_solver_taken(&self) -> Result<Solver> {
         let mut out_solver = 0;
         check(unsafe { sys::cd_membrane_get_solver_taken(self.as_ptr(), &mut out_solver) })?;
@@ -2299,13 +2299,15 @@ impl Membrane {
     }
 
     /// Lets a sheet sleep, as a whole, once it has been slower than `speed` \[m/s\], in \[0, 1e60\], for some `seconds`
-    /// \[s\], in \[1e-30, 1e60\]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    /// \[s\], in \[1e-30, 1e60\]: as cd_chain_set_sleep says; nor does the effort wake it. Errors: CD_ERROR_VALUE;
+    /// CD_ERROR_MEMORY.
     pub fn set_sleep(&mut self, speed: f64, seconds: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_sleep(self.as_ptr(), speed, seconds) })
     }
 
     /// Lets a sheet sleep, as a whole, once it has been slower than `speed` \[m/s\], in \[0, 1e60\], for some `seconds`
-    /// \[s\], in \[1e-30, 1e60\]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    /// \[s\], in \[1e-30, 1e60\]: as cd_chain_set_sleep says; nor does the effort wake it. Errors: CD_ERROR_VALUE;
+    /// CD_ERROR_MEMORY.
     pub fn get_sleep(&self) -> Result<MembraneSleep> {
         let mut out_speed = 0.0;
         let mut out_seconds = 0.0;
@@ -2317,7 +2319,8 @@ impl Membrane {
     }
 
     /// Lets a sheet sleep, as a whole, once it has been slower than `speed` \[m/s\], in \[0, 1e60\], for some `seconds`
-    /// \[s\], in \[1e-30, 1e60\]: as cd_chain_set_sleep says. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    /// \[s\], in \[1e-30, 1e60\]: as cd_chain_set_sleep says; nor does the effort wake it. Errors: CD_ERROR_VALUE;
+    /// CD_ERROR_MEMORY.
     pub fn get_awake(&self) -> Result<usize> {
         let mut out_nodes = 0;
         check(unsafe { sys::cd_membrane_get_awake(self.as_ptr(), &mut out_nodes) })?;
