@@ -60,6 +60,7 @@ struct Membrane : Body, MembraneSettings {
     bool whole;            // see membrane_step.cpp
     Likeness likeness;     // see membrane_held.cpp
     bool mean_apart;       // see membrane_step.cpp
+    bool stiff_rod;        // likewise
     size_t held;           // single nodes that are held or tied: see membrane_held.cpp
     size_t parts;          // see membrane_parts.cpp
 

@@ -86,14 +86,16 @@ double moving_springs(const Membrane& m, Direction d, size_t u, size_t v) {
     return count;
 }
 
-// Whether springs or bend are so stiff for a step that the impulses on nodes side by side are lost in rounding.
-bool is_too_stiff(const Membrane& m, double dt) {
-    const double h = stage_share(m, dt), sigma = h * (h + m.damping);
+} // namespace
+
+bool is_too_stiff(const Membrane& m, double sigma) {
     double stiffest = 0;
     for (Direction d : {kU, kV})
         stiffest = fmax(stiffest, 2 * uniform_stiffness(m, d) + (has_bend(m) ? 16 * uniform_bend(m, d) : 0));
     return sigma * stiffest > kStiffSheet * uniform_mass(m);
 }
+
+namespace {
 
 size_t line_of(const Work& w, Direction d, size_t place) {
     return d == kU ? place % w.grid.pitch : place / w.grid.pitch;
@@ -119,8 +121,10 @@ void choose_way(const Membrane& m, double dt, MembraneFeatures& with) {
     });
     with.solver = solver_for(m, dt, kinks);
     const bool coupled = with.solver == CD_SOLVER_COUPLED;
-    const size_t most = steps_explicitly(m) || (!coupled && is_too_stiff(m, dt)) ? 0 : HeldNodes::kMost;
-    if (singles > most || !separates(m, work, stage_share(m, dt))) with.likeness = kDiffer;
+    const double h = stage_share(m, dt);
+    const size_t most =
+        steps_explicitly(m) || (!coupled && is_too_stiff(m, h * (h + m.damping))) ? 0 : HeldNodes::kMost;
+    if (singles > most || !separates(m, work, h)) with.likeness = kDiffer;
     else if (holds_inside(m, work)) with.likeness = kSeparate;
 }
 

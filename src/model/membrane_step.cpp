@@ -23,6 +23,10 @@
 //
 // Of a stiff sheet that nothing holds the mean motion is computed apart: see membrane_mean.cpp.
 //
+// Of a single line with stiff bend, B is S, and with s = x / (h + damping) + v and what acts but springs, e, is
+//      dw = B^-1 (e + M' s) - s:
+// r, which is as large as the forces, of which B^-1 leaves little, is not made.
+//
 // In both, where springs are stiff, r starts from the whole of S w = b and v is taken out of that: of a stiff spring's
 // velocity most cancels, and what is left would be lost in r's rounding. Where they are soft the change is all there is
 // to lose.
@@ -197,7 +201,7 @@ struct Stepper {
             if (m.mean_apart && m.likeness != kDiffer && !w.coupled)
                 cd::change_rows(m, w, h, x, v, {w.residual, w.inverse, 1});
             else if (m.mean_apart) find_outer(m, w, w.residual);
-            w.system.pull(w.scaled, w.residual);
+            if (!m.stiff_rod) w.system.pull(w.scaled, w.residual);
             return;
         }
         const Uniform now(*this, k);
@@ -266,6 +270,7 @@ struct Stepper {
         const auto flatten = [&](size_t first, size_t count) {
             flatten_rows(w.grid, w.rows[kU].inverse_mass, w.residual, first, count);
         };
+        if (m.stiff_rod) w.system.combine(1, w.residual, 1, w.scaled);
         if (m.mean_apart) rows(flatten);
         if (w.general) take_wishes(w, w.residual);
         w.held.clear(w.residual);
@@ -278,6 +283,7 @@ struct Stepper {
         w.held.clear(w.residual);
         for (size_t r = 0; r < w.grid.rows && m.mean_apart; ++r)
             for (size_t u = 0; u < w.grid.columns; ++u) w.residual[r * w.grid.pitch + u] += w.row_change[r];
+        if (m.stiff_rod) w.system.combine(1, w.residual, -1, w.scaled);
     }
 
     // to = S_d from, nearly; with bend the product of two factors. They may be one plane.

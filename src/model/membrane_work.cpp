@@ -369,12 +369,14 @@ void prepare(Membrane& m, Work& w, double dt) {
 #if CD_WITH_COUPLED
     if (w.implicit && w.coupled) prepare_preconditioner(m, w, h, sigma, holds);
 #endif
-    m.whole = m.mean_apart = false;
+    m.whole = m.mean_apart = m.stiff_rod = false;
     if (w.implicit && (w.coupled || m.likeness == kDiffer)) {
         measure(m, w);
         prepare_parts(m, w);
     } else if (w.implicit) {
-        m.mean_apart = is_stiff_and_afloat(m, w);
+        const bool all_held = w.rows[m.springs[kU] > 0 ? kV : kU].holds[0] != 0; // of a single line
+        m.stiff_rod = has_bend(m) && !is_wide(m) && !all_held && is_too_stiff(m, sigma);
+        m.mean_apart = !m.stiff_rod && is_stiff_and_afloat(m, w);
     }
 }
 

@@ -76,6 +76,9 @@ void prepare(Membrane& m, Work& work, double dt);
 void choose_way(const Membrane& m, double dt, MembraneFeatures& with);
 // Of a sheet that separates: which whole columns and rows are held, and which nodes beside them. Leaves m.held.
 void find_held(Membrane& m, Work& w, double h);
+// Whether springs or bend are so stiff for a step, whose h (h + damping) is sigma, that the impulses on nodes side by
+// side are lost in rounding.
+bool is_too_stiff(const Membrane& m, double sigma);
 // For alternating solves; h: the stage's share of dt.
 void prepare_held(const Membrane& m, const Work& w, double h);
 // Takes what acts on single nodes out of a plane that solves start from, and makes it w.wish, ties and all.

@@ -168,11 +168,129 @@ static void a_stiff_drum_yields_at_once_when_coupled_and_slowly_when_alternating
     assert_true(quarter > 300);
 }
 
+/* ---- single lines ------------------------------------------------------------------------------------------------ */
+
+enum { ROD = 15 };
+static const struct rod {
+    const char* name;
+    cd_node first, last, middle, aside; /* aside: the edge across, which is the whole line */
+    int ring;
+} rods[] = {
+    {.name = "free"},
+    {.name = "held at its first end", .first = CD_NODE_PINNED},
+    {.name = "held at its last end", .last = CD_NODE_PINNED},
+    {.name = "hinged", .first = CD_NODE_PINNED, .last = CD_NODE_PINNED},
+    {.name = "held at its middle", .middle = CD_NODE_PINNED},
+    {.name = "driven and matched", .first = CD_NODE_DRIVEN, .last = CD_NODE_MATCHED},
+    {.name = "ring", .ring = 1},
+    {.name = "held as a whole", .aside = CD_NODE_PINNED},
+};
+
+/* A line of nodes of mass 1 along u or along v with bend alone, for steps of 1 s; ratio: h (h + damping) times the bend
+ * over the mass. */
+static cd_membrane* make_rod(const struct rod* r, int along, cd_precision precision, double h, double ratio) {
+    cd_membrane* m;
+    const double springs = r->ring ? ROD : ROD - 1, pinned = CD_NODE_PINNED;
+    double x[ROD];
+    ok(cd_membrane_create(along ? 0 : ROD - 1, along ? ROD - 1 : 0, 1, precision, NULL, &m));
+    ok(cd_membrane_set_mass(m, ROD));
+    ok(cd_membrane_set_ring(m, r->ring && !along, r->ring && along));
+    ok(cd_membrane_set_stiffness(m, 0, 0));
+    ok(cd_membrane_set_bend(m, ratio / (h * h) / (springs * springs * springs)));
+    ok(cd_membrane_set_edge(m, 2 * along, r->first));
+    ok(cd_membrane_set_edge(m, 2 * along + 1, r->last));
+    ok(cd_membrane_set_edge(m, 2 * !along, r->aside));
+    if (r->middle) {
+        ok(cd_membrane_enable_field(m, CD_PIN));
+        sheet_set(m, CD_PIN, along ? 0 : ROD / 2, along ? ROD / 2 : 0, pinned);
+    }
+    for (size_t i = 0; i < ROD; ++i) x[i] = sin(0.37 * (double)i);
+    sheet_write(m, CD_POSITION, x);
+    return m;
+}
+
+/* However stiff its bend: a step solves such a line exactly, and rounding gives it no energy. */
+static void a_single_stiff_line_keeps_its_energy(void** state) {
+    (void)state;
+    static const double ratios[] = {1e5, 1e8, 1e10, 1e12, 1e16, 1e20, 1e24};
+    static const size_t all_ways[] = {LAMBDA_1_2, LAMBDA_1, STIFF_SECOND};
+    double worst[2] = {0};
+    for (size_t k = 0; k < COUNT(rods); ++k)
+        for (size_t n = 0; n < COUNT(ratios) * COUNT(all_ways); ++n)
+            for (int along = 0; along < 2; ++along)
+                for (int p = 0; p < 2; ++p) {
+                    const struct time_step* way = &time_steps[all_ways[n % COUNT(all_ways)]];
+                    cd_membrane* m =
+                        make_rod(&rods[k], along, p ? CD_FLOAT64 : CD_FLOAT32, 0.5, ratios[n / COUNT(all_ways)]);
+                    double gain = 0, start[ROD], end[ROD];
+                    sheet_read(m, CD_POSITION, start);
+                    sheet_set_time_step(m, way);
+                    const double energy = sheet_swing_energy(m);
+                    for (int step = 0; step < 200; ++step) {
+                        sheet_step(m, 1, 1);
+                        gain = fmax(gain, sheet_swing_energy(m) / energy - 1);
+                    }
+                    sheet_read(m, CD_POSITION, end);
+                    for (size_t i = 0; i < ROD && rods[k].aside; ++i) assert_true(end[i] == start[i]);
+                    worst[p] = fmax(worst[p], gain);
+                    if (!(gain <= (p ? 1e-8 : 1e-4)))
+                        fail_msg("%s, along %c, %s, float%d, bend over mass %.0e: energy gains %.3g", rods[k].name,
+                                 along ? 'v' : 'u', way->name, p ? 64 : 32, ratios[n / COUNT(all_ways)], gain);
+                    cd_membrane_destroy(m);
+                }
+    print_message("single lines gain at most %.1e of their energy in float64, %.1e in float32\n", worst[1], worst[0]);
+}
+
+/* As a chain does, whose steps are exact too. */
+static void a_single_stiff_line_moves_as_a_chain(void** state) {
+    (void)state;
+    double worst = 0;
+    for (size_t k = 0; k < COUNT(rods); ++k)
+        for (int along = 0; along < 2 && !rods[k].aside; ++along)
+            for (double ratio = 1e5; ratio < 2e13; ratio *= 100) {
+                const struct rod* r = &rods[k];
+                const double springs = r->ring ? ROD : ROD - 1, pinned = CD_NODE_PINNED;
+                double x[ROD], of_chain[ROD], off = 0, most = 1;
+                cd_membrane* m = make_rod(r, along, CD_FLOAT64, 0.5, ratio);
+                cd_chain* chain;
+                ok(cd_chain_create(1, ROD - 1, 1, CD_FLOAT64, NULL, &chain));
+                ok(cd_chain_set_ring(chain, r->ring));
+                ok(cd_chain_set_mass(chain, ROD));
+                ok(cd_chain_set_stiffness(chain, 0));
+                ok(cd_chain_set_bend(chain, ratio * 4 / (springs * springs * springs)));
+                ok(cd_chain_set_end(chain, CD_END_FIRST, r->first));
+                ok(cd_chain_set_end(chain, CD_END_LAST, r->last));
+                if (r->middle) {
+                    ok(cd_chain_enable_field(chain, CD_PIN));
+                    ok(cd_chain_write_f64(chain, CD_PIN, 0, 1, ROD / 2, 1, &pinned, 1));
+                }
+                sheet_read(m, CD_POSITION, x);
+                ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, ROD, x, ROD));
+                for (int step = 0; step < 50; ++step) {
+                    sheet_step(m, 1, 1);
+                    ok(cd_chain_step(chain, 1, 1));
+                    sheet_read(m, CD_POSITION, x);
+                    ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, ROD, of_chain, ROD));
+                    for (size_t i = 0; i < ROD; ++i)
+                        off = fmax(off, fabs(x[i] - of_chain[i])), most = fmax(most, fabs(of_chain[i]));
+                }
+                worst = fmax(worst, off / most);
+                if (!(off <= 1e-8 * most))
+                    fail_msg("%s, along %c, bend over mass %.0e: moves wrongly by %.3g of %.3g", r->name,
+                             along ? 'v' : 'u', ratio, off, most);
+                cd_membrane_destroy(m);
+                cd_chain_destroy(chain);
+            }
+    print_message("single lines are off by at most %.1e of the way of a chain\n", worst);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_stiff_sheet_kicked_at_a_corner_moves_as_one_body_when_coupled),
         cmocka_unit_test(an_alternating_step_leaves_the_kick_where_it_was),
         cmocka_unit_test(a_stiff_sheet_on_a_soft_spring_swings_as_one_body_when_coupled),
+        cmocka_unit_test(a_single_stiff_line_keeps_its_energy),
+        cmocka_unit_test(a_single_stiff_line_moves_as_a_chain),
         cmocka_unit_test(a_stiff_drum_yields_at_once_when_coupled_and_slowly_when_alternating),
     };
     return cmocka_run_group_tests_name("membrane rigid", tests, NULL, NULL);
