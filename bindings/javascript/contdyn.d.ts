@@ -885,8 +885,8 @@ export class Chain extends Handle {
   /**
    * Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
    * every velocity rotation * v; tensions stay, and colliders stay where they are. rotation: components rows of as many
-   * numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count counts.
-   * Errors: "errorRange", "errorValue"; "errorDiverged" for a state that is not finite.
+   * numbers, orthogonal to 1e-6, with rest angles no mirror image; null: none. offset [m]: one number per component,
+   * which count counts. Errors: "errorRange", "errorValue"; "errorDiverged" for a state that is not finite.
    */
   teleport(strand: number, rotation: Numbers | null, offset: Numbers): void;
 

@@ -392,8 +392,8 @@ CD_API cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, c
 
 /* Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
  * every velocity rotation * v; tensions stay, and colliders stay where they are. rotation: components rows of as many
- * numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count counts.
- * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite. */
+ * numbers, orthogonal to 1e-6, with rest angles no mirror image; null: none. offset [m]: one number per component,
+ * which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite. */
 CD_API cd_status cd_chain_teleport(cd_chain* chain, size_t strand, const double* rotation, const double* offset,
                                    size_t count);
 
