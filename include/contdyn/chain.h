@@ -254,8 +254,9 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  * friction of its own. A step that reaches its tolerance leaves no free
  * node deeper inside than that, times the springs' length, and colliders at rest give no energy. What falls on one
  * does not bounce; what comes to rest stays. A strand that touches something makes that step with lambda = 1. A node
- * that lies inside when a step begins comes out of it, and is not thrown. Nodes collide; the springs between them do
- * not, nor do ropes with each other. No node passes through a capsule that it meets by less than a radius a step.
+ * that lies inside when a step begins comes out of it, and throws neither itself nor its strand. Nodes collide; springs
+ * between them do not, nor do ropes with each other. No node passes through a capsule that it meets by less than a
+ * radius a step.
  * Where colliders overlap, a node may be caught between them: CD_ERROR_TOLERANCE. Friction is Coulomb's, of each
  * node's push, times v / (v + 1e-4 m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the
  * push that 50 iterations found. So what it holds creeps: at half of what it bears by 1e-4 m/s.
@@ -391,8 +392,8 @@ CD_API cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, c
 
 /* Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
  * every velocity rotation * v; tensions stay, and colliders stay where they are. rotation: components rows of as many
- * numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count counts.
- * Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite. */
+ * numbers, orthogonal to 1e-6, with rest angles no mirror image; null: none. offset [m]: one number per component,
+ * which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite. */
 CD_API cd_status cd_chain_teleport(cd_chain* chain, size_t strand, const double* rotation, const double* offset,
                                    size_t count);
 

@@ -392,9 +392,10 @@ template <int N> struct RopeBundle {
         }
     };
 
-    __attribute__((noinline)) void rest(size_t i); // in rope_step.cpp, with the two below
+    __attribute__((noinline)) void rest(size_t i); // in rope_step.cpp, with the three below
     void look_at_winch(size_t i);
     __attribute__((noinline)) L by_winch(const Spring& s, L stretch, V dw) const;
+    static L by_yielding(const Spring& s, L stretch);
 
     // Linearizes spring i about the guess (w, T). barrier > 0: T gap = barrier instead of "slack or taut".
     void linearize(size_t i, L barrier, bool interior, Seen& seen) {
@@ -417,6 +418,7 @@ template <int N> struct RopeBundle {
         const L stretch = long_after - s.long_before;
         here.probe = 0.0 * missing;
         here.gained = t * stretch - dot(s.impulse, dw) * per_lambda;
+        if (!interior && any_positive(s.compliance)) here.gained = here.gained - by_yielding(s, stretch);
         if (any_positive(size_of(s.reeled))) here.gained = here.gained - by_winch(s, stretch, dw);
         here.worth = (size_of(t) + s.pushed) * length;
         here.pushed = s.pushed * length;
@@ -436,13 +438,15 @@ template <int N> struct RopeBundle {
         }
         const L impulse = (stage.dt * stage.dt) * lambda; // of a unit of stiffness, per velocity
         s.transverse = s.taut * ((theta * impulse) * (positive(t) / larger(long_z, least)));
+        const L straight = dot(s.along, s.acting);
         s.axial = L{};
         if (interior || any_positive(s.compliance)) {
-            const L a = yields / impulse; // as much as 1 / (transverse + 1 / axial): axial may be negative, or infinite
-            s.axial = select(interior ? one() : s.compliance, a / (one() - a * s.transverse), L{});
+            // As much as 1 / (transverse + 1 / axial): axial may be negative, or infinite.
+            const L a = yields / impulse, axial = a / (one() - a * s.transverse);
+            s.axial = select(interior ? one() : s.compliance, axial, L{});
         }
         const double rate = 1 / stage.dt;
-        s.wish = dw - ((rate * over) / dot(s.along, s.acting)) * s.acting;
+        s.wish = dw - ((rate * over) / straight) * s.acting;
         s.wished = dot(s.along, dw) - rate * over;
         if (any_positive(opposite(s.moves))) rest(i), here = here.in(s.moves);
         seen.add(is_middle(i) ? here.half() : here);

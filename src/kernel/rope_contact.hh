@@ -237,13 +237,30 @@ template <int N> template <bool rod> void RopeBundle<N>::pressed(size_t i, Impul
     }
 }
 
-// What lay inside a collider before the step comes out of it, but is not thrown.
+// What lay inside a collider before the step comes out of it, but is not thrown: it forgets the speed that it came out
+// with. What the rest of its strand was dragged along with, all nodes lose in proportion: as much energy as pushes gave
+// by taking nodes out, and as is left of that, but no more than what the strand has beyond what it would have alone.
 template <int N> void RopeBundle<N>::forget_overlaps() {
-    for (size_t i = 0; i < node_count; ++i)
+    L given{}, left{}, alone{}; // twice the energies: what pushes gave less what is left, what is left, and alone
+    for (size_t i = 0; i < node_count; ++i) {
+        Node& n = nodes[i];
+        const L mass = select(held(i), L{}, n.mass);
+        const V change = n.next - n.v0;
+        given = given - mass * (dot(change, change) + dot(n.next, n.next));
         for (size_t k = 0; k < stage.collider_count; ++k) {
             const Contact& c = contacts[i * stage.collider_count + k];
-            nodes[i].next = nodes[i].next - ((1 / stage.dt) * (c.on * positive(L{} - c.before))) * c.normal;
+            const L inside = c.on * positive(L{} - c.before);
+            const L out = positive(dot(c.acting, n.w - velocity_of(stage.colliders[k])));
+            given = given + select(inside, (2 * c.push) * out, L{});
+            n.next = n.next - ((1 / stage.dt) * inside) * c.normal;
         }
+        left = left + mass * dot(n.next, n.next), alone = alone + mass * dot(n.b, n.b);
+    }
+    left = sum(left);
+    const L lost = positive(smaller(left + sum(given), left - sum(alone))) / left;
+    if (!any_positive(lost)) return;
+    const L keeps = select(lost, root(positive(one() - lost)), one());
+    for (size_t i = 0; i < node_count; ++i) nodes[i].next = keeps * nodes[i].next;
 }
 
 } // namespace CD_ISA

@@ -102,6 +102,12 @@ static void nothing_moves_that_cannot_be_teleported(void** state) {
             "rotation|orthogonal|rows 0 and 1");
     refuses(chain, cd_chain_teleport(chain, 1, larger, offset, COMPONENTS), CD_ERROR_VALUE,
             "rotation|orthogonal|rows 0 and 0");
+    const double mirror[4] = {0.6, 0.8, 0.8, -0.6};
+    ok(cd_chain_teleport(chain, 1, mirror, offset, COMPONENTS));
+    ok(cd_chain_set_rest_length(chain, 1));
+    ok(cd_chain_set_rest_angle(chain, 1)); /* which would turn the wrong way */
+    refuses(chain, cd_chain_teleport(chain, 1, mirror, offset, COMPONENTS), CD_ERROR_VALUE, "rotation|mirror|angles");
+    ok(cd_chain_teleport(chain, 1, turn, offset, COMPONENTS));
     cd_chain* c = scene_chain(1, 2, 2, CD_FLOAT32);
     const double far[6] = {3e38, 0, -3e38, 3e38, 1, 1}, further[2] = {1e38, 0}, nowhere[2] = {0, 0};
     scene_write(c, CD_POSITION, far);

@@ -254,7 +254,32 @@ static void what_lay_inside_comes_out_and_is_not_thrown(void** state) {
     }
 }
 
-/* A held node stays where it is held, inside of a body too, and the rope comes out of it. */
+/* Nor is the rest of the rope: a ball is put where a rope hangs. Nodes inside come out to its side and lift the end by
+ * as much as the way round it is longer, but the rope moves with no more energy than it would falling for one step. */
+static void what_hangs_on_what_lay_inside_is_not_thrown(void** state) {
+    (void)state;
+    static const double depths[] = {0.02, 0.05, 0.1, 0.19}, down[3] = {0, -1, 0};
+    const double dt = 1 / 60.0, falling = 0.5 * 9.81 * dt * 9.81 * dt; /* of 1 kg */
+    for (int round = 0; round < 8; ++round) {
+        const double ball[3] = {-0.2 + depths[round / 2], -0.5, 0};
+        struct rope r = rope_of(21, 1, round % 2 ? 0.5 : 1, 1);
+        double kinetic, highest = -1;
+        ok(cd_chain_set_end(r.chain, CD_END_FIRST, CD_NODE_PINNED));
+        ok(cd_chain_set_capsule(r.chain, 0, ball, ball, 3, 0.2, 0));
+        straight(&r, nowhere, down);
+        for (int step = 0; step < 60; ++step) {
+            ok(cd_chain_step(r.chain, dt, 1));
+            ok(cd_chain_get_energy(r.chain, &kinetic, NULL, NULL));
+            if (step == 0) assert_true(kinetic <= falling * (1 + 1e-6));
+            assert_true(deepest_in(&r) < 1e-6);
+            highest = fmax(highest, r.x[20][1]);
+        }
+        print_message("%.2f m inside: the end rises by %.4f m\n", depths[round / 2], highest + 1);
+        assert_true(highest + 1 < 4 * depths[round / 2] * depths[round / 2] + 0.005);
+        cd_chain_destroy(r.chain);
+    }
+}
+
 /* However loose the tolerance is: two colliders that are apart do not push against each other. */
 static void what_lies_beside_colliders_is_not_thrown(void** state) {
     (void)state;
@@ -278,6 +303,7 @@ static void what_lies_beside_colliders_is_not_thrown(void** state) {
         }
 }
 
+/* A held node stays where it is held, inside of a body too, and the rope comes out of it. */
 static void a_held_node_may_lie_inside(void** state) {
     (void)state;
     const double inside[3] = {0, -0.03, 0}, along[3] = {0.6, 0.8, 0};
@@ -446,6 +472,7 @@ int main(void) {
         cmocka_unit_test(bodies_are_not_entered_and_give_no_energy),
         cmocka_unit_test(colliders_that_move_take_ropes_along),
         cmocka_unit_test(what_lay_inside_comes_out_and_is_not_thrown),
+        cmocka_unit_test(what_hangs_on_what_lay_inside_is_not_thrown),
         cmocka_unit_test(what_lies_beside_colliders_is_not_thrown),
         cmocka_unit_test(a_held_node_may_lie_inside),
         cmocka_unit_test(tensions_that_are_gone_push_nothing_off),

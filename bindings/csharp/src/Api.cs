@@ -1817,9 +1817,9 @@ namespace Contdyn
 
         /// <summary>Moves a strand as a whole, as if it had always been there: every position and target becomes
         /// rotation * x + offset, every velocity rotation * v; tensions stay, and colliders stay where they are.
-        /// rotation: components rows of as many numbers, orthogonal to 1e-6; null: none. offset [m]: one number per
-        /// component, which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is
-        /// not finite.</summary>
+        /// rotation: components rows of as many numbers, orthogonal to 1e-6, with rest angles no mirror image; null:
+        /// none. offset [m]: one number per component, which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE;
+        /// CD_ERROR_DIVERGED for a state that is not finite.</summary>
         public void Teleport(long strand, double[] rotation, params double[] offset)
         {
             fixed (double* rotationPointer = rotation)
@@ -1830,9 +1830,9 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>Moves a strand as a whole, as if it had always been there: every position and target becomes
         /// rotation * x + offset, every velocity rotation * v; tensions stay, and colliders stay where they are.
-        /// rotation: components rows of as many numbers, orthogonal to 1e-6; null: none. offset [m]: one number per
-        /// component, which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is
-        /// not finite.</summary>
+        /// rotation: components rows of as many numbers, orthogonal to 1e-6, with rest angles no mirror image; null:
+        /// none. offset [m]: one number per component, which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE;
+        /// CD_ERROR_DIVERGED for a state that is not finite.</summary>
         public void Teleport(long strand, ReadOnlySpan<double> rotation, ReadOnlySpan<double> offset)
         {
             fixed (double* rotationPointer = &MemoryMarshal.GetReference(rotation))

@@ -1577,8 +1577,8 @@ end
 
 -- Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,
 -- every velocity rotation * v; tensions stay, and colliders stay where they are. rotation: components rows of as many
--- numbers, orthogonal to 1e-6; null: none. offset [m]: one number per component, which count counts. Errors:
--- CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite.
+-- numbers, orthogonal to 1e-6, with rest angles no mirror image; null: none. offset [m]: one number per component,
+-- which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite.
 function Chain:teleport(strand, rotation, offset)
   local where = "cd_chain_teleport"
   strand = integer_in(strand, where, "strand")

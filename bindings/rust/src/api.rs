@@ -1498,8 +1498,9 @@ impl Chain {
 
     /// Moves a strand as a whole, as if it had always been there: every position and target becomes rotation \* x +
     /// offset, every velocity rotation \* v; tensions stay, and colliders stay where they are. rotation: components
-    /// rows of as many numbers, orthogonal to 1e-6; null: none. offset \[m\]: one number per component, which count
-    /// counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state that is not finite.
+    /// rows of as many numbers, orthogonal to 1e-6, with rest angles no mirror image; null: none. offset \[m\]: one
+    /// number per component, which count counts. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE; CD_ERROR_DIVERGED for a state
+    /// that is not finite.
     pub fn teleport(&mut self, strand: usize, rotation: Option<&[f64]>, offset: &[f64]) -> Result<()> {
         let count = count_of(offset.len(), 1, "cd_chain_teleport", "offset")?;
         same(rotation.map(<[_]>::len), count.checked_mul(count), "cd_chain_teleport", "rotation")?;
