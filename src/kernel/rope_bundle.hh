@@ -441,8 +441,8 @@ template <int N> struct RopeBundle {
         const L straight = dot(s.along, s.acting);
         s.axial = L{};
         if (interior || any_positive(s.compliance)) {
-            // As much as 1 / (transverse + 1 / axial): axial may be negative, or infinite.
-            const L a = yields / impulse, axial = a / (one() - a * s.transverse);
+            // As much as 1 / (transverse / straight + 1 / axial): axial may be negative, or infinite.
+            const L a = yields / impulse, axial = a / (one() - (a * s.transverse) / straight);
             s.axial = select(interior ? one() : s.compliance, axial, L{});
         }
         const double rate = 1 / stage.dt;
