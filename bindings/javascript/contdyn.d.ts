@@ -1168,11 +1168,11 @@ export interface MembraneOptions {
  *      finds the common motion only. It needs many iterations where springs or masses vary at random by decades, and
  *      where a plate with free edges bends much harder than it stretches.
  * Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance;
- * the momentum of a free sheet is kept too, of one torn into parts that of each part, however stiff they are (uniform
- * free sheets, alternating, up to a stiffness of 1e19 times mass / h^2). On uniform sheets, alternating, the energy so
- * kept counts the extra mass in what moves; in "float32" each rounding of a velocity is then a kick of so many times
- * its energy: take "float64" or the coupled solver where (w_u h) (w_v h) is beyond 1e4. Plates with stiffness damping
- * are first order in time under the alternating solver, all else is second.
+ * the momentum of a free sheet is kept too, of one torn into parts that of each part, however stiff they are
+ * (alternating, of uniform free sheets up to a stiffness of 1e19 mass / h^2, of plates with one ring up to a bend of
+ * 1e13). On uniform sheets, alternating, the energy so kept counts the extra mass in what moves; in "float32" each
+ * rounding of a velocity is a kick of so many times its energy: where (w_u h) (w_v h) is beyond 1e4, take "float64"
+ * or the coupled solver. Plates with stiffness damping, alternating, are first order in time, all else is second.
  *
  * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
  * 1e60, masses as small as 1e-60. Unlike a chain, a membrane does not tell the force on its held nodes; what a

@@ -441,8 +441,10 @@ template <int N> struct RopeBundle {
         const L straight = dot(s.along, s.acting);
         s.axial = L{};
         if (interior || any_positive(s.compliance)) {
-            // As much as 1 / (transverse / straight + 1 / axial): axial may be negative, or infinite.
-            const L a = yields / impulse, axial = a / (one() - (a * s.transverse) / straight);
+            // As much as 1 / (transverse / straight + 1 / axial): axial may be negative, or infinite. Where lambda = 1,
+            // as in the interior point, `along` is `acting`.
+            const L a = yields / impulse, by_turning = a * s.transverse;
+            const L axial = a / (one() - (interior ? by_turning : by_turning / straight));
             s.axial = select(interior ? one() : s.compliance, axial, L{});
         }
         const double rate = 1 / stage.dt;

@@ -231,7 +231,13 @@ RULES = {
         "rope_contact.hh", "        const L changed =", "        c.acting = c.normal;\n        const L changed =",
         ["physics_rope_contact"]),
     "what lay inside is not thrown": (
-        "rope_step.cpp", "    if (has_contacts()) forget_overlaps();", "", ["physics_rope_contact"]),
+        "rope_contact.hh", "n.next = n.next - ((1 / stage.dt) * inside) * c.normal;", "", ["physics_rope_contact"]),
+    "nor is its strand": (
+        "rope_contact.hh", "if (!any_positive(lost)) return;", "return;", ["physics_rope_contact"]),
+    "what yields takes energy": (
+        "rope_bundle.hh", "here.gained = here.gained - by_yielding(s, stretch);", "(void)0;", ["physics_rope"]),
+    "the linear system of a spring that turns keeps its answer": (
+        "rope_bundle.hh", "(interior ? by_turning : by_turning / straight)", "by_turning", ["physics_rope"]),
     "what touches steps with lambda = 1": (
         "rope_step.cpp", "if (has_contacts() && stage.lambda < 1)", "if (false)", ["physics_rope_contact"]),
     "and was no solution before": (
@@ -359,6 +365,11 @@ RULES = {
         HULL_PLATES, "round = periodic ? length : 2 * length;", "round = length;", ["physics_water_hulls"]),
     "cloth heeds several colliders": (
         "../model/membrane_cloth.hh", "kMostTouched = 3;", "kMostTouched = 1;", ["physics_cloth_contact"]),
+    "stiff bend of a single line makes no forces": (
+        "../model/membrane_work.cpp", "m.stiff_rod = has_bend(m) &&", "m.stiff_rod = false && has_bend(m) &&",
+        ["stability_membrane_rigid"]),
+    "but where it is held as a whole": (
+        "../model/membrane_work.cpp", "&& !all_held &&", "&&", ["stability_membrane_rigid"]),
     "contacts of cloth yield little": (
         CLOTH_ACT, "kContactStiffness = 1e4,", "kContactStiffness = 1e2,", ["physics_cloth_contact"]),
     "and stick below a speed": (
