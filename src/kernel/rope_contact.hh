@@ -238,10 +238,11 @@ template <int N> template <bool rod> void RopeBundle<N>::pressed(size_t i, Impul
 }
 
 // What lay inside a collider before the step comes out of it, but is not thrown: it forgets the speed that it came out
-// with. What the rest of its strand was dragged along with, all nodes lose in proportion: as much energy as pushes gave
-// by taking nodes out, and as is left of that, but no more than what the strand has beyond what it would have alone.
+// with. So does its strand what it was dragged along with: all nodes slow down in proportion. They lose what energy the
+// pushes gave by taking nodes out, less what the time step dissipated and the nodes forgot, but no more than the strand
+// has beyond what its nodes would have alone.
 template <int N> void RopeBundle<N>::forget_overlaps() {
-    L given{}, left{}, alone{}; // twice the energies: what pushes gave less what is left, what is left, and alone
+    L given{}, left{}, alone{}; // twice the energies; given: less what the nodes had before they forgot
     for (size_t i = 0; i < node_count; ++i) {
         Node& n = nodes[i];
         const L mass = select(held(i), L{}, n.mass);

@@ -50,8 +50,9 @@ template <int N> auto RopeBundle<N>::by_winch(const Spring& s, L stretch, V dw) 
     return select(L{} - s.reeled * stretch, positive(s.tension * further), L{});
 }
 
-// What the stretch of a spring takes: its tension is that at the end of the step all the time, the energy that it holds
-// is its mean tension's. Of one that was as long as its tension made it, and pulls on.
+// A spring's energy grows by its mean tension times its stretch, but the tension that counts as its work is that at the
+// end of the step: half of its stretch's own tension times the stretch is no energy made. Of springs that pull, and that
+// were as long as their tension made them: not those that are reeled.
 template <int N> auto RopeBundle<N>::by_yielding(const Spring& s, L stretch) -> L {
     const L taken = select(s.compliance, (0.5 * stretch * stretch) / s.compliance, L{});
     return select(size_of(s.reeled), L{}, select(size_of(s.tension), taken, L{}));
