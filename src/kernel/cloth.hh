@@ -45,7 +45,7 @@ struct ClothResidual {
 };
 
 // Numbers of scratch that a part of the rows needs, in rows of a plane.
-constexpr size_t kClothRows = 16;
+constexpr size_t kClothRows = 9;
 
 namespace CD_ISA {
 
@@ -67,9 +67,9 @@ void cloth_blocks(const Grid& grid, const ClothMatrix& matrix, double* const* ou
 // Factors lines down the columns: blocks become the inverses of what is left of them. Parts are of the columns.
 void cloth_factor(const Grid& grid, const ClothCurvature& spring, const double* moves, double* const* blocks,
                   size_t first, size_t count);
-// z becomes the answer of such lines to it.
-void cloth_solve(const Grid& grid, const ClothCurvature& spring, double* const* blocks, double* const* z, size_t first,
-                 size_t count);
+// z = the answer of such lines to `right`, which may be z itself.
+void cloth_solve(const Grid& grid, const ClothCurvature& spring, double* const* blocks, const double* const* right,
+                 double* const* z, size_t first, size_t count);
 
 } // namespace CD_ISA
 } // namespace cd

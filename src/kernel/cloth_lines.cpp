@@ -55,9 +55,8 @@ void cloth_factor(const Grid& grid, const ClothCurvature& spring, const double* 
             Block g = Block::load(blocks, at);
             if (row > 0) {
                 const size_t over = at - grid.pitch;
-                const Block less =
-                    hanging(L::load(spring.plane[0] + over), V::load(spring.plane + 1, over),
-                            Block::load(blocks, over));
+                const Block less = hanging(L::load(spring.plane[0] + over), V::load(spring.plane + 1, over),
+                                           Block::load(blocks, over));
                 g = {g.xx - less.xx, g.yy - less.yy, g.zz - less.zz, g.xy - less.xy, g.xz - less.xz, g.yz - less.yz};
             }
             const L x = g.yy * g.zz - g.yz * g.yz, y = g.xz * g.yz - g.xy * g.zz, z = g.xy * g.yz - g.xz * g.yy;
@@ -69,12 +68,12 @@ void cloth_factor(const Grid& grid, const ClothCurvature& spring, const double* 
         }
 }
 
-void cloth_solve(const Grid& grid, const ClothCurvature& spring, double* const* blocks, double* const* z, size_t first,
-                 size_t count) {
+void cloth_solve(const Grid& grid, const ClothCurvature& spring, double* const* blocks, const double* const* right,
+                 double* const* z, size_t first, size_t count) {
     for (size_t row = 0; row < grid.rows; ++row)
         for (size_t u = first; u < first + count; u += size_t(kLanes)) {
             const size_t at = row * grid.pitch + u;
-            V sum = V::load(z, at);
+            V sum = V::load(right, at);
             if (row > 0) sum = sum + product(spring, at - grid.pitch, V::load(z, at - grid.pitch));
             Block::load(blocks, at).times(sum).store(z, at);
         }

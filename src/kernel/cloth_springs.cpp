@@ -13,6 +13,21 @@ constexpr int kLanes = kNative; // a spring's law takes all registers
 using V = Vector<kLanes>;
 constexpr ptrdiff_t kBefore = 8;
 
+// The numbers one place before those of `now`, of which `before` has the first one; and one place after them.
+template <int N> Lanes<N> behind(Lanes<N> before, Lanes<N> now) {
+    if constexpr (N == 2) return {__builtin_shufflevector(before.v, now.v, 1, 2)};
+    else if constexpr (N == 4) return {__builtin_shufflevector(before.v, now.v, 3, 4, 5, 6)};
+    else return {__builtin_shufflevector(before.v, now.v, 7, 8, 9, 10, 11, 12, 13, 14)};
+}
+template <int N> Lanes<N> ahead(Lanes<N> now, Lanes<N> after) {
+    if constexpr (N == 2) return {__builtin_shufflevector(now.v, after.v, 1, 2)};
+    else if constexpr (N == 4) return {__builtin_shufflevector(now.v, after.v, 1, 2, 3, 4)};
+    else return {__builtin_shufflevector(now.v, after.v, 1, 2, 3, 4, 5, 6, 7, 8)};
+}
+template <int N> Vector<N> behind(Vector<N> before, Vector<N> now) {
+    return {behind(before.x, now.x), behind(before.y, now.y), behind(before.z, now.z)};
+}
+
 // Symmetric numbers in the order of ClothMatrix::ground, the last three null: they are 0.
 template <int N> Vector<N> times(const double* const* planes, size_t at, Vector<N> v) {
     const auto of = [&](int k) { return Lanes<N>::load(planes[k] + at); };
@@ -76,43 +91,35 @@ struct Product {
 };
 
 // node(at, pull) for every node of these rows, in bundles, pull the sum of what `law` says that its springs pull by, at
-// x. Forces lie in rows of scratch until both ends of a spring have had them.
+// x. What the springs that end in a row pull by lies in a row of scratch until it is met.
 template <class Law, class Node> void sum_springs(const Grid& grid, const Law& law, const double* const* x,
                                                   double* scratch, size_t first, size_t count, const Node& node) {
-    double *force[kClothSprings][3], *carried[3];
-    for (int k = 0; k < 3; ++k) {
-        for (int number = 0; number < kClothSprings; ++number)
-            force[number][k] = scratch + (size_t(number) * 3 + size_t(k)) * grid.pitch + kBefore;
-        carried[k] = scratch + (12 + size_t(k)) * grid.pitch + kBefore;
-    }
-    const ptrdiff_t columns = ptrdiff_t(grid.columns);
-    const auto look = [&](size_t row, bool keeps) {
+    double* const carried[3] = {scratch + kBefore, scratch + grid.pitch + kBefore, scratch + 2 * grid.pitch + kBefore};
+    // sums(at, what the springs that start in this row pull by, at both their ends in it, what to carry)
+    const auto walk = [&](size_t row, bool keeps, const auto& sums) {
         const size_t here = row * grid.pitch, below = grid.below(row) * grid.pitch;
-        for (ptrdiff_t u = -kBefore; u < columns; u += kLanes) {
+        V left[kClothSprings] = {};
+        for (ptrdiff_t u = -kLanes; u < ptrdiff_t(grid.columns); u += kLanes) {
             const size_t at = here + size_t(u), under = below + size_t(u);
             const V self = V::load(x, at), right = V::load(x, at + 1), down = V::load(x, under),
                     across = V::load(x, under + 1);
             const V way[kClothSprings] = {right - self, down - self, across - self, down - right};
+            V force[kClothSprings];
             for (int number = 0; number < kClothSprings; ++number)
-                law.template force<kLanes>(number, at, way[number], keeps).store(force[number], size_t(u));
+                force[number] = law.template force<kLanes>(number, at, way[number], keeps);
+            const auto before = [&](ClothSpring number) { return behind(left[number], force[number]); };
+            if (u >= 0)
+                sums(size_t(u), force[kAlongU] + force[kAlongV] + force[kDiagonal] + before(kCounterDiagonal),
+                     before(kAlongU), force[kAlongV] + before(kDiagonal) + force[kCounterDiagonal]);
+            for (ClothSpring number : {kAlongU, kDiagonal, kCounterDiagonal}) left[number] = force[number];
         }
     };
-    const auto carry = [&](ptrdiff_t u) {
-        const auto of = [&](ClothSpring number, ptrdiff_t i) { return V::load(force[number], size_t(i)); };
-        (of(kAlongV, u) + of(kDiagonal, u - 1) + of(kCounterDiagonal, u)).store(carried, size_t(u));
-    };
-    look(grid.above(first), false);
-    for (ptrdiff_t u = 0; u < columns; u += kLanes) carry(u);
-    for (size_t row = first; row < first + count; ++row) {
-        look(row, true);
-        for (ptrdiff_t u = 0; u < columns; u += kLanes) {
-            const auto of = [&](ClothSpring number, ptrdiff_t i) { return V::load(force[number], size_t(i)); };
-            const V starting = of(kAlongU, u) + of(kAlongV, u) + of(kDiagonal, u) + of(kCounterDiagonal, u - 1),
-                    ending = of(kAlongU, u - 1) + V::load(carried, size_t(u));
-            node(row * grid.pitch + size_t(u), starting - ending);
-            carry(u);
-        }
-    }
+    walk(grid.above(first), false, [&](size_t u, V, V, V carry) { carry.store(carried, u); });
+    for (size_t row = first; row < first + count; ++row)
+        walk(row, true, [&](size_t u, V starting, V along, V carry) {
+            node(row * grid.pitch + u, starting - (along + V::load(carried, u)));
+            carry.store(carried, u);
+        });
 }
 
 } // namespace
@@ -142,61 +149,62 @@ void cloth_apply(const Grid& grid, const ClothMatrix& matrix, const double* cons
 }
 
 // With m_i = b_i (p_{i-1} - 2 p_i + p_{i+1}) the bend of a line is m_{i-1} - 2 m_i + m_{i+1} at node i; with
-// t = twist (p_00 - p_10 - p_01 + p_11) of a cell the twist is t at two corners and -t at the others. Moments lie in
-// rows of scratch: of one row along u, of three rows along v, of the cells of two rows.
+// t = twist (p_00 - p_10 - p_01 + p_11) of a cell the twist is t at two corners and -t at the others. In rows of scratch
+// lie, for each component, the moments along v of two rows and the twists of the row of cells above.
 void cloth_bend(const Grid& grid, const ClothMatrix& matrix, double factor, const double* const* p, double* const* q,
                 double* scratch, size_t first, size_t count) {
     using L = Lanes<kLanes>;
-    const ptrdiff_t columns = ptrdiff_t(grid.columns);
-    double* moment[6];
-    for (int k = 0; k < 6; ++k) moment[k] = scratch + size_t(k) * grid.pitch + kBefore;
+    const size_t columns = grid.columns;
+    const auto difference = [](const double* x, size_t from, size_t to) { return L::load(x + to) - L::load(x + from); };
+    const auto right = [&](const double* x, size_t at) { return difference(x, at, at + 1); };
+    const auto along_v = [&](const double* x, size_t row, size_t u) {
+        const size_t at = row * grid.pitch + u;
+        return L::load(matrix.bend[1] + at) * (difference(x, at, grid.above(row) * grid.pitch + u) +
+                                               difference(x, at, grid.below(row) * grid.pitch + u));
+    };
+    const auto twist = [&](const double* x, size_t row, size_t u, L step) {
+        return L::load(matrix.twist + row * grid.pitch + u) * (right(x, grid.below(row) * grid.pitch + u) - step);
+    };
+    double *above[3], *here[3], *twisted[3];
     for (int k = 0; k < 3; ++k) {
-        const double* const x = p[k];
-        double *const along_u = moment[0], *along_v[3] = {moment[1], moment[2], moment[3]};
-        double* cells[2] = {moment[4], moment[5]};
-        const auto load = [](const double* row, ptrdiff_t u) { return L::load(row + u); };
-        const auto find_along_v = [&](size_t row, double* out) {
-            const double *const here = x + row * grid.pitch, *const above = x + grid.above(row) * grid.pitch,
-                                *const below = x + grid.below(row) * grid.pitch;
-            const double* const bend = matrix.bend[1] + row * grid.pitch;
-            for (ptrdiff_t u = 0; u < columns; u += kLanes) {
-                const L middle = load(here, u);
-                (load(bend, u) * ((load(above, u) - middle) + (load(below, u) - middle))).store(out + u);
-            }
-        };
-        const auto find_cells = [&](size_t row, double* out) {
-            const double *const here = x + row * grid.pitch, *const below = x + grid.below(row) * grid.pitch;
-            const double* const twist = matrix.twist + row * grid.pitch;
-            for (ptrdiff_t u = -kBefore; u < columns; u += kLanes)
-                (load(twist, u) * ((load(below, u + 1) - load(below, u)) - (load(here, u + 1) - load(here, u))))
-                    .store(out + u);
-        };
-        find_along_v(grid.above(first), along_v[1]);
-        find_along_v(first, along_v[2]);
-        find_cells(grid.above(first), cells[1]);
-        for (size_t row = first; row < first + count; ++row) {
-            double* const oldest = along_v[0];
-            along_v[0] = along_v[1], along_v[1] = along_v[2], along_v[2] = oldest;
-            std::swap(cells[0], cells[1]);
-            find_along_v(grid.below(row), along_v[2]);
-            find_cells(row, cells[1]);
-            const double *const here = x + row * grid.pitch, *const bend = matrix.bend[0] + row * grid.pitch;
-            for (ptrdiff_t u = -kBefore; u < columns + 1; u += kLanes) {
-                const L middle = load(here, u);
-                (load(bend, u) * ((load(here, u - 1) - middle) + (load(here, u + 1) - middle))).store(along_u + u);
-            }
-            const double* const moves = matrix.moves + row * grid.pitch;
-            double* const out = q[k] + row * grid.pitch;
-            for (ptrdiff_t u = 0; u < columns; u += kLanes) {
-                const L middle_u = load(along_u, u), middle_v = load(along_v[1], u);
-                const L bent = ((load(along_u, u - 1) - middle_u) + (load(along_u, u + 1) - middle_u)) +
-                               ((load(along_v[0], u) - middle_v) + (load(along_v[2], u) - middle_v));
-                const L twisted =
-                    (load(cells[1], u) - load(cells[1], u - 1)) - (load(cells[0], u) - load(cells[0], u - 1));
-                (load(out, u) + factor * (load(moves, u) * (bent + twisted))).store(out + u);
-            }
+        const auto row = [&](int i) { return scratch + size_t(3 * k + i) * grid.pitch + kBefore; };
+        above[k] = row(0), here[k] = row(1), twisted[k] = row(2);
+        const size_t before = grid.above(first);
+        const auto cell = [&](size_t u) { return twist(p[k], before, u, right(p[k], before * grid.pitch + u)); };
+        L left = cell(size_t(-kLanes));
+        for (size_t u = 0; u < columns; u += size_t(kLanes)) {
+            along_v(p[k], before, u).store(above[k] + u);
+            along_v(p[k], first, u).store(here[k] + u);
+            const L now = cell(u);
+            (now - behind(left, now)).store(twisted[k] + u);
+            left = now;
         }
     }
+    for (size_t row = first; row < first + count; ++row)
+        for (int k = 0; k < 3; ++k) {
+            const double* const x = p[k];
+            const size_t start = row * grid.pitch, outside = start - size_t(kLanes);
+            const auto along_u = [&](size_t at, L before, L now) {
+                return L::load(matrix.bend[0] + at) * (now - behind(before, now));
+            };
+            L step = right(x, start), before_step = right(x, outside);
+            L before = along_u(outside, L{}, before_step), now = along_u(start, before_step, step);
+            L left = twist(x, row, size_t(-kLanes), before_step);
+            for (size_t u = 0; u < columns; u += size_t(kLanes)) {
+                const size_t at = start + u, after = at + size_t(kLanes);
+                const L next_step = right(x, after), next = along_u(after, step, next_step);
+                const L middle = L::load(here[k] + u), below = along_v(x, grid.below(row), u);
+                const L cell = twist(x, row, u, step), turned = cell - behind(left, cell);
+                const L bent = ((behind(before, now) - now) + (ahead(now, next) - now)) +
+                               ((L::load(above[k] + u) - middle) + (below - middle));
+                const L sum = bent + (turned - L::load(twisted[k] + u));
+                (L::load(q[k] + at) + factor * (L::load(matrix.moves + at) * sum)).store(q[k] + at);
+                below.store(above[k] + u);
+                turned.store(twisted[k] + u);
+                before = now, now = next, step = next_step, left = cell;
+            }
+            std::swap(above[k], here[k]);
+        }
 }
 
 void cloth_blocks(const Grid& grid, const ClothMatrix& matrix, double* const* out, size_t first, size_t count) {

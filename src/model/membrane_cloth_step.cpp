@@ -133,11 +133,12 @@ struct ClothStep {
     // answer = (lines along v)^-1 error + (lines along u)^-1 error
     void precondition() const {
         for (int k = 0; k < 3; ++k) turn(w.error[k], w.turned_z[k]);
-        copy(w.error, w.answer);
         const ClothCurvature along_v = w.matrix(w.ground).spring[kAlongV];
-        columns([&](size_t first, size_t count) { cloth().solve(w.grid, along_v, w.block, w.answer, first, count); });
+        columns([&](size_t first, size_t count) {
+            cloth().solve(w.grid, along_v, w.block, w.error, w.answer, first, count);
+        });
         rows([&](size_t first, size_t count, double*) {
-            cloth().solve(w.turned, along_u(), w.turned_block, w.turned_z, first, count);
+            cloth().solve(w.turned, along_u(), w.turned_block, w.turned_z, w.turned_z, first, count);
         });
         columns([&](size_t first, size_t count) {
             for (int k = 0; k < 3; ++k)
