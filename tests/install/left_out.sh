@@ -7,7 +7,7 @@
 . "$(dirname "$0")/common.sh"
 
 parts=$1
-out=$WORK/without_$parts
+out="$WORK/without, ä $parts" # where a comma, a space and a letter beyond ASCII must do no harm
 IFS=+ read -r -a all <<<"$parts"
 options=()
 for part in "${all[@]}"; do options+=("-DCONTDYN_$part=OFF"); done
