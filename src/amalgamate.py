@@ -34,6 +34,9 @@ HEAD = """\
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
 #pragma GCC optimize("fp-contract=off")
+#ifdef __FMA__
+#pragma GCC optimize("no-tree-slp-vectorize") // which fuses some all the same
+#endif
 #endif
 
 #if defined(__MINGW32__) && !defined(__USE_MINGW_ANSI_STDIO)

@@ -364,6 +364,9 @@ const known = (kind, field) => kind.fields[field]
 /** The arguments of a range that the caller gave parts of: whatever is left out is all the rest. */
 function placeOf(object, kind, field, range) {
   const extents = kExtents[kind.name](object, known(kind, field), field);
+  if (range === null || typeof range !== "object") {
+    refuse("errorValue", `the range is ${range}, must be an object with some of ${kind.range.join(", ")}`);
+  }
   for (const key of Object.keys(range)) {
     if (!kind.range.includes(key)) refuse("errorValue", `the range's ${key} is none of ${kind.range.join(", ")}`);
   }
@@ -435,6 +438,7 @@ class View {
     this.shape = Object.freeze([...directions.map((i) => extents[i]), ...inner]);
     this.strides = Object.freeze([...directions.map((i) => steps[i]), ...inner.map(() => whole(3))]
       .map((stride) => stride / this.#Kind.BYTES_PER_ELEMENT));
+    Object.freeze(this); // its numbers are in values
   }
 
   /** Where the field is; its strides are results 1 to 3. */

@@ -121,7 +121,7 @@ class Method:
                 yield default(p)
             if p.enum:
                 self.passed[p.name] = v
-                yield f'{v} = enum_in("{p.enum}", {v}, where, "{v}")'
+                yield f'{v} = enum_in("{p.enum}", {v}, where, "{p.name}")'
             elif p.is_flag:
                 self.passed[p.name] = v
                 yield f'{v} = flag_in({v}, where, "{v}")'

@@ -87,13 +87,13 @@ bool breaks(Chain& c, size_t strand, bool solved) {
 } // namespace
 
 const char* what_ropes_lack(const Chain& c) {
-    if (c.method != CD_METHOD_IMPLICIT) return "method but CD_METHOD_IMPLICIT";
-    if (c.lambda < 0.5) return "lambda below 1/2";
-    if (c.ring) return "ring";
-    if (c.damping > 0) return "stiffness damping";
+    if (c.method != CD_METHOD_IMPLICIT) return "method but CD_METHOD_IMPLICIT: see cd_chain_set_method";
+    if (c.lambda < 0.5) return "lambda below 1/2: see cd_chain_set_lambda";
+    if (c.ring) return "ring: see cd_chain_set_ring";
+    if (c.damping > 0) return "stiffness damping: see cd_chain_set_stiffness_damping";
     for (size_t s = 0; s < c.strands; ++s)
         for (const size_t end : {size_t(0), c.springs})
-            if (c.pin[own_place(c, s, end)] == CD_NODE_MATCHED) return "matched end";
+            if (c.pin[own_place(c, s, end)] == CD_NODE_MATCHED) return "matched end: see cd_chain_set_end";
     return nullptr;
 }
 

@@ -115,11 +115,11 @@ bool cloth_needs_of(const Membrane& m, const MembraneFeatures& f, MembraneNeeds&
 }
 
 const char* what_cloth_lacks(const Membrane& m) {
-    if (m.method != CD_METHOD_IMPLICIT) return "method but CD_METHOD_IMPLICIT";
-    if (m.lambda < 0.5) return "lambda below 1/2";
-    if (m.damping > 0) return "stiffness damping";
+    if (m.method != CD_METHOD_IMPLICIT) return "method but CD_METHOD_IMPLICIT: see cd_membrane_set_method";
+    if (m.lambda < 0.5) return "lambda below 1/2: see cd_membrane_set_lambda";
+    if (m.damping > 0) return "stiffness damping: see cd_membrane_set_stiffness_damping";
     for (cd_node edge : m.edge)
-        if (edge == CD_NODE_MATCHED) return "matched edge";
+        if (edge == CD_NODE_MATCHED) return "matched edge: see cd_membrane_set_edge";
     return nullptr;
 }
 

@@ -13,7 +13,6 @@ struct Vector3 {
     double operator[](int i) const { return k[i]; }
 };
 Vector3 vector_at(double* const* planes, size_t at) { return {{planes[0][at], planes[1][at], planes[2][at]}}; }
-Vector3 operator+(Vector3 a, Vector3 b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
 Vector3 operator-(Vector3 a, Vector3 b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
 Vector3 operator*(double s, Vector3 a) { return {{s * a[0], s * a[1], s * a[2]}}; }
 double dot(Vector3 a, Vector3 b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
@@ -80,6 +79,8 @@ namespace {
 
 // How stiff a contact is, over the mass of its node; and the speed e of v / (v + e) in friction [m/s].
 constexpr double kContactStiffness = 1e4, kStickSpeed = 1e-3;
+
+Vector3 operator+(Vector3 a, Vector3 b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
 
 // A direction at right angles to `way`: any, if that is 0.
 Vector3 across(Vector3 way) {

@@ -232,14 +232,14 @@ static const struct lack {
     void (*undo)(cd_membrane*);
     const char* text;
 } lacks[] = {
-    {forward, implicit, "~|length|method|CD_METHOD_IMPLICIT"},
-    {symplectic, implicit, "~|length|method|CD_METHOD_IMPLICIT"},
-    {stiff_second, implicit, "~|length|method|CD_METHOD_IMPLICIT"},
-    {explicit_lambda, half, "~|length|lambda below 1/2"},
-    {low_lambda, half, "~|length|lambda below 1/2"},
-    {damping, no_damping, "~|length|stiffness damping"},
-    {u_matched, u_free, "~|length|matched edge"},
-    {v_matched, v_free, "~|length|matched edge"},
+    {forward, implicit, "~|length|CD_METHOD_IMPLICIT: see cd_membrane_set_method"},
+    {symplectic, implicit, "~|length|CD_METHOD_IMPLICIT: see cd_membrane_set_method"},
+    {stiff_second, implicit, "~|length|CD_METHOD_IMPLICIT: see cd_membrane_set_method"},
+    {explicit_lambda, half, "~|length|lambda below 1/2: see cd_membrane_set_lambda"},
+    {low_lambda, half, "~|length|lambda below 1/2: see cd_membrane_set_lambda"},
+    {damping, no_damping, "~|length|stiffness damping: see cd_membrane_set_stiffness_damping"},
+    {u_matched, u_free, "~|length|matched edge: see cd_membrane_set_edge"},
+    {v_matched, v_free, "~|length|matched edge: see cd_membrane_set_edge"},
 };
 
 /* It is the step that says so, unless it makes no steps. */

@@ -149,15 +149,15 @@ static const struct lack {
     void (*undo)(cd_chain*);
     const char* text;
 } lacks[] = {
-    {forward, implicit, "~|length|method|CD_METHOD_IMPLICIT"},
-    {symplectic, implicit, "~|length|method|CD_METHOD_IMPLICIT"},
-    {stiff_second, implicit, "~|length|method|CD_METHOD_IMPLICIT"},
-    {explicit_lambda, half, "~|length|lambda below 1/2"},
-    {low_lambda, half, "~|length|lambda below 1/2"},
-    {ring, no_ring, "~|length|ring"},
-    {damping, no_damping, "~|length|stiffness damping"},
-    {first_matched, first_free, "~|length|matched end"},
-    {last_matched, last_free, "~|length|matched end"},
+    {forward, implicit, "~|length|CD_METHOD_IMPLICIT: see cd_chain_set_method"},
+    {symplectic, implicit, "~|length|CD_METHOD_IMPLICIT: see cd_chain_set_method"},
+    {stiff_second, implicit, "~|length|CD_METHOD_IMPLICIT: see cd_chain_set_method"},
+    {explicit_lambda, half, "~|length|lambda below 1/2: see cd_chain_set_lambda"},
+    {low_lambda, half, "~|length|lambda below 1/2: see cd_chain_set_lambda"},
+    {ring, no_ring, "~|length|ring: see cd_chain_set_ring"},
+    {damping, no_damping, "~|length|stiffness damping: see cd_chain_set_stiffness_damping"},
+    {first_matched, first_free, "~|length|matched end: see cd_chain_set_end"},
+    {last_matched, last_free, "~|length|matched end: see cd_chain_set_end"},
 };
 
 /* In whatever order it comes; and it is the step that says so, unless it makes no steps. */

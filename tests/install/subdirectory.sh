@@ -24,3 +24,13 @@ for type in "" Debug; do
     ! grep -v -e ' -O3 ' <<<"$lines" || fail "kernels are not optimised in build type '$type'"
 done
 ! flags asked_otherwise Debug -DCONTDYN_OPTIMIZE=OFF | grep -e ' -O3 ' || fail "CONTDYN_OPTIMIZE=OFF optimises"
+
+# Nothing is fused where the user's flags would let it be. This file adds and subtracts by turns.
+if [ "$(uname -m)" = x86_64 ]; then
+    flags fused "" -DCMAKE_CXX_FLAGS="-mavx2 -mfma" >/dev/null
+    out=$WORK/subdirectory_fused
+    command=$(sed -n 's|^ *"command": "\(.*/model/water_hull_step.cpp\)",$|\1|p' "$out/compile_commands.json" | head -n 1)
+    [ -n "$command" ] || fail "no line that compiles hulls: what is looked for?"
+    (cd "$out" && eval "${command%% -o *} -c $SOURCE/src/model/water_hull_step.cpp -o $out/hulls.o")
+    OBJDUMP=${OBJDUMP:-objdump} "$BASH" "$here/../abi/check_fma.sh" "$out/hulls.o"
+fi

@@ -278,6 +278,8 @@ test("fields are written and read as arrays of either precision, nested rows, on
   refused("errorRange", /cd_water_read_f64/, () => pool.read("depth", {}, new Float64Array(3)));
   refused("errorRange", /firstX is -1/, () => pool.read("depth", { firstX: -1 }));
   refused("errorValue", /range's first is none of firstX/, () => pool.read("depth", { first: 1 }));
+  refused("errorValue", /range is 1, must be an object with some of firstX/, () => pool.write("depth", 2, 1));
+  assert.throws(() => { pool.depth[0] = 1; }, TypeError);
   refused("errorValue", /out is an object/, () => pool.read("depth", {}, []));
   const rope = makers.chain();
   assert.equal(rope.read("pin").length, 8); // per strand in ropes

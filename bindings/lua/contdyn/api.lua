@@ -983,7 +983,7 @@ end
 -- CD_NODE_POSED where the state is not finite.
 function Chain:set_end(end_, kind)
   local where = "cd_chain_set_end"
-  end_ = enum_in("cd_end", end_, where, "end_")
+  end_ = enum_in("cd_end", end_, where, "end")
   kind = enum_in("cd_node", kind, where, "kind")
   self._version = self._version + 1
   check(lib.cd_chain_set_end(handle_of(self), end_, kind))
@@ -996,7 +996,7 @@ end
 -- CD_NODE_POSED where the state is not finite.
 function Chain:get_end(end_)
   local where = "cd_chain_get_end"
-  end_ = enum_in("cd_end", end_, where, "end_")
+  end_ = enum_in("cd_end", end_, where, "end")
   local out_kind = cd_node_1()
   check(lib.cd_chain_get_end(handle_of(self), end_, out_kind))
   return enum_out("cd_node", out_kind[0])

@@ -187,20 +187,24 @@ function support.array_in(base, value, where, name, may_be_nil)
   return array_types[base](#flat, flat), #flat
 end
 
--- Room for numbers: the caller's array, or for a table or nil a new one of `count` numbers; none for false.
+-- Room for numbers: the caller's array, or for a table or nil a new one of `count` numbers; none for false. Where no
+-- argument tells `count`, a number in the place of the array does.
 function support.array_out(base, value, count, where, name)
   if value == false then return nil, nil end
+  if not count and type(value) == "number" then
+    count, value = tonumber(support.integer_in(value, where, name)), nil
+  end
   if element_of(value) == base then return value, ffi.sizeof(value) / element_sizes[base] end
   if value ~= nil and type(value) ~= "table" or not count then
     fail(VALUE, ("%s: %s is %s, must be an FFI array of %s%s"):format(
-      where, name, shown(value), base, count and ", a table to fill, or nil" or ""))
+      where, name, shown(value), base, count and ", a table to fill, or nil" or ", or how many they are"))
   end
   return array_types[base](count), tonumber(count)
 end
 
 function support.array_result(value, room, count)
   if room == nil or type(value) == "cdata" then return room end
-  local result = value or {}
+  local result = type(value) == "table" and value or {}
   for k = 1, count do result[k] = room[k - 1] end
   return result
 end
@@ -274,6 +278,12 @@ local function range(object, field)
   return 0, 0, a, b
 end
 
+-- Refuses the range of a part, which Lua would drop without a word.
+local function only_whole(name, ...)
+  if select("#", ...) == 0 then return end
+  fail(RANGE, ("%s: takes whole fields only: for a part of one see %s_f64"):format(name, name))
+end
+
 local Object = {}
 
 -- How many values a field has.
@@ -285,7 +295,8 @@ function Object:get_size(field)
 end
 
 -- All values of a field, as read_f64 gives them; into an FFI array of float by read_f32.
-function Object:read(field, out)
+function Object:read(field, out, ...)
+  only_whole("read", ...)
   field = support.enum_in("cd_field", field, "read", "field")
   local read = element_of(out) == "float" and self.read_f32 or self.read_f64
   local a, b, c, d = range(self, field)
@@ -293,7 +304,8 @@ function Object:read(field, out)
 end
 
 -- Writes all values of a field, or the one number given to all its places.
-function Object:write(field, values)
+function Object:write(field, values, ...)
+  only_whole("write", ...)
   field = support.enum_in("cd_field", field, "write", "field")
   if type(values) == "number" then
     local count = self:get_size(field)

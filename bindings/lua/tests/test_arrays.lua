@@ -28,6 +28,27 @@ test("tables, nested tables and FFI arrays are written alike", function()
   end
 end)
 
+test("what is a part of a field is not taken for all of it", function()
+  local made = rope()
+  local before = made:hash()
+  refused("error_range", "write: takes whole fields only: for a part of one see write_f64",
+    function() made:write("position", 1, 0, 1, 3, 1) end)
+  refused("error_range", "read: takes whole fields only: for a part of one see read_f64",
+    function() made:read("position", nil, 0, 1, 3, 1) end)
+  equal(made:hash(), before)
+end)
+
+test("a number tells the length that no argument tells", function()
+  local pool = contdyn.Water(4, 4, 1, 1)
+  pool:set_hulls(1, 2, 2)
+  pool:set_hull(0, 100, 2, 1)
+  pool:set_hull_pose(0, {1, 2, 3, 0, 1, 0, 0})
+  equal(table.concat(pool:get_hull_pose(0, 7), " "), table.concat({1, 2, 3, 0, 1, 0, 0}, " "))
+  refused("error_range", "cd_water_get_hull_pose: count is 6", function() pool:get_hull_pose(0, 6) end)
+  refused("error_range", "out_pose is 1.5, must be a whole number", function() pool:get_hull_pose(0, 1.5) end)
+  refused("error_value", "or how many they are", function() pool:get_hull_pose(0) end)
+end)
+
 test("reads give tables, fill tables and FFI arrays", function()
   local made, flat = rope()
   local all = made:read("position")

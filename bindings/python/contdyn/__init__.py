@@ -64,7 +64,7 @@ def runnable_kernels() -> Tuple[Kernels, ...]:
 
 def kernels_name(kernels: Kernels) -> str:
     """The instructions' name, such as "AVX-512"; of Kernels.PLAIN those that it was built with, such as "SSE2"."""
-    return str(_library.library.cd_kernels_name(kernels).decode())
+    return _library.text("cd_kernels_name", kernels)
 
 
 class SavedShape(NamedTuple):
@@ -90,7 +90,7 @@ def saved_shape(data: Any) -> SavedShape:
 
 def status_name(status: int) -> str:
     """Name of a status, such as "CD_ERROR_VALUE"; "CD_ERROR_UNKNOWN" for a number that is none."""
-    return str(_library.library.cd_status_name(status).decode())
+    return _library.text("cd_status_name", status)
 
 
 def library_path() -> str:

@@ -3,9 +3,11 @@ import ctypes.util
 import os
 import sys
 from ctypes import CDLL, ArgumentError
+from enum import IntEnum
 from pathlib import Path
 from typing import Any, Callable, Iterator, List, NoReturn, Tuple
 
+from . import _api
 from ._api import FUNCTIONS, TYPES, VERSION
 from .errors import CLASSES, Error, RangeError, UnsupportedError
 
@@ -122,7 +124,16 @@ class Function:
         name, kind = _parameters(self.name)[k]
         if kind in MOST and hasattr(value, "__index__"):
             raise RangeError(f"{self.name}: {name} is {value}, must be in [{LEAST[kind]}, {MOST[kind]}]")
-        raise TypeError(f"{self.name}: {name} is {value!r}, must be {WORDS.get(kind, f'a {kind}')}") from None
+        meant = "".join(f", as {kinds.__name__}.{value.upper()} is" for kinds in IntEnum.__subclasses__()
+                        if kind == "int" and isinstance(value, str) and kinds.__module__ == _api.__name__
+                        and value.upper() in kinds.__members__)
+        raise TypeError(f"{self.name}: {name} is {value!r}, must be {WORDS.get(kind, f'a {kind}')}{meant}") from None
+
+
+def text(name: str, number: int) -> str:
+    """What a function tells of a number, be that an enumerator or none."""
+    told: Any = Function(name)(number)
+    return str(told.decode())
 
 
 class Functions:

@@ -287,6 +287,10 @@ class Object:
     def _write_all(self, field: Field, values: Values) -> None:
         raise NotImplementedError
 
+    def _shown(self, field: Field) -> Array:
+        """The field as its property tells it."""
+        return self.view(field)
+
     # ---- keeping ----------------------------------------------------------------------------------------------------
 
     def hash(self) -> int:

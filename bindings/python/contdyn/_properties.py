@@ -78,7 +78,7 @@ class SettingPerComponent(ReadingPerComponent):
 
 
 class State:
-    """A field that lies in memory as a whole: read, an array that shows it without a copy; assigned, it is written."""
+    """A field: read, an array that shows it without a copy, if it lies in memory as a whole; assigned, it is written."""
 
     def __init__(self, field: Field, doc: str) -> None:
         self.field = field
@@ -90,7 +90,7 @@ class State:
     def __get__(self, an_object: "Object", owner: type) -> Array: ...
 
     def __get__(self, an_object: "Optional[Object]", owner: type) -> "Union[State, Array]":
-        return self if an_object is None else an_object.view(self.field)
+        return self if an_object is None else an_object._shown(self.field)
 
     def __set__(self, an_object: "Object", value: Values) -> None:
         an_object._write_all(self.field, value)

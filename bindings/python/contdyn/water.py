@@ -84,7 +84,7 @@ class Sample(NamedTuple):
 class Hulls(NamedTuple):
     """How many hulls a water has, and the plates of each."""
 
-    count: int
+    count: int  # type: ignore[assignment]  # a tuple has a method of that name
     n_along: int
     n_across: int
 
@@ -186,6 +186,7 @@ class Water(Sheet, kind="water"):
 
     depth = State(Field.DEPTH, "Depths [m], >= 0, shown without a copy; assigned, they are written. Shape (ny, nx).")
     bed = State(Field.BED, "The bed [m], likewise.")
+    surface = State(Field.SURFACE, "Bed + depth [m], a new array each time; assigned, it fills the bed up to there.")
     velocity_x = State(Field.VELOCITY_X, "Velocities along x [m/s] on the x-faces, likewise. Shape (ny, nx + 1).")
     velocity_y = State(Field.VELOCITY_Y, "Velocities along y [m/s] on the y-faces, likewise. Shape (ny + 1, nx).")
     source = State(Field.SOURCE, "Depth per second [m/s] that comes in, likewise, once switched on.")
@@ -221,6 +222,10 @@ class Water(Sheet, kind="water"):
         with self._lock:
             place, shape = self._rectangle(field, (first_x, first_y), (n_x, n_y))
             self._write(field, place, shape, values)
+
+    def _shown(self, field: Field) -> Array:
+        shown: Array = self.view(field) if self._fields[field].viewable else self.read(field)
+        return shown
 
     # ---- acting on it -----------------------------------------------------------------------------------------------
     # Discs have their centre at (x, y) [m] and a radius [m] >= 0; shares fall off from the centre.

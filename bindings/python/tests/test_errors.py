@@ -416,7 +416,10 @@ class Errors(unittest.TestCase):
             self.assertEqual(chain.hash(), before)
         for use, told in ((lambda c: Chain("1", 2, 3), "cd_chain_create: strands is '1', must be an integer"),
                           (lambda c: Chain(1.5, 2, 3), "cd_chain_create: strands is 1.5, must be an integer"),
-                          (setting("method", "implicit"), "cd_chain_set_method: method is 'implicit', must be"),
+                          (setting("method", "implicit"), "cd_chain_set_method: method is 'implicit', must be an integer, an "
+                           "enumerator or a bool, as Method.IMPLICIT is"),
+                          (lambda c: contdyn.status_name("x"), "cd_status_name: status is 'x', must be an integer"),
+                          (lambda c: contdyn.kernels_name(None), "cd_kernels_name: kernels is None, must be"),
                           (setting("mass", "1"), "cd_chain_set_mass: mass is '1', must be a number"),
                           (lambda c: c.step(0.1, "1"), "cd_chain_step: count is '1', must be an integer"),
                           (lambda c: c.read(Field.POSITION, first="a"), "places from 'a' on")):
@@ -426,6 +429,9 @@ class Errors(unittest.TestCase):
                     lambda: setattr(contdyn.Membrane(2, 2, 1), "stiffness", (1, 2, 3))):
             with self.assertRaises(TypeError):
                 use()
+
+        with self.assertRaisesRegex(contdyn.RangeError, "kernels is 4294967296, must be in"):
+            contdyn.kernels_name(2**32)
 
     def test_what_was_left_out_of_the_library_is_named(self):
         class Bridge(Chain):

@@ -519,6 +519,9 @@ class Waters(unittest.TestCase):
     def test_surface_and_bed(self):
         self.water.bed = 0.25
         self.assertEqual(self.water.read(Field.SURFACE).tolist(), [[0.75] * 6] * 4)
+        self.assertEqual(self.water.surface.tolist(), [[0.75] * 6] * 4)
+        self.water.surface = 0.5
+        self.assertEqual(self.water.depth.tolist(), [[0.25] * 6] * 4)
         self.water.write(Field.SURFACE, 1)
         self.assertEqual(self.water.depth.tolist(), [[0.75] * 6] * 4)
 

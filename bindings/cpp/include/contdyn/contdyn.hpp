@@ -22,6 +22,7 @@
 
 #include <contdyn/contdyn.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
