@@ -331,6 +331,9 @@ RULES = {
         ["stability_water_hulls"]),
     "what drifting makes is owed": (
         HULL_STEP, "due = h.owed + more;", "due = 0 * more;", ["stability_water_hulls"]),
+    "a hull owes a part of what it had before the push": (
+        HULL_STEP, "kCredit * (had + energy);", "kCredit * (moving_energy() + energy + 0 * had);",
+        ["stability_water_hulls"]),
     "a push that leads nowhere is not the water's": (
         HULL_STEP, "if (taken > removable() + credit) taken = lose(due);", "if (taken > removable() + credit) taken = due;",
         ["stability_water_hulls"]),
@@ -351,8 +354,8 @@ RULES = {
     "hulls stop before sides, and leave them": (
         HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
     "friction holds a hull before it moves": (
-        HULL_STEP, ", rubbed = rub(contact.by_bed);\n        drift(pose, made, rubbed, contact.energy);\n",
-        ";\n        drift(pose, made, 0, contact.energy);\n        rub(contact.by_bed);\n", ["physics_water_hulls"]),
+        HULL_STEP, ", rubbed = rub(contact.by_bed);\n        drift(pose, before, made, rubbed, contact.energy);\n",
+        ";\n        drift(pose, before, made, 0, contact.energy);\n        rub(contact.by_bed);\n", ["physics_water_hulls"]),
     "what friction takes pays for what drove a hull": (
         HULL_STEP, "positive(more - rubbed);", "positive(more);", ["physics_water_hulls"]),
     "a floor lies on its plane of least squares": (
