@@ -327,8 +327,9 @@ RULES = {
     "that is stiffer than the water's surface": (
         HULL, "kStiff = 3;", "kStiff = 0.3;", ["physics_water_hulls", "stability_water_hulls"]),
     "lines that a hull presses dry are bound in their energy": (
-        "water/sweep.cpp", "        if (line.pressed() && sweep.implicit) kind.bind(squeezed(line));\n", "",
-        ["stability_water_hulls"]),
+        "water/sweep.cpp", "line.pressed() && i < line.n", "false && i < line.n", ["stability_water_hulls"]),
+    "and what air or wind presses dry": (
+        "water/sweep.cpp", "line.acceleration && i < line.n", "false && i < line.n", ["stability_water_energy"]),
     "what drifting makes is owed": (
         HULL_STEP, "due = h.owed + more;", "due = 0 * more;", ["stability_water_hulls"]),
     "a hull owes a part of what it had before the push": (
