@@ -1911,30 +1911,30 @@ export interface WaterOptions {
  * negative, a lake lies still on any bed, and volume changes only by what account tells.
  *
  * Waves do not limit the step. Where water runs more than half a cell in a step, a line makes its step in 2, 4, ... 64
- * parts, in each of which it runs no more than that, at the cost of so many steps of the line. Faster water, of more
- * than 32 cells a step, is carried all the same, only less exactly, and ripples on it may grow; on slower streams they
- * do not, but for linear momentum with lambda = 1/2 over an uneven bed. Waves that a step lets cross more than a cell
- * are slowed down, short ones most. Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and
- * at most 5% in steps in which they cross 2 to 32, over which it is drawn out to up to eight times as many cells.
+ * parts, in each of which it runs no more than that, at so many times the cost. Faster water, of more than 32 cells a
+ * step, is carried less exactly, and ripples on it may grow; on slower streams they do not, but for linear momentum
+ * with lambda = 1/2 over an uneven bed. Waves that a step lets cross more than a cell are slowed down, short ones most.
+ * Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5% in steps in which they
+ * cross 2 to 32, over which it is drawn out to eight times as many cells. With lambda = 1/2 a train of waves runs
+ * behind it, up to 0.7 of its height high (linear 1.6), all along its way where the water rests; with 0.6 of 0.3 (1.3).
  *
- * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the
- * linear mode, of which shores are steep, take a little more than 1/2. Advected water gains no energy in steps in
- * which waves cross half a cell or more, and up to 0.012 in all at shores in shorter ones; where films on cliffs are
- * given high velocities more, up to as much again, most of it in the next step (one of a hundred random scenes).
- * Linear water gains energy where it deepens under a velocity, h_t u^2 / 2 which its equations do not take away again:
- * at random shores some hundredths in all (and see hulls). In steps in which waves cross more than a cell, and depths
- * are not smooth, no face gains more energy than its water loses by falling.
+ * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
+ * mode, of which shores are steep, take a little more than 1/2. Advected water gains no energy in steps in which waves
+ * cross half a cell or more, and up to 0.012 in all at shores in shorter ones; where films on cliffs are given high
+ * velocities more, up to as much again, most of it in the next step (one of a hundred random scenes). Linear water
+ * gains energy where it deepens under a velocity, h_t u^2 / 2 which its equations do not take away again: at random
+ * shores some hundredths in all (and see hulls). Air that presses it dry gives it up to 1.4 times what it has to give,
+ * advected water half of it, explicit steps any. What pushes off dry land gives the last face a velocity that no water
+ * follows. In steps in which waves cross more than a cell, and depths are not smooth, no face gains more energy than
+ * its water loses by falling.
  *
  * Explicit steps (method) share all of this but the surface that is solved for: half of the slope pushes,
  * the water moves, then the other half (velocity Verlet).
  *
- * Rows and columns are solved in turn only. In steps in which waves cross many cells, those that run aslant are slower
- * than those along the axes. A solve of the whole plane would not be: but what streams carry with them makes its system
- * neither symmetric nor definite, without that ripples grow, and what keeps depths from below 0 in it is a problem of
- * its own; it cost tens of times as much and gained and lost water. Shorter steps serve better.
+ * Rows and columns are solved in turn only: in steps in which waves cross many cells, those that run aslant are slower
+ * than those along the axes. Shorter steps serve better than a solve of the whole plane, which costs far more.
  *
- * Where it is right: waves much longer than the water is deep, surfaces that do not turn over. Ship wakes and anything
- * else that needs dispersion are not in it.
+ * Right for waves much longer than the water is deep, and surfaces that do not turn over: no dispersion, no ship wakes.
  *
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, "linear",
  * "implicit" with lambda 0.55.

@@ -340,9 +340,9 @@ struct Mover {
         return lost;
     }
 
-    // made: energy, by the water's push; rubbed: taken by friction.
-    void drift(HullPose& pose, double made, double rubbed, double energy) {
-        const double credit = kCredit * (moving_energy() + energy);
+    // Energies: had in motion before the water's push, made by that, rubbed off by friction.
+    void drift(HullPose& pose, double had, double made, double rubbed, double energy) {
+        const double credit = kCredit * (had + energy);
         double time = dt, due = 0;
         bool stops[2];
         HullPose to = pose;
@@ -365,7 +365,7 @@ struct Mover {
         if (!isfinite(h.owed)) h.owed = 0; // velocities whose squares are no numbers have no energy to owe
     }
     static constexpr int kHalvings = 8;
-    static constexpr double kCredit = 0.05; // of the hull's energy that may be owed, or kept for later
+    static constexpr double kCredit = 0.05; // of a hull's energy, before the push, that may be owed, or kept
 
     bool stand_still() { // nothing is under its middle
         for (int way = 0; way < 6; ++way) h.velocity[way] = h.water[way] = 0;
@@ -392,7 +392,7 @@ struct Mover {
         const double before = moving_energy();
         push(impulse[0], impulse[1], impulse[2]);
         const double made = moving_energy() - before, rubbed = rub(contact.by_bed);
-        drift(pose, made, rubbed, contact.energy);
+        drift(pose, before, made, rubbed, contact.energy);
         h.x = pose.x, h.y = pose.y, h.heading[0] = pose.heading[0], h.heading[1] = pose.heading[1];
         h.z = pose.z, h.pitch = pose.pitch, h.roll = pose.roll;
         return give_water();

@@ -236,6 +236,45 @@ static void water_that_falls_over_a_ledge_makes_no_energy(void** state) {
                 }
 }
 
+/* Air that presses cells dry, on flat beds and rough ones: the energy that there is in all, with what the pressure has
+ * to give, rises by little more than what the pressure had, and by half of that of advected water. */
+static void air_that_presses_water_dry_makes_little_energy(void** state) {
+    (void)state;
+    static const double heads[] = {2, 8, 50}, courants[] = {0.05, 0.3, 0.8, 2, 6, 30};
+    for (int k = LINEAR; k <= ADVECTED; ++k)
+        for (size_t c = 0; c < COUNT(heads) * COUNT(courants); ++c) {
+            double worst = -HUGE_VAL;
+            for (uint64_t scene = 1; scene <= 12; ++scene) {
+                const size_t ny = scene % 3 ? 1 : NY, cells = NX * ny;
+                const double courant = courants[c / COUNT(heads)], head = 9810 * heads[c % COUNT(heads)];
+                double press[CELLS], depth[CELLS], start = 0, had = 0;
+                uint64_t seed = scene;
+                cd_water* w = basin(NX, ny, 0.5, 0.5, CD_FLOAT64);
+                basin_set_way(w, &ways[k]);
+                if (scene % 2) basin_random_bed(w, 0, 0.5, scene);
+                for (size_t i = 0; i < cells; ++i) depth[i] = 1;
+                basin_write(w, CD_SURFACE, depth);
+                const size_t from = (size_t)(4 + 4 * random_number(&seed)), to = from + 1 + scene % 7;
+                for (size_t i = 0; i < cells; ++i)
+                    press[i] = i % NX >= from && i % NX < to && i / NX < 6 ? head * (1 - (double)(scene % 5) / 8) : 0;
+                ok(cd_water_enable_field(w, CD_PRESSURE));
+                basin_write(w, CD_PRESSURE, press);
+                for (int step = 0; step <= 150; ++step) {
+                    double given = 0;
+                    if (step > 0) basin_step(w, courant * 0.5 / sqrt(9.81), 1);
+                    basin_read(w, CD_DEPTH, depth);
+                    for (size_t i = 0; i < cells; ++i) given += 0.25 * press[i] * depth[i];
+                    if (step == 0) start = basin_energy(w) + given, had = given;
+                    worst = fmax(worst, (basin_energy(w) + given - start) / had);
+                }
+                cd_water_destroy(w);
+            }
+            if (!(worst <= (k == ADVECTED ? 0.5 : 1.5)))
+                fail_msg("%s, %g times the depth, courant %g: %g of what the pressure had", ways[k].name,
+                         heads[c % COUNT(heads)], courants[c / COUNT(heads)], worst);
+        }
+}
+
 /* ---- long runs --------------------------------------------------------------------------------------------------- */
 
 static void a_lively_basin_calms_down_in_a_hundred_thousand_steps(void** state) {
@@ -311,6 +350,7 @@ int main(void) {
         cmocka_unit_test(a_seiche_from_rest_gains_no_energy),
         cmocka_unit_test(a_film_does_not_throw_the_lake_that_it_falls_into),
         cmocka_unit_test(water_that_falls_over_a_ledge_makes_no_energy),
+        cmocka_unit_test(air_that_presses_water_dry_makes_little_energy),
         cmocka_unit_test(a_lively_basin_calms_down_in_a_hundred_thousand_steps),
     };
     return cmocka_run_group_tests_name("water energy", tests, NULL, NULL);

@@ -145,9 +145,41 @@ static void a_hull_that_leaves_the_water_comes_down_in_long_steps(void** state) 
         }
 }
 
+/* A hull on a wave of nearly half the depth, on water that goes round: what it may owe is part of what it had before the
+ * wave pushed it, which in a long step gives a light one any speed. */
+static void a_wave_gives_a_light_hull_no_more_than_it_has(void** state) {
+    (void)state;
+    enum { N = 24 };
+    static const double masses[] = {0.1, 1, 10, 100};
+    for (cd_momentum momentum = CD_MOMENTUM_LINEAR; momentum <= CD_MOMENTUM_ADVECTED; ++momentum)
+        for (double courant = 0.5; courant < 1e4; courant *= 5)
+            for (size_t k = 0; k < COUNT(masses); ++k) {
+                const double dx = 0.4, depth = 2;
+                double most = -HUGE_VAL;
+                cd_water* w;
+                ok(cd_water_create(N, 1, dx, dx, CD_FLOAT64, NULL, &w));
+                ok(cd_water_set_momentum(w, momentum));
+                ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+                for (size_t i = 0; i < N; ++i)
+                    pool_set(w, CD_DEPTH, i, 0, depth + 0.8 * sin(2 * 3.14159265358979324 * ((double)i + 0.5) / N));
+                ok(cd_water_set_hulls(w, 1, 1, 1));
+                ok(cd_water_set_hull(w, 0, masses[k], 2, dx, NULL, 0));
+                ok(cd_water_launch_hull(w, 0, N / 2 * dx, dx / 2, 1, 0));
+                const double start = energy(w);
+                for (int step = 0; step < 10; ++step) {
+                    pool_step(w, courant * dx / sqrt(9.81 * depth), 1);
+                    most = fmax(most, energy(w) - start);
+                }
+                if (!(most <= 0))
+                    fail_msg("momentum %d, Courant number %g, %g kg: gains %g J", momentum, courant, masses[k], most);
+                cd_water_destroy(w);
+            }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(water_and_hulls_gain_no_energy),
+        cmocka_unit_test(a_wave_gives_a_light_hull_no_more_than_it_has),
         cmocka_unit_test(a_hull_of_any_mass_comes_to_rest_in_long_steps),
         cmocka_unit_test(a_hull_that_leaves_the_water_comes_down_in_long_steps),
     };

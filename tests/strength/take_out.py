@@ -327,10 +327,14 @@ RULES = {
     "that is stiffer than the water's surface": (
         HULL, "kStiff = 3;", "kStiff = 0.3;", ["physics_water_hulls", "stability_water_hulls"]),
     "lines that a hull presses dry are bound in their energy": (
-        "water/sweep.cpp", "        if (line.pressed() && sweep.implicit) kind.bind(squeezed(line));\n", "",
-        ["stability_water_hulls"]),
+        "water/sweep.cpp", "line.pressed() && i < line.n", "false && i < line.n", ["stability_water_hulls"]),
+    "and what air or wind presses dry": (
+        "water/sweep.cpp", "line.acceleration && i < line.n", "false && i < line.n", ["stability_water_energy"]),
     "what drifting makes is owed": (
         HULL_STEP, "due = h.owed + more;", "due = 0 * more;", ["stability_water_hulls"]),
+    "a hull owes a part of what it had before the push": (
+        HULL_STEP, "kCredit * (had + energy);", "kCredit * (moving_energy() + energy + 0 * had);",
+        ["stability_water_hulls"]),
     "a push that leads nowhere is not the water's": (
         HULL_STEP, "if (taken > removable() + credit) taken = lose(due);", "if (taken > removable() + credit) taken = due;",
         ["stability_water_hulls"]),
@@ -351,8 +355,8 @@ RULES = {
     "hulls stop before sides, and leave them": (
         HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
     "friction holds a hull before it moves": (
-        HULL_STEP, ", rubbed = rub(contact.by_bed);\n        drift(pose, made, rubbed, contact.energy);\n",
-        ";\n        drift(pose, made, 0, contact.energy);\n        rub(contact.by_bed);\n", ["physics_water_hulls"]),
+        HULL_STEP, ", rubbed = rub(contact.by_bed);\n        drift(pose, before, made, rubbed, contact.energy);\n",
+        ";\n        drift(pose, before, made, 0, contact.energy);\n        rub(contact.by_bed);\n", ["physics_water_hulls"]),
     "what friction takes pays for what drove a hull": (
         HULL_STEP, "positive(more - rubbed);", "positive(more);", ["physics_water_hulls"]),
     "a floor lies on its plane of least squares": (

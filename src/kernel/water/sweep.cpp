@@ -17,9 +17,17 @@ template <int N> struct WaterStep {
     Panel<N> moved;
 };
 
-template <int N> Lanes<N> squeezed(const WaterLine<N>& line) {
+// > 0 in lines in which hulls, or what pushes from outside by more than the water beside stands over its bed, may press
+// a cell dry; winds on films do not count.
+template <int N> Lanes<N> squeezed(const WaterLine<N>& line, Lanes<N> deepest) {
     Lanes<N> most{};
-    for (size_t i = 0; i < line.n; ++i) most = larger(line.squeezed_in(i), most);
+    for (size_t i = 0; line.pressed() && i < line.n; ++i) most = larger(line.squeezed_in(i), most);
+    for (size_t i = line.first_face(); line.acceleration && i < line.n; ++i) {
+        const auto l = line.cell(line.left(i)), r = line.cell(i);
+        const Lanes<N> a = line.acceleration[i], over = select(a, r.surface() - l.bed, l.surface() - r.bed);
+        const Lanes<N> d = larger(over, kRoughChange * deepest);
+        most = larger(line.open(i) * size_of(a) - (line.sweep.gravity * line.sweep.courant) * d, most);
+    }
     return most;
 }
 
@@ -46,7 +54,7 @@ template <int N> __attribute__((noinline)) WaterStep<N> make_step(WaterLine<N>& 
         }
         if (!all_positive(shallowest)) line.follow_water(goes_on);
         StepKind<N> kind(sweep, parts, goes_on, deepest);
-        if (line.pressed() && sweep.implicit) kind.bind(squeezed(line));
+        if ((line.pressed() || line.acceleration) && sweep.implicit) kind.bind(squeezed(line, deepest));
         line.step(kind);
         if (most > 1) {
             for (size_t i = 0; i <= n; ++i) {
