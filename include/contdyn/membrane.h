@@ -270,14 +270,14 @@ CD_API cd_status cd_membrane_get_wind(const cd_membrane* membrane, double* out_v
 
 /* ---- what cloth touches ------------------------------------------------------------------------------------------ */
 /* As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
- * them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it is
- * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes through
- * a collider, at any speed.
- * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
- * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
- * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
- * begins to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some 1e-3
- * m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside comes out.
+ * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it is
+ * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
+ * through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which
+ * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
+ * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find:
+ * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are now
+ * and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s.
+ * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
  * Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow
  * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
  * all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a

@@ -2486,35 +2486,37 @@ impl Membrane {
     }
 
     /// As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres
-    /// among them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three
+    /// among them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three
     /// that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there:
     /// none goes through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
     /// half second, and nodes are now and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at
-    /// half of what it bears by 1e-3 m/s. What lies inside comes out. Beds and callbacks are those of cd_chain, met at
-    /// the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
-    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
-    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
-    /// Errors and ranges are those of the functions of cd_chain.
+    /// half of what it bears by 1e-3 m/s. What lies inside, or yielded so far, comes out; what that lifts or stretches
+    /// gains energy: at 1e9 N/m 1e-3 a step. Beds and callbacks are those of cd_chain, met at the plane that touches
+    /// them where a step finds a node: what a hollow rises above that plane a node may end inside of, and the next step
+    /// takes it out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step
+    /// say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+    /// the functions of cd_chain.
     pub fn set_colliders(&mut self, count: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_colliders(self.as_ptr(), count) })
     }
 
     /// As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres
-    /// among them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three
+    /// among them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three
     /// that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there:
     /// none goes through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
     /// half second, and nodes are now and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at
-    /// half of what it bears by 1e-3 m/s. What lies inside comes out. Beds and callbacks are those of cd_chain, met at
-    /// the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
-    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
-    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
-    /// Errors and ranges are those of the functions of cd_chain.
+    /// half of what it bears by 1e-3 m/s. What lies inside, or yielded so far, comes out; what that lifts or stretches
+    /// gains energy: at 1e9 N/m 1e-3 a step. Beds and callbacks are those of cd_chain, met at the plane that touches
+    /// them where a step finds a node: what a hollow rises above that plane a node may end inside of, and the next step
+    /// takes it out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step
+    /// say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+    /// the functions of cd_chain.
     pub fn get_colliders(&self) -> Result<usize> {
         let mut out_count = 0;
         check(unsafe { sys::cd_membrane_get_colliders(self.as_ptr(), &mut out_count) })?;
@@ -2522,18 +2524,19 @@ impl Membrane {
     }
 
     /// As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres
-    /// among them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three
+    /// among them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three
     /// that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there:
     /// none goes through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
     /// half second, and nodes are now and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at
-    /// half of what it bears by 1e-3 m/s. What lies inside comes out. Beds and callbacks are those of cd_chain, met at
-    /// the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
-    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
-    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
-    /// Errors and ranges are those of the functions of cd_chain.
+    /// half of what it bears by 1e-3 m/s. What lies inside, or yielded so far, comes out; what that lifts or stretches
+    /// gains energy: at 1e9 N/m 1e-3 a step. Beds and callbacks are those of cd_chain, met at the plane that touches
+    /// them where a step finds a node: what a hollow rises above that plane a node may end inside of, and the next step
+    /// takes it out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step
+    /// say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+    /// the functions of cd_chain.
     pub fn set_plane(&mut self, index: usize, point: &[f64], normal: &[f64], friction: f64) -> Result<()> {
         let count = count_of(point.len(), 1, "cd_membrane_set_plane", "point")?;
         same(Some(normal.len()), count.checked_mul(1), "cd_membrane_set_plane", "normal")?;
@@ -2542,18 +2545,19 @@ impl Membrane {
     }
 
     /// As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres
-    /// among them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three
+    /// among them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three
     /// that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there:
     /// none goes through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
     /// half second, and nodes are now and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at
-    /// half of what it bears by 1e-3 m/s. What lies inside comes out. Beds and callbacks are those of cd_chain, met at
-    /// the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
-    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
-    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
-    /// Errors and ranges are those of the functions of cd_chain.
+    /// half of what it bears by 1e-3 m/s. What lies inside, or yielded so far, comes out; what that lifts or stretches
+    /// gains energy: at 1e9 N/m 1e-3 a step. Beds and callbacks are those of cd_chain, met at the plane that touches
+    /// them where a step finds a node: what a hollow rises above that plane a node may end inside of, and the next step
+    /// takes it out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step
+    /// say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+    /// the functions of cd_chain.
     pub fn set_capsule(&mut self, index: usize, first: &[f64], last: &[f64], radius: f64, friction: f64) -> Result<()> {
         let count = count_of(first.len(), 1, "cd_membrane_set_capsule", "first")?;
         same(Some(last.len()), count.checked_mul(1), "cd_membrane_set_capsule", "last")?;
@@ -2562,18 +2566,19 @@ impl Membrane {
     }
 
     /// As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres
-    /// among them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three
+    /// among them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three
     /// that it is deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there:
     /// none goes through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4
     /// its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not,
     /// nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the
     /// step's iterations find: with the default effort what begins to slide is up to a quarter too slow in its first
     /// half second, and nodes are now and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at
-    /// half of what it bears by 1e-3 m/s. What lies inside comes out. Beds and callbacks are those of cd_chain, met at
-    /// the plane that touches them where a step finds a node: what a hollow rises above that plane a node may end
-    /// inside of, and the next step takes it out. A callback is asked once a step, for all nodes; answers that it may
-    /// not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED.
-    /// Errors and ranges are those of the functions of cd_chain.
+    /// half of what it bears by 1e-3 m/s. What lies inside, or yielded so far, comes out; what that lifts or stretches
+    /// gains energy: at 1e9 N/m 1e-3 a step. Beds and callbacks are those of cd_chain, met at the plane that touches
+    /// them where a step finds a node: what a hollow rises above that plane a node may end inside of, and the next step
+    /// takes it out. A callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step
+    /// say CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+    /// the functions of cd_chain.
     pub fn set_bed(&mut self, index: usize, origin: &[f64], columns: usize, rows: usize, column_spacing: f64,
         row_spacing: f64, heights: &[f64], friction: f64) -> Result<()> {
         let count = count_of(origin.len(), 1, "cd_membrane_set_bed", "origin")?;
