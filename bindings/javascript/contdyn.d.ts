@@ -1142,40 +1142,40 @@ export interface MembraneOptions {
  *           C = drag M + stiffness_damping K
  *
  * Rest length is zero, unless restLength makes the membrane cloth: a free sheet draws together, and
- * one stretched evenly is held by its edges. A new membrane lies with every node at the origin, at rest, all nodes
- * free, mass 1, stiffness 1 along both directions, no bend, no gravity, no damping, "implicit" with lambda
- * 1/2, "auto".
+ * one stretched evenly is held by its edges. A new membrane lies at the origin, at rest, all nodes free, mass 1,
+ * stiffness 1 both ways, no bend, gravity and damping, "implicit" with lambda 1/2, "auto".
  *
  * Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve.
  *   "auto"         one of the two below for each dt: alternating where it makes a motion of half a wave along
  *      each direction, round a ring of a whole one, with the kinks at held or attached nodes, at most 5% heavier (by
  *      the mean stiffness and inverse mass), coupled elsewhere. It holds the memory that either needs: some 300 bytes a
  *      node, where alternating takes 36 on uniform sheets held by edges. Builds without the coupled one alternate.
- *   "alternating"  rows, then columns (Kass 1997, section 9). Its cost is fixed, and it is stable at any
- *      stiffness and dt. Its price: a motion with the angular frequencies w_u and w_v along the two directions moves
- *      as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both directions for the
- *      step is slowed down, and the sheet seems sluggish. Where it comes to rest does not depend on dt. So it is on
- *      uniform sheets held by whole rows and columns, closed forms and all, with up to 16 single nodes held or
- *      attached (these if h (h + damping) (2 k + 16 b) is at most 1e4 times a node's mass). On any other sheet (a mask,
- *      masses or springs of their own, bend with free edges) the factored system would blow up; there, at six times the
- *      cost and not quite linear, a step is the best, in energy, of the lines' answers, the velocity and common motion.
+ *   "alternating"  rows, then columns (Kass 1997, section 9). At a fixed cost it is stable at any stiffness
+ *      and any dt that stays the same. Its price: a motion with the angular frequencies w_u and w_v along the two
+ *      directions moves as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both
+ *      is slowed down. Where it comes to rest does not depend on dt. So it is on uniform sheets held by whole rows and
+ *      columns, closed forms and all, with up to 16 single nodes held or attached (these if h (h + damping) (2 k + 16
+ *      b) is at most 1e4 times a node's mass). On any other sheet (a mask, masses or springs of their own, bend with
+ *      free edges) the factored system would blow up; there, at six times the cost and not quite linear, a step is the
+ *      best, in energy, of the lines' answers, the velocity and common motion.
  *   "coupled"      the system itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On
  *      uniform sheets without bend and rings, held by whole rows and columns, up to 16 single nodes too, it takes one
  *      or two iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet
- *      comes to rest at the same place with either; take this one where stiff sheets have to move in time, as they
- *      swing, bear loads, are driven or thrown, and for stiff parts that move against each other, of which alternating
- *      finds the common motion only. It needs many iterations where springs or masses vary at random by decades, and
- *      where a plate with free edges bends much harder than it stretches.
+ *      comes to rest at the same place with either; take this one where stiff sheets must move in time, and for stiff
+ *      parts that move against each other, of which alternating finds the common motion only. It needs many iterations
+ *      where springs or masses vary at random by decades, or plates with free edges hardly stretch.
  * Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance;
  * the momentum of a free sheet is kept too, of one torn into parts that of each part, however stiff they are
  * (alternating, of uniform free sheets up to a stiffness of 1e19 mass / h^2, of plates with one ring up to a bend of
- * 1e13). On uniform sheets, alternating, the energy so kept counts the extra mass in what moves; in "float32" each
- * rounding of a velocity is a kick of so many times its energy: where (w_u h) (w_v h) is beyond 1e4, take "float64"
- * or the coupled solver. Plates with stiffness damping, alternating, are first order in time, all else is second.
+ * 1e13). On uniform sheets, alternating, the energy so kept counts the extra mass in what moves, which depends on dt:
+ * WHERE dt CHANGES from step to step they gain energy without bound, with lambda = 1/2 or "stiffSecond" by up
+ * to an eighth a step where 16 and 17 ms take turns, with lambda = 1 by a quarter where some steps are twice as long.
+ * "auto" knows nothing of it: keep to one dt, or take "coupled". In "float32" each rounding of a
+ * velocity is a kick of so many times its energy: where (w_u h) (w_v h) is beyond 1e4, take "float64" or the coupled
+ * solver. Plates with stiffness damping, alternating, are first order in time, all else is second.
  *
  * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
- * 1e60, masses as small as 1e-60. Unlike a chain, a membrane does not tell the force on its held nodes; what a
- * collider feels, neither does.
+ * 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.
  *
  * Every function returns "errorNull" for a null pointer and "errorHandle" for a handle of another kind; the
  * comments name the other errors. Functions that the chain has too mean the same here.
@@ -1457,17 +1457,18 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it
-   * is
+   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it is
    * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
-   * through
-   * a collider, at any speed.
-   * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
-   * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
-   * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
-   * 1e-3
-   * m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside comes out.
+   * through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass),
+   * which
+   * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
+   * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
+   * find:
+   * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are
+   * now
+   * and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
+   * m/s.
+   * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1480,17 +1481,18 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it
-   * is
+   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it is
    * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
-   * through
-   * a collider, at any speed.
-   * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
-   * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
-   * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
-   * 1e-3
-   * m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside comes out.
+   * through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass),
+   * which
+   * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
+   * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
+   * find:
+   * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are
+   * now
+   * and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
+   * m/s.
+   * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1502,17 +1504,18 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it
-   * is
+   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it is
    * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
-   * through
-   * a collider, at any speed.
-   * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
-   * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
-   * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
-   * 1e-3
-   * m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside comes out.
+   * through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass),
+   * which
+   * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
+   * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
+   * find:
+   * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are
+   * now
+   * and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
+   * m/s.
+   * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1524,17 +1527,18 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, beds and callbacks, each with a velocity and a friction of its own. In a step a node heeds the three that it
-   * is
+   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it is
    * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
-   * through
-   * a collider, at any speed.
-   * Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet
-   * lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's,
-   * times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what
-   * begins to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by some
-   * 1e-3
-   * m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside comes out.
+   * through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass),
+   * which
+   * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
+   * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
+   * find:
+   * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are
+   * now
+   * and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
+   * m/s.
+   * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for

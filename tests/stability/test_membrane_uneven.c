@@ -1,0 +1,88 @@
+/* Sheets in steps whose length changes from one to the next, as where a game steps by the time since its last frame.
+ * What keeps the energy itself does so at any change. Where both directions are factored the energy so kept depends on
+ * dt: membrane.h tells what comes of it. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "check.h"
+#include "grid.h"
+#include "reference.h"
+#include "sheet.h"
+#include "wild.h"
+
+/* A sheet of stiffness over mass `ratio` / (0.016 s)^2, shaken; with lambda, undamped. */
+static cd_membrane* shaken(enum wild kind, double ratio, double lambda, cd_solver solver, uint64_t seed) {
+    cd_membrane* m = wild_membrane(kind, 12, 9, 1, CD_FLOAT64, ratio / (0.016 * 0.016), seed);
+    ok(cd_membrane_set_lambda(m, lambda));
+    ok(cd_membrane_set_solver(m, solver));
+    wild_shake(m, 1, 1 / 0.016, seed);
+    return m;
+}
+
+static void what_keeps_energy_does_so_in_uneven_steps(void** state) {
+    (void)state;
+    double worst = 0;
+    for (int kind = 0; kind < WILD_KINDS; ++kind)
+        for (int coupled = 0; coupled < 2; ++coupled)
+            for (int k = 0; k < 12; ++k) {
+                const double ratio = pow(10, k / 2 - 1), lambda = k % 2 ? 1 : 0.5;
+                if (!coupled && wild_separates((enum wild)kind, 0)) continue;
+                cd_membrane* m =
+                    shaken((enum wild)kind, ratio, lambda, coupled ? CD_SOLVER_COUPLED : CD_SOLVER_ALTERNATING,
+                           (uint64_t)(100 * kind + k));
+                uint64_t seed = 7;
+                const double start = sheet_swing_energy(m);
+                double before = start;
+                for (size_t step = 0; step < 60; ++step) {
+                    const double any = 0.016 * pow(10, 3 * random_number(&seed));
+                    sheet_step(m, step >= 30 ? any : step % 2 ? 0.017 : 0.016, 1);
+                    const double now = sheet_swing_energy(m);
+                    worst = fmax(worst, (lambda > 0.5 ? now - before : fabs(now - start)) / start);
+                    before = now;
+                }
+                cd_membrane_destroy(m);
+            }
+    print_message("uneven steps: off by %.1e of the energy\n", worst);
+    assert_true(worst <= 1e-6);
+}
+
+/* Where both directions are factored: by what part of itself the energy grows a step, in the later half of 800. */
+static double growth(enum wild kind, double ratio, double lambda, cd_method method, double first, double second) {
+    cd_membrane* m = shaken(kind, ratio, lambda, CD_SOLVER_ALTERNATING, 3);
+    double highest[2] = {0, 0};
+    ok(cd_membrane_set_method(m, method));
+    for (size_t step = 0; step < 800; ++step) {
+        sheet_step(m, step % 2 ? second : first, 1);
+        highest[step / 400] = fmax(highest[step / 400], sheet_swing_energy(m));
+    }
+    cd_membrane_destroy(m);
+    return expm1(log(highest[1] / highest[0]) / 400);
+}
+
+/* The figures of membrane.h: an eighth a step, and nothing with lambda = 1 or steps that are all alike. */
+static void factored_sheets_gain_no_more_than_the_header_says(void** state) {
+    (void)state;
+    double half = 0, stiff = 0, whole = -1, even = -1;
+    for (int kind = 0; kind < WILD_SEPARABLE; ++kind)
+        for (double ratio = 0.1; ratio < 2e3; ratio *= 2) {
+            const enum wild sheet = (enum wild)kind;
+            half = fmax(half, growth(sheet, ratio, 0.5, CD_METHOD_IMPLICIT, 0.016, 0.017));
+            stiff = fmax(stiff, growth(sheet, ratio, 0.5, CD_METHOD_STIFF_SECOND, 0.016, 0.017));
+            whole = fmax(whole, growth(sheet, ratio, 1, CD_METHOD_IMPLICIT, 0.016, 0.017));
+            even = fmax(even, growth(sheet, ratio, 0.5, CD_METHOD_IMPLICIT, 0.016, 0.016));
+        }
+    print_message(
+        "factored: lambda 1/2 gains %.3f of its energy a step, the stiff method %.3f; lambda 1 %.0e; all in "
+        "steps of one length %.0e\n",
+        half, stiff, whole, even);
+    assert_true(half <= 0.13 && stiff <= 0.13);
+    assert_true(whole <= 0 && even <= 1e-3);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_keeps_energy_does_so_in_uneven_steps),
+        cmocka_unit_test(factored_sheets_gain_no_more_than_the_header_says),
+    };
+    return cmocka_run_group_tests_name("membrane uneven", tests, NULL, NULL);
+}
