@@ -16,8 +16,9 @@
  * Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve.
  *   CD_SOLVER_AUTO         one of the two below for each dt: alternating where it makes a motion of half a wave along
  *      each direction, round a ring of a whole one, with the kinks at held or attached nodes, at most 5% heavier (by
- *      the mean stiffness and inverse mass), coupled elsewhere. It holds the memory that either needs: some 300 bytes a
- *      node, where alternating takes 36 on uniform sheets held by edges. Builds without the coupled one alternate.
+ *      the mean stiffness and inverse mass), coupled elsewhere, and on uniform sheets from the first step on whose dt
+ *      differs from that of the steps before, until cd_membrane_reset. It holds the memory that either needs: some 300
+ *      bytes a node; alternating takes 36 on uniform sheets held by edges. Builds without the coupled one alternate.
  *   CD_SOLVER_ALTERNATING  rows, then columns (Kass 1997, section 9). At a fixed cost it is stable at any stiffness
  *      and any dt that stays the same. Its price: a motion with the angular frequencies w_u and w_v along the two
  *      directions moves as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both
@@ -36,11 +37,10 @@
  * the momentum of a free sheet is kept too, of one torn into parts that of each part, however stiff they are
  * (alternating, of uniform free sheets up to a stiffness of 1e19 mass / h^2, of plates with one ring up to a bend of
  * 1e13). On uniform sheets, alternating, the energy so kept counts the extra mass in what moves, which depends on dt:
- * WHERE dt CHANGES from step to step they gain energy without bound, with lambda = 1/2 or CD_METHOD_STIFF_SECOND by up
+ * where dt changes from step to step they gain energy without bound, with lambda = 1/2 or CD_METHOD_STIFF_SECOND by up
  * to an eighth a step where 16 and 17 ms take turns, with lambda = 1 by a quarter where some steps are twice as long.
- * CD_SOLVER_AUTO knows nothing of it: keep to one dt, or take CD_SOLVER_COUPLED. In CD_FLOAT32 each rounding of a
- * velocity is a kick of so many times its energy: where (w_u h) (w_v h) is beyond 1e4, take CD_FLOAT64 or the coupled
- * solver. Plates with stiffness damping, alternating, are first order in time, all else is second.
+ * In CD_FLOAT32 each rounding of a velocity is a kick of so many times its energy: where (w_u h) (w_v h) is beyond 1e4,
+ * take CD_FLOAT64 or the coupled solver. Plates with stiffness damping, alternating, are first order in time, else second.
  *
  * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
  * 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.

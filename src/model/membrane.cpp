@@ -233,6 +233,11 @@ void fill_uniform(Membrane& m, cd_field field) {
         }
 }
 
+void clear_state(Membrane& m) {
+    clear_state(static_cast<Body&>(m));
+    m.prepared_dt = 0;
+}
+
 void stop_nodes(Membrane& m) {
     for (size_t v = 0; v < m.rows; ++v)
         for (size_t u = 0; u < m.columns; ++u)

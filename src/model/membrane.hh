@@ -162,6 +162,8 @@ inline const char* left_out(const MembraneFeatures& f) {
 // Takes the memory that the features need and releases what they do not; new fields are filled with uniform values.
 // False for want of memory: nothing has changed.
 bool set_features(Membrane& m, const MembraneFeatures& wanted);
+// Positions, velocities and time back to 0; the solver is chosen anew.
+void clear_state(Membrane& m);
 // Fills a field that is switched on with the uniform values of the totals.
 void fill_uniform(Membrane& m, cd_field field);
 // Stops the nodes that have become pinned or absent.
@@ -192,8 +194,9 @@ struct MembraneOutcome {
 };
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count);
 double stable_dt(const Membrane& m); // membrane_limit.cpp
-// Likewise: what a step of springs takes; CD_SOLVER_AUTO: none. kinks: see membrane_held.cpp.
-cd_solver solver_for(const Membrane& m, double dt, double kinks);
+// Likewise: what a step of springs takes; CD_SOLVER_AUTO: none. kinks, and whether its lines separate: see
+// membrane_held.cpp.
+cd_solver solver_for(const Membrane& m, double dt, double kinks, bool separates);
 
 inline size_t awake_nodes(const Membrane& m) { return sleeping_parts(m) > 0 ? 0 : m.nodes; }
 

@@ -119,12 +119,13 @@ void choose_way(const Membrane& m, double dt, MembraneFeatures& with) {
         ++singles;
         kinks += part * part * part * (held(m, u, v) ? 1 : share(tie, springs));
     });
-    with.solver = solver_for(m, dt, kinks);
-    const bool coupled = with.solver == CD_SOLVER_COUPLED;
     const double h = stage_share(m, dt);
+    const bool apart = separates(m, work, h);
+    with.solver = solver_for(m, dt, kinks, apart);
+    const bool coupled = with.solver == CD_SOLVER_COUPLED;
     const size_t most =
         steps_explicitly(m) || (!coupled && is_too_stiff(m, h * (h + m.damping))) ? 0 : HeldNodes::kMost;
-    if (singles > most || !separates(m, work, h)) with.likeness = kDiffer;
+    if (singles > most || !apart) with.likeness = kDiffer;
     else if (holds_inside(m, work)) with.likeness = kSeparate;
 }
 

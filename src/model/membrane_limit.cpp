@@ -85,7 +85,7 @@ Rate rate_along(const Membrane& m, Direction d, double sigma) {
 
 } // namespace
 
-cd_solver solver_for(const Membrane& m, double dt, double kinks) {
+cd_solver solver_for(const Membrane& m, double dt, double kinks, bool separates) {
     if (steps_explicitly(m)) return CD_SOLVER_AUTO;
     if (m.solver != CD_SOLVER_AUTO) return m.solver;
     const double h = stage_share(m, dt), sigma = h * (h + m.damping);
@@ -93,7 +93,9 @@ cd_solver solver_for(const Membrane& m, double dt, double kinks) {
     // The mean square of the motion is a quarter. The kink about a held node (the lattice's Green's function) adds 0.5
     // to 0.9 times the product of the two rates on 33 x 33 nodes, less on larger sheets.
     const double extra = u.motion * v.motion + kinks * u.spring * v.spring / (double(m.nodes) / 4);
-    return extra <= kMostExtraMass ? CD_SOLVER_ALTERNATING : CD_SOLVER_COUPLED;
+    // The extra mass of factored lines depends on dt: the energy counts it, and so would change with dt, without bound.
+    const bool varies = separates && extra > 0 && !m.clock.all_steps_last(dt);
+    return extra <= kMostExtraMass && !varies ? CD_SOLVER_ALTERNATING : CD_SOLVER_COUPLED;
 }
 
 } // namespace cd

@@ -28,6 +28,8 @@ struct Clock {
         const bool of_steps = dt == 0 || (dt >= kLeastStep && dt <= kMostStep);
         return start >= 0 && start <= kMost && of_steps && counted <= steps && (dt > 0 || counted == 0);
     }
+    // Whether steps have always been of this length.
+    bool all_steps_last(double step) const { return steps == 0 || (dt == step && counted == steps); }
     void advance(double step, uint64_t count) {
         if (dt != step) *this = {time(), step, 0, steps};
         counted += count;

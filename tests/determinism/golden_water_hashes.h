@@ -49,28 +49,28 @@
 {9, 17, 1, {0x1d326e3ce732cdfa, 0x33f3c06b72c03e8c}}, /* masked */
 {9, 16, 7, {0x007e077e8746bddd, 0x1ea4b528ac880f49}}, /* masked */
 {9, 2, 16, {0xc84b6b1dd312aefd, 0x0024e715f5ab37de}}, /* masked */
-{10, 13, 9, {0x673015b80de6e6f4, 0x8ac94472b26c03ad}}, /* fed */
+{10, 13, 9, {0x40759b9e2d8e627d, 0xf8dfc85bbecd9445}}, /* fed */
 {10, 1, 17, {0xeb401a96a66eb344, 0xe33227e318a863b4}}, /* fed */
 {10, 17, 1, {0x76a00fc9e757c8c6, 0x8bb0f004791a59d4}}, /* fed */
-{10, 16, 7, {0xcfce26918295275c, 0xf4e913f8eb226c33}}, /* fed */
-{10, 2, 16, {0x5709f1bd2d163a80, 0x167ac3319304afdc}}, /* fed */
-{11, 13, 9, {0x0b8fec5efb77e6b2, 0xa1821ef758d1188d}}, /* everything */
-{11, 1, 17, {0x8fac8eabbf31e934, 0xfc20fb6fa8aeb6b8}}, /* everything */
+{10, 16, 7, {0xa6b8a73c2ee3a141, 0x8fe46a306e0a9772}}, /* fed */
+{10, 2, 16, {0xa15770a68c8353e2, 0x97b4731338c1b0f1}}, /* fed */
+{11, 13, 9, {0x96887706de05b2ca, 0x34f19f9db711ce0a}}, /* everything */
+{11, 1, 17, {0x5b2566d68f791db5, 0xda40f4492fee7fe3}}, /* everything */
 {11, 17, 1, {0x44996cadb85026a9, 0x6b1bfe9f5a4caacc}}, /* everything */
-{11, 16, 7, {0xd9037aee63017d4d, 0x383bcbef2440651e}}, /* everything */
-{11, 2, 16, {0x360560a04cba8f76, 0x683232cf4d8ec0f1}}, /* everything */
-{12, 13, 9, {0x6c83c22f3ac78845, 0x808e272e1762576d}}, /* everything, long steps */
+{11, 16, 7, {0x68c42ed61050e44e, 0x31d1bf9e38ff994b}}, /* everything */
+{11, 2, 16, {0x9f27004d6271a61e, 0xba03fa3bbe517eda}}, /* everything */
+{12, 13, 9, {0x64e4f6de52a879a5, 0xf8f0fbbaf06132a5}}, /* everything, long steps */
 {12, 1, 17, {0x27fc469269520656, 0xa8870a195e046a5f}}, /* everything, long steps */
 {12, 17, 1, {0x47ff0f3f2a19f778, 0x40da0300f2b439d1}}, /* everything, long steps */
-{12, 16, 7, {0xeac5bb97cd9e7612, 0xf509145b02cf3487}}, /* everything, long steps */
-{12, 2, 16, {0x600a69a03cdcad37, 0x66c9d603d22a95fb}}, /* everything, long steps */
-{13, 13, 9, {0xe611220169d11c60, 0xa6127523876c3d0b}}, /* hulls */
-{13, 1, 17, {0x6ef5d7cc35874677, 0x97b2e2dd7b414db8}}, /* hulls */
-{13, 17, 1, {0xe0a9300a90974681, 0xe89d7a6e2a349417}}, /* hulls */
-{13, 16, 7, {0xfd30525396e103b9, 0x3f06eb96bf3aa4f1}}, /* hulls */
-{13, 2, 16, {0xe12339a361270d3b, 0xb266aa14a2f9c800}}, /* hulls */
-{14, 13, 9, {0x21c36bfaa3e70d79, 0x9c697498702044c9}}, /* hulls, long steps */
-{14, 1, 17, {0x40c4397670653e1e, 0xe8faa4edf48ddcbd}}, /* hulls, long steps */
-{14, 17, 1, {0xccc7d08a0a8435cd, 0x692820bdf4d08b8e}}, /* hulls, long steps */
-{14, 16, 7, {0x7f8702140b86c9b6, 0x86f45bdcfa112be2}}, /* hulls, long steps */
-{14, 2, 16, {0xca31aa580d5b08e5, 0x06c44b7f67fd9e0c}}, /* hulls, long steps */
+{12, 16, 7, {0xb7e3c07edd950134, 0xf59271b8429910dd}}, /* everything, long steps */
+{12, 2, 16, {0x63335f6384f97774, 0x7ffb6e762b621ad2}}, /* everything, long steps */
+{13, 13, 9, {0x4f76696608b58119, 0x5feda6633d13c180}}, /* hulls */
+{13, 1, 17, {0xbf35aa0d4d8000c6, 0xe0ec9a4c89362d3c}}, /* hulls */
+{13, 17, 1, {0x544c3ca90c403446, 0x492e05376c88503b}}, /* hulls */
+{13, 16, 7, {0xb2f80f3c358aba76, 0x0c267a66745a58c9}}, /* hulls */
+{13, 2, 16, {0x12f19e39936c96a9, 0x43b6ed0f853e6f7d}}, /* hulls */
+{14, 13, 9, {0xa6d291888d87dce5, 0xc085ab56763a04a2}}, /* hulls, long steps */
+{14, 1, 17, {0x869a025290f01fcc, 0x565a3a886359232f}}, /* hulls, long steps */
+{14, 17, 1, {0x8d41fe96725fe47b, 0x8ed862c8c8a4d475}}, /* hulls, long steps */
+{14, 16, 7, {0x6e1226522903fe72, 0x9fed4e3cce57ca1f}}, /* hulls, long steps */
+{14, 2, 16, {0x3135784e76e632cd, 0xb83bdfba0d0d9598}}, /* hulls, long steps */
