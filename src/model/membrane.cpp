@@ -234,8 +234,8 @@ void fill_uniform(Membrane& m, cd_field field) {
 }
 
 void clear_state(Membrane& m) {
+    if (!m.clock.all_steps_last(m.clock.dt)) m.prepared_dt = 0; // the solver is chosen anew
     clear_state(static_cast<Body&>(m));
-    m.prepared_dt = 0;
 }
 
 void stop_nodes(Membrane& m) {

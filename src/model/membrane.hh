@@ -162,7 +162,7 @@ inline const char* left_out(const MembraneFeatures& f) {
 // Takes the memory that the features need and releases what they do not; new fields are filled with uniform values.
 // False for want of memory: nothing has changed.
 bool set_features(Membrane& m, const MembraneFeatures& wanted);
-// Positions, velocities and time back to 0; the solver is chosen anew.
+// Positions, velocities and time back to 0.
 void clear_state(Membrane& m);
 // Fills a field that is switched on with the uniform values of the totals.
 void fill_uniform(Membrane& m, cd_field field);

@@ -148,6 +148,7 @@ static void a_step_alternates_up_to_its_bound(void** state) {
         assert_int_equal(taken(m), CD_SOLVER_AUTO);
         for (int round = 0; round < 2; ++round)
             for (size_t k = 0; k < COUNT(dts); ++k) {
+                ok(cd_membrane_reset(m)); /* or the change of dt would count */
                 ok(cd_membrane_step(m, dts[k], 1));
                 assert_int_equal(taken(m), k < 2 ? CD_SOLVER_ALTERNATING : CD_SOLVER_COUPLED);
             }
@@ -162,9 +163,11 @@ static void the_step_is_that_of_the_solver_taken(void** state) {
         const double bound = dt_at(c, kMostExtraMass);
         cd_membrane* const m = sheet_of(c, CD_SOLVER_AUTO);
         cd_membrane* const other = sheet_of(c, CD_SOLVER_COUPLED);
-        for (int step = 0; step < 9; ++step) { /* from one to the other and back */
+        const int separates = c->kind != TORN && c->bend == 0;
+        for (int step = 0; step < 9; ++step) { /* from one to the other, and back where the directions do not separate */
+            const int alternates = separates ? step / 3 == 0 : step / 3 != 1;
             const double dt = (step / 3 == 1 ? 3 : 0.5) * bound;
-            ok(cd_membrane_set_solver(other, step / 3 == 1 ? CD_SOLVER_COUPLED : CD_SOLVER_ALTERNATING));
+            ok(cd_membrane_set_solver(other, alternates ? CD_SOLVER_ALTERNATING : CD_SOLVER_COUPLED));
             ok(cd_membrane_step(m, dt, 1));
             ok(cd_membrane_step(other, dt, 1));
             assert_int_equal(taken(m), taken(other));
