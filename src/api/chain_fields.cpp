@@ -196,7 +196,7 @@ cd_status cd_chain_teleport(cd_chain* chain, size_t strand, const double* rotati
     CD_CHECK(is_index(__func__, "strand", strand, c.strands));
     if (rotation && count == 2 && curls(c) && rotation[0] * rotation[3] < rotation[1] * rotation[2])
         return fail(CD_ERROR_VALUE, __func__, "rotation is a mirror image, must be none with rest angles");
-    CD_CHECK(shared::teleport(__func__, c, rotation, offset, count, 1, [&](auto f) {
+    CD_CHECK(shared::teleport(__func__, c, {}, rotation, offset, count, 1, [&](auto f) {
         for (size_t i = 0; i < c.nodes; ++i) f(place(c, strand, i, 0));
     }));
     wake(c, strand, 1);

@@ -180,7 +180,7 @@ cd_status cd_membrane_impulse(cd_membrane* membrane, double u, double v, double 
 
 cd_status cd_membrane_teleport(cd_membrane* membrane, const double* rotation, const double* offset, size_t count) {
     CD_OPEN(membrane, m);
-    CD_CHECK(shared::teleport(__func__, m, rotation, offset, count, m.plane, [&](auto f) {
+    CD_CHECK(shared::teleport(__func__, m, m.change, rotation, offset, count, m.plane, [&](auto f) {
         for (size_t i = 0; i < m.nodes; ++i) f(place(m, i % m.columns, i / m.columns, 0));
     }));
     wake(m);

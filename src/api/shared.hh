@@ -246,10 +246,10 @@ inline cd_status is_rotation(const char* function, const double* rotation, size_
     return CD_OK;
 }
 
-// each_node(f) makes f(place) for every node that moves; its components lie `stride` numbers apart.
-template <class X, class EachNode> cd_status teleport(const char* function, X& x, const double* rotation,
-                                                      const double* offset, size_t count, size_t stride,
-                                                      EachNode each_node) {
+// change: of velocities, or empty; it turns as they do. each_node(f) makes f(place) for every node that moves; its components lie `stride` numbers apart.
+template <class X, class EachNode> cd_status teleport(const char* function, X& x, const Array<char>& change,
+                                                      const double* rotation, const double* offset, size_t count,
+                                                      size_t stride, EachNode each_node) {
     CD_CHECK(not_null(function, "offset", offset));
     CD_CHECK(is_count(function, "count", count, x.components));
     CD_CHECK(are_numbers(function, "offset", offset, count, most_of(x)));
@@ -259,11 +259,12 @@ template <class X, class EachNode> cd_status teleport(const char* function, X& x
         double sum = rotation ? 0 : get_number(x, array, at + k * stride);
         for (size_t j = 0; j < count && rotation; ++j)
             sum += rotation[k * count + j] * get_number(x, array, at + j * stride);
-        return &array == &x.velocity ? sum : sum + offset[k];
+        return &array == &x.velocity || &array == &change ? sum : sum + offset[k];
     };
     bool fits = true;
+    const Array<char>* const arrays[] = {&x.position, &x.velocity, &x.target, &change};
     const auto each_array = [&](auto f) {
-        for (const Array<char>* array : {&x.position, &x.velocity, &x.target})
+        for (const Array<char>* array : arrays)
             if (*array) each_node([&](size_t at) { f(*array, at); });
     };
     each_array([&](const Array<char>& array, size_t at) {

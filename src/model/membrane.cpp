@@ -178,11 +178,12 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
     Change<double> breaking_u{m.breaking_strain[kU], wanted.breaking_strain[kU] ? m.nodes : 0};
     Change<double> breaking_v{m.breaking_strain[kV], wanted.breaking_strain[kV] ? m.nodes : 0};
     Change<double> pressed{m.pressed, wanted.pressure ? m.components * m.plane : 0};
+    Change<char> change{m.change, wanted.cloth ? m.velocity.count : 0};
     Change<uint8_t> pin{m.pin, wanted.pin ? m.nodes : 0}, mask{m.mask, wanted.mask ? m.nodes : 0};
 
     const auto all = [&](auto f) {
         return body.all(f) && f(along_u) && f(along_v) && f(length_u) && f(length_v) && f(breaking_u) &&
-               f(breaking_v) && f(pressed) && f(pin) && f(mask);
+               f(breaking_v) && f(pressed) && f(change) && f(pin) && f(mask);
     };
     const bool same_ring = wanted.ring[kU] == (m.ring[kU] != 0) && wanted.ring[kV] == (m.ring[kV] != 0);
     const bool same_edges = memcmp(wanted.edge, m.edge, sizeof m.edge) == 0, same_pin = pin.keep();
@@ -202,6 +203,7 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
     if (breaking_u.is_new()) fill_uniform(m, CD_BREAKING_STRAIN_U);
     if (breaking_v.is_new()) fill_uniform(m, CD_BREAKING_STRAIN_V);
     if (body.wind.is_new()) fill_uniform(m, CD_WIND);
+    if (change.is_new()) memset(m.change.data, 0, m.change.bytes());
     if (mask.is_new()) memset(m.mask.data, 1, m.mask.bytes());
     for (size_t i = 0; pin.is_new() && i < m.nodes; ++i)
         m.pin[i] = uint8_t(kind_by_edges(m, m.edge, i % m.columns, i / m.columns));
@@ -236,6 +238,7 @@ void fill_uniform(Membrane& m, cd_field field) {
 void clear_state(Membrane& m) {
     if (!m.clock.all_steps_last(m.clock.dt)) m.prepared_dt = 0; // the solver is chosen anew
     clear_state(static_cast<Body&>(m));
+    if (m.change) memset(m.change.data, 0, m.change.bytes());
 }
 
 void stop_nodes(Membrane& m) {

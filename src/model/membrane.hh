@@ -21,7 +21,7 @@ constexpr uint64_t kMostNewton = 1000, kMostGradient = 10000;
 struct ClothSettings : AirSettings {
     double length[2] = {};              // [m], of the sheet; 0: springs have none
     double shear = 0, compression = 10; // [N/m], [1/s^2]
-    uint64_t newton = 2, gradient = 20;
+    uint64_t newton = 3, gradient = 14;
     double thickness = 0; // [m]
     double breaking_strain = INFINITY;
 };
@@ -48,6 +48,8 @@ struct Membrane : Body, MembraneSettings {
     // where only edges hold nodes.
     Array<double> spring_stiffness[2], spring_length[2], breaking_strain[2];
     Array<uint8_t> mask;
+    Array<char>
+        change; // of cloth: what its last step added to the velocities [m/s], where the next one's search begins
 
     // what the last call of step did: see cd_membrane_get_convergence and cd_membrane_get_broken
     size_t iterations, broken;
@@ -70,6 +72,7 @@ struct Membrane : Body, MembraneSettings {
         f(m.spring_length[kU]...), f(m.spring_length[kV]...), f(m.breaking_strain[kU]...), f(m.breaking_strain[kV]...);
         f(m.attach_stiffness...), f(m.attach_damping...), f(m.position...), f(m.velocity...), f(m.force...);
         f(m.target...), f(m.wind...), f(m.colliders...), f(m.beds...), f(m.calm...);
+        f(m.change...); // last: bytes of older versions end before it, and read as 0
     }
     template <class F> static void each_array(F f, Membrane& m) {
         each_field(f, m);

@@ -4,7 +4,7 @@
 //
 //      Phi(w) = 1/2 |w - b|_M^2 + lambda psi(x1) + ...,      b = v0 + h (g + f / m),      v1 = v0 + (w - v0) / lambda
 //
-// by Newton's method. psi is the energy of springs, bend, ties; of the springs against crumpling the part that is not
+// by Newton's method, from where the last step went. psi is the energy of springs, bend, ties; of the springs against crumpling the part that is not
 // convex acts as at x0, which is part of b; contacts, friction and air add what resists motion. By convexity
 //
 //      E1 - E0 <= w . grad Phi(w) / lambda - (lambda - 1/2) |v1 - v0|_M^2
@@ -147,16 +147,31 @@ struct ClothStep {
         combine(1, w.answer, 1, w.image);
     }
 
+    // What moves goes on: the best answer that is a multiple of what the last step changed. False if there is none.
+    bool guess() const {
+        by_precision(m, [&](auto zero) {
+            each_number_of_state<decltype(zero)>(m.change, [&](size_t k, size_t at, auto& number) {
+                w.conjugate[k][at] = w.moves[at] * double(number);
+            });
+        });
+        apply(w.conjugate);
+        const double share = dot(w.residual, w.conjugate) / dot(w.conjugate, w.image);
+        if (!isfinite(share)) return false;
+        combine(1, w.direction, share, w.conjugate);
+        combine(1, w.error, -share, w.image);
+        return true;
+    }
+
     // direction = matrix^-1 residual, nearly. False where nothing could be found.
-    bool solve() {
+    bool solve(bool guesses) {
         factor();
         copy(w.residual, w.error);
         for (double* plane : w.direction) memset(plane, 0, w.grid.pitch * w.grid.rows * sizeof(double));
+        bool found = guesses && guess();
         precondition();
         copy(w.answer, w.conjugate);
         double size = dot(w.error, w.answer);
         const double content = kContent * kContent * size;
-        bool found = false;
         for (uint64_t i = 0; i < m.cloth.gradient && size > content; ++i) {
             apply(w.conjugate);
             const double energy = dot(w.conjugate, w.image);
@@ -217,7 +232,7 @@ struct ClothStep {
             const double size = dot(w.residual, w.residual);
             if (i == 0) start = size;
             left = size == 0 ? 0 : sqrt(size / start);
-            if (i == most || !(size > 0) || !solve()) break;
+            if (i == most || !(size > 0) || !solve(i == 0)) break;
             const double falls = -dot(w.residual, w.direction);
             if (!(falls < 0)) break;
             const double share = search(falls);
@@ -316,46 +331,40 @@ struct ClothStep {
         if (CD_WITH_CONTACT) contacts = find_contacts(m, w, now, dt);
     }
     template <class T> void load() const {
+        each_number_of_state<T>(m.position, [&](size_t k, size_t at, T& x) { w.from[k][at] = double(x); });
+        each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { w.w[k][at] = double(v); });
+    }
+    // f(component, place in the planes, number)
+    template <class T, class F> void each_number_of_state(const Array<char>& array, F f) const {
         for (size_t k = 0; k < 3; ++k)
             for (size_t v = 0; v < m.rows; ++v) {
-                const size_t from = place(m, 0, v, k), to = w.place(0, v);
-                const T *const x = numbers<T>(m.position) + from, *const velocity = numbers<T>(m.velocity) + from;
-                for (size_t u = 0; u < m.columns; ++u)
-                    w.from[k][to + u] = double(x[u]), w.w[k][to + u] = double(velocity[u]);
+                T* const number = numbers<T>(array) + place(m, 0, v, k);
+                for (size_t u = 0; u < m.columns; ++u) f(k, w.place(u, v), number[u]);
             }
     }
 
     // False if a number left the finite range.
     bool finish() const {
-        by_precision(m, [&](auto zero) { load_velocity<decltype(zero)>(); });
-        const double share = 1 / m.lambda; // v1 = v0 + (w - v0) / lambda
-        if (share != 1) combine(1 - share, w.trial, share, w.w);
-        else copy(w.w, w.trial);
-        if (CD_WITH_CONTACT) settle_contacts(w, contacts, dt, w.trial);
-        combine(1, w.from, dt, w.w);
         return by_precision(m, [&](auto zero) { return store<decltype(zero)>(); });
-    }
-    template <class T> void load_velocity() const {
-        for (size_t k = 0; k < 3; ++k)
-            each_place_of_state(
-                [&](size_t at, size_t from) { w.trial[k][at] = double(numbers<T>(m.velocity)[from + k * m.plane]); });
     }
     template <class T> bool store() const {
         bool finite = true;
         const auto put = [&](double value, T& to) {
             to = fabs(value) < Limits<T>::least ? T(0) : T(value);
-            finite &= isfinite(to) != 0;
+            return isfinite(to) != 0;
         };
-        for (size_t k = 0; k < 3; ++k)
-            each_place_of_state([&](size_t at, size_t to) {
-                put(w.from[k][at], numbers<T>(m.position)[to + k * m.plane]);
-                put(w.trial[k][at], numbers<T>(m.velocity)[to + k * m.plane]);
-            });
+        each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { w.trial[k][at] = double(v); });
+        each_number_of_state<T>(m.change, [&](size_t k, size_t at, T& change) {
+            if (!put(w.w[k][at] - w.trial[k][at], change)) change = 0;
+        });
+        const double share = 1 / m.lambda; // v1 = v0 + (w - v0) / lambda
+        if (share != 1) combine(1 - share, w.trial, share, w.w);
+        else copy(w.w, w.trial);
+        if (CD_WITH_CONTACT) settle_contacts(w, contacts, dt, w.trial);
+        combine(1, w.from, dt, w.w);
+        each_number_of_state<T>(m.position, [&](size_t k, size_t at, T& x) { finite &= put(w.from[k][at], x); });
+        each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { finite &= put(w.trial[k][at], v); });
         return finite;
-    }
-    template <class F> void each_place_of_state(F f) const {
-        for (size_t v = 0; v < m.rows; ++v)
-            for (size_t u = 0; u < m.columns; ++u) f(w.place(u, v), place(m, u, v, 0));
     }
 
     bool step(double now) {

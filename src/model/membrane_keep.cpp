@@ -12,8 +12,10 @@ struct MembraneKeep {
     // Among the bits of fields: the settings of cloth follow, how much of what it touches are beds and callbacks, and
     // the strain at which it tears.
     static constexpr uint32_t kOfCloth = 1u << 31, kOfShapes = 1u << 30, kOfBreaking = 1u << 29;
-    // CD_BREAKING_STRAIN_U and _V are beyond the bits, and stand where fields of ropes alone would.
+    // CD_BREAKING_STRAIN_U and _V are beyond the bits, and stand where fields of ropes alone would, as does what the
+    // last step of cloth changed, which older bytes lack.
     static constexpr uint32_t kBreaking[2] = {1u << CD_STRENGTH, 1u << CD_STRAIN};
+    static constexpr uint32_t kOfChange = 1u << CD_TENSION;
     static constexpr Kind kind = {CD_KIND_MEMBRANE, "membrane", {"springs along u", "along v"}};
 
     static Shape shape_of(const Membrane& m) { return {{m.springs[kU], m.springs[kV]}, m.components, m.precision}; }
@@ -28,7 +30,7 @@ struct MembraneKeep {
         if (m.spring_length[kV]) s.fields |= 1u << CD_REST_LENGTH_V;
         for (Direction d : {kU, kV})
             if (m.breaking_strain[d]) s.fields |= kBreaking[d];
-        if (has_lengths(m)) s.fields |= kOfCloth;
+        if (has_lengths(m)) s.fields |= kOfCloth | kOfChange;
         if (m.cloth.breaking_strain < INFINITY) s.fields |= kOfBreaking;
         if (s.has_shapes()) s.fields |= kOfShapes;
         return s;
@@ -101,7 +103,7 @@ struct MembraneKeep {
         for (cd_field field : {CD_MASS, CD_FORCE, CD_TARGET, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_PIN, CD_MASK})
             optional |= 1u << field;
         const bool is_cloth = (s.fields & kOfCloth) != 0;
-        if (is_cloth) optional |= kOfCloth | kOfShapes | 1u << CD_WIND;
+        if (is_cloth) optional |= kOfCloth | kOfChange | kOfShapes | 1u << CD_WIND;
         if (is_cloth) optional |= 1u << CD_REST_LENGTH_U | 1u << CD_REST_LENGTH_V;
         if (is_cloth) optional |= kOfBreaking | kBreaking[kU] | kBreaking[kV];
         bool good = valid_body(s) && (s.fields & ~optional) == 0 && (!is_cloth || valid_cloth(m, s));
@@ -119,9 +121,21 @@ struct MembraneKeep {
         return good;
     }
 
+    // Takes it from the end of what is to be read.
+    static bool check_change(Reader& reader, const Membrane& m) {
+        const size_t bytes = field_size(m, m.velocity);
+        if (size_t(reader.end - reader.from) < bytes) return false;
+        reader.end -= bytes;
+        FieldCheck check{{reader.end, reader.end + bytes}};
+        by_precision(m, [&](auto zero) {
+            check.numbers<decltype(zero)>(m.components * m.nodes, [](double v, size_t) { return isfinite(v) != 0; });
+        });
+        return check.good;
+    }
     static bool check_fields(Reader reader, const Membrane& m, const Settings& s) {
         FieldCheck check{reader};
         const size_t n = m.nodes;
+        if ((s.fields & kOfChange) != 0 && !check_change(check.reader, m)) return false;
         const SavedNumbers pin = s.on(CD_PIN) ? check.here<uint8_t>() : SavedNumbers{};
         if (s.on(CD_PIN)) check.numbers<uint8_t>(n, [](double kind, size_t) { return is_kind(kind); });
         const SavedNumbers mask = s.on(CD_MASK) ? check.here<uint8_t>() : SavedNumbers{};

@@ -124,6 +124,8 @@ RULES = {
     "runs do not go round": (SLEEP, "        if (meets_seam()) wake_all();\n", "", SLEEPS),
     "what pressure holds up is at rest": (SURVEY, " += by_pressure * pressure[at + c];", " += 0 * pressure[at + c];", SLEEPS),
     "what is shallower than the height lies still": (SURVEY, "select((deep - least)", "select(deep", SLEEPS),
+    "a step of cloth begins where the last one went": (
+        "../model/membrane_cloth_step.cpp", "guesses && guess()", "false", ["physics_cloth_size"]),
     "sheets whose dt changes are solved coupled": (
         "../model/membrane_limit.cpp", "!m.clock.all_steps_last(dt)", "false", ["stability_membrane_uneven"]),
     "what is held must not move": ("../model/sleep.hh", "part.held(i) ? 0 : most", "most", BODIES),
