@@ -1371,9 +1371,9 @@ export class Membrane extends Handle {
   // that energy tells never rises but by the work of what is driven, of forces, pressure, wind and
   // colliders that move. What a step does not reach, slows the sheet down: with the default effort one of a stiffness
   // of
-  // 10 mass / dt^2 [N/m] falls to 5% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass
+  // 10 mass / dt^2 [N/m] falls to 3% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass
   // /
-  // dt^2 it falls a quarter too slowly, and far beyond as through syrup. lambda = 1 damps motion that a step does not
+  // dt^2 it falls an eighth too slowly, and far beyond as through syrup. lambda = 1 damps motion that a step does not
   // resolve, lambda nearer 1/2 less, for more effort; steps are first order in time. Free sheets keep their momentum.
   // Cloth needs "implicit" with lambda in [1/2, 1], no matched edge and no stiffness damping: step
   // says "errorUnsupported". It has a solver of its own: solver and set_tolerance do not matter.
@@ -1426,9 +1426,9 @@ export class Membrane extends Handle {
   get broken(): number;
 
   /**
-   * How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of
+   * How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of
    * conjugate
-   * gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and
+   * gradients, `gradient`, 1 to 10000, default 14. Where little is gained a step takes up to 4 more of the former and
    * fewer of the latter.
    * convergence tells the iterations of conjugate gradients that the last call's dearest step took, and
    * the largest gradient that a step left, over the one it started from: Infinity where that is no number.

@@ -205,8 +205,8 @@ CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_
  * function of the velocities, and scales them at its end so that, at any dt, stiffness, masses and effort, the energy
  * that cd_membrane_get_energy tells never rises but by the work of what is driven, of forces, pressure, wind and
  * colliders that move. What a step does not reach, slows the sheet down: with the default effort one of a stiffness of
- * 10 mass / dt^2 [N/m] falls to 5% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass /
- * dt^2 it falls a quarter too slowly, and far beyond as through syrup. lambda = 1 damps motion that a step does not
+ * 10 mass / dt^2 [N/m] falls to 3% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass /
+ * dt^2 it falls an eighth too slowly, and far beyond as through syrup. lambda = 1 damps motion that a step does not
  * resolve, lambda nearer 1/2 less, for more effort; steps are first order in time. Free sheets keep their momentum.
  * Cloth needs CD_METHOD_IMPLICIT with lambda in [1/2, 1], no matched edge and no stiffness damping: cd_membrane_step
  * says CD_ERROR_UNSUPPORTED. It has a solver of its own: cd_membrane_set_solver and set_tolerance do not matter. */

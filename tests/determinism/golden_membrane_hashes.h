@@ -59,6 +59,6 @@
 {9, 3, 0, {0x3d0fe91e35e3c78f, 0xf875ebadc490f80b}}, /* everything, tube */
 {9, 0, 1, {0x531346c2f77db88a, 0xdaf2406c65b1fe9c}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
-{10, 0, 0, {0xc1992b33cd86060b, 0x5882769cb8229713}}, /* sail */
-{11, 0, 0, {0x259a5f5f9efd83a4, 0xc8a593739cf24fc5}}, /* lengths */
-{12, 0, 0, {0x05ee3813a6531a36, 0x24060b5c566a5bbc}}, /* lengths, tube */
+{10, 0, 0, {0x89b75ef1420d2637, 0x06ea804fe9986dec}}, /* sail */
+{11, 0, 0, {0x4cde8fb086542f1e, 0x033f0d511919c54f}}, /* lengths */
+{12, 0, 0, {0x8a5ec737e8641c02, 0x57a9984fab5122b7}}, /* lengths, tube */

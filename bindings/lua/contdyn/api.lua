@@ -2392,8 +2392,8 @@ function Membrane:get_broken()
   return tonumber(out_springs[0])
 end
 
--- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of conjugate
--- gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and
+-- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
+-- gradients, `gradient`, 1 to 10000, default 14. Where little is gained a step takes up to 4 more of the former and
 -- fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
 -- dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY where that is no
 -- number.
@@ -2405,8 +2405,8 @@ function Membrane:set_effort(newton, gradient)
   check(lib.cd_membrane_set_effort(handle_of(self), newton, gradient))
 end
 
--- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of conjugate
--- gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the former and
+-- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
+-- gradients, `gradient`, 1 to 10000, default 14. Where little is gained a step takes up to 4 more of the former and
 -- fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
 -- dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY where that is no
 -- number.

@@ -2422,8 +2422,8 @@ impl Membrane {
         Ok(out_springs)
     }
 
-    /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of
-    /// conjugate gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the
+    /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of
+    /// conjugate gradients, `gradient`, 1 to 10000, default 14. Where little is gained a step takes up to 4 more of the
     /// former and fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the
     /// last call's dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY
     /// where that is no number.
@@ -2431,8 +2431,8 @@ impl Membrane {
         check(unsafe { sys::cd_membrane_set_effort(self.as_ptr(), newton, gradient) })
     }
 
-    /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 2, and in each those of
-    /// conjugate gradients, `gradient`, 1 to 10000, default 20. Where little is gained a step takes up to 4 more of the
+    /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of
+    /// conjugate gradients, `gradient`, 1 to 10000, default 14. Where little is gained a step takes up to 4 more of the
     /// former and fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the
     /// last call's dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY
     /// where that is no number.
