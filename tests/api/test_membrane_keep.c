@@ -118,6 +118,9 @@ static void reset_goes_back_to_the_start(size_t scene) {
         for (size_t i = 0; i < ALL; ++i) assert_true(x[i] == 0);
         cloth_write(same, field, x); /* the same zeros by hand */
     }
+    double length[2];
+    ok(cd_membrane_get_rest_length(m, &length[0], &length[1]));
+    if (length[0] > 0) ok(cd_membrane_reset(same)); /* where the last step of cloth went no write reaches */
     ok(cd_membrane_step(m, 0.001, 40));
     ok(cd_membrane_step(same, 0.001, 40));
     cloth_read(m, CD_POSITION, x);

@@ -155,6 +155,27 @@ static void posed_nodes_are_where_they_should_be(void** state) {
     }
 }
 
+/* After a reset a sheet moves as a new one does: nothing is left of where its steps went. */
+static void a_reset_leaves_nothing_of_what_was(void** state) {
+    (void)state;
+    const double g[3] = {1, -9, 2};
+    uint64_t hash[2];
+    for (int k = 0; k < 2; ++k) {
+        double x[3 * MOST];
+        cd_membrane* m = flat(9, 7, 0.9, 0.7);
+        ok(cd_membrane_set_gravity(m, g, 3));
+        ok(cd_membrane_set_edge(m, CD_EDGE_V_FIRST, CD_NODE_PINNED));
+        cloth_read(m, CD_POSITION, x);
+        if (k == 0) ok(cd_membrane_step(m, 1 / 60.0, 5));
+        ok(cd_membrane_reset(m));
+        cloth_write(m, CD_POSITION, x);
+        ok(cd_membrane_step(m, 1 / 60.0, 3));
+        ok(cd_membrane_hash(m, &hash[k]));
+        cd_membrane_destroy(m);
+    }
+    assert_true(hash[0] == hash[1]);
+}
+
 /* With forces that turn with it, a sheet moves on as it would have, but turned and shifted. */
 static void a_teleport_changes_nothing_but_the_place(void** state) {
     (void)state;
@@ -299,6 +320,7 @@ int main(void) {
         cmocka_unit_test(who_drifts_along_sees_the_same),
         cmocka_unit_test(what_is_left_is_told),
         cmocka_unit_test(posed_nodes_are_where_they_should_be),
+        cmocka_unit_test(a_reset_leaves_nothing_of_what_was),
         cmocka_unit_test(a_teleport_changes_nothing_but_the_place),
         cmocka_unit_test(a_taut_sheet_swings_to_first_order),
     };

@@ -3087,16 +3087,16 @@ end
 -- lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
 -- mode, of which shores are steep, take a little more than 1/2. Advected water gains no energy in steps in which waves
 -- cross half a cell or more, and up to 0.012 in all at shores in shorter ones; where films on cliffs are given high
--- velocities more, up to as much again, most of it in the next step (one of a hundred random scenes). Linear water
--- gains energy where it deepens under a velocity, h_t u^2 / 2 which its equations do not take away again: at random
--- shores some hundredths in all (and see hulls). Air that presses it dry gives it up to 1.4 times what it has to give,
--- advected water half of it, explicit steps any. What pushes off dry land gives the last face a velocity that no water
--- follows. In steps in which waves cross more than a cell, and depths are not smooth, no face gains more energy than
--- its water loses by falling.
+-- velocities more, up to as much again (one of a hundred random scenes). Linear water gains energy where it deepens
+-- under a velocity, h_t u^2 / 2 which its equations do not take away again: at random shores some hundredths in all
+-- (and see hulls). Air that presses it dry gives it up to 1.4 times what it has to give, advected water half of it,
+-- explicit steps any. What pushes off dry land gives the last face a velocity that no water follows. In steps in which
+-- waves cross more than a cell, and depths are not smooth, no face gains more energy than its water loses by falling.
 -- Explicit steps (cd_water_set_method) share all of this but the surface that is solved for: half of the slope pushes,
 -- the water moves, then the other half (velocity Verlet).
 -- Rows and columns are solved in turn only: in steps in which waves cross many cells, those that run aslant are slower
--- than those along the axes. Shorter steps serve better than a solve of the whole plane, which costs far more.
+-- than along the axes. Shorter steps serve better than a solve of the whole plane: neither symmetric nor definite where
+-- streams run, it cost tens of times as much, and gained and lost water.
 -- Right for waves much longer than the water is deep, and surfaces that do not turn over: no dispersion, no ship wakes.
 -- A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
 -- CD_METHOD_IMPLICIT with lambda 0.55.
