@@ -354,8 +354,9 @@ struct ClothStep {
             return isfinite(to) != 0;
         };
         each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { w.trial[k][at] = double(v); });
+        // What a collider gave does not go on.
         each_number_of_state<T>(m.change, [&](size_t k, size_t at, T& change) {
-            if (!put(w.w[k][at] - w.trial[k][at], change)) change = 0;
+            if (touched || !put(w.w[k][at] - w.trial[k][at], change)) change = 0;
         });
         const double share = 1 / m.lambda; // v1 = v0 + (w - v0) / lambda
         if (share != 1) combine(1 - share, w.trial, share, w.w);

@@ -60,5 +60,5 @@
 {9, 0, 1, {0x531346c2f77db88a, 0xdaf2406c65b1fe9c}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
 {10, 0, 0, {0x89b75ef1420d2637, 0x06ea804fe9986dec}}, /* sail */
-{11, 0, 0, {0x4cde8fb086542f1e, 0x033f0d511919c54f}}, /* lengths */
-{12, 0, 0, {0x8a5ec737e8641c02, 0x57a9984fab5122b7}}, /* lengths, tube */
+{11, 0, 0, {0xb70d011391fe4bb0, 0x1e88dbe2d9186073}}, /* lengths */
+{12, 0, 0, {0x290e83549df7f1f4, 0x5751bdaff7abc06a}}, /* lengths, tube */

@@ -126,6 +126,8 @@ RULES = {
     "what is shallower than the height lies still": (SURVEY, "select((deep - least)", "select(deep", SLEEPS),
     "a step of cloth begins where the last one went": (
         "../model/membrane_cloth_step.cpp", "guesses && guess()", "false", ["physics_cloth_size"]),
+    "unless that met a collider": (
+        "../model/membrane_cloth_step.cpp", "if (touched || ", "if (", ["physics_cloth_contact"]),
     "sheets whose dt changes are solved coupled": (
         "../model/membrane_limit.cpp", "!m.clock.all_steps_last(dt)", "false", ["stability_membrane_uneven"]),
     "what is held must not move": ("../model/sleep.hh", "part.held(i) ? 0 : most", "most", BODIES),
