@@ -24,7 +24,7 @@ grep -q -- '-arch arm64.* -arch x86_64' "$folder/compile_commands.json" || fail 
 
 link=$folder/src/CMakeFiles/contdyn.dir/link.txt
 name='-install_name @rpath/libcontdyn\.[0-9.]*\.dylib'
-for option in -dynamiclib "$name" -Wl,-exported_symbols_list, -Wl,-dead_strip; do
+for option in -dynamiclib "$name" "-Xlinker -exported_symbols_list -Xlinker /" -Wl,-dead_strip; do
     grep -q -e "$option" "$link" || fail "not linked by $option"
 done
 ! grep -o -e '-Wl,-[a-z_-]*\(version-script\|as-needed\|gc-sections\|no-undefined\|soname\)[^ ]*' "$link" ||
