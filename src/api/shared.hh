@@ -246,7 +246,8 @@ inline cd_status is_rotation(const char* function, const double* rotation, size_
     return CD_OK;
 }
 
-// change: of velocities, or empty; it turns as they do. each_node(f) makes f(place) for every node that moves; its components lie `stride` numbers apart.
+// change: of velocities, or empty; it turns as they do. each_node(f) makes f(place) for every node that moves; its
+// components lie `stride` numbers apart.
 template <class X, class EachNode> cd_status teleport(const char* function, X& x, const Array<char>& change,
                                                       const double* rotation, const double* offset, size_t count,
                                                       size_t stride, EachNode each_node) {

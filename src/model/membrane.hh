@@ -48,8 +48,8 @@ struct Membrane : Body, MembraneSettings {
     // where only edges hold nodes.
     Array<double> spring_stiffness[2], spring_length[2], breaking_strain[2];
     Array<uint8_t> mask;
-    Array<char>
-        change; // of cloth: what its last step added to the velocities [m/s], where the next one's search begins
+    // of cloth: what its last step added to the velocities [m/s], from which the next one starts
+    Array<char> change;
 
     // what the last call of step did: see cd_membrane_get_convergence and cd_membrane_get_broken
     size_t iterations, broken;

@@ -4,8 +4,9 @@
 //
 //      Phi(w) = 1/2 |w - b|_M^2 + lambda psi(x1) + ...,      b = v0 + h (g + f / m),      v1 = v0 + (w - v0) / lambda
 //
-// by Newton's method, from where the last step went. psi is the energy of springs, bend, ties; of the springs against crumpling the part that is not
-// convex acts as at x0, which is part of b; contacts, friction and air add what resists motion. By convexity
+// by Newton's method, from where the last step went. psi is the energy of springs, bend, ties; of the springs against
+// crumpling the part that is not convex acts as at x0, which is part of b; contacts, friction and air add what resists
+// motion. By convexity
 //
 //      E1 - E0 <= w . grad Phi(w) / lambda - (lambda - 1/2) |v1 - v0|_M^2
 //
