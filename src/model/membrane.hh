@@ -21,7 +21,7 @@ constexpr uint64_t kMostNewton = 1000, kMostGradient = 10000;
 struct ClothSettings : AirSettings {
     double length[2] = {};              // [m], of the sheet; 0: springs have none
     double shear = 0, compression = 10; // [N/m], [1/s^2]
-    uint64_t newton = 3, gradient = 14;
+    uint64_t newton = 3, gradient = 12;
     double thickness = 0; // [m]
     double breaking_strain = INFINITY;
 };

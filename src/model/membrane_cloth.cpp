@@ -70,6 +70,7 @@ ClothWork::ClothWork(const Membrane& m, const MembraneFeatures& f, Carver& coeff
 
     for (double** planes : {from, to, w, trial, rhs, residual, direction, error, conjugate, image, answer})
         vector(planes, grid);
+    for (double** planes : recycled) vector(planes, grid);
     vector(turned_z, turned);
     inertia = scratch.plane(grid);
     const bool blocks = f.air || f.colliders.count > 0;

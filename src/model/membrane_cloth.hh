@@ -36,6 +36,7 @@ struct ClothWork {
     double *direction[3], *error[3]; // of Newton's method, and what is left of its system
     double *conjugate[3], *image[3]; // a conjugate direction and the matrix times it
     double *answer[3], *turned_z[3]; // of lines along v and along u
+    double* recycled[2][3];          // what the last step changed, and Newton's last direction
     double *inertia, *own[6];        // ground without contacts: all three the same, or with air symmetric blocks
     double* ground[6];               // with contacts
     double *curvature[kClothSprings][4], *turned_curvature[4], *block[6], *turned_block[6];

@@ -33,8 +33,9 @@ struct ClothStep {
     ClothWork& w;
     double dt, h;
     size_t contacts = 0, iterations = 0;
-    double left = 0;      // of the gradient that the step starts from
-    bool touched = false; // whether an iteration met a collider
+    double left = 0;       // of the gradient that the step starts from
+    bool touched = false;  // whether an iteration met a collider
+    bool recycles[2] = {}; // whether there is such a direction
 
     const SheetKernels& sheet() const { return m.kernels->sheet; }
     const ClothKernels& cloth() const { return m.kernels->cloth; }
@@ -131,7 +132,7 @@ struct ClothStep {
         return {{w.turned_curvature[0], w.turned_curvature[1], w.turned_curvature[2], w.turned_curvature[3]}};
     }
 
-    // answer = (lines along v)^-1 error + (lines along u)^-1 error
+    // answer = (lines along v)^-1 error + (lines along u)^-1 error + p (p . error) of what is recycled
     void precondition() const {
         for (int k = 0; k < 3; ++k) turn(w.error[k], w.turned_z[k]);
         const ClothCurvature along_v = w.matrix(w.ground).spring[kAlongV];
@@ -146,29 +147,41 @@ struct ClothStep {
                 sheet().transpose(w.turned, w.turned_z[k], w.image[k], w.grid.pitch, first, count);
         });
         combine(1, w.answer, 1, w.image);
+        for (int i = 0; i < 2; ++i)
+            if (recycles[i]) combine(1, w.answer, dot(w.error, w.recycled[i]), w.recycled[i]);
     }
 
-    // What moves goes on: the best answer that is a multiple of what the last step changed. False if there is none.
-    bool guess() const {
+    // Makes a direction p, scaled to p . matrix p = 1, known to the preconditioner, and starts from the best multiple of
+    // it. False where there is no such direction.
+    bool recycle(int i) {
+        double* const* const p = w.recycled[i];
+        apply(p);
+        const double scale = 1 / sqrt(dot(p, w.image));
+        recycles[i] = scale > 0 && isfinite(scale);
+        if (!recycles[i]) return false;
+        combine(0, p, scale, p);
+        const double share = dot(w.residual, p);
+        combine(1, w.direction, share, p);
+        combine(1, w.error, -share * scale, w.image);
+        return true;
+    }
+    // What moves goes on: what the last step changed is the first such direction.
+    void load_change() const {
         by_precision(m, [&](auto zero) {
             each_number_of_state<decltype(zero)>(m.change, [&](size_t k, size_t at, auto& number) {
-                w.conjugate[k][at] = w.moves[at] * double(number);
+                w.recycled[0][k][at] = w.moves[at] * double(number);
             });
         });
-        apply(w.conjugate);
-        const double share = dot(w.residual, w.conjugate) / dot(w.conjugate, w.image);
-        if (!isfinite(share)) return false;
-        combine(1, w.direction, share, w.conjugate);
-        combine(1, w.error, -share, w.image);
-        return true;
     }
 
     // direction = matrix^-1 residual, nearly. False where nothing could be found.
-    bool solve(bool guesses) {
+    bool solve(bool first) {
         factor();
         copy(w.residual, w.error);
+        if (first) load_change();
+        else copy(w.direction, w.recycled[1]); // of the last iteration
         for (double* plane : w.direction) memset(plane, 0, w.grid.pitch * w.grid.rows * sizeof(double));
-        bool found = guesses && guess();
+        bool found = recycle(first ? 0 : 1);
         precondition();
         copy(w.answer, w.conjugate);
         double size = dot(w.error, w.answer);
@@ -226,7 +239,7 @@ struct ClothStep {
     void newton() {
         uint64_t most = m.cloth.newton;
         double start = 0;
-        touched = false;
+        touched = recycles[0] = recycles[1] = false;
         for (uint64_t i = 0;; ++i) {
             touched |= CD_WITH_CONTACT && touches(w, contacts, dt);
             find_residual(w.w, true);

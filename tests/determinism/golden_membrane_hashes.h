@@ -59,6 +59,6 @@
 {9, 3, 0, {0x3d0fe91e35e3c78f, 0xf875ebadc490f80b}}, /* everything, tube */
 {9, 0, 1, {0x531346c2f77db88a, 0xdaf2406c65b1fe9c}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
-{10, 0, 0, {0x89b75ef1420d2637, 0x06ea804fe9986dec}}, /* sail */
-{11, 0, 0, {0xb70d011391fe4bb0, 0x1e88dbe2d9186073}}, /* lengths */
-{12, 0, 0, {0x290e83549df7f1f4, 0x5751bdaff7abc06a}}, /* lengths, tube */
+{10, 0, 0, {0x3ef03b732e9a459d, 0xbe4e6dea24f383dd}}, /* sail */
+{11, 0, 0, {0x21b50a1ff48fc711, 0x88c0be6857b91950}}, /* lengths */
+{12, 0, 0, {0xd7d7f36a42b6b08e, 0xa3c89ba4b6539bcf}}, /* lengths, tube */

@@ -2423,7 +2423,7 @@ impl Membrane {
     }
 
     /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of
-    /// conjugate gradients, `gradient`, 1 to 10000, default 14. Where little is gained a step takes up to 4 more of the
+    /// conjugate gradients, `gradient`, 1 to 10000, default 12. Where little is gained a step takes up to 4 more of the
     /// former and fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the
     /// last call's dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY
     /// where that is no number.
@@ -2432,7 +2432,7 @@ impl Membrane {
     }
 
     /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of
-    /// conjugate gradients, `gradient`, 1 to 10000, default 14. Where little is gained a step takes up to 4 more of the
+    /// conjugate gradients, `gradient`, 1 to 10000, default 12. Where little is gained a step takes up to 4 more of the
     /// former and fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the
     /// last call's dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY
     /// where that is no number.
