@@ -216,6 +216,7 @@ struct ClothStep {
     // A share of `way` in (least, most] at which Phi does not rise, if it falls at `least` and rises at `most`.
     double share_of(double* const* from, double* const* way, double least, double falls, double most,
                     double rises) const {
+        if (!isfinite(rises)) return least;
         const double flat = kFlat * falls;
         for (int i = 0; i < kMostSearches && falls < flat; ++i) { // secants; a side that stays counts for half
             const double middle = least + (most - least) * (falls / (falls - rises));
@@ -295,7 +296,7 @@ struct ClothStep {
             });
         const double end = slope(w.w, 1, way);
         double share = 1;
-        if (end > 0) {
+        if (!(end <= 0)) {
             // Phi's second derivative along `way` is at least that of the ground.
             for (int k = 0; k < 3; ++k) each_place([&](size_t at) { w.image[k][at] = w.inertia[at] * way[k][at]; });
             const double least_bend = dot(way, w.image), least = fmax(0, 1 - end / least_bend);
