@@ -32,7 +32,7 @@
  *      or two iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet
  *      comes to rest at the same place with either; take this one where stiff sheets must move in time, and for stiff
  *      parts that move against each other, of which alternating finds the common motion only. It needs many iterations
- *      where springs or masses vary at random by decades, or plates with free edges hardly stretch.
+ *      where springs or masses vary at random by decades, plates with free edges hardly stretch or many nodes are tied.
  * Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance;
  * the momentum of a free sheet is kept too, of one torn into parts that of each part, however stiff they are
  * (alternating, of uniform free sheets up to a stiffness of 1e19 mass / h^2, of plates with one ring up to a bend of
@@ -206,8 +206,9 @@ CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_
  * that cd_membrane_get_energy tells never rises but by the work of what is driven, of forces, pressure, wind and
  * colliders that move. What a step does not reach, slows the sheet down: with the default effort one of a stiffness of
  * 10 mass / dt^2 [N/m] falls to 3% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass /
- * dt^2 it falls an eighth too slowly, and far beyond as through syrup. lambda = 1 damps motion that a step does not
- * resolve, lambda nearer 1/2 less, for more effort; steps are first order in time. Free sheets keep their momentum.
+ * dt^2 it falls an eighth too slowly, and far beyond as through syrup, far behind a held edge that moves: make a long
+ * frame several steps. lambda = 1 damps motion that a step does not resolve, lambda nearer 1/2 less, for more effort;
+ * steps are first order in time. Free sheets keep their momentum.
  * Cloth needs CD_METHOD_IMPLICIT with lambda in [1/2, 1], no matched edge and no stiffness damping: cd_membrane_step
  * says CD_ERROR_UNSUPPORTED. It has a solver of its own: cd_membrane_set_solver and set_tolerance do not matter. */
 
@@ -248,9 +249,8 @@ CD_API cd_status cd_membrane_get_broken(const cd_membrane* membrane, size_t* out
 
 /* How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
  * gradients, `gradient`, 1 to 10000, default 12. Where little is gained a step takes up to 4 more of the former and
- * fewer of the latter.
- * cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's dearest step took, and
- * the largest gradient that a step left, over the one it started from: INFINITY where that is no number. */
+ * fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
+ * dearest step took, and the largest gradient that a step left, over its first: INFINITY where that is no number. */
 CD_API cd_status cd_membrane_set_effort(cd_membrane* membrane, size_t newton, size_t gradient);
 CD_API cd_status cd_membrane_get_effort(const cd_membrane* membrane, size_t* out_newton, size_t* out_gradient);
 

@@ -37,11 +37,12 @@ CD_GETTER(chain, get_ring, int32_t, out_ring, x.ring)
 
 cd_status cd_chain_set_stiffness(cd_chain* chain, double stiffness) {
     CD_OPEN(chain, c);
-    const bool rigid = has_lengths(c) && isinf(stiffness) && stiffness > 0;
-    if (rigid) c.stiffness = stiffness, changed(c);
-    else if (isinf(stiffness) && stiffness > 0)
+    const bool rope = has_lengths(c), rigid = isinf(stiffness) && stiffness > 0;
+    if (rigid && !rope)
         return fail(CD_ERROR_VALUE, __func__, "stiffness is inf, but there is no rest length: set one first");
-    else CD_CHECK(shared::set_parameter(__func__, c, "stiffness", stiffness, c.stiffness));
+    if (!rigid) CD_CHECK(in_range(__func__, "stiffness", stiffness, 0, kMost, rope ? kOrInfinity : ""));
+    c.stiffness = stiffness;
+    changed(c);
     fill_uniform(c, CD_STIFFNESS);
     return CD_OK;
 }
@@ -117,7 +118,7 @@ static cd_status can_lose_lengths(const char* function, const Chain& c) {
 
 cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
     CD_OPEN(chain, c);
-    if (length != 0) CD_CHECK(in_range(__func__, "length", length, kLeastMass, kMost));
+    if (length != 0) CD_CHECK(in_range(__func__, "length", length, kLeastMass, kMost, kOrZero));
     if (length > 0 && !can_have_lengths(c))
         return fail(CD_ERROR_UNSUPPORTED, __func__,
                     "length is %g, but the chain has %zu springs and %zu components: a rope needs a spring and 1 to 3 "
@@ -161,7 +162,8 @@ cd_status cd_chain_set_rest_angle(cd_chain* chain, double angle) {
 
 cd_status cd_chain_set_strength(cd_chain* chain, double strength) {
     CD_OPEN(chain, c);
-    if (!(isinf(strength) && strength > 0)) CD_CHECK(in_range(__func__, "strength", strength, kLeastMass, kMost));
+    if (!(isinf(strength) && strength > 0))
+        CD_CHECK(in_range(__func__, "strength", strength, kLeastMass, kMost, kOrInfinity));
     CD_CHECK(is_rope(__func__, c, "only ropes break"));
     if (strength < INFINITY) CD_CHECK(shared::switch_field(__func__, c, CD_STIFFNESS, true));
     c.rope.strength = strength;

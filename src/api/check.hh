@@ -25,9 +25,13 @@ inline cd_status is_built(const char* function, const char* part) {
     return part ? fail(CD_ERROR_UNSUPPORTED, function, "%s left out of this build", part) : CD_OK;
 }
 
-inline cd_status in_range(const char* function, const char* name, double value, double least, double most) {
+constexpr const char *kOrZero = " or 0", *kOrInfinity = " or INFINITY";
+
+// also: what else the caller takes.
+inline cd_status in_range(const char* function, const char* name, double value, double least, double most,
+                          const char* also = "") {
     if (value >= least && value <= most) return CD_OK;
-    return fail(CD_ERROR_VALUE, function, "%s is %g, must be in [%g, %g]", name, value, least, most);
+    return fail(CD_ERROR_VALUE, function, "%s is %g, must be in [%g, %g]%s", name, value, least, most, also);
 }
 
 inline cd_status is_enum(const char* function, const char* name, int32_t value, int32_t last) {

@@ -67,7 +67,7 @@ cd_status cd_membrane_set_compression(cd_membrane* membrane, double rate) {
 
 cd_status cd_membrane_set_breaking_strain(cd_membrane* membrane, double strain) {
     CD_OPEN(membrane, m);
-    if (!(isinf(strain) && strain > 0)) CD_CHECK(in_range(__func__, "strain", strain, kLeastMass, kMost));
+    if (!(isinf(strain) && strain > 0)) CD_CHECK(in_range(__func__, "strain", strain, kLeastMass, kMost, kOrInfinity));
     CD_CHECK(is_cloth(__func__, m, "only cloth tears"));
     MembraneFeatures wanted = features(m);
     for (Direction d : {kU, kV}) wanted.spring_stiffness[d] |= strain < INFINITY;

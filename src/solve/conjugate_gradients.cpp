@@ -4,13 +4,16 @@
 
 namespace cd {
 
-void Preconditioner::operator()(const SheetSystem& system, double* r, double* x) const {
+void Preconditioner::operator()(const SheetSystem& system, bool both_ways, double* r, double* x) const {
     if (lines.ready()) return lines.cycle(system, bands, strips, r, x);
-    first.cycle(r, x);
-    if (!two) return;
-    double* const between = second.level[0].b;
-    system.copy(x, between);
+    if (!two) return first.cycle(r, x);
+    double *const between = second.level[0].b, *const other = second.level[0].x;
+    first.cycle(r, between);
     second.cycle(between, x);
+    if (!both_ways) return;
+    second.cycle(r, between);
+    first.cycle(between, other);
+    system.combine(1, x, 1, other);
 }
 
 Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preconditioner, const Goal& goal,
@@ -30,6 +33,8 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
 
     // Where rounding keeps the residual from falling, the iteration has no end of its own.
     constexpr size_t kPatience = 500; // iterations in which the least residual has to halve
+    constexpr size_t kOneWay = 16;    // likewise, while the preconditioner goes one way
+    bool both_ways = false;
     double least = 1;
     size_t halved = 0; // the iteration at which it last did
 
@@ -44,7 +49,7 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
         return norm + kRounding * (goal.size + size + kNothing) / goal.relative;
     };
     while (out.iterations < goal.most_iterations) {
-        preconditioner(system, r, steep);
+        preconditioner(system, both_ways, r, steep);
         // conjugate to the last direction, whatever the preconditioner (Fletcher and Reeves' factor needs it symmetric)
         if (curvature > 0) system.combine(-system.dot(steep, applied) / curvature, direction, 1, steep);
         else system.copy(steep, direction);
@@ -57,6 +62,14 @@ Convergence solve_coupled(const SheetSystem& system, const Preconditioner& preco
         out.residual = size_of_residual() / measure();
         if (out.residual < least / 2) least = out.residual, halved = out.iterations;
         if (out.iterations - halved > kPatience) break;
+        const bool astray = out.iterations - halved > kOneWay && out.iterations < goal.most_iterations;
+        if (preconditioner.two && !both_ways && astray) { // anew, as the directions so far need not be conjugate
+            both_ways = true;
+            out.residual = least = 1, halved = out.iterations, curvature = 0;
+            system.clear(x);
+            system.copy(start, r);
+            continue;
+        }
         if (out.residual > goal.relative) continue;
         system.apply(x, applied);
         system.copy(start, r);

@@ -20,8 +20,9 @@ struct Preconditioner {
     Multigrid first, second;
     bool two;
 
-    // x = S^-1 r, nearly.
-    void operator()(const SheetSystem& system, double* r, double* x) const;
+    // x = S^-1 r, nearly. Two V-cycles after each other are not symmetric where G differs from node to node, as G and L
+    // do not commute there; both_ways: the sum of their two orders, which is, at twice the cost.
+    void operator()(const SheetSystem& system, bool both_ways, double* r, double* x) const;
 };
 
 // Scratch, planes of the system. steep: the preconditioned residual.

@@ -77,6 +77,7 @@ static void only_ropes_break(void** state) {
     refuses(c, cd_chain_set_strength(c, 1), CD_ERROR_UNSUPPORTED, "break|rest length");
     refuses(c, cd_chain_get_reaction(c, 0, 0, out.number, 3), CD_ERROR_UNSUPPORTED, "tensions|rest length");
     ok(cd_chain_set_rest_length(c, 1));
+    refuses(c, cd_chain_set_strength(c, -1), CD_ERROR_VALUE, "strength is -1|in [1e-60, 1e+60] or INFINITY");
     ok(cd_chain_set_strength(c, 4));
     ok(cd_chain_enable_field(c, CD_STRENGTH));
     assert_true(scene_get(c, CD_STRENGTH, 3) == 4);
@@ -120,7 +121,9 @@ static void only_ropes_are_rigid(void** state) {
     (void)state;
     cd_chain* c = scene_chain(2, 5, 3, CD_FLOAT64);
     refuses(c, cd_chain_set_stiffness(c, INFINITY), CD_ERROR_VALUE, "stiffness|inf|no rest length: set one first");
+    refuses(c, cd_chain_set_rest_length(c, -1), CD_ERROR_VALUE, "length is -1|in [1e-60, 1e+60] or 0");
     ok(cd_chain_set_rest_length(c, 1));
+    refuses(c, cd_chain_set_stiffness(c, -1), CD_ERROR_VALUE, "stiffness is -1|in [0, 1e+60] or INFINITY");
     ok(cd_chain_set_stiffness(c, INFINITY));
     cd_chain_destroy(c);
 }

@@ -41,6 +41,7 @@ static void only_cloth_tears_where_it_has_stiffnesses(void** state) {
     refuses(c, cd_membrane_set_breaking_strain(c, 1), CD_ERROR_UNSUPPORTED, "tears|rest length");
     refuses(c, cd_membrane_set_breaking_strain(c, INFINITY), CD_ERROR_UNSUPPORTED, "tears|rest length");
     set_lengths(c, 1);
+    refuses(c, cd_membrane_set_breaking_strain(c, -1), CD_ERROR_VALUE, "strain is -1|in [1e-60, 1e+60] or INFINITY");
     ok(cd_membrane_set_breaking_strain(c, INFINITY)); /* holds, and switches nothing on */
     refuses(c, cd_membrane_read_f64(c, CD_STIFFNESS_U, 0, 0, 1, 1, out.number, 1), CD_ERROR_DISABLED, "field|8");
     ok(cd_membrane_enable_field(c, CD_BREAKING_STRAIN_V)); /* of one direction only */

@@ -135,6 +135,9 @@ RULES = {
         "../model/membrane_cloth_step.cpp", "if (touched || ", "if (", ["physics_cloth_contact"]),
     "sheets whose dt changes are solved coupled": (
         "../model/membrane_limit.cpp", "!m.clock.all_steps_last(dt)", "false", ["stability_membrane_uneven"]),
+    "a plate's two V-cycles go both ways where one way leads astray": (
+        "../solve/conjugate_gradients.cpp", "both_ways = true;", "both_ways = false;",
+        ["stability_membrane_convergence"]),
     "what is held must not move": ("../model/sleep.hh", "part.held(i) ? 0 : most", "most", BODIES),
     "what moves wakes what it comes near": ("../model/sleep.hh", "touched = may_touch(it, x);", "(void)x;", BODIES),
     "a step before it touches": ("../model/sleep.cpp", "> sqrt(speed) * dt", "> 0 * speed", BODIES),

@@ -1857,15 +1857,15 @@ end
 -- iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet comes to rest at
 -- the same place with either; take this one where stiff sheets must move in time, and for stiff parts that move against
 -- each other, of which alternating finds the common motion only. It needs many iterations where springs or masses vary
--- at random by decades, or plates with free edges hardly stretch. Without rest lengths lambda = 1/2 keeps the energy
--- and lambda > 1/2 never adds any, coupled whatever its tolerance; the momentum of a free sheet is kept too, of one
--- torn into parts that of each part, however stiff they are (alternating, of uniform free sheets up to a stiffness of
--- 1e19 mass / h^2, of plates with one ring up to a bend of 1e13). On uniform sheets, alternating, the energy so kept
--- counts the extra mass in what moves, which depends on dt: where dt changes from step to step they gain energy without
--- bound, with lambda = 1/2 or CD_METHOD_STIFF_SECOND by up to an eighth a step where 16 and 17 ms take turns, with
--- lambda = 1 by a quarter where some steps are twice as long. In CD_FLOAT32 each rounding of a velocity is a kick of so
--- many times its energy: where (w_u h) (w_v h) is beyond 1e4, take CD_FLOAT64 or the coupled solver. Plates with
--- stiffness damping, alternating, are first order in time, else second.
+-- at random by decades, plates with free edges hardly stretch or many nodes are tied. Without rest lengths lambda = 1/2
+-- keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance; the momentum of a free sheet is
+-- kept too, of one torn into parts that of each part, however stiff they are (alternating, of uniform free sheets up to
+-- a stiffness of 1e19 mass / h^2, of plates with one ring up to a bend of 1e13). On uniform sheets, alternating, the
+-- energy so kept counts the extra mass in what moves, which depends on dt: where dt changes from step to step they gain
+-- energy without bound, with lambda = 1/2 or CD_METHOD_STIFF_SECOND by up to an eighth a step where 16 and 17 ms take
+-- turns, with lambda = 1 by a quarter where some steps are twice as long. In CD_FLOAT32 each rounding of a velocity is
+-- a kick of so many times its energy: where (w_u h) (w_v h) is beyond 1e4, take CD_FLOAT64 or the coupled solver.
+-- Plates with stiffness damping, alternating, are first order in time, else second.
 -- What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
 -- 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
@@ -2395,8 +2395,7 @@ end
 -- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
 -- gradients, `gradient`, 1 to 10000, default 12. Where little is gained a step takes up to 4 more of the former and
 -- fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
--- dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY where that is no
--- number.
+-- dearest step took, and the largest gradient that a step left, over its first: INFINITY where that is no number.
 function Membrane:set_effort(newton, gradient)
   local where = "cd_membrane_set_effort"
   newton = integer_in(newton, where, "newton")
@@ -2408,8 +2407,7 @@ end
 -- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
 -- gradients, `gradient`, 1 to 10000, default 12. Where little is gained a step takes up to 4 more of the former and
 -- fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
--- dearest step took, and the largest gradient that a step left, over the one it started from: INFINITY where that is no
--- number.
+-- dearest step took, and the largest gradient that a step left, over its first: INFINITY where that is no number.
 function Membrane:get_effort()
   local where = "cd_membrane_get_effort"
   local out_newton = size_t_1()
