@@ -129,44 +129,47 @@ struct Stepper {
         if (w.awake == 0) return;
         const WaterSweep along = sweep_along(a);
         if (along.cells == 1 && along.closed() && !along.ring()) return; // nothing moves
-        const WaterLines lines = lines_along(a);
-        in_tasks(a, lines.lines, [&](double* place, size_t first, size_t count) {
-            if (all_awake(w)) return kernels().sweep(along, lines, place, first, count);
-            bool good = true;
-            for (size_t pack = first; pack < first + count; ++pack) good &= sweep_awake(a, along, lines, place, pack);
-            return good;
+        WaterLines lines = lines_along(a);
+        memset(lines.tally, 0, lines.lines * kTallies * sizeof(double));
+        in_runs(a, along, [&](const WaterSweep& run, double* place, size_t first, size_t count) {
+            return kernels().sweep(run, lines, place, first, count);
         });
         count_up(lines.lines);
-        if (CD_WITH_ADVECTED && carries(a)) carry(a);
+        if (!CD_WITH_ADVECTED || !carries(a)) return;
+        // It carries the velocities across it, too, which lie on the faces between the lines.
+        lines.velocity = state_of(w, w.velocity[other(a)]), lines.wall = w.wall[other(a)].data;
+        lines.seam = all_awake(w) && periodic(w, other(a));
+        in_runs(a, along, [&](const WaterSweep& run, double* place, size_t first, size_t count) {
+            return kernels().carry_across(run, lines, place, first, count);
+        });
+        for (size_t i = 0; lines.seam && i < along.cells; ++i) // the faces 0 and n are one
+            lines.velocity.put(i * stride(a) + lines.lines * stride(other(a)), lines.velocity[i * stride(a)]);
     }
 
-    // A pack of lines of which parts are asleep: each run of awake tiles is a line of its own, with a wall where it
-    // meets tiles that sleep.
-    bool sweep_awake(Axis a, const WaterSweep& along, const WaterLines& lines, double* place, size_t pack) {
-        const size_t first = pack * kTile, count = first + kTile < lines.lines ? kTile : lines.lines - first;
-        double* const tally = lines.tally + first * kTallies;
-        double sums[kTile * kTallies] = {};
-        bool good = true;
-        w.tiles.each_run(a, pack, along.cells, [&](size_t from, size_t end) {
-            WaterSweep run = along;
-            run.cells = end - from;
-            if (from > 0) run.end[0] = {End::kWall, 0, 0, 0};
-            if (end < along.cells) run.end[1] = {End::kWall, 0, 0, 0};
-            good &= kernels().sweep(run, lines.from(from), place, pack, 1);
-            for (size_t k = 0; k < count * kTallies; ++k) {
-                if (k % kTallies != kParts) sums[k] += tally[k];
-                else if (tally[k] > sums[k]) sums[k] = tally[k];
-            }
+    // body(sweep, where to work, first pack, count) for all that is awake: each run of awake tiles is a line of its
+    // own, with a wall where it meets tiles that sleep.
+    template <class Body> void in_runs(Axis a, const WaterSweep& along, const Body& body) {
+        in_tasks(a, lines_of(w, a), [&](double* place, size_t first, size_t count) {
+            if (all_awake(w)) return body(along, place, first, count);
+            bool good = true;
+            for (size_t pack = first; pack < first + count; ++pack)
+                w.tiles.each_run(a, pack, along.cells, [&](size_t from, size_t end) {
+                    WaterSweep run = along;
+                    run.first = from, run.cells = end - from;
+                    if (from > 0) run.end[0] = {End::kWall, 0, 0, 0};
+                    if (end < along.cells) run.end[1] = {End::kWall, 0, 0, 0};
+                    good &= body(run, place, pack, 1);
+                });
+            return good;
         });
-        memcpy(tally, sums, count * kTallies * sizeof(double));
-        return good;
     }
 
     WaterSweep sweep_along(Axis a) const {
         const bool implicit = w.method == CD_METHOD_IMPLICIT;
         const double theta = implicit ? w.lambda : w.method == CD_METHOD_FORWARD_EULER ? 0 : 0.5;
         const double time = time_at(theta);
-        return {w.cells[a],
+        return {0,
+                w.cells[a],
                 dt,
                 dt / w.size[a],
                 theta,
@@ -199,8 +202,7 @@ struct Stepper {
     WaterLines lines_along(Axis a) const {
         WaterLines lines{};
         lines.lines = lines_of(w, a);
-        lines.along = stride(a), lines.across = stride(other(a));
-        lines.byte_along = byte_stride(a), lines.byte_across = byte_stride(other(a));
+        lines.numbers = {stride(a), stride(other(a))}, lines.bytes = {byte_stride(a), byte_stride(other(a))};
         lines.depth = state_of(w, w.depth), lines.bed = state_of(w, w.bed);
         lines.velocity = state_of(w, w.velocity[a]), lines.force = state_of(w, w.force[a]);
         lines.pressure = state_of(w, w.pressure);
@@ -210,61 +212,6 @@ struct Stepper {
         if (carries(a)) lines.moved = moved();
         lines.tally = work.tally;
         return lines;
-    }
-
-    // What moves along `a` carries of the velocities across it, which lie on the faces between the lines.
-    void carry(Axis a) {
-        if (!all_awake(w)) return carry_awake(a);
-        const size_t last = w.cells[other(a)] - 1, step = stride(other(a));
-        carry_faces(a, 1, last, 0);
-        if (!periodic(w, other(a))) return;
-        carry_faces(a, 0, 1, last);
-        const StateNumbers v = state_of(w, w.velocity[other(a)]); // the faces 0 and n are one
-        for (size_t i = 0; i < w.cells[a]; ++i) v.put(i * stride(a) + (last + 1) * step, v[i * stride(a)]);
-    }
-
-    // Through faces of tiles that sleep nothing has gone.
-    void carry_awake(Axis a) {
-        in_tasks(a, lines_of(w, a), [&](double* place, size_t first, size_t count) {
-            bool good = true;
-            for (size_t pack = first; pack < first + count; ++pack) {
-                const size_t from = pack > 0 ? pack * kTile : 1;
-                const size_t end = (pack + 1) * kTile < lines_of(w, a) ? (pack + 1) * kTile : lines_of(w, a);
-                if (end <= from) continue;
-                const WaterAcross across = across_faces(a, from, end - from, from - 1);
-                w.tiles.each_run(a, pack, w.cells[a], [&](size_t begin, size_t after) {
-                    good &= kernels().carry_across(across.run(begin, after), place, 0, 1);
-                });
-            }
-            return good;
-        });
-    }
-
-    // The faces [first, first + count) between lines, and the line of cells before the first one.
-    void carry_faces(Axis a, size_t first, size_t count, size_t before) {
-        const WaterAcross across = across_faces(a, first, count, before);
-        in_tasks(a, count, [&](double* place, size_t from, size_t packs) {
-            return kernels().carry_across(across, place, from, packs);
-        });
-    }
-    WaterAcross across_faces(Axis a, size_t first, size_t count, size_t before) const {
-        const Axis over = other(a);
-        const size_t here = first * stride(over), there = before * stride(over);
-        const size_t byte_here = first * byte_stride(over), byte_there = before * byte_stride(over);
-        const uint8_t *const mask = w.mask.data, *const wall = w.wall[over].data;
-        const StateNumbers depth = state_of(w, w.depth), moved = this->moved();
-        return {w.cells[a],
-                count,
-                stride(a),
-                stride(over),
-                periodic(w, a),
-                state_of(w, w.velocity[over]).from(here),
-                {depth.from(there), depth.from(here)},
-                {moved.from(there), moved.from(here)},
-                {mask ? mask + byte_there : nullptr, mask ? mask + byte_here : nullptr},
-                wall ? wall + byte_here : nullptr,
-                byte_stride(a),
-                byte_stride(over)};
     }
 
     // Adds up what `lines` lines have to tell; of their parts the most.

@@ -29,7 +29,7 @@ HULL_STEP = "../model/water_hull_step.cpp"
 # Name: file, what is there, what takes its place, tests to run (the first one that fails ends a rule).
 RULES = {
     "a dry bed pushes nothing": (
-        "water/face.hh", "return select(rise, select(r.depth, rise, none), select(l.depth, rise, none));", "return rise;",
+        "water/line.hh", "return select(rise, select(c.r.depth, rise, none), select(c.l.depth, rise, none));", "return rise;",
         ["physics_water_lake"]),
     "a face shallower than the mean beside a shallow giver": (
         "water/face.hh", "const L shallower = smaller(mean, most),", "const L shallower = mean,",
@@ -64,38 +64,38 @@ RULES = {
     "velocities follow what the limiter lets through": (
         "water/velocity.hh", "if (any_limited)", "if (false)", ["stability_water_energy"]),
     "and what does not go through gains nothing": (
-        "water/carry.hh", "        if (any_limited) {", "        if (false) {", ["stability_water_energy"]),
+        "water/momentum.hh", "        if (any_limited) {", "        if (false) {", ["stability_water_energy"]),
     "the energy bound of long steps": (
-        "water/line.hh", "if (kind.any_long) balance(kind);", "", ["stability_water_energy"]),
+        "water/line.hh", "if (any_long) balance();", "", ["stability_water_energy"]),
     "a long step is rough from a change of 5% on": (
         "water/velocity.hh", "constexpr double kRoughChange = 0.05;", "constexpr double kRoughChange = 1;",
         ["stability_water_energy"]),
     "and at shores": (
-        "water/surface.hh", "select(smaller(l.depth, r.depth), uneven, mean)", "uneven", ["stability_water_energy"]),
+        "water/surface.hh", "select(shallower, uneven, mean)", "uneven", ["stability_water_energy"]),
     "what pushes from outside does work": (
-        "water/velocity.hh", "return acceleration ? rise - acceleration[i] / L::splat(sweep.courant) : rise;", "return rise;",
+        "water/velocity.hh", "if (acceleration) lift = lift", "if (false) lift = lift",
         ["physics_water_forces"]),
     "parts of half a cell": (
-        "water/line.hh", "constexpr double kPartRun = 0.5;", "constexpr double kPartRun = 1e9;", ["stability_water_currents"]),
+        "water/sweep.cpp", "constexpr double kPartRun = 0.5;", "constexpr double kPartRun = 1e9;", ["stability_water_currents"]),
     "what resolves waves fades out": (
-        "water/line.hh", "resolves = within(", "resolves = L::splat(1) + 0.0 * within(", ["stability_water_currents"]),
+        "water/sweep.cpp", "resolves = within(", "resolves = L::splat(1) + 0.0 * within(", ["stability_water_currents"]),
     "slopes of velocities within cells": (
-        "water/stream.hh", "const L part = smaller(run, positive(L::splat(1) - run)) * even_depth(cell);", "const L part = 0.0 * run;",
+        "water/momentum.hh", "const L part = smaller(run, positive(L::splat(1) - run)) * even_depth(cell);", "const L part = 0.0 * run;",
         ["physics_water_sides"]),
     "slopes only where depths are even": (
-        "water/stream.hh", "return positive(smaller(least,", "return least; return positive(smaller(least,",
+        "water/momentum.hh", "return positive(smaller(least,", "return least; return positive(smaller(least,",
         ["stability_water_currents", "stability_water_energy", "physics_water_thacker"]),
     "slopes add no more than goes through": (
-        "water/stream.hh", "smaller(part, size_of(through))", "part", ["physics_water_symmetry"]),
+        "water/momentum.hh", "smaller(part, size_of(through))", "part", ["physics_water_symmetry"]),
     "half of the momentum goes with old velocities": (
-        "water/carry.hh", "const Lanes<N> e = 0.5 *", "const Lanes<N> e = 0.0 *", ["physics_water_dams", "physics_water_thacker"]),
+        "water/momentum.hh", "const L half = 0.5 *", "const L half = 0.0 *", ["physics_water_dams", "physics_water_thacker"]),
     "dry faces take the speed of what comes": (
-        "water/velocity.hh", "sweep.advected() ? near : none", "none", ["physics_water_thacker", "physics_water_dams"]),
+        "water/velocity.hh", "sweep.advected() ? near : L{}", "L{}", ["physics_water_thacker", "physics_water_dams"]),
     "slopes across": (
-        "water/across.cpp", "return smaller(q, positive(given - q)) * half_slope(through, u);", "return 0.0 * q;",
+        "water/across.cpp", "return smaller(q, positive(given - q)) * half_slope(through, velocity, places, l, r);", "return 0.0 * q;",
         ["physics_water_thacker", "physics_water_momentum"]),
     "between dry lines nothing moves": (
-        "water/across.cpp", "select(water[i], u, L{})", "u", ["api_water_diverge"]),
+        "water/across.cpp", "select(water[i], select(passes, u, velocity[i]), L{})", "select(passes, u, velocity[i])", ["api_water_diverge"]),
     "a side's depth is that of half a cell before": (
         "water/surface.hh", "- L::load(half_cell))", "- 0.0 * L::load(half_cell))", ["physics_water_sides"]),
     "what leaves runs no faster than it came": (
@@ -341,7 +341,7 @@ RULES = {
     "that is stiffer than the water's surface": (
         HULL, "kStiff = 3;", "kStiff = 0.3;", ["physics_water_hulls", "stability_water_hulls"]),
     "lines that a hull presses dry are bound in their energy": (
-        "water/sweep.cpp", "line.pressed() && i < line.n", "false && i < line.n", ["stability_water_hulls"]),
+        "water/sweep.cpp", "line.load[i] + (stiff - L::splat(2)) * d", "0.0 * d", ["stability_water_hulls"]),
     "and what air or wind presses dry": (
         "water/sweep.cpp", "line.acceleration && i < line.n", "false && i < line.n", ["stability_water_energy"]),
     "what drifting makes is owed": (

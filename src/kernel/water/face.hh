@@ -1,45 +1,29 @@
-// What happens at a face between two cells: what pushes there, how friction takes it, and how deep the face is.
+// A face between two cells: whether water can cross it, friction there, and how deep it is.
 #pragma once
 
-#include "kernel/water/sweep.hh"
+#include "kernel/water/panels.hh"
 
 namespace cd {
 namespace CD_ISA {
 
-template <int N> struct CellLanes {
-    Lanes<N> bed, depth;
+struct Cell {
+    L bed, depth;
 
-    Lanes<N> surface() const { return bed + depth; }
+    L surface() const { return bed + depth; }
 };
 
-// How far the surface rises across the face as far as it pushes water: a dry bed pushes nothing, water pushes onto it.
-// rise: that of its surface, and of what presses there.
-template <int N> inline Lanes<N> rise_between(const CellLanes<N>& l, const CellLanes<N>& r, Lanes<N> rise) {
-    using L = Lanes<N>;
-    const L none{};
-    return select(rise, select(r.depth, rise, none), select(l.depth, rise, none));
-}
+// The cells beside a face.
+struct Beside {
+    Cell l, r;
 
-// That of the surface, had neither cell run dry.
-template <int N> inline Lanes<N> full_rise(const CellLanes<N>& l, const CellLanes<N>& r) {
-    return (r.bed - l.bed) + (r.depth - l.depth);
-}
-
-template <int N> inline Lanes<N> rise_between(const CellLanes<N>& l, const CellLanes<N>& r) {
-    return rise_between(l, r, full_rise(l, r));
-}
-
-template <int N> inline Lanes<N> mean_depth(const CellLanes<N>& l, const CellLanes<N>& r) {
-    return 0.5 * (l.depth + r.depth);
-}
-
-// > 0: water can cross the face: both cells are wet, or one stands higher than the other's bed.
-template <int N> inline Lanes<N> conducts(const CellLanes<N>& l, const CellLanes<N>& r) {
-    using L = Lanes<N>;
-    const L none{}, high = larger(l.bed, r.bed);
-    const L over = larger(select(l.depth, l.surface() - high, none), select(r.depth, r.surface() - high, none));
-    return larger(smaller(l.depth, r.depth), over);
-}
+    L mean_depth() const { return 0.5 * (l.depth + r.depth); }
+    // > 0: water can cross the face: both cells are wet, or one stands higher than the other's bed.
+    L conducts() const {
+        const L none{}, high = larger(l.bed, r.bed);
+        const L over = larger(select(l.depth, l.surface() - high, none), select(r.depth, r.surface() - high, none));
+        return larger(smaller(l.depth, r.depth), over);
+    }
+};
 
 // ---- friction -------------------------------------------------------------------------------------------------------
 
@@ -54,24 +38,9 @@ inline double inverse_cube_root(double a) {
     return r;
 }
 
-// What friction leaves of a velocity, and of what is added to it, in a step over which it takes z = dt friction: by the
-// trapezoidal rule, and from z = 2 on, where that would turn it round, all. What is at rest between push and friction
-// stays so at any z.
-template <int N> struct FrictionLanes {
-    Lanes<N> keep, push;
-
-    explicit FrictionLanes(Lanes<N> z) {
-        using L = Lanes<N>;
-        const L half = L::splat(1) + 0.5 * z;
-        keep = positive(L::splat(1) - 0.5 * z) / half;
-        push = L::splat(1) / larger(half, z);
-    }
-};
-
 // dt times Manning's friction on water of depth h at what it leaves of a speed: k u with u + k u^2 = speed,
 // k = manning h^(-4/3). manning: dt g times its square.
-template <int N> inline Lanes<N> manning_drag(Lanes<N> h, Lanes<N> speed, Lanes<N> manning) {
-    using L = Lanes<N>;
+inline L manning_drag(L h, L speed, L manning) {
     const L r = each_lane(h, [](double a) { return a > Limits<double>::least ? inverse_cube_root(a) : 0; });
     const L k = manning * ((r * r) * (r * r));
     return (2 * (k * speed)) / (L::splat(1) + root(L::splat(1) + 4 * (k * speed)));
@@ -103,14 +72,13 @@ constexpr double kGives = 1 - 0x1p-40;
 // Water climbs as far as so many heads of its speed, speed^2 / 2 g, lift it, and not at all from rest.
 constexpr double kClimbedHeads = 8;
 
-template <int N> struct FaceDepth {
-    Lanes<N> depth, closed; // closed > 0: nothing crosses the face, whatever the step brings
+struct FaceDepth {
+    L depth, closed; // closed > 0: nothing crosses the face, whatever the step brings
 
     // run: of the speed, and what a fall of the surface adds to it [s]: lambda dt / cell, and g times its square. head:
     // speed^2 / 2 g.
-    FaceDepth(const CellLanes<N>& l, const CellLanes<N>& r, Lanes<N> speed, const Lanes<N>* dries, Lanes<N> run,
-              Lanes<N> run_by_fall, Lanes<N> head) {
-        using L = Lanes<N>;
+    FaceDepth(const Beside& c, L speed, const L* dries, L run, L run_by_fall, L head) {
+        const Cell &l = c.l, &r = c.r;
         const L none{}, rightward = select(size_of(speed), speed, l.surface() - r.surface());
         const L give = select(rightward, l.depth, r.depth), take = select(rightward, r.depth, l.depth);
         const L bed = select(rightward, l.bed, r.bed), next_bed = select(rightward, r.bed, l.bed);

@@ -1,4 +1,4 @@
-// Lines of a water in and out of panels, N side by side.
+// Lines of a water in and out of panels, side by side.
 #pragma once
 
 #include "kernel/tiles.hh"
@@ -7,106 +7,116 @@
 namespace cd {
 namespace CD_ISA {
 
-// Numbers of N lines: number i of lane k lies at i * N + k.
-template <int N> struct Panel {
+// Lines that are worked on side by side: two registers of the narrowest, which it has few of.
+constexpr int kLines = kNative < 4 ? 4 : kWaterLanes;
+using L = Lanes<kLines>;
+
+// Numbers of lines side by side: number i of lane k lies at i * kLines + k.
+struct Panel {
     double* first;
 
     explicit operator bool() const { return first != nullptr; }
-    Lanes<N> operator[](size_t i) const { return Lanes<N>::load(first + i * N); }
-    void put(size_t i, Lanes<N> a) const { a.store(first + i * N); }
+    L operator[](size_t i) const { return L::load(first + i * kLines); }
+    void put(size_t i, L a) const { a.store(first + i * kLines); }
 };
 
-// Panels of lines of as many cells, one after the other in memory.
-template <int N> struct Panels {
-    double* free;
-    size_t cells;
-
-    Panel<N> operator()() {
-        double* const own = free;
-        free += (cells + kWaterRoom) * N;
-        return {own};
-    }
-};
-
-// Where the numbers of N lines from `line` on lie: `along` apart on a line, lines `across`. Lanes beyond the last of
-// the `lanes` lines that there are repeat that one.
-struct Place {
-    size_t along, across, line, lanes;
-
-    size_t at(size_t i, size_t lane) const { return i * along + (line + (lane < lanes ? lane : lanes - 1)) * across; }
-};
-template <class Lines> Place place_of(const Lines& lines, size_t line, size_t most) {
-    const size_t left = lines.lines - line;
-    return {lines.along, lines.across, line, left < most ? left : most};
+// The first of numbers x_i = own_i + pull_i x_{i+1} that go round a ring of m.
+inline L comes_round(size_t m, const Panel& own, const Panel& pull) {
+    L x{}, share = L::splat(1);
+    for (size_t i = m; i-- > 0;) x = own[i] + pull[i] * x, share = share * pull[i];
+    const L rest = L::splat(1) - share;
+    return select(rest, x / rest, L{});
 }
 
-// The least and the largest of some numbers and of what this begins with.
-template <int N> struct Reach {
-    Lanes<N> least{}, largest{};
+// Takes a panel for lines of so many cells from the memory to work in.
+inline Panel take_panel(double*& work, size_t cells) {
+    const Panel own{work};
+    work += (cells + kWaterRoom) * kLines;
+    return own;
+}
 
-    void see(Lanes<N> a) { least = smaller(a, least), largest = larger(a, largest); }
+// Where number i of a lane lies. Lanes beyond those that there are repeat the last one.
+struct Place {
+    size_t start, along, across, lanes;
+
+    size_t at(size_t i, size_t lane) const { return start + i * along + (lane < lanes ? lane : lanes - 1) * across; }
+};
+inline Place place_of(const WaterSweep& sweep, const Strides& s, size_t line, size_t lanes) {
+    return {sweep.first * s.along + line * s.across, s.along, s.across, lanes};
+}
+
+// The least of some numbers and 1, and the largest of them and 0.
+struct Reach {
+    L least = L::splat(1), largest{};
+
+    void see(L a) { least = smaller(a, least), largest = larger(a, largest); }
 };
 
-template <int N, class T>
-inline Reach<N> fetch_stored(const Place& p, size_t count, const T* from, Panel<N> to, Reach<N> reach) {
-    const auto take = [&](size_t i, Lanes<N> numbers) { to.put(i, numbers), reach.see(numbers); };
+template <class T> inline Reach fetch_stored(const Place& p, size_t count, const T* from, Panel to) {
+    Reach reach;
+    const auto take = [&](size_t i, L numbers) { to.put(i, numbers), reach.see(numbers); };
     size_t i = 0;
-    if (p.across == 1 && p.lanes == N)
-        for (; i < count; ++i) take(i, Lanes<N>::load(from + p.at(i, 0)));
-    if constexpr (N == kTile)
-        if (p.along == 1 && p.lanes == N)
+    if (p.across == 1 && p.lanes == kLines)
+        for (; i < count; ++i) take(i, L::load(from + p.at(i, 0)));
+    if constexpr (kLines == kTile)
+        if (p.along == 1 && p.lanes == kLines)
             for (; i + kTile <= count; i += kTile) {
-                Lanes<N> numbers[kTile];
+                L numbers[kTile];
                 load_tile(from + p.at(i, 0), p.across, numbers);
                 for (size_t k = 0; k < kTile; ++k) take(i + k, numbers[k]);
             }
     for (; i < count; ++i) {
-        double numbers[N];
-        for (size_t lane = 0; lane < N; ++lane) numbers[lane] = double(from[p.at(i, lane)]);
-        take(i, Lanes<N>::load(numbers));
+        double numbers[kLines];
+        for (size_t lane = 0; lane < kLines; ++lane) numbers[lane] = double(from[p.at(i, lane)]);
+        take(i, L::load(numbers));
     }
     return reach;
 }
-template <int N> __attribute__((noinline)) Reach<N> fetch(const Place& p, size_t count, const StateNumbers& from,
-                                                          Panel<N> to, Reach<N> reach = {}) {
-    return from.stored([&](const auto* numbers) { return fetch_stored(p, count, numbers, to, reach); });
+__attribute__((noinline)) inline Reach fetch(const Place& p, size_t count, const StateNumbers& from, Panel to) {
+    return from.stored([&](const auto* numbers) { return fetch_stored(p, count, numbers, to); });
 }
 
 // Numbers smaller than `least` are put down as 0. NaN where one is too large to be stored, else 0.
-template <int N, class T> inline Lanes<N> put_stored(const Place& p, size_t count, Panel<N> from, T* to, double least) {
-    Lanes<N> probe{};
+template <class T> inline L put_stored(const Place& p, size_t count, Panel from, T* to, double least) {
+    L probe{};
     const auto storable = [&](size_t i) {
         probe = probe + 0.0 * (Limits<T>::to_overflow * from[i]);
         return settled(from[i], least);
     };
     size_t i = 0;
-    if (p.across == 1 && p.lanes == N)
+    if (p.across == 1 && p.lanes == kLines)
         for (; i < count; ++i) storable(i).store(to + p.at(i, 0));
-    if constexpr (N == kTile)
-        if (p.along == 1 && p.lanes == N)
+    if constexpr (kLines == kTile)
+        if (p.along == 1 && p.lanes == kLines)
             for (; i + kTile <= count; i += kTile) {
-                Lanes<N> numbers[kTile];
+                L numbers[kTile];
                 for (size_t k = 0; k < kTile; ++k) numbers[k] = storable(i + k);
                 store_tile(numbers, to + p.at(i, 0), p.across);
             }
     for (; i < count; ++i) {
-        double numbers[N];
+        double numbers[kLines];
         storable(i).store(numbers);
         for (size_t lane = 0; lane < p.lanes; ++lane) to[p.at(i, lane)] = T(numbers[lane]);
     }
     return probe;
 }
-template <int N> __attribute__((noinline)) Lanes<N> put(const Place& p, size_t count, Panel<N> from,
-                                                        const StateNumbers& to, double least = 0) {
+__attribute__((noinline)) inline L put(const Place& p, size_t count, Panel from, const StateNumbers& to,
+                                       double least = 0) {
     return to.stored([&](auto* numbers) { return put_stored(p, count, from, numbers, least); });
 }
 
-// work.bundle<N>(its first line) for what lies in packs [first, first + count); whether all came out finite.
+// 1 where is_open(i, lane), else 0.
+template <class IsOpen> void put_openings(size_t count, Panel to, IsOpen is_open) {
+    for (size_t i = 0; i < count; ++i)
+        for (size_t lane = 0; lane < kLines; ++lane) to.first[i * kLines + lane] = is_open(i, lane) ? 1 : 0;
+}
+
+// work.bundle(first line, lanes) for the lines in packs [first, first + count); whether all came out finite.
 template <class Work> bool in_bundles(const Work& work, size_t lines, size_t first, size_t count) {
     const size_t end = (first + count) * kWaterPack < lines ? (first + count) * kWaterPack : lines;
     bool finite = true;
-    constexpr int kLanes = kNative < 4 ? 4 : kWaterLanes; // two registers of the narrowest, which it has few of
-    for (size_t line = first * kWaterPack; line < end; line += kLanes) finite &= work.template bundle<kLanes>(line);
+    for (size_t line = first * kWaterPack; line < end; line += kLines)
+        finite &= work.bundle(line, lines - line < kLines ? lines - line : kLines);
     return finite;
 }
 

@@ -14,80 +14,78 @@
 // more it loses some.
 #pragma once
 
-#include "kernel/water/stream.hh"
+#include "kernel/water/momentum.hh"
 
 namespace cd {
 namespace CD_ISA {
 
-// stream: what the stream adds to the velocity in the step times the face's depth, see stream.hh.
-template <int N> __attribute__((always_inline)) inline FaceLanes<N> WaterLine<N>::inner_face(size_t i,
-                                                                                             const StepKind<N>& kind,
-                                                                                             L stream) {
+// stream: what the stream adds to the velocity in the step times the face's depth, see momentum.hh.
+CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     const double theta = sweep.theta;
-    const Cell l = cell(left(i)), r = cell(i);
-    const L none{}, u = velocity[i], gc = gravity_run(kind), mean = mean_depth(l, r);
+    const Beside c = beside(i);
+    const L none{}, u = velocity[i], gc = sweep.gravity * courant, mean = c.mean_depth();
 
     // Where the cells are wet, and less uneven than they are deep, all that follows is what it is in deep water.
-    const L deeper = smaller(l.depth, r.depth) - (size_of(r.depth - l.depth) + size_of(r.bed - l.bed));
-    const bool deep = all_positive(deeper);
+    const L shallower = smaller(c.l.depth, c.r.depth);
+    const bool deep = all_positive(shallower - (size_of(c.r.depth - c.l.depth) + size_of(c.r.bed - c.l.bed)));
 
     // 1. push
-    const L force = acceleration ? kind.share * acceleration[i] : none;
-    L rise = gc * (deep ? full_rise_at(i, l, r) : rise_at(i, l, r)), kept = u + force,
-      answer = theta * gc; // of a rise after the step
+    const L force = acceleration ? share * acceleration[i] : none;
+    L rise = gc * (deep ? full_rise(i, c) : pushing_rise(i, c)), kept = u + force;
+    L answer = theta * gc; // of a rise after the step
     if (sweep.rubs()) {
-        L z = sweep.drag * (sweep.dt * kind.share);
-        if (sweep.manning > 0)
-            z = z + manning_drag(mean, size_of(kept - rise), sweep.manning * (sweep.dt * kind.share));
-        const FrictionLanes<N> friction(z);
-        kept = friction.keep * u + friction.push * force;
-        rise = friction.push * rise;
-        answer = friction.push * answer;
+        L z = sweep.drag * (sweep.dt * share);
+        if (sweep.manning > 0) z = z + manning_drag(mean, size_of(kept - rise), sweep.manning * (sweep.dt * share));
+        // It takes z of velocities by the trapezoidal rule, and from z = 2 on, where that would turn them round, all.
+        // What is at rest between push and friction stays so at any z.
+        const L middle = L::splat(1) + 0.5 * z, keep = positive(L::splat(1) - 0.5 * z) / middle;
+        const L pushed = L::splat(1) / larger(middle, z);
+        kept = keep * u + pushed * force;
+        rise = pushed * rise;
+        answer = pushed * answer;
     }
     const L w = kept - rise;
 
     // 2. depth
-    const L run = theta * kind.courant, speed = theta * w + (1 - theta) * u;
-    const L cells = smaller(larger(kind.courant * u, L::splat(-1)), L::splat(1)); // no more than a cell's change
-    L depth = mean, k = theta * cells, half = 0.5 * k, advected = theta * stream;
+    const L run = theta * courant, mid = theta * w + (1 - theta) * u;
+    const L cells = smaller(larger(courant * u, L::splat(-1)), L::splat(1)); // no more than a cell's change
+    L face_depth = mean, k = theta * cells, half = 0.5 * k, advected = theta * stream;
     if (!deep) {
-        const L along = select(size_of(speed), speed, w), head = (0.5 / (sweep.gravity + 0x1p-1000)) * (along * along);
-        const FaceDepth<N> face(l, r, along, kind.any_long ? &kind.is_long : nullptr, run, run * gc, head);
+        const L along = select(size_of(mid), mid, w), head = (0.5 / (sweep.gravity + 0x1p-1000)) * (along * along);
+        const FaceDepth face(c, along, any_long ? &is_long : nullptr, run, run * gc, head);
         const L uneven = size_of(face.depth - mean);
-        depth = face.depth;
+        face_depth = face.depth;
         k = select(face.closed, none, k);
         half = select(uneven, none, 0.5 * k);
         advected = select(uneven, none, advected);
-        rough = larger(rough, open(i) * select(smaller(l.depth, r.depth), uneven, mean)); // mean: at a shore
+        rough = larger(rough, open(i) * select(shallower, uneven, mean)); // mean: at a shore
     }
 
     // 3. what the flux answers to
-    const L s = sweep.implicit ? run * (answer * depth) : none;
+    const L s = sweep.implicit ? run * (answer * face_depth) : none;
     const L of_right = !sweep.implicit ? select(k, half, k - half) : select(k, smaller(half, s), k - larger(half, -s));
-    L through = depth * speed;
+    L through = face_depth * mid;
     if (sweep.advected()) through = through + advected;
     const L of_left = k - of_right;
     L s_left = s, s_right = s;
     if (pressed()) s_left = s + s * stiff[left(i)], s_right = s + s * stiff[i]; // a hull's head answers too
-    const FaceLanes<N> out{kind.courant * through, of_left + s_left, s_right - of_right, kept - (1 - theta) * rise,
-                           answer};
-    if (!opening) return out;
-    const L is_open = opening[i];
-    return {is_open * out.flux, is_open * out.left, is_open * out.right, is_open * out.base, is_open * out.push};
+    const auto let = [&](L a) { return opening ? opening[i] * a : a; };
+    speed.put(i, let(kept - (1 - theta) * rise));
+    if (keeps_push()) push.put(i, let(answer));
+    return {let(courant * through), let(of_left + s_left), let(s_right - of_right)};
 }
 
 // A face at a side of the scene.
-template <int N> FaceLanes<N> WaterLine<N>::end_face(size_t i, const StepKind<N>& kind) {
+__attribute__((noinline)) inline Face WaterLine::end_face(int e) {
     const L none{};
-    const bool at_last = i > 0;
-    const WaterEnd& end = sweep.end[at_last ? 1 : 0];
-    if (end.kind == End::kWall) return {none, none, none, none, none};
-    const size_t inside = at_last ? n - 1 : 0, next = n == 1 ? n - i : at_last ? n - 1 : 1;
-    const double outward = at_last ? 1 : -1, critical = critical_depth(end.discharge, sweep.gravity);
+    const WaterEnd& end = sweep.end[e];
+    if (end.kind == End::kWall) return {none, none, none};
+    const size_t face = e ? n : 0, inside = e ? n - 1 : 0, next = e ? n - 1 : 1; // next: face
+    const double outward = e ? 1 : -1, critical = critical_depth(end.discharge, sweep.gravity);
     const SideWaves waves{sweep.gravity, sweep.advected()};
-    double d[N], b[N], u[N], discharge[N], slope[N], half_cell[N];
+    double d[kLines], b[kLines], u[kLines], discharge[kLines], slope[kLines], half_cell[kLines];
     depth[inside].store(d), bed[inside].store(b), (outward * velocity[next]).store(u);
-    for (int k = 0; k < N; ++k) {
+    for (int k = 0; k < kLines; ++k) {
         const double outside = end.level > b[k] ? end.level - b[k] : 0;
         const SideFlow flow = end.kind == End::kInflow ? SideFlow{-end.discharge, 0, d[k] > critical ? d[k] : critical}
                               : end.kind == End::kOpen ? waves.open(d[k], outside, u[k])
@@ -95,50 +93,48 @@ template <int N> FaceLanes<N> WaterLine<N>::end_face(size_t i, const StepKind<N>
         discharge[k] = outward * flow.discharge, slope[k] = flow.slope, d[k] = flow.depth;
         half_cell[k] = n > 1 ? flow.half_cell : 0; // a single cell has one half on each side
     }
-    const L answer = open(i) * (sweep.theta * (kind.courant * L::load(slope)) - L::load(half_cell));
-    side_depth[at_last ? 1 : 0] = L::load(d);
-    const L flow = kind.courant * L::load(discharge) + outward * (kind.share * (end.rise * L::load(half_cell)));
-    return {open(i) * flow, at_last ? answer : none, at_last ? none : answer, none, none};
+    const L answer = open(face) * (sweep.theta * (courant * L::load(slope)) - L::load(half_cell));
+    side_depth[e] = L::load(d);
+    const L flow = courant * L::load(discharge) + outward * (share * (end.rise * L::load(half_cell)));
+    Face out{open(face) * flow, none, none};
+    (e ? out.left : out.right) = answer;
+    return out;
 }
 
-template <int N> void WaterLine<N>::solve_surface(StepKind<N> kind) {
-    WaterLine<N> here = *this;
+inline void WaterLine::solve_surface() {
+    WaterLine here = *this;
     const L one = L::splat(1), none{};
-    StreamAcceleration<N> streams(here, kind);
-    const auto set_out = [&](size_t i, const FaceLanes<N>& f) {
-        here.speed.put(i, f.base);
-        if (here.keeps_push()) here.push.put(i, f.push);
-    };
-    FaceLanes<N> first{none, none, none, none, none}; // of a ring
+    StreamAcceleration streams(here);
+    if (!ring) side[0] = end_face(0), side[1] = end_face(1);
     // Of the row before: its answer, 1 - pull, and in a ring how it follows face 0 and what is left of 1.
     L y = none, rest = one, follow = one, whole = none;
-    const auto eliminate = [&](size_t i, const FaceLanes<N>& f) {
+    for (size_t i = 0; i < here.faces().count; ++i) {
+        Face f;
+        if (!here.ring && (i == 0 || i == here.n)) f = side[i > 0 ? 1 : 0];
+        else f = here.inner_face(i, here.sweep.advected() ? streams.next(i) : none);
+        if (here.ring && i == 0) { // stands back
+            side[0] = f;
+            continue;
+        }
         const L own = one + f.left * rest, inverse = one / (own + f.right);
         y = (f.flux + f.left * y) * inverse;
         rest = own * inverse;
         here.flux.put(i, y);
         here.pull.put(i, f.right * inverse);
-        set_out(i, f);
-        if (!here.ring) return;
+        if (!here.ring) continue;
         follow = (f.left * follow) * inverse;
         whole = (one + f.left * whole) * inverse;
         here.spare[0].put(i, follow);
         here.spare[1].put(i, whole);
-    };
-    if (!ring) eliminate(0, side[0] = end_face(0, kind));
-    for (size_t i = here.first_face(); i < here.n; ++i) {
-        const FaceLanes<N> face = here.inner_face(i, kind, here.sweep.advected() ? streams.next(i) : none);
-        if (i > 0) eliminate(i, face);
-        else set_out(0, first = face);
     }
     rough = here.rough;
-    if (ring) close_ring(first);
-    else eliminate(n, side[1] = end_face(n, kind));
+    if (ring) close_ring();
 }
 
 // Face 0 stands back; the others answer its flux and their own.
-template <int N> void WaterLine<N>::close_ring(const FaceLanes<N>& first) {
+inline void WaterLine::close_ring() {
     const L one = L::splat(1), none{};
+    const Face& first = side[0];
     L own = none, follow = one, left_out = none; // flux, its share of face 0's flux, and what is missing of 1 there
     L last_own = none, last_out = none;
     for (size_t i = n; i-- > 1;) {
@@ -158,7 +154,7 @@ template <int N> void WaterLine<N>::close_ring(const FaceLanes<N>& first) {
 }
 
 // Ends the elimination and fills the cells; returns the least depth of each line.
-template <int N> Lanes<N> WaterLine<N>::fill() {
+inline L WaterLine::fill() {
     L q = flux[n], least = L::splat(1);
     for (size_t i = n; i-- > 0;) {
         const L before = ring ? flux[i] : flux[i] + pull[i] * q, d = depth[i] + (before - q);

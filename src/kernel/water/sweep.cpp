@@ -1,7 +1,6 @@
 // Sweeps of a water along one axis: lines between memory and panels, and the parts that they make their step in.
 #include "kernel/water/sweep.hh"
 
-#include "kernel/water/carry.hh"
 #include "kernel/water/limiter.hh"
 #include "kernel/water/surface.hh"
 #include "kernel/water/velocity.hh"
@@ -11,65 +10,90 @@ namespace CD_ISA {
 
 namespace {
 
-// What a line's step was: what came in and went out at its ends, in how many parts it was made, what faces let through.
-template <int N> struct WaterStep {
-    Lanes<N> in, out, parts;
-    Panel<N> moved;
-};
+// A line makes its step in 1, 2, 4, ... parts, of which each moves its water by at most so many cells, as far as that
+// takes no more than the most.
+constexpr double kPartRun = 0.5;
+constexpr int kMostParts = 64;
+// In a part in which waves cross more than a cell, a long one, velocities are pushed before they are carried, and no
+// face gains more energy than its water loses by falling. What resolves waves, the acceleration of a stream along its
+// line in its fluxes and the slope of velocities within cells, counts in full up to this square of cells, and fades out
+// to none at 1.
+constexpr double kResolved = 0.8;
 
-// > 0 in lines in which hulls, or what pushes from outside by more than the water beside stands over its bed, may press
-// a cell dry; winds on films do not count.
-template <int N> Lanes<N> squeezed(const WaterLine<N>& line, Lanes<N> deepest) {
-    Lanes<N> most{};
-    for (size_t i = 0; line.pressed() && i < line.n; ++i) most = larger(line.squeezed_in(i), most);
+// Begins a part of a step, of so many and in lines in which goes_on > 0, from water that is at most so deep. Lines are
+// bound in their energy as in a long step, too, in which hulls, or what pushes from outside by more than the water
+// beside stands over its bed, may press a cell dry; winds on films do not count.
+void begin_part(WaterLine& line, L parts, L goes_on, L deepest) {
+    const WaterSweep& sweep = line.sweep;
+    L waves = deepest, squeezed{}; // waves: the depth in which they would run as fast without hulls
+    for (size_t i = 0; line.pressed() && i < line.n; ++i) {
+        const L d = line.depth[i], stiff = line.stiff[i];
+        waves = larger(d + stiff * d, waves);
+        squeezed = larger(line.load[i] + (stiff - L::splat(2)) * d, squeezed);
+    }
     for (size_t i = line.first_face(); line.acceleration && i < line.n; ++i) {
-        const auto l = line.cell(line.left(i)), r = line.cell(i);
-        const Lanes<N> a = line.acceleration[i], over = select(a, r.surface() - l.bed, l.surface() - r.bed);
-        const Lanes<N> d = larger(over, kRoughChange * deepest);
-        most = larger(line.open(i) * size_of(a) - (line.sweep.gravity * line.sweep.courant) * d, most);
+        const Beside c = line.beside(i);
+        const L a = line.acceleration[i], over = select(a, c.r.surface() - c.l.bed, c.l.surface() - c.r.bed);
+        const L d = larger(over, kRoughChange * waves);
+        squeezed = larger(line.open(i) * size_of(a) - (sweep.gravity * sweep.courant) * d, squeezed);
+    }
+    line.share = select(goes_on, L::splat(1) / parts, L{});
+    line.courant = sweep.courant * line.share;
+    const L square = (sweep.gravity * waves) * (line.courant * line.courant);
+    line.resolves = within((1 / (1 - kResolved)) * (L::splat(1) - square), 0, 1);
+    line.is_long = sweep.implicit ? larger(square - L::splat(1), squeezed) : L{};
+    line.any_long = any_positive(line.is_long);
+}
+
+// The speed at which water comes in at the ends of a line.
+L coming_in(const WaterLine& line) {
+    L most{};
+    for (int e = 0; e < 2; ++e) {
+        const WaterEnd& end = line.sweep.end[e];
+        if (end.kind != End::kInflow) continue;
+        const L critical = L::splat(critical_depth(end.discharge, line.sweep.gravity));
+        const L deep = larger(line.depth[e ? line.n - 1 : 0], critical);
+        most = larger(select(deep, size_of(L::splat(end.discharge)) / deep, L{}), most);
     }
     return most;
 }
 
-// Depths and velocities after it are in the panels `after` and `speed`. all: for what went through faces in all parts.
-template <int N> __attribute__((noinline)) WaterStep<N> make_step(WaterLine<N>& line, Lanes<N> fastest,
-                                                                  Lanes<N> deepest, Lanes<N> shallowest, Panel<N> all) {
-    using L = Lanes<N>;
-    const WaterSweep& sweep = line.sweep;
+// Depths and velocities after it are in the panels `after` and `speed`. Returns what went through faces in all parts,
+// in the panel `all` if there were several.
+__attribute__((noinline)) Panel make_step(WaterLine& line, Reach speeds, Reach depths, Panel all) {
     const size_t n = line.n;
-    const L none{}, parts = StepKind<N>::parts_of(sweep, fastest);
+    const L fastest = larger(larger(speeds.largest, -speeds.least), coming_in(line));
+    const L parts = line.tally[kParts] = each_lane(fastest, [&](double speed) {
+        const double wanted = speed * line.sweep.courant / kPartRun;
+        int m = 1;
+        while (m < wanted && m < kMostParts) m *= 2;
+        return double(m);
+    });
     const size_t most = size_t(largest_in(parts));
-    WaterStep<N> out{none, none, parts, most > 1 ? all : line.flux};
     for (size_t part = 0; part < most; ++part) {
         const L goes_on = parts - L::splat(double(part)); // > 0: makes this part
         if (part > 0) {                                   // from what the last one has left
-            deepest = none, shallowest = L::splat(1);
+            depths = {};
             for (size_t i = 0; i < n; ++i) {
-                const L d = settled(line.after[i], kDry);
-                line.depth.put(i, d);
-                deepest = larger(line.waves_in(i), deepest), shallowest = smaller(d, shallowest);
+                line.depth.put(i, settled(line.after[i], kDry));
+                depths.see(line.depth[i]);
             }
-            const Panel<N> velocity = line.velocity;
+            const Panel velocity = line.velocity;
             line.velocity = line.speed, line.speed = velocity;
         }
-        if (!all_positive(shallowest)) line.follow_water(goes_on);
-        StepKind<N> kind(sweep, parts, goes_on, deepest);
-        if ((line.pressed() || line.acceleration) && sweep.implicit) kind.bind(squeezed(line, deepest));
-        line.step(kind);
-        if (most > 1) {
-            for (size_t i = 0; i <= n; ++i) {
-                line.speed.put(i, select(goes_on, line.speed[i], line.velocity[i]));
-                line.flux.put(i, select(goes_on, line.flux[i], none));
-                all.put(i, part == 0 ? line.flux[i] : all[i] + line.flux[i]);
-            }
-            for (size_t i = 0; i < n; ++i) line.after.put(i, select(goes_on, line.after[i], line.depth[i]));
+        if (!all_positive(depths.least)) line.follow_water(goes_on);
+        begin_part(line, parts, goes_on, depths.largest);
+        line.step();
+        for (size_t i = 0; most > 1 && i <= n; ++i) { // in the other lines nothing has moved
+            line.speed.put(i, select(goes_on, line.speed[i], line.velocity[i]));
+            all.put(i, part == 0 ? line.flux[i] : all[i] + line.flux[i]);
         }
-        if (sweep.closed()) continue;
+        if (line.sweep.closed()) continue;
         const L q0 = line.flux[0], q1 = line.flux[n];
-        out.in = out.in + (positive(q0) + positive(-q1));
-        out.out = out.out + (positive(-q0) + positive(q1));
+        line.tally[kIn] = line.tally[kIn] + (positive(q0) + positive(-q1));
+        line.tally[kOut] = line.tally[kOut] + (positive(-q0) + positive(q1));
     }
-    return out;
+    return most > 1 ? all : line.flux;
 }
 
 struct Sweep {
@@ -77,46 +101,43 @@ struct Sweep {
     const WaterLines& lines;
     double* work;
 
-    template <int N> bool bundle(size_t first) const {
-        using L = Lanes<N>;
+    bool bundle(size_t first, size_t lanes) const {
         const size_t n = sweep.cells;
-        const Place p = place_of(lines, first, N);
-        Panels<N> panel{work, n};
-        WaterLine<N> line{sweep, n, sweep.ring()};
-        for (Panel<N>* one : {&line.bed, &line.depth, &line.velocity, &line.flux, &line.after, &line.speed, &line.pull,
-                              &line.push, &line.spare[0], &line.spare[1]})
+        const Place p = place_of(sweep, lines.numbers, first, lanes);
+        double* free = work;
+        const auto panel = [&] { return take_panel(free, n); };
+        WaterLine line{sweep, n, sweep.ring()};
+        for (Panel* one : {&line.bed, &line.depth, &line.velocity, &line.flux, &line.after, &line.speed, &line.pull,
+                           &line.push, &line.spare[0], &line.spare[1]})
             *one = panel();
-        if (lines.mask || lines.wall) fetch_openings(p, line.opening = panel());
-        if (lines.force || lines.pressure) fetch_acceleration(p, line.acceleration = panel(), line.flux);
+        if (lines.has_closed_faces())
+            fetch_openings(place_of(sweep, lines.bytes, first, lanes), line, line.opening = panel());
+        if (lines.force || lines.pressure) fetch_acceleration(p, line, line.acceleration = panel());
         fetch(p, n, lines.bed, line.bed);
-        const Reach<N> depths = fetch(p, n, lines.depth, line.depth, {L::splat(1), L{}}); // 1: as far as it matters
-        const Reach<N> speeds = fetch(p, n + 1, lines.velocity, line.velocity);
-        const L deepest = depths.largest, fastest = larger(speeds.largest, -speeds.least);
-        L waves = deepest;
+        const Reach depths = fetch(p, n, lines.depth, line.depth);
+        const Reach speeds = fetch(p, n + 1, lines.velocity, line.velocity);
         if (CD_WITH_HULL && lines.load) {
             fetch(p, n, lines.load, line.load = panel());
             fetch(p, n, lines.stiff, line.stiff = panel());
-            for (size_t i = 0; i < n; ++i) waves = larger(line.waves_in(i), waves);
         }
-        const WaterStep<N> step = make_step(line, larger(fastest, coming_in(line)), waves, depths.least, panel());
+        const Panel moved = make_step(line, speeds, depths, panel());
 
-        round_depths(line.after, deepest);
-        L probe = 0.0 * (step.in + step.out);
+        round_depths(line.after, depths.largest);
+        L probe = 0.0 * (line.tally[kIn] + line.tally[kOut]);
         probe = probe + put(p, n, line.after, lines.depth);
         probe = probe + put(p, n + 1, line.speed, lines.velocity, lines.velocity.range().least);
-        if (lines.moved) put(p, n + 1, step.moved, lines.moved);
-        put_tally(p, {step.in, step.out, line.held_back, line.limited, step.parts});
+        if (lines.moved) put(p, n + 1, moved, lines.moved);
+        add_tally(first, lanes, line.tally);
         return !probe.any_nan();
     }
 
     // In chains of cells, since one waits long for the next; what they owe at last goes to the last cells that take it.
     // Of water as deep in all cells of a line, but for a factor of 2, none is left but for what double rounds.
-    template <int N> void round_depths(Panel<N> depth, Lanes<N> deepest) const {
-        using L = Lanes<N>;
+    void round_depths(Panel depth, L deepest) const {
         constexpr size_t kChains = 4;
         constexpr double kNoise = 0x1p-44; // of the deepest cell
         const bool wide = lines.depth.wide();
-        Rounding<N> chain[kChains] = {{wide}, {wide}, {wide}, {wide}}, rest{wide};
+        Rounding<kLines> chain[kChains] = {{wide}, {wide}, {wide}, {wide}}, rest{wide};
         const size_t n = sweep.cells;
         for (size_t i = 0; i < n; i += kChains)
             for (size_t k = 0; k < kChains && i + k < n; ++k)
@@ -130,54 +151,36 @@ struct Sweep {
         }
     }
 
-    // The speed at which water comes in at the ends of a line.
-    template <int N> Lanes<N> coming_in(const WaterLine<N>& line) const {
-        using L = Lanes<N>;
-        L most{};
-        for (int e = 0; e < 2; ++e) {
-            const WaterEnd& end = sweep.end[e];
-            if (end.kind != End::kInflow) continue;
-            const L deep =
-                larger(line.depth[e ? line.n - 1 : 0], L::splat(critical_depth(end.discharge, sweep.gravity)));
-            most = larger(select(deep, size_of(L::splat(end.discharge)) / deep, L{}), most);
-        }
-        return most;
-    }
-
     // What lets water cross faces: 1, or 0 beside cells that are not there and on walls.
-    template <int N> void fetch_openings(const Place& p, Panel<N> to) const {
-        const size_t n = sweep.cells;
-        const Place bytes{lines.byte_along, lines.byte_across, p.line, p.lanes};
-        const bool ring = sweep.ring();
-        for (size_t i = 0; i <= n; ++i)
-            for (size_t lane = 0; lane < N; ++lane) {
-                const auto there = [&](size_t cell) { return !lines.mask || lines.mask[bytes.at(cell, lane)] != 0; };
-                bool is_open = true;
-                if (i > 0 || ring) is_open = is_open && there(i > 0 ? i - 1 : n - 1);
-                if (i < n || ring) is_open = is_open && there(i < n ? i : 0);
-                if (lines.wall && ((i > 0 && i < n) || ring))
-                    is_open = is_open && lines.wall[bytes.at(i < n ? i : 0, lane)] == 0;
-                to.first[i * N + lane] = is_open ? 1 : 0;
-            }
+    void fetch_openings(const Place& bytes, const WaterLine& line, Panel to) const {
+        put_openings(line.n + 1, to, [&](size_t i, size_t lane) {
+            const size_t l = bytes.at(line.left(i), lane), r = bytes.at(line.right(i), lane);
+            const bool inner = line.ring || (i > 0 && i < line.n);
+            return lines.there(l) && lines.there(r) && !(inner && lines.walled(r));
+        });
     }
 
-    // What forces and pressures add to velocities in the step. pressure: scratch.
-    template <int N> void fetch_acceleration(const Place& p, Panel<N> to, Panel<N> pressure) const {
-        using L = Lanes<N>;
-        const size_t n = sweep.cells;
+    // What forces and pressures add to velocities in the step.
+    void fetch_acceleration(const Place& p, const WaterLine& line, Panel to) const {
+        const size_t n = line.n;
+        const Panel pressure = line.flux; // for now
         if (lines.force) fetch(p, n + 1, lines.force, to);
         for (size_t i = 0; i <= n; ++i) to.put(i, lines.force ? sweep.dt * to[i] : L{});
         if (!lines.pressure) return;
         fetch(p, n, lines.pressure, pressure);
-        for (size_t i = sweep.ring() ? 0 : 1; i < n; ++i)
-            to.put(i, to[i] - lines.pressure_share * (pressure[i] - pressure[i > 0 ? i - 1 : n - 1]));
+        for (size_t i = line.first_face(); i < n; ++i)
+            to.put(i, to[i] - lines.pressure_share * (pressure[i] - pressure[line.left(i)]));
     }
 
-    template <int N> void put_tally(const Place& p, const Lanes<N> (&tally)[kTallies]) const { // by WaterTally
-        double sums[kTallies][N];
-        for (int t = 0; t < kTallies; ++t) tally[t].store(sums[t]);
-        for (size_t k = 0; k < p.lanes; ++k)
-            for (int t = 0; t < kTallies; ++t) lines.tally[(p.line + k) * kTallies + size_t(t)] = sums[t][k];
+    void add_tally(size_t first, size_t lanes, const L (&tally)[kTallies]) const {
+        for (int t = 0; t < kTallies; ++t) {
+            double more[kLines];
+            tally[t].store(more);
+            for (size_t k = 0; k < lanes; ++k) {
+                double& sum = lines.tally[(first + k) * kTallies + size_t(t)];
+                sum = t != kParts ? sum + more[k] : more[k] > sum ? more[k] : sum;
+            }
+        }
     }
 };
 

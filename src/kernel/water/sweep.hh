@@ -24,7 +24,7 @@ struct WaterEnd {
 };
 
 struct WaterSweep {
-    size_t cells;
+    size_t first, cells;  // of each line
     double dt, courant;   // courant: dt / the cell's size [s/m]
     double theta;         // how much the end of the step counts against its beginning
     bool implicit;        // fluxes answer to the surface of the step's end
@@ -39,54 +39,31 @@ struct WaterSweep {
     bool rubs() const { return drag > 0 || manning > 0; }
 };
 
-// The numbers of lines along an axis: those of line k at cell or face i lie at i * along + k * across. Null: not there.
-struct WaterLines {
-    size_t lines, along, across;
-    StateNumbers depth, velocity, bed, pressure, force;
-    StateNumbers load, stiff;   // of hulls, in cells: the head that presses [m] is load + stiff depth
-    double pressure_share;      // from a difference of pressures to an acceleration
-    const uint8_t *mask, *wall; // at i * byte_along + k * byte_across
-    size_t byte_along, byte_across;
-    StateNumbers moved; // out, for carry_across: what went through faces, as depths [m]
-    double* tally;      // out: kTallies numbers per line
+// How far numbers lie apart: along lines, and from line to line.
+struct Strides {
+    size_t along, across;
+};
 
-    // The same from a cell on.
-    WaterLines from(size_t cell) const {
-        WaterLines part = *this;
-        for (StateNumbers* numbers : {&part.depth, &part.velocity, &part.bed, &part.pressure, &part.force, &part.load,
-                                      &part.stiff, &part.moved})
-            if (*numbers) *numbers = numbers->from(cell * along);
-        if (mask) part.mask += cell * byte_along;
-        if (wall) part.wall += cell * byte_along;
-        return part;
-    }
+// The numbers of lines along an axis. Null: not there.
+struct WaterLines {
+    size_t lines;
+    Strides numbers, bytes; // of the state and of mask and wall
+    StateNumbers depth, velocity, bed, pressure, force;
+    StateNumbers load, stiff; // of hulls, in cells: the head that presses [m] is load + stiff depth
+    double pressure_share;    // from a difference of pressures to an acceleration
+    const uint8_t *mask, *wall;
+    bool seam;          // of carry_across: line 0 lies behind the last one
+    StateNumbers moved; // out, and for carry_across: what went through faces, as depths [m]
+    double* tally;      // out: kTallies numbers per line, to which runs of its cells add
+
+    bool has_closed_faces() const { return mask || wall; }
+    bool there(size_t byte) const { return !mask || mask[byte] != 0; }
+    bool walled(size_t byte) const { return wall && wall[byte] != 0; }
 };
 
 // What a line let in and out at its ends, what the limiter held back, all as depths [m]; in how many cells; and the
 // parts that it made its step in.
 enum WaterTally { kIn, kOut, kHeldBack, kLimited, kParts, kTallies };
-
-// How what a sweep has moved along its lines carries the velocities of the other axis, which lie on the faces between
-// lines of cells: before them and behind.
-struct WaterAcross {
-    size_t cells, lines, along, across;
-    bool ring; // along the lines
-    StateNumbers velocity, depth[2], moved[2];
-    // what closes faces, see WaterLines: the cells before and behind them, walls on them
-    const uint8_t *mask[2], *wall;
-    size_t byte_along, byte_across;
-
-    // Of cells [first, end) of each line, with walls at both ends.
-    WaterAcross run(size_t first, size_t end) const {
-        WaterAcross part = *this;
-        part.cells = end - first, part.ring = false;
-        for (StateNumbers* numbers : {&part.velocity, &part.depth[0], &part.depth[1], &part.moved[0], &part.moved[1]})
-            *numbers = numbers->from(first * along);
-        for (const uint8_t** bytes : {&part.mask[0], &part.mask[1], &part.wall})
-            if (*bytes) *bytes += first * byte_along;
-        return part;
-    }
-};
 
 // Lines that are worked on side by side, the panels of numbers that they need, and what panels have room for beside
 // their cells; two more with hulls. Tasks take packs of lines: whole lines of the cache.
@@ -94,6 +71,15 @@ constexpr size_t kWaterLanes = 8, kWaterPanels = 14, kHullPanels = 2, kWaterRoom
 inline size_t water_packs(size_t lines) { return (lines + kWaterPack - 1) / kWaterPack; }
 
 namespace CD_ISA {
+
+// Neighbours among `count` places on a line, or round a ring; at an end of a line itself.
+struct Neighbours {
+    size_t count;
+    bool ring;
+
+    size_t before(size_t i) const { return i > 0 ? i - 1 : ring ? count - 1 : 0; }
+    size_t behind(size_t i) const { return i + 1 < count ? i + 1 : ring ? 0 : i; }
+};
 
 // Depths as they will be stored, cell after cell. What rounding takes from a wet cell the next one gets that can take
 // it, and the other way round; depths below the least are 0.
@@ -116,8 +102,9 @@ template <int N> struct Rounding {
 // numbers, more with hulls. False if a number left the finite range.
 bool sweep_water(const WaterSweep& sweep, const WaterLines& lines, double* work, size_t first, size_t count);
 
-// The same for what is carried across.
-bool carry_across(const WaterAcross& across, double* work, size_t first, size_t count);
+// How what the sweep has moved along its lines carries the velocities of the other axis, which lie on the faces between
+// lines: `velocity` and `wall` of line k are those of the face before it.
+bool carry_across(const WaterSweep& sweep, const WaterLines& lines, double* work, size_t first, size_t count);
 
 } // namespace CD_ISA
 
