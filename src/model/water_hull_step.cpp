@@ -281,6 +281,8 @@ struct Mover {
     // does not leave the scene.
     HullPose after(const HullPose& pose, double time, bool (&stops)[2]) const {
         HullPose out = pose;
+        stops[kX] = stops[kY] = false;
+        if (!(time > 0)) return out; // a side is not met by what does not move: rounding would tell
         turn(out, time);
         double* const at[2] = {&out.x, &out.y};
         for (Axis a : {kX, kY}) {
