@@ -3083,9 +3083,12 @@ pub struct WaterEnergy {
 /// lambda = 1/2 a train of waves runs behind it, up to 0.7 of its height high (linear 1.6), all along its way where
 /// the water rests; with 0.6 of 0.3 (1.3).
 /// lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the
-/// linear mode, of which shores are steep, take a little more than 1/2. Advected water gains no energy in steps in
-/// which waves cross half a cell or more, and up to 0.012 in all at shores in shorter ones; where films on cliffs
-/// are given high velocities more, up to as much again (one of a hundred random scenes). Linear water gains energy
+/// linear mode, of which shores are steep, take a little more than 1/2. With 1/2, linear waves in the plane, a
+/// hundredth of the depth high, grow in some thousands of steps in which they cross 2 cells or more, until they are
+/// a ninth of it high. Advected water gains no energy in steps in which waves cross half a cell or more, and up to
+/// 0.012 in all at shores in shorter ones; among cliffs, cell by cell, where films are thrown up them or given high
+/// velocities, up to 0.055 and 0.085 (of 400 random pools 6 gained any in the one, 16 more than 0.024 in the
+/// other). In steps in which waves cross 1e12 cells and more, rounding may make any. Linear water gains energy
 /// where it deepens under a velocity, h_t u^2 / 2 which its equations do not take away again: at random shores some
 /// hundredths in all (and see hulls). Air that presses it dry gives it up to 1.4 times what it has to give,
 /// advected water half of it, explicit steps any. What pushes off dry land gives the last face a velocity that no
