@@ -124,7 +124,8 @@ void heave(const Water& w, size_t index, HullPose& pose, double (&v)[3], double 
     };
     double moving = 0; // energy, to measure rounding by
     for (int k = 0; k < 3; ++k) moving += 0.5 * (mass[k] * (v0[k] * v0[k]));
-    HullContact contact(w, index, pose_at(v));
+    for (double& u : v) u = 0; // from where it is: a long step may lead so far that rounding hides the way back
+    HullContact contact(w, index, pose);
     double now = value(v, contact);
     for (int iteration = 0; iteration < kMostHeaves; ++iteration) {
         double system[6], right[3], change[3], next[3];
@@ -281,6 +282,8 @@ struct Mover {
     // does not leave the scene.
     HullPose after(const HullPose& pose, double time, bool (&stops)[2]) const {
         HullPose out = pose;
+        stops[kX] = stops[kY] = false;
+        if (!(time > 0)) return out; // a side is not met by what does not move: rounding would tell
         turn(out, time);
         double* const at[2] = {&out.x, &out.y};
         for (Axis a : {kX, kY}) {

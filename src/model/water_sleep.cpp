@@ -92,7 +92,8 @@ struct Chooser {
         const double courant = (sqrt(w.gravity * most.deepest) + most.fastest) * dt / w.size[a];
         const double theta = w.method == CD_METHOD_IMPLICIT ? w.lambda : 0, part = reaching(theta, courant, kTile);
         const double weakest = sqrt(limit / most.stir);
-        size_t tiles_along = 1;
+        const double run = most.fastest * dt / (w.size[a] * double(kTile)), all = double(tiles.count[a]);
+        size_t tiles_along = 1 + size_t(run < all ? run : all); // as far as water runs, the tile that it reaches too
         for (double left = part; left > weakest && tiles_along < tiles.count[a]; left *= part) ++tiles_along;
         return tiles_along;
     }

@@ -118,6 +118,40 @@ static void waves_wake_what_is_ahead_of_them(void** state) {
             }
 }
 
+/* Water that runs many cells in a step wakes all that it runs into: waves in it cross less than one. */
+static void fast_water_wakes_what_it_runs_into(void** state) {
+    (void)state;
+    static const double runs[] = {0.5, 14, 31}, gravities[] = {0, 0.01};
+    for (size_t way = 0; way < WAYS; ++way)
+        for (size_t r = 0; r < COUNT(runs) * COUNT(gravities); ++r)
+            for (int back = 0; back < 2; ++back) {
+                static double u[(N + 1) * M], depth[CELLS];
+                cd_water* w[2];
+                for (int b = 0; b < 2; ++b) {
+                    w[b] = lake(N, M, CD_FLOAT64, &ways[way]);
+                    ok(cd_water_set_gravity(w[b], gravities[r % COUNT(gravities)]));
+                    basin_fill(w[b], CD_BED, level, NULL);
+                    for (size_t k = 0; k < COUNT(u); ++k) {
+                        const size_t i = back ? N - k % (N + 1) : k % (N + 1), j = k / (N + 1);
+                        u[k] = i >= 20 && i <= 40 && j < 5 ? (back ? -1 : 1) * runs[r / COUNT(gravities)] : 0;
+                    }
+                    for (size_t k = 0; k < CELLS; ++k) depth[k] = u[k / N * (N + 1) + k % N] != 0 ? 1 : 0.02;
+                    basin_write(w[b], CD_DEPTH, depth);
+                    basin_write(w[b], CD_VELOCITY_X, u);
+                    if (b == 0) ok(cd_water_set_sleep(w[b], height));
+                }
+                for (int s = 0; s < 6; ++s) {
+                    basin_step(w[0], 1, 1), basin_step(w[1], 1, 1);
+                    assert_true(awake(w[0]) > 0 && (!basin_is_explicit(&ways[way]) || awake(w[0]) < CELLS));
+                    if (apart(w[0], w[1]) > height)
+                        fail_msg("%s, %g cells, step %d: %g m apart", ways[way].name, runs[r / COUNT(gravities)], s,
+                                 apart(w[0], w[1]));
+                }
+                cd_water_destroy(w[0]);
+                cd_water_destroy(w[1]);
+            }
+}
+
 /* Friction ends it all, the shores too. */
 static void it_falls_asleep_again(void** state) {
     (void)state;
@@ -435,6 +469,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_lake_at_rest_sleeps),
         cmocka_unit_test(waves_wake_what_is_ahead_of_them),
+        cmocka_unit_test(fast_water_wakes_what_it_runs_into),
         cmocka_unit_test(it_falls_asleep_again),
         cmocka_unit_test(which_parts_sleep_follows_from_the_state),
         cmocka_unit_test(awake_it_moves_as_ever),

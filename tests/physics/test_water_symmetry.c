@@ -263,12 +263,94 @@ static void twice_the_ring_is_the_same_ring(void** state) {
     }
 }
 
+/* ---- sides ------------------------------------------------------------------------------------------------------- */
+
+/* A cell between two sides is the mirror image of itself between them the other way round. */
+static void a_single_cell_between_two_sides_is_its_own_image(void** state) {
+    (void)state;
+    for (size_t k = 0; k < WAYS; ++k)
+        for (uint64_t scene = 1; scene <= 60; ++scene)
+            for (int along_y = 0; along_y < 2; ++along_y) {
+                const size_t kinds[2] = {scene % 3, scene / 3 % 3};
+                static const cd_border all[] = {CD_BORDER_OPEN, CD_BORDER_LEVEL, CD_BORDER_INFLOW};
+                uint64_t seed = scene;
+                const double depth = 0.6 + 0.5 * random_number(&seed);
+                const double values[2] = {random_number(&seed), random_number(&seed)};
+                cd_water* w[2];
+                for (int back = 0; back < 2; ++back) {
+                    w[back] = basin(1, 1, 1, 1, CD_FLOAT64);
+                    basin_set_way(w[back], &ways[k]);
+                    basin_set(w[back], CD_DEPTH, 0, 0, depth);
+                    for (int last = 0; last < 2; ++last)
+                        ok(cd_water_set_side(w[back], line_side(along_y, last), all[kinds[last ^ back]],
+                                             values[last ^ back], 0.05));
+                }
+                for (int step = 0; step < 40; ++step) {
+                    const double dt = (1.2 + random_number(&seed)) * (basin_is_explicit(&ways[k]) ? 0.05 : 0.2);
+                    const cd_field u = line_field(along_y, CD_VELOCITY_X);
+                    basin_step(w[0], dt, 1), basin_step(w[1], dt, 1);
+                    assert_near(basin_get(w[1], CD_DEPTH, 0, 0), basin_get(w[0], CD_DEPTH, 0, 0), 1e-12, 1);
+                    for (size_t face = 0; face < 2; ++face)
+                        assert_near(-basin_get(w[1], u, along_y ? 0 : face, along_y ? face : 0),
+                                    basin_get(w[0], u, along_y ? 0 : 1 - face, along_y ? 1 - face : 0), 1e-12, 1);
+                }
+                cd_water_destroy(w[0]);
+                cd_water_destroy(w[1]);
+            }
+}
+
+/* A boat near a side moves as its mirror image does at the opposite one, in steps of any length. */
+static void a_boat_at_a_side_is_its_own_image(void** state) {
+    (void)state;
+    enum { N = 16, M = 12 };
+    const double size = 0.5, length = N * size;
+    for (int k = LINEAR; k <= ADVECTED; ++k)
+        for (uint64_t scene = 1; scene <= 60; ++scene) {
+            cd_water* w[2];
+            double pose[2][7], heights[2];
+            uint64_t seed = 0;
+            for (int back = 0; back < 2; ++back) {
+                const double sign = back ? -1 : 1;
+                seed = scene;
+                w[back] = basin(N, M, size, size, CD_FLOAT64);
+                basin_set_way(w[back], &ways[k]);
+                ok(cd_water_add_volume_rectangle(w[back], 0, 0, N, M, N * M * size * size, NULL));
+                const double x = (0.5 + 0.5 * random_number(&seed)) * length;
+                ok(cd_water_splash(w[back], back ? length - x : x, 2, 1, 0.5));
+                const double long_by = 1.5 + random_number(&seed), from = 0.7 + 0.7 * random_number(&seed);
+                const double to_x = random_number(&seed), to_y = random_number(&seed), mass = 100 * pow(10, to_x);
+                const double at[7] = {back ? length - from : from, 3, 0.9, sign * to_x, to_y, 0.05, sign * 0.03};
+                const double speed[6] = {sign * 2 * random_number(&seed), 0.5, -0.2, sign * random_number(&seed)};
+                ok(cd_water_set_hulls(w[back], 1, 4, 2));
+                ok(cd_water_set_hull(w[back], 0, mass, long_by, 0.8, NULL, 8));
+                ok(cd_water_set_hull_pose(w[back], 0, at, 7));
+                ok(cd_water_set_hull_velocity(w[back], 0, speed, 6));
+            }
+            for (int step = 0; step < 8; ++step) {
+                const double dt = 0.15 * pow(4, random_number(&seed));
+                for (int back = 0; back < 2; ++back) {
+                    basin_step(w[back], dt, 1);
+                    ok(cd_water_get_hull_pose(w[back], 0, pose[back], 7));
+                    heights[back] = basin_get(w[back], CD_DEPTH, back ? N - 1 : 0, 6);
+                }
+                assert_near(length - pose[1][0], pose[0][0], 1e-7, 1);
+                for (int number = 1; number < 7; ++number)
+                    assert_near((number == 3 || number == 6 ? -1 : 1) * pose[1][number], pose[0][number], 1e-7, 1);
+                assert_near(heights[1], heights[0], 1e-7, 1);
+            }
+            cd_water_destroy(w[0]);
+            cd_water_destroy(w[1]);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_transposed_scene_is_the_same_to_the_bit),
         cmocka_unit_test(mirrored_scenes_stay_each_others_image),
         cmocka_unit_test(a_ring_may_begin_anywhere),
         cmocka_unit_test(twice_the_ring_is_the_same_ring),
+        cmocka_unit_test(a_single_cell_between_two_sides_is_its_own_image),
+        cmocka_unit_test(a_boat_at_a_side_is_its_own_image),
     };
     return cmocka_run_group_tests_name("water symmetry", tests, NULL, NULL);
 }

@@ -236,6 +236,38 @@ static void water_that_falls_over_a_ledge_makes_no_energy(void** state) {
                 }
 }
 
+/* What comes to a cell in a step climbs no cliff behind it, whether the cell was dry or wet by a film: where it was dry,
+ * a face between two dry cells carried a part of what came on, up any cliff. */
+static void what_comes_to_dry_ground_climbs_no_cliff(void** state) {
+    (void)state;
+    static const double courants[] = {0.3, 0.9, 1, 2, 8}, films[] = {0, 1e-20, 1e-10}, cliffs[] = {0.3, 2, 50};
+    for (size_t k = 0; k < WAYS; ++k)
+        for (size_t c = 0; c < COUNT(courants) * COUNT(films) * COUNT(cliffs); ++c)
+            for (int at_last = 0; at_last < 2; ++at_last) {
+                enum { N = 3 };
+                const double courant = courants[c / COUNT(films) % COUNT(courants)], film = films[c % COUNT(films)];
+                const double cliff = cliffs[c / COUNT(films) / COUNT(courants)];
+                const double bed[N] = {1 + cliff, 1, 0}, depth[N] = {0, film, 1.05}, speed[N] = {0, -0.2, -0.1};
+                if (basin_is_explicit(&ways[k]) && courant > 0.9) continue;
+                cd_water* w = basin(N, 1, 1, 1, CD_FLOAT64);
+                basin_set_way(w, &ways[k]);
+                for (size_t i = 0; i < N; ++i) basin_set(w, CD_BED, at_last ? N - 1 - i : i, 0, bed[i]);
+                for (size_t i = 0; i < N; ++i) basin_set(w, CD_DEPTH, at_last ? N - 1 - i : i, 0, depth[i]);
+                for (size_t i = 1; i < N; ++i)
+                    basin_set(w, CD_VELOCITY_X, at_last ? N - i : i, 0, at_last ? -speed[i] : speed[i]);
+                double up = 0, most = 0;
+                for (int step = 0; step < 4; ++step) {
+                    basin_step(w, courant / sqrt(9.81), 1);
+                    up = fmax(up, basin_get(w, CD_DEPTH, at_last ? N - 1 : 0, 0));
+                    most = fmax(most, basin_get(w, CD_DEPTH, 1, 0));
+                }
+                if (!(up <= 0) || !(most > 1e-3))
+                    fail_msg("%s, courant %g, film %g: %g m before a cliff of %g m and %g m on it", ways[k].name,
+                             courant, film, most, cliff, up);
+                cd_water_destroy(w);
+            }
+}
+
 /* Air that presses cells dry, on flat beds and rough ones: the energy that there is in all, with what the pressure has
  * to give, rises by little more than what the pressure had, and by half of that of advected water. */
 static void air_that_presses_water_dry_makes_little_energy(void** state) {
@@ -350,6 +382,7 @@ int main(void) {
         cmocka_unit_test(a_seiche_from_rest_gains_no_energy),
         cmocka_unit_test(a_film_does_not_throw_the_lake_that_it_falls_into),
         cmocka_unit_test(water_that_falls_over_a_ledge_makes_no_energy),
+        cmocka_unit_test(what_comes_to_dry_ground_climbs_no_cliff),
         cmocka_unit_test(air_that_presses_water_dry_makes_little_energy),
         cmocka_unit_test(a_lively_basin_calms_down_in_a_hundred_thousand_steps),
     };

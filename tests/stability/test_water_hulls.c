@@ -176,11 +176,47 @@ static void a_wave_gives_a_light_hull_no_more_than_it_has(void** state) {
             }
 }
 
+/* Hulls that move and turn every way, in steps that would take them a million metres away: they and the water gain no
+ * energy, beyond a tenth that linear water makes. */
+static void hulls_that_turn_stay_bounded_in_any_step(void** state) {
+    (void)state;
+    static const double steps[] = {1e3, 1e6, 1e8, 1e10};
+    for (cd_momentum momentum = CD_MOMENTUM_LINEAR; momentum <= CD_MOMENTUM_ADVECTED; ++momentum)
+        for (size_t k = 0; k < COUNT(steps); ++k)
+            for (uint64_t scene = 1; scene <= 40; ++scene) {
+                enum { N = 14, M = 10 };
+                uint64_t seed = scene;
+                const double depth = between(&seed, 0.3, 3), length = between(&seed, 1, 6), speed = sqrt(9.81 * depth);
+                const double mass = 500 * length * depth * pow(10, between(&seed, -3, 0));
+                double velocity[6];
+                cd_water* w;
+                ok(cd_water_create(N, M, 1, 1, CD_FLOAT64, NULL, &w));
+                ok(cd_water_set_momentum(w, momentum));
+                pool_vary(w, CD_BED, 0.4 * depth, 0.4 * depth, scene);
+                pool_fill(w, CD_SURFACE, depth);
+                ok(cd_water_set_hulls(w, 1, 3, 2));
+                ok(cd_water_set_hull(w, 0, mass, length, 1, NULL, 6));
+                ok(cd_water_set_hull_pose(w, 0, (const double[]){7.3, 4.6, 0.9 * depth, 1, 0.3, 0, 0}, 7));
+                for (int way = 0; way < 6; ++way)
+                    velocity[way] = between(&seed, -1, 1) * (way < 3 ? speed : 0.1 * speed / length);
+                ok(cd_water_set_hull_velocity(w, 0, velocity, 6));
+                const double start = energy(w);
+                for (int step = 0; step < 12; ++step) {
+                    pool_step(w, (step % 2 ? between(&seed, 0.1, 1) : steps[k]) * sqrt(depth / 9.81), 1);
+                    if (!(energy(w) <= 1.1 * start))
+                        fail_msg("momentum %d, dt %g, scene %d, step %d: %g of the energy", momentum, steps[k],
+                                 (int)scene, step, energy(w) / start);
+                }
+                cd_water_destroy(w);
+            }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(water_and_hulls_gain_no_energy),
         cmocka_unit_test(a_wave_gives_a_light_hull_no_more_than_it_has),
         cmocka_unit_test(a_hull_of_any_mass_comes_to_rest_in_long_steps),
+        cmocka_unit_test(hulls_that_turn_stay_bounded_in_any_step),
         cmocka_unit_test(a_hull_that_leaves_the_water_comes_down_in_long_steps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

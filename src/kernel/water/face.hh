@@ -96,7 +96,7 @@ struct FaceDepth {
         const L uphill = select(climb, select(over, none, L::splat(1)), none);
         depth = select(uphill, smaller(mean, above), select(take - give, shallower, deeper));
         depth = select(give, depth, none);
-        closed = select(give, select(uphill, select(above, none, L::splat(1)), none), none);
+        closed = select(uphill, select(above, none, L::splat(1)), none);
     }
 };
 

@@ -117,7 +117,7 @@ inline void WaterLine::end_velocities() {
     for (int e = 0; e < 2; ++e) {
         const size_t face = e ? n : 0, inside = e ? n - 1 : 0;
         const L d = larger(side_depth[e], 0.5 * (depth[inside] + after[inside]));
-        const L most = larger(size_of(velocity[e ? n - 1 : n == 1 ? 0 : 1]), root(sweep.gravity * d));
+        const L most = larger(size_of(velocity[e ? n - 1 : 1]), root(sweep.gravity * d));
         const L run = courant * d; // 0 also of depths that have no digits left
         const L u = select(run, flux[face] / run, L{});
         speed.put(face, sweep.end[e].kind == End::kWall ? L{} : larger(-most, smaller(most, u)));
