@@ -21,10 +21,10 @@ namespace cd {
 
 namespace {
 
-// Conjugate gradients are content with this part of what they start from. A search along a direction, and the last
-// scaling, evaluate the slope at most so often; a search ends where the slope is this part of the first one. Newton's
-// method goes on, at most so many times more, where it could take less than this part of a direction.
-constexpr double kContent = 1e-2, kFlat = 0.1, kWholeStep = 0.9;
+// Conjugate gradients are content with this part of what is to be found, recycled directions counted. A search along a
+// direction, and the last scaling, evaluate the slope at most so often; a search ends where the slope is this part of the
+// first one. Newton's method goes on, at most so many times more, where it could take less than this part of a direction.
+constexpr double kContent = 1e-3, kFlat = 0.1, kWholeStep = 0.9;
 constexpr int kMostSearches = 8;
 constexpr uint64_t kMoreIterations = 4;
 
@@ -152,18 +152,18 @@ struct ClothStep {
     }
 
     // Makes a direction p, scaled to p . matrix p = 1, known to the preconditioner, and starts from the best multiple of
-    // it. False where there is no such direction.
-    bool recycle(int i) {
+    // it. Tells what that is of r . matrix^-1 r, r the residual.
+    double recycle(int i) {
         double* const* const p = w.recycled[i];
         apply(p);
         const double scale = 1 / sqrt(dot(p, w.image));
         recycles[i] = scale > 0 && isfinite(scale);
-        if (!recycles[i]) return false;
+        if (!recycles[i]) return 0;
         combine(0, p, scale, p);
         const double share = dot(w.residual, p);
         combine(1, w.direction, share, p);
         combine(1, w.error, -share * scale, w.image);
-        return true;
+        return share * share;
     }
     // What moves goes on: what the last step changed is the first such direction.
     void load_change() const {
@@ -181,11 +181,12 @@ struct ClothStep {
         if (first) load_change();
         else copy(w.direction, w.recycled[1]); // of the last iteration
         for (double* plane : w.direction) memset(plane, 0, w.grid.pitch * w.grid.rows * sizeof(double));
-        bool found = recycle(first ? 0 : 1);
+        const double known = recycle(first ? 0 : 1);
+        bool found = known > 0;
         precondition();
         copy(w.answer, w.conjugate);
         double size = dot(w.error, w.answer);
-        const double content = kContent * kContent * size;
+        const double content = kContent * kContent * (known + size);
         for (uint64_t i = 0; i < m.cloth.gradient && size > content; ++i) {
             apply(w.conjugate);
             const double energy = dot(w.conjugate, w.image);

@@ -125,12 +125,14 @@ RULES = {
     "what pressure holds up is at rest": (SURVEY, " += by_pressure * pressure[at + c];", " += 0 * pressure[at + c];", SLEEPS),
     "what is shallower than the height lies still": (SURVEY, "select((deep - least)", "select(deep", SLEEPS),
     "a step of cloth begins where the last one went": (
-        "../model/membrane_cloth_step.cpp", "if (first) load_change();", "if (first) return true;", ["physics_cloth_size"]),
+        "../model/membrane_cloth_step.cpp", "w.moves[at] * double(number)", "0 * double(number)", ["physics_cloth_size"]),
     "and the preconditioner knows that direction": (
         "../model/membrane_cloth_step.cpp", "            if (recycles[i]) combine", "            if (i > 0 && recycles[i]) combine",
         ["physics_cloth_size"]),
     "and Newton's last one": (
         "../model/membrane_cloth_step.cpp", "recycle(first ? 0 : 1)", "first && recycle(0)", ["physics_cloth_size"]),
+    "what is recycled counts where conjugate gradients are content": (
+        "../model/membrane_cloth_step.cpp", "(known + size)", "size", ["physics_callback"]),
     "unless that met a collider": (
         "../model/membrane_cloth_step.cpp", "if (touched || ", "if (", ["physics_cloth_contact"]),
     "sheets whose dt changes are solved coupled": (
