@@ -105,6 +105,22 @@ static void a_sheet_falls_and_keeps_its_size(void** state) {
     assert_true(converged.worst < 0.03 && converged.mean < 0.0026);
 }
 
+/* What the last step did is all of what a free sheet does: the first of Newton's iterations has nothing to add. */
+static void a_free_fall_is_what_the_last_step_was(void** state) {
+    (void)state;
+    size_t newton, gradient, iterations;
+    cd_membrane* m = sheet();
+    ok(cd_membrane_get_effort(m, &newton, &gradient));
+    for (int step = 1; step <= 8; ++step) {
+        ok(cd_membrane_step(m, 1 / 60.0, 1));
+        ok(cd_membrane_get_convergence(m, &iterations, NULL));
+        print_message("free fall, step %d: %zu iterations\n", step, iterations);
+        if (step == 1) assert_true(iterations == newton * gradient);
+        else assert_true(iterations <= (newton - 1) * gradient);
+    }
+    cd_membrane_destroy(m);
+}
+
 /* Over a ball, with friction: into folds, and not into needles or onto a crumpled heap. */
 static void a_tablecloth_hangs_in_folds(void** state) {
     (void)state;
@@ -133,6 +149,7 @@ static void a_tablecloth_hangs_in_folds(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sheet_falls_and_keeps_its_size),
+        cmocka_unit_test(a_free_fall_is_what_the_last_step_was),
         cmocka_unit_test(a_tablecloth_hangs_in_folds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

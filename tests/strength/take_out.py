@@ -132,7 +132,7 @@ RULES = {
     "and Newton's last one": (
         "../model/membrane_cloth_step.cpp", "recycle(first ? 0 : 1)", "first && recycle(0)", ["physics_cloth_size"]),
     "what is recycled counts where conjugate gradients are content": (
-        "../model/membrane_cloth_step.cpp", "(known + size)", "size", ["physics_callback"]),
+        "../model/membrane_cloth_step.cpp", "(known + size)", "size", ["physics_cloth_size"]),
     "unless that met a collider": (
         "../model/membrane_cloth_step.cpp", "if (touched || ", "if (", ["physics_cloth_contact"]),
     "sheets whose dt changes are solved coupled": (
