@@ -204,13 +204,13 @@ CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_
  * A step minimizes, by Newton's method with few iterations of conjugate gradients (cd_membrane_set_effort), a convex
  * function of the velocities, and scales them at its end so that, at any dt, stiffness, masses and effort, the energy
  * that cd_membrane_get_energy tells never rises but by the work of what is driven, of forces, pressure, wind and
- * colliders that move. What a step does not reach, slows the sheet down: with the default effort one of a stiffness of
+ * colliders that move. What a step does not reach slows the sheet down: with the default effort one of a stiffness of
  * 10 mass / dt^2 [N/m] falls to 3% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass /
- * dt^2 it falls an eighth too slowly, and far beyond as through syrup, far behind a held edge that moves: make a long
- * frame several steps. lambda = 1 damps motion that a step does not resolve, lambda nearer 1/2 less, for more effort;
- * steps are first order in time. Free sheets keep their momentum.
- * Cloth needs CD_METHOD_IMPLICIT with lambda in [1/2, 1], no matched edge and no stiffness damping: cd_membrane_step
- * says CD_ERROR_UNSUPPORTED. It has a solver of its own: cd_membrane_set_solver and set_tolerance do not matter. */
+ * dt^2 it falls an eighth too slowly, of a bend of 300 mass / (dt^2 n^4), n springs in a line, a third, far beyond as
+ * through syrup, far behind a held edge that moves: make a long frame several steps. lambda = 1 damps motion that a
+ * step does not resolve, lambda nearer 1/2 less, for more effort; steps are first order in time. Free sheets keep
+ * their momentum. Cloth needs CD_METHOD_IMPLICIT with lambda in [1/2, 1], no matched edge and no stiffness damping:
+ * cd_membrane_step says CD_ERROR_UNSUPPORTED. It has its own solver: set_solver and set_tolerance do not matter. */
 
 /* Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
  * is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
@@ -248,9 +248,9 @@ CD_API cd_status cd_membrane_get_breaking_strain(const cd_membrane* membrane, do
 CD_API cd_status cd_membrane_get_broken(const cd_membrane* membrane, size_t* out_springs);
 
 /* How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
- * gradients, `gradient`, 1 to 10000, default 12. Where little is gained a step takes up to 4 more of the former and
- * fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
- * dearest step took, and the largest gradient that a step left, over its first: INFINITY where that is no number. */
+ * gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer lines. Where
+ * little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence tells those of the
+ * last call's dearest step, and the largest gradient that a step left, over the first: INFINITY if not finite. */
 CD_API cd_status cd_membrane_set_effort(cd_membrane* membrane, size_t newton, size_t gradient);
 CD_API cd_status cd_membrane_get_effort(const cd_membrane* membrane, size_t* out_newton, size_t* out_gradient);
 

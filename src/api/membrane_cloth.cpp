@@ -28,7 +28,7 @@ cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, dou
     if (!cloth) wanted.air = wanted.wind = false;
     if (!cloth) wanted.colliders = {};
     CD_CHECK(shared::change_features(__func__, m, wanted));
-    if (cloth && !has_lengths(m)) m.lambda = 1;
+    if (cloth && !has_lengths(m)) m.lambda = 1, m.cloth.gradient = default_gradient(m);
     if (!cloth) m.cloth = {};
     m.cloth.length[kU] = cloth ? along_u : 0; // not -0
     m.cloth.length[kV] = cloth ? along_v : 0;
@@ -98,7 +98,7 @@ cd_status cd_membrane_get_effort(const cd_membrane* membrane, size_t* out_newton
     CD_NOT_NULL(out_newton);
     CD_NOT_NULL(out_gradient);
     *out_newton = size_t(m.cloth.newton);
-    *out_gradient = size_t(m.cloth.gradient);
+    *out_gradient = size_t(has_lengths(m) ? m.cloth.gradient : default_gradient(m));
     return CD_OK;
 }
 

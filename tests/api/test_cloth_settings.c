@@ -62,6 +62,30 @@ static void getters_tell_what_was_set(void** state) {
     }
 }
 
+/* By default conjugate gradients make 12 iterations, and one more for every 16 nodes beyond 64 of the longer lines. */
+static void long_lines_take_more_iterations(void** state) {
+    (void)state;
+    static const size_t cases[][3] = {{1, 1, 12},  {63, 63, 12}, {78, 3, 12},       {79, 3, 13},
+                                      {3, 79, 13}, {7, 255, 24}, {159870, 1, 9999}, {159999, 1, 10000}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        cd_membrane* m = cloth(cases[i][0], cases[i][1], 3, CD_FLOAT32);
+        size_t newton, gradient;
+        for (int made = 0; made < 3; ++made) {
+            ok(cd_membrane_get_effort(m, &newton, &gradient));
+            assert_true(newton == 3 && gradient == cases[i][2]);
+            ok(cd_membrane_set_rest_length(m, made % 2 == 0, made % 2 == 0));
+            ok(cd_membrane_get_effort(m, &newton, &gradient));
+            assert_true(newton == 3 && gradient == cases[i][2]);
+            if (made % 2 == 0) ok(cd_membrane_set_effort(m, 1, 2));
+            ok(cd_membrane_set_rest_length(m, 2 * (made % 2 == 0), 2 * (made % 2 == 0)));
+            ok(cd_membrane_get_effort(m, &newton, &gradient));
+            assert_true(made % 2 ? newton == 3 && gradient == cases[i][2] : newton == 1 && gradient == 2);
+            ok(cd_membrane_set_rest_length(m, 0, 0));
+        }
+        cd_membrane_destroy(m);
+    }
+}
+
 static void lengths_are_dealt_out_to_the_springs(void** state) {
     (void)state;
     cd_membrane* m = plain(CD_FLOAT32);
@@ -380,6 +404,7 @@ static void a_residual_that_is_no_number_is_told_as_infinite(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(getters_tell_what_was_set),
+        cmocka_unit_test(long_lines_take_more_iterations),
         cmocka_unit_test(lengths_are_dealt_out_to_the_springs),
         cmocka_unit_test(lengths_in_a_ring_are_dealt_out_to_one_spring_more),
         cmocka_unit_test(making_cloth_sets_lambda_and_no_other_length_does),

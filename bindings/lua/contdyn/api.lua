@@ -2393,9 +2393,9 @@ function Membrane:get_broken()
 end
 
 -- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
--- gradients, `gradient`, 1 to 10000, default 12. Where little is gained a step takes up to 4 more of the former and
--- fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
--- dearest step took, and the largest gradient that a step left, over its first: INFINITY where that is no number.
+-- gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer lines. Where
+-- little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence tells those of the
+-- last call's dearest step, and the largest gradient that a step left, over the first: INFINITY if not finite.
 function Membrane:set_effort(newton, gradient)
   local where = "cd_membrane_set_effort"
   newton = integer_in(newton, where, "newton")
@@ -2405,9 +2405,9 @@ function Membrane:set_effort(newton, gradient)
 end
 
 -- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
--- gradients, `gradient`, 1 to 10000, default 12. Where little is gained a step takes up to 4 more of the former and
--- fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the last call's
--- dearest step took, and the largest gradient that a step left, over its first: INFINITY where that is no number.
+-- gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer lines. Where
+-- little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence tells those of the
+-- last call's dearest step, and the largest gradient that a step left, over the first: INFINITY if not finite.
 function Membrane:get_effort()
   local where = "cd_membrane_get_effort"
   local out_newton = size_t_1()

@@ -2423,19 +2423,19 @@ impl Membrane {
     }
 
     /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of
-    /// conjugate gradients, `gradient`, 1 to 10000, default 12. Where little is gained a step takes up to 4 more of the
-    /// former and fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the
-    /// last call's dearest step took, and the largest gradient that a step left, over its first: INFINITY where that is
-    /// no number.
+    /// conjugate gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer
+    /// lines. Where little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence
+    /// tells those of the last call's dearest step, and the largest gradient that a step left, over the first: INFINITY
+    /// if not finite.
     pub fn set_effort(&mut self, newton: usize, gradient: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_effort(self.as_ptr(), newton, gradient) })
     }
 
     /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of
-    /// conjugate gradients, `gradient`, 1 to 10000, default 12. Where little is gained a step takes up to 4 more of the
-    /// former and fewer of the latter. cd_membrane_get_convergence tells the iterations of conjugate gradients that the
-    /// last call's dearest step took, and the largest gradient that a step left, over its first: INFINITY where that is
-    /// no number.
+    /// conjugate gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer
+    /// lines. Where little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence
+    /// tells those of the last call's dearest step, and the largest gradient that a step left, over the first: INFINITY
+    /// if not finite.
     pub fn get_effort(&self) -> Result<MembraneEffort> {
         let mut out_newton = 0;
         let mut out_gradient = 0;
