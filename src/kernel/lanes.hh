@@ -30,6 +30,12 @@
 namespace cd {
 namespace CD_ISA {
 
+#ifdef CD_ISA_IS_PLAIN
+constexpr bool kIsPlain = true;
+#else
+constexpr bool kIsPlain = false;
+#endif
+
 // Doubles in a register.
 #if defined(__AVX512F__)
 constexpr int kNative = 8;
@@ -274,8 +280,10 @@ template <class L> inline L between(L here, L moving, L offset, L fraction) {
 constexpr int kWidest = kNative < 4 ? 4 : 8;
 
 // Calls f.template bundle<N>(first) for bundles of lanes that together cover [first, first + count): the widest while
-// they last, then narrower ones; three stay together, for the three components of a single strand. kMost: wider still.
-template <int kMost = kWidest, class F> void for_each_bundle(size_t first, size_t count, F& f) {
+// they last, then narrower ones; three stay together, for the three components of a single strand. kMost: wider still. alone: what the plain kernels do
+// with a line that is left, which no set makes faster.
+template <int kMost = kWidest, class F, class Alone>
+void for_each_bundle(size_t first, size_t count, F& f, [[maybe_unused]] const Alone& alone) {
     while (count > 0) {
         int n;
         if constexpr (kMost > kWidest) {
@@ -290,7 +298,8 @@ template <int kMost = kWidest, class F> void for_each_bundle(size_t first, size_
         else if (count >= 4) f.template bundle<4>(first), n = 4;
         else if (count == 3) f.template bundle<3>(first), n = 3;
         else if (count == 2) f.template bundle<2>(first), n = 2;
-        else f.template bundle<1>(first), n = 1;
+        else if constexpr (kIsPlain) f.template bundle<1>(first), n = 1;
+        else f.finite &= alone(first), n = 1;
         first += size_t(n);
         count -= size_t(n);
     }

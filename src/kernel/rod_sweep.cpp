@@ -4,6 +4,10 @@
 #include "kernel/line_lanes.hh"
 
 namespace cd {
+namespace plain {
+decltype(CD_ISA::rod_step) rod_step;
+decltype(CD_ISA::rod_sweep) rod_sweep;
+} // namespace plain
 namespace CD_ISA {
 
 namespace {
@@ -102,13 +106,18 @@ template <bool kEnds> struct Sweep {
 void rod_sweep(const Lines& lines, const RodCoefficients& c, const Stage& stage, const Start& start, double* value,
                double* slope, size_t first, size_t count) {
     Sweep<false> bundles{lines, c, stage, start, value, slope};
-    for_each_bundle<kLinesAtOnce>(first, count, bundles);
+    for_each_bundle<kLinesAtOnce>(first, count, bundles, [&](size_t line) {
+        plain::rod_sweep(lines, c, stage, start, value, slope, line, 1);
+        return true;
+    });
 }
 
 bool rod_step(const Lines& lines, const RodCoefficients& c, const Stage& stage, const Start& start, double* value,
               double* slope, bool keep, size_t first, size_t count) {
     Sweep<true> bundles{lines, c, stage, start, value, slope, keep};
-    for_each_bundle<kLinesAtOnce>(first, count, bundles);
+    for_each_bundle<kLinesAtOnce>(first, count, bundles, [&](size_t line) {
+        return plain::rod_step(lines, c, stage, start, value, slope, keep, line, 1);
+    });
     return bundles.finite;
 }
 
