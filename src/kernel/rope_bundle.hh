@@ -247,19 +247,19 @@ template <int N> struct RopeBundle {
         V node, link;
     };
     static Axes axes(V way);
-    template <bool rod> static void resist(L k, V n, V acting, V u, Hung& hung, Resisted& resisted, V* by_link);
-    __attribute__((noinline)) static void take(Hung& hung, Column moves, Resisted by, V by_link, Resisted& resisted,
-                                               V& resisted_link);
-    static void take_from(M& a, V column, V row);
-    template <bool rod> static L impulse_of(const Resisted& resisted, const V* by_link, const Impulses& from_right);
+    __attribute__((noinline)) void resist(L k, const V& n, const V& acting, const V& u, Hung& hung, Resisted& resisted,
+                                          V* by_link) const;
+    __attribute__((noinline)) static void take(Hung& hung, const Column& moves, const Resisted& by, const V& by_link);
+    static void take_from(M& a, const V& column, const V& row);
+    L impulse_of(const Resisted& resisted, const V* by_link, const Impulses& from_right) const;
     bool has_air() const { return stage.has_air(); }
     V way_at(size_t i) const;
     L share_of(size_t i) const;
     L resistance(size_t i, double coefficient) const;
     V wind(size_t i) const;
     V* links_of_air(size_t i) const { return by_link + 3 * i; }
-    template <bool rod> void resist(size_t i, Hung& hung);
-    template <bool rod> void resisted(size_t i, Impulses& left) const;
+    void resist(size_t i, Hung& hung);
+    void resisted(size_t i, Impulses& left) const;
 
     // ---- what it touches, in rope_contact.hh ------------------------------------------------------------------------
 
@@ -280,8 +280,8 @@ template <int N> struct RopeBundle {
     __attribute__((noinline)) L touch(size_t i, size_t iteration);
     L touches() const;
     V* links_of_contact(size_t at) const { return by_link + 3 * ((has_air() ? ropes.nodes : 0) + at); }
-    template <bool rod> __attribute__((noinline)) void press(size_t i, Hung& hung);
-    template <bool rod> __attribute__((noinline)) void pressed(size_t i, Impulses& left);
+    __attribute__((noinline)) void press(size_t i, Hung& hung);
+    __attribute__((noinline)) void pressed(size_t i, Impulses& left);
     void forget_overlaps();
 
     // ---- the start of a step ----------------------------------------------------------------------------------------
