@@ -57,8 +57,13 @@ constexpr LaneKind lane_kind(int n) {
 [[maybe_unused]] constexpr char kAllLanes = -1; // a mask argument of AVX-512's functions
 [[maybe_unused]] constexpr int kRoundAsSet = 4; // and one of rounding: as the control register says
 
-// Numbers of a vector in another precision. GCC 12 goes from eight floats to eight doubles, and back, by halves.
+// Numbers of a vector in another precision. GCC 12 goes from four floats to four doubles, and from eight to eight and
+// back, by halves.
 template <class To, class From> inline To converted(From a) {
+#if defined(__AVX__) && !defined(__clang__)
+    if constexpr (sizeof(To) == 32 && sizeof(From) == 16) return __builtin_ia32_cvtps2pd256(a);
+    else
+#endif
 #if defined(__AVX512F__) && !defined(__clang__)
     if constexpr (sizeof(To) == 64 && sizeof(From) == 32)
         return __builtin_ia32_cvtps2pd512_mask(a, To{}, kAllLanes, kRoundAsSet);
