@@ -120,20 +120,16 @@ struct Along {
         One probe{}, left = {x[0]};
         Lanes<kSide> probes{};
         const Moved<1> first = finish<1>(0, left, One{c.stiffness[0]} * (One{x[1]} - left) - One{});
+        Moved<kSide> held{};
         size_t i = 1;
-        if (i + kSide <= last) {
-            Moved<kSide> held = move<kSide>(i, load_lanes<kSide>(x, 0));
-            store(first, probe);
-            for (i += kSide; i + kSide <= last; i += kSide) {
-                const Moved<kSide> next = move<kSide>(i, load_lanes<kSide>(x, i - 1));
-                store(held, probes);
-                held = next;
-            }
-            left = {x[i - 1]};
-            store(held, probes);
-        } else {
-            store(first, probe);
+        for (; i + kSide <= last; i += kSide) {
+            const Moved<kSide> next = move<kSide>(i, load_lanes<kSide>(x, i - 1));
+            if (i > 1) store(held, probes);
+            else store(first, probe);
+            held = next;
         }
+        if (i > 1) left = {x[i - 1]}, store(held, probes);
+        else store(first, probe);
         for (; i < last; ++i) {
             const One here{x[i]};
             store(move<1>(i, left), probe);
