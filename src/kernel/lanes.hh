@@ -65,7 +65,7 @@ template <class To, class From> inline To converted(From a) {
     else
 #endif
 #if defined(__AVX512F__) && !defined(__clang__)
-    if constexpr (sizeof(To) == 64 && sizeof(From) == 32)
+        if constexpr (sizeof(To) == 64 && sizeof(From) == 32)
         return __builtin_ia32_cvtps2pd512_mask(a, To{}, kAllLanes, kRoundAsSet);
     else if constexpr (sizeof(To) == 32 && sizeof(From) == 64)
         return __builtin_ia32_cvtpd2ps512_mask(a, To{}, kAllLanes, kRoundAsSet);
