@@ -62,16 +62,14 @@ constexpr LaneKind lane_kind(int n) {
 template <class To, class From> inline To converted(From a) {
 #if defined(__AVX__) && !defined(__clang__)
     if constexpr (sizeof(To) == 32 && sizeof(From) == 16) return __builtin_ia32_cvtps2pd256(a);
-    else
 #endif
 #if defined(__AVX512F__) && !defined(__clang__)
-        if constexpr (sizeof(To) == 64 && sizeof(From) == 32)
+    if constexpr (sizeof(To) == 64 && sizeof(From) == 32)
         return __builtin_ia32_cvtps2pd512_mask(a, To{}, kAllLanes, kRoundAsSet);
-    else if constexpr (sizeof(To) == 32 && sizeof(From) == 64)
+    if constexpr (sizeof(To) == 32 && sizeof(From) == 64)
         return __builtin_ia32_cvtpd2ps512_mask(a, To{}, kAllLanes, kRoundAsSet);
-    else
 #endif
-        return __builtin_convertvector(a, To);
+    return __builtin_convertvector(a, To);
 }
 
 // D is double: GCC 12 makes a vector of N of it only where its name depends on the template too.
