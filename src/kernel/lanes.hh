@@ -283,8 +283,8 @@ template <class L> inline L between(L here, L moving, L offset, L fraction) {
 constexpr int kWidest = kNative < 4 ? 4 : 8;
 
 // Calls f.template bundle<N>(first) for bundles of lanes that together cover [first, first + count): the widest while
-// they last, then narrower ones; three stay together, for the three components of a single strand. kMost: wider still. alone: what the plain kernels do
-// with a line that is left, which no set makes faster.
+// they last, then narrower ones; three stay together, for the three components of a single strand. kMost: wider still.
+// alone: what the plain kernels do with a line that is left, which no set makes faster.
 template <int kMost = kWidest, class F, class Alone>
 void for_each_bundle(size_t first, size_t count, F& f, [[maybe_unused]] const Alone& alone) {
     while (count > 0) {
