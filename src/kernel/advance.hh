@@ -33,10 +33,12 @@ template <int N> inline void ring_forces(const RingClosure& ring, const Stage& s
     for (int r = 0; r < ring.constraints; ++r) out[r] = L{};
     for (int pass = 0; pass <= kClosureRefinements; ++pass) {
         L rest[3];
+#pragma GCC unroll 1
         for (int r = 0; r < ring.constraints; ++r) {
             rest[r] = miss[r];
             for (int s = 0; s < ring.constraints; ++s) rest[r] = rest[r] - ring.compliance[r][s] * out[s];
         }
+#pragma GCC unroll 1
         for (int r = 0; r < ring.constraints; ++r)
             for (int s = 0; s < ring.constraints; ++s) out[r] = out[r] + ring.inverse[r][s] * rest[s];
     }

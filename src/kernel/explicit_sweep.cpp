@@ -6,6 +6,10 @@
 #include "kernel/plain_lines.hh"
 
 namespace cd {
+namespace plain {
+decltype(CD_ISA::explicit_sweep) explicit_sweep;
+decltype(CD_ISA::drift) drift;
+} // namespace plain
 namespace CD_ISA {
 
 namespace {
@@ -116,20 +120,16 @@ struct Along {
         One probe{}, left = {x[0]};
         Lanes<kSide> probes{};
         const Moved<1> first = finish<1>(0, left, One{c.stiffness[0]} * (One{x[1]} - left) - One{});
+        Moved<kSide> held{};
         size_t i = 1;
-        if (i + kSide <= last) {
-            Moved<kSide> held = move<kSide>(i, load_lanes<kSide>(x, 0));
-            store(first, probe);
-            for (i += kSide; i + kSide <= last; i += kSide) {
-                const Moved<kSide> next = move<kSide>(i, load_lanes<kSide>(x, i - 1));
-                store(held, probes);
-                held = next;
-            }
-            left = {x[i - 1]};
-            store(held, probes);
-        } else {
-            store(first, probe);
+        for (; i + kSide <= last; i += kSide) {
+            const Moved<kSide> next = move<kSide>(i, load_lanes<kSide>(x, i - 1));
+            if (i > 1) store(held, probes);
+            else store(first, probe);
+            held = next;
         }
+        if (i > 1) left = {x[i - 1]}, store(held, probes);
+        else store(first, probe);
         for (; i < last; ++i) {
             const One here{x[i]};
             store(move<1>(i, left), probe);
@@ -179,13 +179,15 @@ bool explicit_sweep(const Lines& lines, const ExplicitCoefficients& c, double dt
         }
     }
     Sweep bundles{lines, c, dt, gravity, carrier};
-    for_each_bundle<kLinesAtOnce>(first, count, bundles);
+    for_each_bundle<kLinesAtOnce>(first, count, bundles, [&](size_t line) {
+        return plain::explicit_sweep(lines, c, dt, gravity, carrier, line, 1);
+    });
     return bundles.finite;
 }
 
 bool drift(const Lines& lines, double dt, size_t first, size_t count) {
     Drift bundles{lines, dt};
-    for_each_bundle(first, count, bundles);
+    for_each_bundle(first, count, bundles, [&](size_t line) { return plain::drift(lines, dt, line, 1); });
     return bundles.finite;
 }
 

@@ -30,6 +30,12 @@
 namespace cd {
 namespace CD_ISA {
 
+#ifdef CD_ISA_IS_PLAIN
+constexpr bool kIsPlain = true;
+#else
+constexpr bool kIsPlain = false;
+#endif
+
 // Doubles in a register.
 #if defined(__AVX512F__)
 constexpr int kNative = 8;
@@ -51,16 +57,19 @@ constexpr LaneKind lane_kind(int n) {
 [[maybe_unused]] constexpr char kAllLanes = -1; // a mask argument of AVX-512's functions
 [[maybe_unused]] constexpr int kRoundAsSet = 4; // and one of rounding: as the control register says
 
-// Numbers of a vector in another precision. GCC 12 goes from eight floats to eight doubles, and back, by halves.
+// Numbers of a vector in another precision. GCC 12 goes from four floats to four doubles, and from eight to eight and
+// back, by halves.
 template <class To, class From> inline To converted(From a) {
+#if defined(__AVX__) && !defined(__clang__)
+    if constexpr (sizeof(To) == 32 && sizeof(From) == 16) return __builtin_ia32_cvtps2pd256(a);
+#endif
 #if defined(__AVX512F__) && !defined(__clang__)
     if constexpr (sizeof(To) == 64 && sizeof(From) == 32)
         return __builtin_ia32_cvtps2pd512_mask(a, To{}, kAllLanes, kRoundAsSet);
-    else if constexpr (sizeof(To) == 32 && sizeof(From) == 64)
+    if constexpr (sizeof(To) == 32 && sizeof(From) == 64)
         return __builtin_ia32_cvtpd2ps512_mask(a, To{}, kAllLanes, kRoundAsSet);
-    else
 #endif
-        return __builtin_convertvector(a, To);
+    return __builtin_convertvector(a, To);
 }
 
 // D is double: GCC 12 makes a vector of N of it only where its name depends on the template too.
@@ -275,7 +284,9 @@ constexpr int kWidest = kNative < 4 ? 4 : 8;
 
 // Calls f.template bundle<N>(first) for bundles of lanes that together cover [first, first + count): the widest while
 // they last, then narrower ones; three stay together, for the three components of a single strand. kMost: wider still.
-template <int kMost = kWidest, class F> void for_each_bundle(size_t first, size_t count, F& f) {
+// alone: what the plain kernels do with a line that is left, which no set makes faster.
+template <int kMost = kWidest, class F, class Alone>
+void for_each_bundle(size_t first, size_t count, F& f, [[maybe_unused]] const Alone& alone) {
     while (count > 0) {
         int n;
         if constexpr (kMost > kWidest) {
@@ -290,7 +301,8 @@ template <int kMost = kWidest, class F> void for_each_bundle(size_t first, size_
         else if (count >= 4) f.template bundle<4>(first), n = 4;
         else if (count == 3) f.template bundle<3>(first), n = 3;
         else if (count == 2) f.template bundle<2>(first), n = 2;
-        else f.template bundle<1>(first), n = 1;
+        else if constexpr (kIsPlain) f.template bundle<1>(first), n = 1;
+        else f.finite &= alone(first), n = 1;
         first += size_t(n);
         count -= size_t(n);
     }

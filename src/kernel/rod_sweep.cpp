@@ -4,18 +4,22 @@
 #include "kernel/line_lanes.hh"
 
 namespace cd {
+namespace plain {
+decltype(CD_ISA::rod_step) rod_step;
+decltype(CD_ISA::rod_sweep) rod_sweep;
+} // namespace plain
 namespace CD_ISA {
 
 namespace {
 
-// kEnds: the way back ends the stage too.
-template <bool kEnds> struct Sweep {
+struct Sweep {
     const Lines& lines;
     const RodCoefficients& c;
     const Stage& stage;
     const Start& start;
     double *value, *slope;
-    bool keep = false, finite = true;
+    bool ends, keep; // ends: the way back ends the stage too
+    bool finite = true;
 
     template <int N> StateLanes<N> state(size_t i, size_t first) const {
         return load_start<N>(lines, start, i * lines.pitch + first);
@@ -36,7 +40,7 @@ template <bool kEnds> struct Sweep {
     }
 
     // u and d: where the value at node i and the difference into it would rest without what is on their right.
-    template <int N> void forward(size_t first) const {
+    template <int N> CD_INLINED void forward(size_t first) const {
         using L = Lanes<N>;
         const L gravity = lane_gravity<N>(lines, stage.gravity, first);
         StateLanes<N> here{}, left{}, before{}; // nodes i, i - 1 and i - 2
@@ -64,7 +68,7 @@ template <bool kEnds> struct Sweep {
     }
 
     // The answer at node i is its right neighbour's less the difference between them, d.
-    template <int N> void backward(size_t first) {
+    template <int N> CD_INLINED bool backward(size_t first) const {
         using L = Lanes<N>;
         StateLanes<N> left = state<N>(lines.nodes - 1, first), here{}, right{}; // nodes i - 1, i and i + 1
         L answer{}, d{}, probe{};
@@ -85,31 +89,39 @@ template <bool kEnds> struct Sweep {
                 answer = settled(answer, Limits<double>::least);
                 d = settled(d, Limits<double>::least);
             }
-            if (kEnds) end_stage<N>(lines, stage, here, answer, keep ? value : nullptr, at, probe);
+            if (ends) end_stage<N>(lines, stage, here, answer, keep ? value : nullptr, at, probe);
             else answer.store(value + at);
         }
-        finite &= !probe.any_nan();
+        return !probe.any_nan();
     }
 
     template <int N> void bundle(size_t first) {
-        forward<N>(first);
-        backward<N>(first);
+        const Sweep here = *this; // a copy, which stores cannot be taken to change
+        here.forward<N>(first);
+        finite &= here.backward<N>(first);
     }
 };
+
+bool sweep(Sweep bundles, size_t first, size_t count) {
+    for_each_bundle<kLinesAtOnce>(first, count, bundles, [&](size_t line) {
+        const auto& [lines, c, stage, start, value, slope, ends, keep, finite] = bundles;
+        if (ends) return plain::rod_step(lines, c, stage, start, value, slope, keep, line, 1);
+        plain::rod_sweep(lines, c, stage, start, value, slope, line, 1);
+        return true;
+    });
+    return bundles.finite;
+}
 
 } // namespace
 
 void rod_sweep(const Lines& lines, const RodCoefficients& c, const Stage& stage, const Start& start, double* value,
                double* slope, size_t first, size_t count) {
-    Sweep<false> bundles{lines, c, stage, start, value, slope};
-    for_each_bundle<kLinesAtOnce>(first, count, bundles);
+    sweep({lines, c, stage, start, value, slope, false, false}, first, count);
 }
 
 bool rod_step(const Lines& lines, const RodCoefficients& c, const Stage& stage, const Start& start, double* value,
               double* slope, bool keep, size_t first, size_t count) {
-    Sweep<true> bundles{lines, c, stage, start, value, slope, keep};
-    for_each_bundle<kLinesAtOnce>(first, count, bundles);
-    return bundles.finite;
+    return sweep({lines, c, stage, start, value, slope, true, keep}, first, count);
 }
 
 } // namespace CD_ISA

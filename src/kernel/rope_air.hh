@@ -16,37 +16,34 @@ template <int N> typename RopeBundle<N>::Axes RopeBundle<N>::axes(V way) {
 
 // Takes from what hangs on a node what resists it, along the unit vector n as it moves and along `acting` as it pushes
 // back, by an impulse k (n . u - n . w), which is resisted.wished - resisted.by . phi.
-template <int N> template <bool rod>
-CD_INLINED inline void RopeBundle<N>::resist(L k, V n, V acting, V u, Hung& hung, Resisted& resisted, V* by_link) {
+template <int N> void RopeBundle<N>::resist(L k, const V& n, const V& acting, const V& u, Hung& hung,
+                                            Resisted& resisted, V* by_link) const {
     const V right = hung.c * acting, left = transposed_times(hung.c, n);
     const L share = k / (one() + k * dot(n, right)), wished = share * dot(n, u - hung.y);
-    if constexpr (rod) {
-        const V link_left = transposed_times(hung.across, n);
-        take(hung, {right, hung.back * acting}, {wished, share * left}, share * link_left, resisted, *by_link);
-    } else {
-        resisted = {wished, share * left};
-        hung.y = hung.y + wished * right;
-        take_from(hung.c, right, resisted.by);
+    const V by = share * left;
+    resisted = {wished, by};
+    if (is_rod()) {
+        *by_link = share * transposed_times(hung.across, n);
+        return take(hung, {right, hung.back * acting}, resisted, *by_link);
     }
+    hung.y = hung.y + wished * right;
+    take_from(hung.c, right, by);
 }
 // The same of a rod, by the impulse that resists and how it moves node and link.
-template <int N>
-void RopeBundle<N>::take(Hung& hung, Column moves, Resisted by, V by_link, Resisted& resisted, V& resisted_link) {
-    resisted = by, resisted_link = by_link;
+template <int N> void RopeBundle<N>::take(Hung& hung, const Column& moves, const Resisted& by, const V& by_link) {
     hung.y = hung.y + by.wished * moves.node, hung.link_y = hung.link_y + by.wished * moves.link;
     take_from(hung.c, moves.node, by.by), take_from(hung.across, moves.node, by_link);
     take_from(hung.back, moves.link, by.by), take_from(hung.link, moves.link, by_link);
 }
-template <int N> void RopeBundle<N>::take_from(M& a, V column, V row) {
+template <int N> void RopeBundle<N>::take_from(M& a, const V& column, const V& row) {
     a.x = a.x - column.x * row;
     a.y = a.y - column.y * row;
     a.z = a.z - column.z * row;
 }
-template <int N> template <bool rod>
-Lanes<N> RopeBundle<N>::impulse_of(const Resisted& resisted, const V* by_link, const Impulses& from_right) {
+template <int N>
+Lanes<N> RopeBundle<N>::impulse_of(const Resisted& resisted, const V* by_link, const Impulses& from_right) const {
     const L impulse = resisted.wished - dot(resisted.by, from_right.phi);
-    if constexpr (rod) return impulse - dot(*by_link, from_right.psi);
-    return impulse;
+    return is_rod() ? impulse - dot(*by_link, from_right.psi) : impulse;
 }
 
 // ---- the air --------------------------------------------------------------------------------------------------------
@@ -79,23 +76,23 @@ template <int N> Vector<N> RopeBundle<N>::wind(size_t i) const {
     if (ropes.wind.data) return load(ropes.wind, i);
     return {L::splat(stage.wind[0]), L::splat(stage.wind[1]), L::splat(stage.wind[2])};
 }
-template <int N> template <bool rod> void RopeBundle<N>::resist(size_t i, Hung& hung) {
+template <int N> void RopeBundle<N>::resist(size_t i, Hung& hung) {
     InAir& n = in_air[i];
     const L free = opposite(held(i));
     const L along = free * resistance(i, stage.along), across = free * resistance(i, stage.across);
     const V u = wind(i);
     const Axes to = axes(n.way);
-    resist<rod>(along, to.way, to.way, u, hung, n.along, links_of_air(i));
-    resist<rod>(across, to.side, to.side, u, hung, n.side, links_of_air(i) + 1);
-    resist<rod>(across, to.normal, to.normal, u, hung, n.normal, links_of_air(i) + 2);
+    resist(along, to.way, to.way, u, hung, n.along, links_of_air(i));
+    resist(across, to.side, to.side, u, hung, n.side, links_of_air(i) + 1);
+    resist(across, to.normal, to.normal, u, hung, n.normal, links_of_air(i) + 2);
 }
 // What is left of the impulses from the right, at node i.
-template <int N> template <bool rod> void RopeBundle<N>::resisted(size_t i, Impulses& left) const {
+template <int N> void RopeBundle<N>::resisted(size_t i, Impulses& left) const {
     const InAir& n = in_air[i];
     const Axes to = axes(n.way);
-    left.phi = left.phi + impulse_of<rod>(n.normal, links_of_air(i) + 2, left) * to.normal;
-    left.phi = left.phi + impulse_of<rod>(n.side, links_of_air(i) + 1, left) * to.side;
-    left.phi = left.phi + impulse_of<rod>(n.along, links_of_air(i), left) * to.way;
+    left.phi = left.phi + impulse_of(n.normal, links_of_air(i) + 2, left) * to.normal;
+    left.phi = left.phi + impulse_of(n.side, links_of_air(i) + 1, left) * to.side;
+    left.phi = left.phi + impulse_of(n.along, links_of_air(i), left) * to.way;
 }
 
 } // namespace CD_ISA

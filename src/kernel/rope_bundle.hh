@@ -196,33 +196,25 @@ template <int N> struct RopeBundle {
     }
     // Of what is no node that of the strand's first one.
     __attribute__((noinline)) V load(StateNumbers numbers, size_t i) const {
-        size_t at[N];
-        for (int j = 0; j < N; ++j) at[j] = place(i, has_node(i, j) ? j : j - 1);
-        V a{};
+        double lane[3][N] = {};
         numbers.stored_state([&](const auto* from) {
-            const auto component = [&](size_t k) {
-                double lane[N];
-                for (int j = 0; j < N; ++j) lane[j] = double(from[at[j] + k]);
-                return L::load(lane);
-            };
-            a.x = component(0);
-            if (ropes.components > 1) a.y = component(1);
-            if (ropes.components > 2) a.z = component(2);
+#pragma GCC unroll 1
+            for (int j = 0; j < N; ++j) {
+                const auto* const at = from + place(i, has_node(i, j) ? j : j - 1);
+                for (size_t k = 0; k < ropes.components; ++k) lane[k][j] = double(at[k]);
+            }
         });
-        return a;
+        return {L::load(lane[0]), L::load(lane[1]), L::load(lane[2])};
     }
     __attribute__((noinline)) void store(V a, StateNumbers numbers, size_t i) const {
         const double least = numbers.range().least;
         double lane[3][N];
         settled(a.x, least).store(lane[0]), settled(a.y, least).store(lane[1]), settled(a.z, least).store(lane[2]);
         numbers.stored_state([&](auto* to) {
-            for (int j = 0; j < N && is_used(j); ++j) {
-                if (!has_node(i, j)) continue;
-                auto* const at = to + place(i, j);
-                using Stored = std::remove_reference_t<decltype(*at)>;
-                at[0] = Stored(lane[0][j]);
-                if (ropes.components > 1) at[1] = Stored(lane[1][j]);
-                if (ropes.components > 2) at[2] = Stored(lane[2][j]);
+            for (size_t j = 0, most = halved ? 2 * count : count; j < most; ++j) {
+                using Stored = std::remove_pointer_t<decltype(to)>;
+                const size_t some = has_node(i, int(j)) ? ropes.components : 0, at = place(i, int(j));
+                for (size_t k = 0; k < some; ++k) to[at + k] = Stored(lane[k][j]);
             }
         });
     }
@@ -247,19 +239,19 @@ template <int N> struct RopeBundle {
         V node, link;
     };
     static Axes axes(V way);
-    template <bool rod> static void resist(L k, V n, V acting, V u, Hung& hung, Resisted& resisted, V* by_link);
-    __attribute__((noinline)) static void take(Hung& hung, Column moves, Resisted by, V by_link, Resisted& resisted,
-                                               V& resisted_link);
-    static void take_from(M& a, V column, V row);
-    template <bool rod> static L impulse_of(const Resisted& resisted, const V* by_link, const Impulses& from_right);
+    __attribute__((noinline)) void resist(L k, const V& n, const V& acting, const V& u, Hung& hung, Resisted& resisted,
+                                          V* by_link) const;
+    __attribute__((noinline)) static void take(Hung& hung, const Column& moves, const Resisted& by, const V& by_link);
+    static void take_from(M& a, const V& column, const V& row);
+    L impulse_of(const Resisted& resisted, const V* by_link, const Impulses& from_right) const;
     bool has_air() const { return stage.has_air(); }
     V way_at(size_t i) const;
     L share_of(size_t i) const;
     L resistance(size_t i, double coefficient) const;
     V wind(size_t i) const;
     V* links_of_air(size_t i) const { return by_link + 3 * i; }
-    template <bool rod> void resist(size_t i, Hung& hung);
-    template <bool rod> void resisted(size_t i, Impulses& left) const;
+    void resist(size_t i, Hung& hung);
+    void resisted(size_t i, Impulses& left) const;
 
     // ---- what it touches, in rope_contact.hh ------------------------------------------------------------------------
 
@@ -280,8 +272,8 @@ template <int N> struct RopeBundle {
     __attribute__((noinline)) L touch(size_t i, size_t iteration);
     L touches() const;
     V* links_of_contact(size_t at) const { return by_link + 3 * ((has_air() ? ropes.nodes : 0) + at); }
-    template <bool rod> __attribute__((noinline)) void press(size_t i, Hung& hung);
-    template <bool rod> __attribute__((noinline)) void pressed(size_t i, Impulses& left);
+    __attribute__((noinline)) void press(size_t i, Hung& hung);
+    __attribute__((noinline)) void pressed(size_t i, Impulses& left);
     void forget_overlaps();
 
     // ---- the start of a step ----------------------------------------------------------------------------------------
@@ -491,7 +483,7 @@ template <int N> struct RopeBundle {
     L step_inside(L barrier);
     void solve();
     bool try_again();
-    void calm();
+    __attribute__((cold)) void calm();
     void settle();
     RopeResult step();
 };

@@ -198,7 +198,7 @@ template <int N> Lanes<N> RopeBundle<N>::touches() const {
 }
 
 // Keeps node i out of what it touches.
-template <int N> template <bool rod> void RopeBundle<N>::press(size_t i, Hung& hung) {
+template <int N> void RopeBundle<N>::press(size_t i, Hung& hung) {
     for (size_t k = 0; k < stage.collider_count; ++k) {
         const size_t at = i * stage.collider_count + k;
         Contact& c = contacts[at];
@@ -209,9 +209,9 @@ template <int N> template <bool rod> void RopeBundle<N>::press(size_t i, Hung& h
         const V u = velocity_of(stage.colliders[k]);
         // A strand that is held altogether has no mass, and touches nothing.
         const L stiffness = kContactStiffness * heavy, out = leaving(i, c) + select(c.on, c.push / stiffness, L{});
-        resist<rod>(c.on * stiffness, to.way, c.acting - c.follows * to.side, out * to.way, hung, c.pressed, links);
-        resist<rod>(c.along, to.side, to.side, u + c.wished * to.side, hung, c.rubbed[0], links + 1);
-        resist<rod>(c.across, to.normal, to.normal, u, hung, c.rubbed[1], links + 2);
+        resist(c.on * stiffness, to.way, c.acting - c.follows * to.side, out * to.way, hung, c.pressed, links);
+        resist(c.along, to.side, to.side, u + c.wished * to.side, hung, c.rubbed[0], links + 1);
+        resist(c.across, to.normal, to.normal, u, hung, c.rubbed[1], links + 2);
     }
 }
 // Linearizes friction about a slip of this size.
@@ -222,16 +222,16 @@ template <int N> void RopeBundle<N>::set_friction(double friction, L slip, Conta
     if (newtonian) c.along = c.along * (sticks / speed), c.follows = friction * slip / speed, c.wished = slip;
 }
 // What is left of the impulses from the right, at node i.
-template <int N> template <bool rod> void RopeBundle<N>::pressed(size_t i, Impulses& left) {
+template <int N> void RopeBundle<N>::pressed(size_t i, Impulses& left) {
     for (size_t k = stage.collider_count; k-- > 0;) {
         const size_t at = i * stage.collider_count + k;
         Contact& c = contacts[at];
         if (!any_positive(c.on)) continue;
         const V* const links = links_of_contact(at);
         const Axes to = surface_axes(c.normal, c.slip);
-        left.phi = left.phi + impulse_of<rod>(c.rubbed[1], links + 2, left) * to.normal;
-        left.phi = left.phi + impulse_of<rod>(c.rubbed[0], links + 1, left) * to.side;
-        const L push = c.on * impulse_of<rod>(c.pressed, links, left);
+        left.phi = left.phi + impulse_of(c.rubbed[1], links + 2, left) * to.normal;
+        left.phi = left.phi + impulse_of(c.rubbed[0], links + 1, left) * to.side;
+        const L push = c.on * impulse_of(c.pressed, links, left);
         c.push = select(open, push, c.push);
         left.phi = left.phi + push * (c.acting - c.follows * to.side);
     }

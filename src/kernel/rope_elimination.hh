@@ -14,8 +14,8 @@ template <int N> void RopeBundle<N>::eliminate() {
     V& y = hung.y;
     mobility = M::diagonal(nodes[0].mobility), y = nodes[0].b;
     const bool resists = has_air();
-    if (resists) resist<false>(0, hung);
-    if (has_contacts()) press<false>(0, hung);
+    if (resists) resist(0, hung);
+    if (has_contacts()) press(0, hung);
     nodes[0].c = mobility, nodes[0].y = y;
     for (size_t i = 0; i + 1 < node_count; ++i) {
         const Spring& s = springs[i];
@@ -39,8 +39,8 @@ template <int N> void RopeBundle<N>::eliminate() {
             mobility = {select(fixed, V{}, mobility.x), select(fixed, V{}, mobility.y), select(fixed, V{}, mobility.z)};
             y = select(fixed, node.b, y);
         }
-        if (resists) resist<false>(i + 1, hung);
-        if (has_contacts()) press<false>(i + 1, hung);
+        if (resists) resist(i + 1, hung);
+        if (has_contacts()) press(i + 1, hung);
         node.c = mobility;
         node.y = y;
     }
@@ -54,10 +54,10 @@ template <int N> void RopeBundle<N>::eliminate() {
     for (size_t i = node_count; i-- > 0;) {
         Node& node = nodes[i];
         node.next = node.y + node.c * phi;
-        if (has_contacts()) pressed<false>(i, left);
+        if (has_contacts()) pressed(i, left);
         if (i == 0) break;
         Spring& s = springs[i - 1];
-        if (resists) resisted<false>(i, left);
+        if (resists) resisted(i, left);
         phi = phi - node.ground * (node.next - node.b);
         const L fixed = held(i);
         if (any_positive(fixed))

@@ -109,8 +109,9 @@ template <int N> void RopeBundle<N>::pull(const Spring& s, Joint& joint, Hung& h
         const L share = k < 3 ? s.transverse / (one() + s.transverse * yields)
                               : select(s.taut * size_of(axial), s.taut / axial, L{});
         const L wished = share * ((k < 3 ? dot(along, s.wish) : s.wished) - dot(along, hung.link_y));
-        take(hung, moves, {wished, share * transposed_times(hung.back, along)},
-             share * transposed_times(hung.link, along), joint.pulled[k], joint.by_link[k]);
+        joint.pulled[k] = {wished, share * transposed_times(hung.back, along)};
+        joint.by_link[k] = share * transposed_times(hung.link, along);
+        take(hung, moves, joint.pulled[k], joint.by_link[k]);
     }
 }
 
@@ -119,8 +120,8 @@ template <int N> void RopeBundle<N>::eliminate_rod() {
     hung.c = M::diagonal(nodes[0].mobility), hung.y = nodes[0].b;
     for (size_t i = 0; i < ropes.nodes; ++i) {
         if (i > 0) join(i, hung), pull(springs[i - 1], joints[i], hung);
-        if (has_air()) resist<true>(i, hung);
-        if (has_contacts()) press<true>(i, hung);
+        if (has_air()) resist(i, hung);
+        if (has_contacts()) press(i, hung);
         nodes[i].c = hung.c, nodes[i].y = hung.y, joints[i].across = hung.across;
     }
     Impulses left{};
@@ -128,14 +129,14 @@ template <int N> void RopeBundle<N>::eliminate_rod() {
         Node& node = nodes[i];
         Joint& joint = joints[i];
         node.next = (node.y + node.c * left.phi) + joint.across * left.psi;
-        if (has_contacts()) pressed<true>(i, left);
+        if (has_contacts()) pressed(i, left);
         if (i == 0) return;
-        if (has_air()) resisted<true>(i, left);
+        if (has_air()) resisted(i, left);
         Spring& s = springs[i - 1];
         V impulse{};
         const V ways[4] = {{one(), L{}, L{}}, {L{}, one(), L{}}, {L{}, L{}, one()}, s.acting};
         for (size_t k = 4; k-- > 0;) {
-            const V by = impulse_of<true>(joint.pulled[k], &joint.by_link[k], left) * ways[k];
+            const V by = impulse_of(joint.pulled[k], &joint.by_link[k], left) * ways[k];
             left.psi = left.psi + by, impulse = impulse - by;
         }
         pulls(s, impulse);
