@@ -253,12 +253,13 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  * spheres among them, beds of heights, and shapes that a callback tells the distance from, each with a velocity and a
  * friction of its own. A step that reaches its tolerance leaves no free node deeper inside than that, times the
  * springs' length, and colliders at rest give no energy. What falls on one does not bounce; what comes to rest stays.
- * A strand that touches something makes that step with lambda = 1. A node that lies inside when a step begins comes
- * out of it, and throws neither itself nor its strand. Nodes collide; springs between them do not, nor do ropes with
- * each other. No node passes through a capsule that it meets by less than a radius a step. Where colliders overlap, a
- * node may be caught between them: CD_ERROR_TOLERANCE. Friction is Coulomb's, of each node's push, times v / (v + 1e-4
- * m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the push that 50 iterations found. So
- * what it holds creeps: at half of what it bears by 1e-4 m/s.
+ * A strand that touches something makes that step with lambda = 1: where it slides at the speed v round a body of the
+ * radius R, this brakes it as friction of the coefficient v dt / R would. A node that lies inside when a step begins
+ * comes out of it, and throws neither itself nor its strand. Nodes collide; springs between them do not, nor do ropes
+ * with each other. No node passes through a capsule that it meets by less than a radius a step. Where colliders
+ * overlap, a node may be caught between them: CD_ERROR_TOLERANCE. Friction is Coulomb's, of each node's push, times
+ * v / (v + 1e-4 m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the push that 50
+ * iterations found. So what it holds creeps: at half of what it bears by 1e-4 m/s.
  * Errors of all that set: CD_ERROR_UNSUPPORTED without a rest length; CD_ERROR_RANGE for an index that no collider
  * has, or a count that is not the number of components; CD_ERROR_VALUE; CD_ERROR_MEMORY where a bed or a callback
  * becomes something else. */
