@@ -991,7 +991,8 @@ export class Chain extends Handle {
 
   /**
    * Energies of all strands together [J]; Kinetic: of the free nodes. Elastic: stretch, bend
-   * and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps their sum.
+   * and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. Undamped, lambda = 1/2
+   * keeps their sum, of ropes but for what is told of them.
    */
   get energy(): { kinetic: number; elastic: number; gravity: number };
 
@@ -1717,7 +1718,7 @@ export class Membrane extends Handle {
 
   /**
    * Energies [J]; Kinetic: of the free nodes. Elastic: stretch, bend and attachments. Gravity:
-   * -sum m g x of the free nodes. lambda = 1/2 keeps their sum, in cloth at most.
+   * -sum m g x of the free nodes. What of their sum lambda = 1/2 keeps is told above.
    */
   get energy(): { kinetic: number; elastic: number; gravity: number };
 

@@ -449,7 +449,8 @@ CD_API cd_status cd_chain_get_factorizations(const cd_chain* chain, uint64_t* ou
 /* ---- measuring --------------------------------------------------------------------------------------------------- */
 
 /* Energies of all strands together [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend
- * and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps their sum. */
+ * and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. Undamped, lambda = 1/2
+ * keeps their sum, of ropes but for what is told of them. */
 CD_API cd_status cd_chain_get_energy(const cd_chain* chain, double* out_kinetic, double* out_elastic,
                                      double* out_gravity);
 

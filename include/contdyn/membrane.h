@@ -422,7 +422,7 @@ CD_API cd_status cd_membrane_get_factorizations(const cd_membrane* membrane, uin
 /* ---- measuring --------------------------------------------------------------------------------------------------- */
 
 /* Energies [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend and attachments. Gravity:
- * -sum m g x of the free nodes. lambda = 1/2 keeps their sum, in cloth at most. */
+ * -sum m g x of the free nodes. What of their sum lambda = 1/2 keeps is told above. */
 CD_API cd_status cd_membrane_get_energy(const cd_membrane* membrane, double* out_kinetic, double* out_elastic,
                                         double* out_gravity);
 

@@ -1997,8 +1997,8 @@ namespace Contdyn
         }
 
         /// <summary>Energies of all strands together [J]; each output may be null. Kinetic: of the free nodes. Elastic:
-        /// stretch, bend and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. lambda =
-        /// 1/2 keeps their sum.</summary>
+        /// stretch, bend and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. Undamped,
+        /// lambda = 1/2 keeps their sum, of ropes but for what is told of them.</summary>
         public ChainEnergy GetEnergy()
         {
             double outKinetic;
@@ -3822,8 +3822,8 @@ namespace Contdyn
         }
 
         /// <summary>Energies [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend and
-        /// attachments. Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps their sum, in cloth at
-        /// most.</summary>
+        /// attachments. Gravity: -sum m g x of the free nodes. What of their sum lambda = 1/2 keeps is told
+        /// above.</summary>
         public MembraneEnergy GetEnergy()
         {
             double outKinetic;

@@ -1721,7 +1721,8 @@ function Chain:get_factorizations()
 end
 
 -- Energies of all strands together [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend and
--- attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps their sum.
+-- attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. Undamped, lambda = 1/2 keeps their
+-- sum, of ropes but for what is told of them.
 function Chain:get_energy()
   local where = "cd_chain_get_energy"
   local out_kinetic = double_1()
@@ -2900,7 +2901,7 @@ function Membrane:get_factorizations()
 end
 
 -- Energies [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend and attachments. Gravity:
--- -sum m g x of the free nodes. lambda = 1/2 keeps their sum, in cloth at most.
+-- -sum m g x of the free nodes. What of their sum lambda = 1/2 keeps is told above.
 function Membrane:get_energy()
   local where = "cd_membrane_get_energy"
   local out_kinetic = double_1()

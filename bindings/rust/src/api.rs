@@ -1615,8 +1615,8 @@ impl Chain {
     }
 
     /// Energies of all strands together \[J\]; each output may be null. Kinetic: of the free nodes. Elastic: stretch,
-    /// bend and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps
-    /// their sum.
+    /// bend and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. Undamped, lambda = 1/2
+    /// keeps their sum, of ropes but for what is told of them.
     pub fn get_energy(&self) -> Result<ChainEnergy> {
         let mut out_kinetic = 0.0;
         let mut out_elastic = 0.0;
@@ -2840,7 +2840,7 @@ impl Membrane {
     }
 
     /// Energies \[J\]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend and attachments.
-    /// Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps their sum, in cloth at most.
+    /// Gravity: -sum m g x of the free nodes. What of their sum lambda = 1/2 keeps is told above.
     pub fn get_energy(&self) -> Result<MembraneEnergy> {
         let mut out_kinetic = 0.0;
         let mut out_elastic = 0.0;
