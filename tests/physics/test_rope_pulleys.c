@@ -1,4 +1,4 @@
-/* Ropes that run over pulleys with a weight at each end: Atwood's machine, and what a step of lambda = 1 takes from it. */
+/* Ropes that run over pulleys with a weight at each end: Atwood's machine, and what lambda = 1 takes from it. */
 #include <math.h>
 
 #include "check.h"
