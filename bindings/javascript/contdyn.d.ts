@@ -595,12 +595,14 @@ export class Chain extends Handle {
   // as much as errors of length within the tolerance are worth. For each spring, before the step and again after it,
   // that
   // is at most 2 T e + k e^2: e is tolerance * length; T is the spring's tension, or the mean force on the nodes where
-  // that is larger and the interior point was needed; k e^2 is left out where the stiffness is infinite. A spring that
-  // is
-  // longer than its tension makes it, because positions were written so, comes back within the step at any speed. Where
-  // a rest length is reduced, the work of that is no energy added: tension times what the length falls by, with 1/2
-  // along
-  // the mean of the spring's directions before and after the step.
+  // that is larger and the interior point was needed; k e^2 is left out where the stiffness is infinite. With "float32"
+  // e has the rounding of positions in it, 6e-8 of their distance from the origin: 1e5 times its springs' length away a
+  // rope that swings gains up to 2e-4 of its energy, 1e6 times away a fifth. A spring that is longer than its tension
+  // makes it, because positions were written so, comes back within the step at any speed. Where a rest length is
+  // reduced,
+  // the work of that is no energy added: tension times what the length falls by, with 1/2 along the mean of the
+  // spring's
+  // directions before and after the step.
   // Ropes need "implicit" with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
   // step says "errorUnsupported".
   //
@@ -729,13 +731,13 @@ export class Chain extends Handle {
   // spheres among them, beds of heights, and shapes that a callback tells the distance from, each with a velocity and a
   // friction of its own. A step that reaches its tolerance leaves no free node deeper inside than that, times the
   // springs' length, and colliders at rest give no energy. What falls on one does not bounce; what comes to rest stays.
-  // A strand that touches something makes that step with lambda = 1. A node that lies inside when a step begins comes
-  // out of it, and throws neither itself nor its strand. Nodes collide; springs between them do not, nor do ropes with
-  // each other. No node passes through a capsule that it meets by less than a radius a step. Where colliders overlap, a
-  // node may be caught between them: "errorTolerance". Friction is Coulomb's, of each node's push, times v / (v + 1e-4
-  // m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the push that 50 iterations found.
-  // So
-  // what it holds creeps: at half of what it bears by 1e-4 m/s.
+  // A strand that touches something makes that step with lambda = 1: where it slides at the speed v round a body of the
+  // radius R, this brakes it as friction of the coefficient v dt / R would. A node that lies inside when a step begins
+  // comes out of it, and throws neither itself nor its strand. Nodes collide; springs between them do not, nor do ropes
+  // with each other. No node passes through a capsule that it meets by less than a radius a step. Where colliders
+  // overlap, a node may be caught between them: "errorTolerance". Friction is Coulomb's, of each node's push, times
+  // v / (v + 1e-4 m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the push that 50
+  // iterations found. So what it holds creeps: at half of what it bears by 1e-4 m/s.
   // Errors of all that set: "errorUnsupported" without a rest length; "errorRange" for an index that no collider
   // has, or a count that is not the number of components; "errorValue"; "errorMemory" where a bed or a callback
   // becomes something else.
@@ -989,7 +991,8 @@ export class Chain extends Handle {
 
   /**
    * Energies of all strands together [J]; Kinetic: of the free nodes. Elastic: stretch, bend
-   * and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps their sum.
+   * and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. Undamped, lambda = 1/2
+   * keeps their sum, of ropes but for what is told of them.
    */
   get energy(): { kinetic: number; elastic: number; gravity: number };
 
@@ -1156,9 +1159,9 @@ export interface MembraneOptions {
  *      directions moves as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both
  *      is slowed down. Where it comes to rest does not depend on dt. So it is on uniform sheets held by whole rows and
  *      columns, closed forms and all, with up to 16 single nodes held or attached (these if h (h + damping) (2 k + 16
- *      b) is at most 1e4 times a node's mass). On any other sheet (a mask, masses or springs of their own, bend with
- *      free edges) the factored system would blow up; there, at six times the cost and not quite linear, a step is the
- *      best, in energy, of the lines' answers, the velocity and common motion.
+ *      b) is at most 1e4 times a node's mass). On any other sheet (nodes absent, masses or springs of their own, bend
+ *      with free edges) the factored system would blow up; there, at six times the cost and not quite linear, a step is
+ *      the best, in energy, of the lines' answers, the velocity and common motion.
  *   "coupled"      the system itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On
  *      uniform sheets without bend and rings, held by whole rows and columns, up to 16 single nodes too, it takes one
  *      or two iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet
@@ -1174,6 +1177,8 @@ export interface MembraneOptions {
  * In "float32" each rounding of a velocity is a kick of so many times its energy: where (w_u h) (w_v h) is beyond 1e4,
  * take "float64" or the coupled solver. Plates with stiffness damping, alternating, are first order in time, else
  * second.
+ * "stiffSecond" adds no energy where coupled solves meet the default tolerance; a step that ends short of its
+ * own has added a third, one that alternates on a sheet that is not uniform a twentieth.
  *
  * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
  * 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.
@@ -1656,27 +1661,24 @@ export class Membrane extends Handle {
   /**
    * Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
    * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
-   * writing "target". Attaching again changes the numbers. Switches "target" on.
-   * Errors: "errorRange"; attach: "errorValue", "errorMemory", and "errorDiverged" for a state that is not
-   * finite.
+   * writing "target". Attaching again changes the numbers. Switches "target" on. Errors: "errorRange"; attach:
+   * "errorValue", "errorMemory", and "errorDiverged" for a state that is not finite.
    */
   attach(u: number, v: number, stiffness: number, damping: number, target?: Numbers | null): void;
 
   /**
    * Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
    * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
-   * writing "target". Attaching again changes the numbers. Switches "target" on.
-   * Errors: "errorRange"; attach: "errorValue", "errorMemory", and "errorDiverged" for a state that is not
-   * finite.
+   * writing "target". Attaching again changes the numbers. Switches "target" on. Errors: "errorRange"; attach:
+   * "errorValue", "errorMemory", and "errorDiverged" for a state that is not finite.
    */
   detach(u: number, v: number): void;
 
   /**
    * Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
    * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
-   * writing "target". Attaching again changes the numbers. Switches "target" on.
-   * Errors: "errorRange"; attach: "errorValue", "errorMemory", and "errorDiverged" for a state that is not
-   * finite.
+   * writing "target". Attaching again changes the numbers. Switches "target" on. Errors: "errorRange"; attach:
+   * "errorValue", "errorMemory", and "errorDiverged" for a state that is not finite.
    */
   getAttachment(u: number, v: number): { stiffness: number; damping: number };
 
@@ -1695,8 +1697,7 @@ export class Membrane extends Handle {
   /**
    * The longest dt at which "symplecticEuler" is sure to stay bounded, whatever method is set: the largest dt
    * with 4 M - 2 dt C - dt^2 K positive definite, by a bound on K that is exact in the limit of many nodes for uniform
-   * sheets, and a safe lower bound otherwise. Infinity if nothing can swing.
-   * Errors: "errorUnsupported" of cloth.
+   * sheets, and a safe lower bound otherwise. Infinity if nothing can swing. Errors: "errorUnsupported" of cloth.
    */
   stableDt(): number;
 
@@ -1717,7 +1718,7 @@ export class Membrane extends Handle {
 
   /**
    * Energies [J]; Kinetic: of the free nodes. Elastic: stretch, bend and attachments. Gravity:
-   * -sum m g x of the free nodes. lambda = 1/2 keeps their sum, in cloth at most.
+   * -sum m g x of the free nodes. What of their sum lambda = 1/2 keeps is told above.
    */
   get energy(): { kinetic: number; elastic: number; gravity: number };
 

@@ -151,10 +151,12 @@ CD_API cd_status cd_chain_get_awake(const cd_chain* chain, size_t* out_nodes);
  * At any dt, stiffness and masses a step that reaches its tolerance keeps momentum to rounding. Energy it can add only
  * as much as errors of length within the tolerance are worth. For each spring, before the step and again after it, that
  * is at most 2 T e + k e^2: e is tolerance * length; T is the spring's tension, or the mean force on the nodes where
- * that is larger and the interior point was needed; k e^2 is left out where the stiffness is infinite. A spring that is
- * longer than its tension makes it, because positions were written so, comes back within the step at any speed. Where
- * a rest length is reduced, the work of that is no energy added: tension times what the length falls by, with 1/2 along
- * the mean of the spring's directions before and after the step.
+ * that is larger and the interior point was needed; k e^2 is left out where the stiffness is infinite. With CD_FLOAT32
+ * e has the rounding of positions in it, 6e-8 of their distance from the origin: 1e5 times its springs' length away a
+ * rope that swings gains up to 2e-4 of its energy, 1e6 times away a fifth. A spring that is longer than its tension
+ * makes it, because positions were written so, comes back within the step at any speed. Where a rest length is reduced,
+ * the work of that is no energy added: tension times what the length falls by, with 1/2 along the mean of the spring's
+ * directions before and after the step.
  * Ropes need CD_METHOD_IMPLICIT with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
  * cd_chain_step says CD_ERROR_UNSUPPORTED.
  *
@@ -253,12 +255,13 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  * spheres among them, beds of heights, and shapes that a callback tells the distance from, each with a velocity and a
  * friction of its own. A step that reaches its tolerance leaves no free node deeper inside than that, times the
  * springs' length, and colliders at rest give no energy. What falls on one does not bounce; what comes to rest stays.
- * A strand that touches something makes that step with lambda = 1. A node that lies inside when a step begins comes
- * out of it, and throws neither itself nor its strand. Nodes collide; springs between them do not, nor do ropes with
- * each other. No node passes through a capsule that it meets by less than a radius a step. Where colliders overlap, a
- * node may be caught between them: CD_ERROR_TOLERANCE. Friction is Coulomb's, of each node's push, times v / (v + 1e-4
- * m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the push that 50 iterations found. So
- * what it holds creeps: at half of what it bears by 1e-4 m/s.
+ * A strand that touches something makes that step with lambda = 1: where it slides at the speed v round a body of the
+ * radius R, this brakes it as friction of the coefficient v dt / R would. A node that lies inside when a step begins
+ * comes out of it, and throws neither itself nor its strand. Nodes collide; springs between them do not, nor do ropes
+ * with each other. No node passes through a capsule that it meets by less than a radius a step. Where colliders
+ * overlap, a node may be caught between them: CD_ERROR_TOLERANCE. Friction is Coulomb's, of each node's push, times
+ * v / (v + 1e-4 m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the push that 50
+ * iterations found. So what it holds creeps: at half of what it bears by 1e-4 m/s.
  * Errors of all that set: CD_ERROR_UNSUPPORTED without a rest length; CD_ERROR_RANGE for an index that no collider
  * has, or a count that is not the number of components; CD_ERROR_VALUE; CD_ERROR_MEMORY where a bed or a callback
  * becomes something else. */
@@ -446,7 +449,8 @@ CD_API cd_status cd_chain_get_factorizations(const cd_chain* chain, uint64_t* ou
 /* ---- measuring --------------------------------------------------------------------------------------------------- */
 
 /* Energies of all strands together [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend
- * and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps their sum. */
+ * and attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. Undamped, lambda = 1/2
+ * keeps their sum, of ropes but for what is told of them. */
 CD_API cd_status cd_chain_get_energy(const cd_chain* chain, double* out_kinetic, double* out_elastic,
                                      double* out_gravity);
 

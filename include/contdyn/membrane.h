@@ -24,9 +24,9 @@
  *      directions moves as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both
  *      is slowed down. Where it comes to rest does not depend on dt. So it is on uniform sheets held by whole rows and
  *      columns, closed forms and all, with up to 16 single nodes held or attached (these if h (h + damping) (2 k + 16
- *      b) is at most 1e4 times a node's mass). On any other sheet (a mask, masses or springs of their own, bend with
- *      free edges) the factored system would blow up; there, at six times the cost and not quite linear, a step is the
- *      best, in energy, of the lines' answers, the velocity and common motion.
+ *      b) is at most 1e4 times a node's mass). On any other sheet (nodes absent, masses or springs of their own, bend
+ *      with free edges) the factored system would blow up; there, at six times the cost and not quite linear, a step is
+ *      the best, in energy, of the lines' answers, the velocity and common motion.
  *   CD_SOLVER_COUPLED      the system itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On
  *      uniform sheets without bend and rings, held by whole rows and columns, up to 16 single nodes too, it takes one
  *      or two iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet
@@ -41,6 +41,8 @@
  * to an eighth a step where 16 and 17 ms take turns, with lambda = 1 by a quarter where some steps are twice as long.
  * In CD_FLOAT32 each rounding of a velocity is a kick of so many times its energy: where (w_u h) (w_v h) is beyond 1e4,
  * take CD_FLOAT64 or the coupled solver. Plates with stiffness damping, alternating, are first order in time, else second.
+ * CD_METHOD_STIFF_SECOND adds no energy where coupled solves meet the default tolerance; a step that ends short of its
+ * own has added a third, one that alternates on a sheet that is not uniform a twentieth.
  *
  * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
  * 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.
@@ -386,9 +388,8 @@ CD_API cd_status cd_membrane_teleport(cd_membrane* membrane, const double* rotat
 
 /* Ties a node to its target by a spring of `stiffness` [N/m] >= 0 and `damping` [N s/m] >= 0, as a mouse drag does.
  * target: one number per component; null: the node's present position, and count means nothing. Move it afterwards by
- * writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on.
- * Errors: CD_ERROR_RANGE; attach: CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not
- * finite. */
+ * writing CD_TARGET. Attaching again changes the numbers. Switches CD_TARGET on. Errors: CD_ERROR_RANGE; attach:
+ * CD_ERROR_VALUE, CD_ERROR_MEMORY, and CD_ERROR_DIVERGED for a state that is not finite. */
 CD_API cd_status cd_membrane_attach(cd_membrane* membrane, size_t u, size_t v, double stiffness, double damping,
                                     const double* target, size_t count);
 CD_API cd_status cd_membrane_detach(cd_membrane* membrane, size_t u, size_t v);
@@ -407,8 +408,7 @@ CD_API cd_status cd_membrane_step(cd_membrane* membrane, double dt, size_t count
 
 /* The longest dt at which CD_METHOD_SYMPLECTIC_EULER is sure to stay bounded, whatever method is set: the largest dt
  * with 4 M - 2 dt C - dt^2 K positive definite, by a bound on K that is exact in the limit of many nodes for uniform
- * sheets, and a safe lower bound otherwise. INFINITY if nothing can swing.
- * Errors: CD_ERROR_UNSUPPORTED of cloth. */
+ * sheets, and a safe lower bound otherwise. INFINITY if nothing can swing. Errors: CD_ERROR_UNSUPPORTED of cloth. */
 CD_API cd_status cd_membrane_stable_dt(const cd_membrane* membrane, double* out_dt);
 
 /* Simulated time [s] and steps made since create or reset, those before a load or a copied state included. */
@@ -422,7 +422,7 @@ CD_API cd_status cd_membrane_get_factorizations(const cd_membrane* membrane, uin
 /* ---- measuring --------------------------------------------------------------------------------------------------- */
 
 /* Energies [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend and attachments. Gravity:
- * -sum m g x of the free nodes. lambda = 1/2 keeps their sum, in cloth at most. */
+ * -sum m g x of the free nodes. What of their sum lambda = 1/2 keeps is told above. */
 CD_API cd_status cd_membrane_get_energy(const cd_membrane* membrane, double* out_kinetic, double* out_elastic,
                                         double* out_gravity);
 

@@ -43,7 +43,8 @@ template <class T> struct Measure {
 
     void energy(Sum& kinetic, Sum& elastic, Sum& gravity) const {
         each(springs_in_all(c), [&](size_t i, size_t own, Part part) {
-            if (!is_rigid(c, own)) elastic.add(0.5 * stiffness_of(c, own) * stretches(i, own, part));
+            const double k = stiffness_of(c, own);
+            if (k > 0 && !is_rigid(c, own)) elastic.add(0.5 * k * stretches(i, own, part));
         });
         each(c.nodes, [&](size_t i, size_t own, Part part) {
             const Joint joint = joint_of(c, part.first / c.components, i);
@@ -55,7 +56,7 @@ template <class T> struct Measure {
                                        joint.left * joint.turned(l - part.first, before);
                             }));
             }
-            if (c.target)
+            if (c.target && c.attach_stiffness[own] > 0)
                 elastic.add(0.5 * c.attach_stiffness[own] *
                             squares(part, [&](size_t l) { return at(x, i, l) - at(target, i, l); }));
             if (held(c, own)) return;

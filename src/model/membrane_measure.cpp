@@ -20,11 +20,11 @@ template <class T> struct Measure {
                 if (present(m, column, row)) f(column, row);
     }
 
-    // sum over components of term(component)^2
-    template <class Term> double squares(Term term) const {
+    // weight times the sum over components of term(component)^2: 0 of no weight, also where squares overflow
+    template <class Term> double squares(double weight, Term term) const {
         double sum = 0;
-        for (size_t k = 0; k < m.components; ++k) sum += term(k) * term(k);
-        return sum;
+        for (size_t k = 0; k < m.components && weight > 0; ++k) sum += term(k) * term(k);
+        return weight * sum;
     }
 
     // What hangs on node (i, j): springs and twist that start there, its bend, its attachment; of cloth only that.
@@ -35,19 +35,19 @@ template <class T> struct Measure {
         const auto below = [&](size_t k) { return at(x, i, next_j, k); };
         double sum = 0;
         if (!has_lengths(m))
-            sum = stiffness_of(m, kU, i, j) * squares([&](size_t k) { return right(k) - here(k); }) +
-                  stiffness_of(m, kV, i, j) * squares([&](size_t k) { return below(k) - here(k); });
+            sum = squares(stiffness_of(m, kU, i, j), [&](size_t k) { return right(k) - here(k); }) +
+                  squares(stiffness_of(m, kV, i, j), [&](size_t k) { return below(k) - here(k); });
         if (!has_lengths(m) && has_bend(m)) {
             const size_t last_i = before(m, kU, i), last_j = before(m, kV, j);
             const auto curve = [&](auto ahead, size_t u, size_t w, size_t k) {
                 return (ahead(k) - here(k)) - (here(k) - at(x, u, w, k));
             };
-            sum += bend_of(m, kU, i, j) * squares([&](size_t k) { return curve(right, last_i, j, k); }) +
-                   bend_of(m, kV, i, j) * squares([&](size_t k) { return curve(below, i, last_j, k); });
-            sum += twist_of(m, i, j) *
-                   squares([&](size_t k) { return (at(x, next_i, next_j, k) - below(k)) - (right(k) - here(k)); });
+            sum += squares(bend_of(m, kU, i, j), [&](size_t k) { return curve(right, last_i, j, k); }) +
+                   squares(bend_of(m, kV, i, j), [&](size_t k) { return curve(below, i, last_j, k); });
+            sum += squares(twist_of(m, i, j),
+                           [&](size_t k) { return (at(x, next_i, next_j, k) - below(k)) - (right(k) - here(k)); });
         }
-        if (m.target) sum += tie_of(m, i, j) * squares([&](size_t k) { return here(k) - at(target, i, j, k); });
+        if (m.target) sum += squares(tie_of(m, i, j), [&](size_t k) { return here(k) - at(target, i, j, k); });
         return 0.5 * sum;
     }
 
@@ -56,7 +56,7 @@ template <class T> struct Measure {
             elastic_sum.add(elastic(i, j));
             if (held(m, i, j)) return;
             const double mass = mass_of(m, i, j);
-            kinetic.add(0.5 * mass * squares([&](size_t k) { return at(v, i, j, k); }));
+            kinetic.add(squares(0.5 * mass, [&](size_t k) { return at(v, i, j, k); }));
             double fall = 0;
             for (size_t k = 0; k < m.components; ++k) fall += m.gravity[k] * at(x, i, j, k);
             gravity.add(-mass * fall);

@@ -293,6 +293,23 @@ static void energy_and_momentum_are_the_sums_of_the_header(void** state) {
     }
 }
 
+/* What has no stiffness holds no energy, however long it is; what else overflows is told as infinite. */
+static void what_is_cut_or_loose_holds_no_energy_at_any_length(void** state) {
+    (void)state;
+    static const double x[] = {0, 1, 1e300}, targets[] = {0, 1, 0};
+    cd_chain* chain = scene_chain(1, 2, 1, CD_FLOAT64);
+    double elastic;
+    scene_write(chain, CD_POSITION, x);
+    ok(cd_chain_enable_field(chain, CD_TARGET));
+    scene_write(chain, CD_TARGET, targets);
+    ok(cd_chain_get_energy(chain, NULL, &elastic, NULL));
+    assert_true(elastic == HUGE_VAL);
+    ok(cd_chain_cut(chain, 0, 1));
+    ok(cd_chain_get_energy(chain, NULL, &elastic, NULL));
+    assert_near(elastic, 0.5 * scene_get(chain, CD_STIFFNESS, 0), 1e-15, 0);
+    cd_chain_destroy(chain);
+}
+
 static void forces_act_until_they_are_overwritten(void** state) {
     (void)state;
     cd_chain* chain = scene_chain(2, 0, 1, CD_FLOAT64);
@@ -321,6 +338,7 @@ int main(void) {
         cmocka_unit_test(samples_lie_on_the_straight_lines_between_nodes),
         cmocka_unit_test(places_outside_are_refused_or_the_nearest),
         cmocka_unit_test(energy_and_momentum_are_the_sums_of_the_header),
+        cmocka_unit_test(what_is_cut_or_loose_holds_no_energy_at_any_length),
         cmocka_unit_test(forces_act_until_they_are_overwritten),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

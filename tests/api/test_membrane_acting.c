@@ -319,6 +319,25 @@ static void an_even_stretch_holds_the_energy_of_the_totals(void** state) {
     }
 }
 
+/* Beyond the edges there is neither spring, bend nor twist: a sheet too large for squares has infinite energy. */
+static void energies_too_large_for_numbers_are_infinite(void** state) {
+    (void)state;
+    cd_membrane* m = cloth(NU, NV, 1, CD_FLOAT64);
+    double x[COLUMNS * ROWS], targets[COLUMNS * ROWS] = {0}, elastic;
+    for (size_t i = 0; i < COUNT(x); ++i) x[i] = 1e300 * (double)(i * i % 7);
+    cloth_write(m, CD_POSITION, x);
+    ok(cd_membrane_set_bend(m, 1));
+    ok(cd_membrane_enable_field(m, CD_TARGET));
+    cloth_write(m, CD_TARGET, targets);
+    ok(cd_membrane_get_energy(m, NULL, &elastic, NULL));
+    assert_true(elastic == HUGE_VAL);
+    ok(cd_membrane_set_bend(m, 0));
+    ok(cd_membrane_set_stiffness(m, 0, 0));
+    ok(cd_membrane_get_energy(m, NULL, &elastic, NULL));
+    assert_true(elastic == 0);
+    cd_membrane_destroy(m);
+}
+
 /* Six times the volume between the origin and the triangle of three corners of a cell. */
 static double wedge(const double (*x)[3], int a, int b, int c) {
     return x[a][0] * (x[b][1] * x[c][2] - x[b][2] * x[c][1]) + x[a][1] * (x[b][2] * x[c][0] - x[b][0] * x[c][2]) +
@@ -411,6 +430,7 @@ int main(void) {
         cmocka_unit_test(samples_are_bilinear_between_nodes),
         cmocka_unit_test(energy_and_momentum_are_the_sums_of_the_header),
         cmocka_unit_test(an_even_stretch_holds_the_energy_of_the_totals),
+        cmocka_unit_test(energies_too_large_for_numbers_are_infinite),
         cmocka_unit_test(the_volume_of_a_bent_cell_is_the_mean_of_its_two_triangulations),
         cmocka_unit_test(volumes_are_those_of_the_shapes),
         cmocka_unit_test(forces_act_until_they_are_overwritten),

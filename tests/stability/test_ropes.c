@@ -438,6 +438,39 @@ static void a_step_that_ends_short_keeps_the_best_it_found(void** state) {
     cd_chain_destroy(chain);
 }
 
+/* Far from the origin float32 rounds positions by more than the tolerance: a swing gains what chain.h says. */
+static void far_float32_ropes_gain_what_the_header_says(void** state) {
+    (void)state;
+    static const struct {
+        double away, most; /* in lengths of a spring; of the energy */
+    } cases[] = {{1e4, 1e-5}, {1e5, 2e-4}, {1e6, 0.2}};
+    for (size_t c = 0; c < COUNT(cases); ++c)
+        for (int way = 0; way < 8; ++way) {
+            enum { SPRINGS = 100 };
+            const double gravity[2] = {0, -9.81}, length = 1.0 / SPRINGS;
+            double x[SPRINGS + 1][2], e[3], start = 0, highest = 0;
+            cd_chain* chain = NULL;
+            ok(cd_chain_create(1, SPRINGS, 2, CD_FLOAT32, NULL, &chain));
+            for (int i = 0; i <= SPRINGS; ++i)
+                x[i][0] = length * (cases[c].away + i), x[i][1] = way / 4 ? length * cases[c].away : 0;
+            ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, SPRINGS + 1, x[0], 2 * (SPRINGS + 1)));
+            ok(cd_chain_set_rest_length(chain, 1));
+            ok(cd_chain_set_stiffness(chain, way % 2 ? 1000 : INFINITY));
+            ok(cd_chain_set_push(chain, way / 2 % 2));
+            ok(cd_chain_set_bend(chain, way / 2 % 2 ? 1e-3 : 0));
+            ok(cd_chain_set_gravity(chain, gravity, 2));
+            ok(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_PINNED));
+            for (int step = 0; step <= 600; ++step) {
+                ok(cd_chain_get_energy(chain, &e[0], &e[1], &e[2]));
+                if (step == 0) start = e[0] + e[1] + e[2];
+                highest = fmax(highest, (e[0] + e[1] + e[2] - start) / (9.81 / 2));
+                cd_chain_step(chain, 1 / 60.0, 1);
+            }
+            if (!(highest <= cases[c].most)) fail_msg("%g lengths away, %d: gained %.2e", cases[c].away, way, highest);
+            cd_chain_destroy(chain);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hard_scenes_stay_bounded),
@@ -445,6 +478,7 @@ int main(void) {
         cmocka_unit_test(a_rod_that_pushes_falls_with_no_more_energy),
         cmocka_unit_test(held_nodes_too_far_apart_are_told),
         cmocka_unit_test(a_step_that_ends_short_keeps_the_best_it_found),
+        cmocka_unit_test(far_float32_ropes_gain_what_the_header_says),
         cmocka_unit_test(thousands_of_random_ropes_stay_bounded),
         cmocka_unit_test(thousands_of_random_curls_stay_bounded),
     };

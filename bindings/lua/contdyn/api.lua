@@ -1721,7 +1721,8 @@ function Chain:get_factorizations()
 end
 
 -- Energies of all strands together [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend and
--- attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. lambda = 1/2 keeps their sum.
+-- attachments; a welded spring holds none. Gravity: -sum m g x of the free nodes. Undamped, lambda = 1/2 keeps their
+-- sum, of ropes but for what is told of them.
 function Chain:get_energy()
   local where = "cd_chain_get_energy"
   local out_kinetic = double_1()
@@ -1849,9 +1850,9 @@ end
 -- motion with the angular frequencies w_u and w_v along the two directions moves as if it were 1 + (w_u h)^2 (w_v h)^2
 -- times as heavy, h = lambda dt: what is fast along both is slowed down. Where it comes to rest does not depend on dt.
 -- So it is on uniform sheets held by whole rows and columns, closed forms and all, with up to 16 single nodes held or
--- attached (these if h (h + damping) (2 k + 16 b) is at most 1e4 times a node's mass). On any other sheet (a mask,
--- masses or springs of their own, bend with free edges) the factored system would blow up; there, at six times the cost
--- and not quite linear, a step is the best, in energy, of the lines' answers, the velocity and common motion.
+-- attached (these if h (h + damping) (2 k + 16 b) is at most 1e4 times a node's mass). On any other sheet (nodes
+-- absent, masses or springs of their own, bend with free edges) the factored system would blow up; there, at six times
+-- the cost and not quite linear, a step is the best, in energy, of the lines' answers, the velocity and common motion.
 -- CD_SOLVER_COUPLED the system itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On uniform
 -- sheets without bend and rings, held by whole rows and columns, up to 16 single nodes too, it takes one or two
 -- iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet comes to rest at
@@ -1865,7 +1866,9 @@ end
 -- energy without bound, with lambda = 1/2 or CD_METHOD_STIFF_SECOND by up to an eighth a step where 16 and 17 ms take
 -- turns, with lambda = 1 by a quarter where some steps are twice as long. In CD_FLOAT32 each rounding of a velocity is
 -- a kick of so many times its energy: where (w_u h) (w_v h) is beyond 1e4, take CD_FLOAT64 or the coupled solver.
--- Plates with stiffness damping, alternating, are first order in time, else second.
+-- Plates with stiffness damping, alternating, are first order in time, else second. CD_METHOD_STIFF_SECOND adds no
+-- energy where coupled solves meet the default tolerance; a step that ends short of its own has added a third, one that
+-- alternates on a sheet that is not uniform a twentieth.
 -- What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
 -- 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
@@ -2898,7 +2901,7 @@ function Membrane:get_factorizations()
 end
 
 -- Energies [J]; each output may be null. Kinetic: of the free nodes. Elastic: stretch, bend and attachments. Gravity:
--- -sum m g x of the free nodes. lambda = 1/2 keeps their sum, in cloth at most.
+-- -sum m g x of the free nodes. What of their sum lambda = 1/2 keeps is told above.
 function Membrane:get_energy()
   local where = "cd_membrane_get_energy"
   local out_kinetic = double_1()
