@@ -77,6 +77,9 @@ RULES = {
         ["physics_water_forces"]),
     "parts of half a cell": (
         "water/sweep.cpp", "constexpr double kPartRun = 0.5;", "constexpr double kPartRun = 1e9;", ["stability_water_currents"]),
+    "which count what comes in": (
+        "water/sweep.cpp", "-speeds.least), coming_in(line))", "-speeds.least), 0.0 * coming_in(line))",
+        ["stability_water_extremes"]),
     "what resolves waves fades out": (
         "water/sweep.cpp", "resolves = within(", "resolves = L::splat(1) + 0.0 * within(", ["stability_water_currents"]),
     "slopes of velocities within cells": (
@@ -90,7 +93,9 @@ RULES = {
     "half of the momentum goes with old velocities": (
         "water/momentum.hh", "const L half = 0.5 *", "const L half = 0.0 *", ["physics_water_dams", "physics_water_thacker"]),
     "dry faces take the speed of what comes": (
-        "water/velocity.hh", "sweep.advected() ? near : L{}", "L{}", ["physics_water_thacker", "physics_water_dams"]),
+        "water/velocity.hh", "sweep.advected() ? led : none", "none", ["physics_water_thacker", "physics_water_dams"]),
+    "but not at a cliff": (
+        "water/velocity.hh", "within(falls / (kBeach * step), 0, 1)", "L::splat(1)", ["stability_water_energy"]),
     "slopes across": (
         "water/across.cpp", "return smaller(q, positive(given - q)) * half_slope(through, velocity, places, l, r);", "return 0.0 * q;",
         ["physics_water_thacker", "physics_water_momentum"]),
