@@ -347,6 +347,8 @@ RULES = {
     "hulls press through a skin": (HULL, "kStiff = 3;", "kStiff = 300;", ["physics_water_hulls", "stability_water_hulls"]),
     "that is stiffer than the water's surface": (
         HULL, "kStiff = 3;", "kStiff = 0.3;", ["physics_water_hulls", "stability_water_hulls"]),
+    "in a long step all that is less than a depth above the water answers": (
+        HULL_PLATES, "(run * depth <= 1)", "(0 * run * depth <= 1)", ["stability_water_hulls"]),
     "lines that a hull presses dry are bound in their energy": (
         "water/sweep.cpp", "line.load[i] + (stiff - L::splat(2)) * d", "0.0 * d", ["stability_water_hulls"]),
     "and what air or wind presses dry": (
