@@ -95,13 +95,15 @@ inline void WaterLine::follow_water(L moves) {
     Seen before = ring ? see(n - 1) : Seen{}, here = first;
     for (size_t i = first_face(); i < n; ++i) {
         const Seen behind = i + 1 < n ? see(i + 1) : ring ? first : Seen{};
-        const size_t l = left(i);
-        const L is_l = depth[l], b_l = bed[l], b_r = bed[i], step = select(is_l, b_r - b_l, b_l - b_r);
-        const L falls = select(is_l, b_l - bed[left(l)], b_r - bed[cells().behind(i)]);
-        const L part = select(step, within(falls / (kBeach * step), 0, 1), L::splat(1));
-        const L led = part * select(is_l, before.speed, select(depth[i], behind.speed, none));
-        const L near = select(here.open, here.speed, sweep.advected() ? led : none);
-        velocity.put(i, select(moves, near, velocity[i]));
+        if (!all_positive(here.open)) {
+            const size_t l = left(i);
+            const L is_l = depth[l], b_l = bed[l], b_r = bed[i], step = select(is_l, b_r - b_l, b_l - b_r);
+            const L falls = select(is_l, b_l - bed[left(l)], b_r - bed[cells().behind(i)]);
+            const L part = select(step, within(falls / (kBeach * step), 0, 1), L::splat(1));
+            const L led = part * select(is_l, before.speed, select(depth[i], behind.speed, none));
+            const L near = select(here.open, here.speed, sweep.advected() ? led : none);
+            velocity.put(i, select(moves, near, velocity[i]));
+        }
         before = here, here = behind;
     }
     if (ring) velocity.put(n, velocity[0]);
