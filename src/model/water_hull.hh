@@ -87,6 +87,7 @@ struct HullWork {
     double* own[2];       // planes of one hull, 0 between uses
     double* before;       // depths before the sweep, a plane of the state's numbers
     double* impulse;      // three numbers a hull: along x, y, round z
+    double run;           // the square of the cells that waves of a metre of depth cross in the step
 };
 
 HullWork hull_work(const Water& w);

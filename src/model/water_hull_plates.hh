@@ -185,18 +185,20 @@ template <class F> void each_plate(const Water& w, size_t index, const HullPose&
     each_plate(w, index, pose, w.depth.data, f);
 }
 
-// Whether a plate's cells shall answer as if it touched them: also where a sweep may lift the water to it.
-inline bool near_water(const Plate& p, double draft) {
-    const double depth = p.surface - p.bed, reach = draft < depth ? draft : depth;
-    return p.surface + reach > p.z;
+// Whether a plate's cells shall answer as if it touched them: also where a sweep may lift the water to it. In a long
+// step, in which waves cross more than a cell, that is by as much as the water is deep: what the first sweep throws far
+// away from a floor comes back in the second.
+inline bool near_water(const Plate& p, double draft, double run) {
+    const double depth = p.surface - p.bed;
+    return p.surface + ((draft < depth) == (run * depth <= 1) ? draft : depth) > p.z;
 }
 
 // Adds what a hull presses with, as heads in cells, and how that answers to their depths; see(i, j) for those cells.
 template <class T, class F>
-void press(const Water& w, size_t index, const T* depth, double* heads, double* stiff, F see) {
+void press(const Water& w, size_t index, const T* depth, double run, double* heads, double* stiff, F see) {
     const double draft = draft_of(w, index), per_cell = 1 / cell_area(w);
     each_plate(w, index, HullPose(hull(w, index)), depth, [&](const Plate& p) {
-        if (!near_water(p, draft)) return;
+        if (!near_water(p, draft, run)) return;
         const double head = p.head();
         p.cells.each([&](size_t i, size_t j, double weight) {
             const double share = weight * (p.area * per_cell);

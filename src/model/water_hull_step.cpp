@@ -50,7 +50,7 @@ void load_hulls(const Water& w, HullWork& work, bool first) {
         const T* const depth = numbers<T>(w.depth);
         CellBox box;
         each_hull(w, [&](size_t k) {
-            press(w, k, depth, work.load, work.stiff, [&](size_t i, size_t j) { box.see(i, j); });
+            press(w, k, depth, work.run, work.load, work.stiff, [&](size_t i, size_t j) { box.see(i, j); });
         });
         box.each([&](size_t i, size_t j) {
             const size_t at = place(w, i, j);
@@ -68,7 +68,7 @@ void feel_water(const Water& w, HullWork& work, Axis a, double theta, double dt)
             const double draft = draft_of(w, k);
             double* const impulse = work.impulse + 3 * k;
             each_plate(w, k, pose, before, [&](const Plate& p) {
-                if (!near_water(p, draft)) return;
+                if (!near_water(p, draft, work.run)) return;
                 double rise = 0, slope = 0;
                 p.cells.each([&](size_t i, size_t j, double weight) {
                     rise += weight * (double(after[place(w, i, j)]) - double(before[place(w, i, j)]));
@@ -448,7 +448,7 @@ void settle_hulls(Water& w, const HullWork& work) {
         const T* const depth = numbers<T>(w.depth);
         CellBox box;
         each_hull(w, [&](size_t k) {
-            press(w, k, depth, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
+            press(w, k, depth, 0, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
         });
         each_hull(w, [&](size_t k) { lie(w, k, depth, work.own[0]); });
         box.each([&](size_t i, size_t j) { work.own[0][place(w, i, j)] = work.own[1][place(w, i, j)] = 0; });

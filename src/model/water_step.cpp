@@ -119,6 +119,8 @@ struct Stepper {
     void sweep_under_hulls(Axis a, bool first) {
         if (!CD_WITH_HULL || w.hull_shape.count == 0) return sweep(a);
         if constexpr (CD_WITH_HULL) {
+            const double courant = dt / (w.size[kX] < w.size[kY] ? w.size[kX] : w.size[kY]);
+            work.hulls.run = w.gravity * (courant * courant);
             load_hulls(w, work.hulls, first);
             sweep(a);
             feel_water(w, work.hulls, a, w.method == CD_METHOD_IMPLICIT ? w.lambda : 0.5, dt);

@@ -129,6 +129,48 @@ static void no_energy_is_made_but_by_linear_momentum_that_deepens(void** state) 
         }
 }
 
+/* Advected water among cliffs, of beds that are 0 or 1 cell by cell, or anything up to 2 or 4, at rest or in motion
+ * where it is wet on both sides of a face: what runs at a cliff's foot is no more than what came there, and films that
+ * fall into it from beyond do not move its water up the cliff. */
+static void water_among_cliffs_makes_little_energy(void** state) {
+    (void)state;
+    static const double courants[] = {0.01, 0.1, 0.3, 0.5, 1, 10, 1000};
+    static const int which[] = {ADVECTED, EXPLICIT_ADVECTED};
+    const uint64_t seeds = is_long() ? 100 : 12;
+    for (size_t k = 0; k < COUNT(which) * COUNT(courants); ++k) {
+        const struct way* way = &ways[which[k / COUNT(courants)]];
+        const double courant = courants[k % COUNT(courants)];
+        double worst = 0;
+        if (basin_is_explicit(way) && courant > 0.3) continue;
+        for (uint64_t scene = 0; scene < 4 * seeds; ++scene) {
+            const int line = scene & 1, blocks = scene >> 1 & 1;
+            uint64_t seed = 1 + scene;
+            cd_water* w = lively(way, seed, 0, 1.5 * (double)(scene / 4 % 3), line);
+            const size_t nx = line ? 4 * NX : NX, ny = line ? 1 : NY;
+            for (size_t i = 0; i < nx * ny; ++i) {
+                const double high = random_number(&seed), surface = blocks ? 0.5 : 0.75;
+                const double bed = blocks ? (high > 0 ? 1 : 0) : (line ? 2 : 1) * (1 + high);
+                basin_set(w, CD_BED, i % nx, i / nx, bed);
+                basin_set(w, CD_SURFACE, i % nx, i / nx, surface * (1 + random_number(&seed)));
+            }
+            for (size_t i = 0; i < nx * ny; ++i)
+                if (!(basin_get(w, CD_DEPTH, i % nx, i / nx) > 0))
+                    for (size_t side = 0; side < 2; ++side) {
+                        basin_set(w, CD_VELOCITY_X, i % nx + side, i / nx, 0);
+                        basin_set(w, CD_VELOCITY_Y, i % nx, i / nx + side, 0);
+                    }
+            const double start = basin_energy(w);
+            for (int s = 0; s < (courant < 0.1 ? 1000 : 101); ++s) {
+                basin_step(w, courant / sqrt(9.81), 1);
+                worst = fmax(worst, basin_energy(w) / start - 1);
+            }
+            cd_water_destroy(w);
+        }
+        print_message("%-17s courant %5g: among cliffs at most %.1e\n", way->name, courant, worst);
+        assert_true(worst <= 1e-2);
+    }
+}
+
 /* ---- seiches ----------------------------------------------------------------------------------------------------- */
 
 /* How much energy a pool that swings from rest ever has, over what it started with; height: of the depth, a metre. */
@@ -379,6 +421,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(water_among_hills_rests_after_steps_of_an_hour),
         cmocka_unit_test(no_energy_is_made_but_by_linear_momentum_that_deepens),
+        cmocka_unit_test(water_among_cliffs_makes_little_energy),
         cmocka_unit_test(a_seiche_from_rest_gains_no_energy),
         cmocka_unit_test(a_film_does_not_throw_the_lake_that_it_falls_into),
         cmocka_unit_test(water_that_falls_over_a_ledge_makes_no_energy),

@@ -175,6 +175,32 @@ static void a_pool_fills_to_the_level_at_its_side(void** state) {
                             assert_true(fills(cells, kinds[k], momentum, lambdas[l], levels[h], steps[s]) <= 3);
 }
 
+/* A discharge that comes in over dry ground runs about as fast as its waves, (g q)^(1/3), from the first step on and
+ * however long that is: the parts that a step is made in count it, too. */
+static void a_discharge_runs_as_fast_as_its_waves_in_any_step(void** state) {
+    (void)state;
+    enum { N = 20 };
+    static const double discharges[] = {0.1, 1, 10}, courants[] = {0.5, 3, 30, 300};
+    for (size_t k = 0; k < WAYS * COUNT(courants) * COUNT(discharges); ++k) {
+        const struct way* way = &ways[k % WAYS];
+        const double q = discharges[k / WAYS % COUNT(discharges)], courant = courants[k / WAYS / COUNT(discharges)];
+        if (basin_is_explicit(way)) continue;
+        for (int last = 0; last < 2; ++last) {
+            cd_water* w = basin(N, 1, 1, 1, CD_FLOAT64);
+            basin_set_way(w, way);
+            ok(cd_water_set_side(w, last ? CD_SIDE_X_LAST : CD_SIDE_X_FIRST, CD_BORDER_INFLOW, q, 0));
+            double fastest = 0;
+            for (int s = 0; s < 40; ++s) {
+                basin_step(w, courant / sqrt(9.81), 1);
+                fastest = fmax(fastest, basin_largest(w, CD_VELOCITY_X));
+            }
+            if (!(fastest <= 3 * cbrt(9.81 * q)))
+                fail_msg("%s, discharge %g, courant %g: %g m/s", way->name, q, courant, fastest);
+            cd_water_destroy(w);
+        }
+    }
+}
+
 /* Whatever runs along them. */
 static void closed_faces_stay_still_beside_an_ocean_without_end(void** state) {
     (void)state;
@@ -234,6 +260,7 @@ int main(void) {
         cmocka_unit_test(what_is_left_beside_a_side_that_draws_is_a_number),
         cmocka_unit_test(long_steps_between_a_level_and_a_rising_sea_stay_near_them),
         cmocka_unit_test(a_pool_fills_to_the_level_at_its_side),
+        cmocka_unit_test(a_discharge_runs_as_fast_as_its_waves_in_any_step),
         cmocka_unit_test(closed_faces_stay_still_beside_an_ocean_without_end),
         cmocka_unit_test(wild_scenes_are_survived_in_every_way),
         cmocka_unit_test(the_smallest_waters_are_survived),

@@ -77,6 +77,9 @@ RULES = {
         ["physics_water_forces"]),
     "parts of half a cell": (
         "water/sweep.cpp", "constexpr double kPartRun = 0.5;", "constexpr double kPartRun = 1e9;", ["stability_water_currents"]),
+    "which count what comes in": (
+        "water/sweep.cpp", "-speeds.least), coming_in(line))", "-speeds.least), 0.0 * coming_in(line))",
+        ["stability_water_extremes"]),
     "what resolves waves fades out": (
         "water/sweep.cpp", "resolves = within(", "resolves = L::splat(1) + 0.0 * within(", ["stability_water_currents"]),
     "slopes of velocities within cells": (
@@ -90,7 +93,9 @@ RULES = {
     "half of the momentum goes with old velocities": (
         "water/momentum.hh", "const L half = 0.5 *", "const L half = 0.0 *", ["physics_water_dams", "physics_water_thacker"]),
     "dry faces take the speed of what comes": (
-        "water/velocity.hh", "sweep.advected() ? near : L{}", "L{}", ["physics_water_thacker", "physics_water_dams"]),
+        "water/velocity.hh", "sweep.advected() ? led : none", "none", ["physics_water_thacker", "physics_water_dams"]),
+    "but not at a cliff": (
+        "water/velocity.hh", "within(falls / (kBeach * step), 0, 1)", "L::splat(1)", ["stability_water_energy"]),
     "slopes across": (
         "water/across.cpp", "return smaller(q, positive(given - q)) * half_slope(through, velocity, places, l, r);", "return 0.0 * q;",
         ["physics_water_thacker", "physics_water_momentum"]),
@@ -344,6 +349,8 @@ RULES = {
     "hulls press through a skin": (HULL, "kStiff = 3;", "kStiff = 300;", ["physics_water_hulls", "stability_water_hulls"]),
     "that is stiffer than the water's surface": (
         HULL, "kStiff = 3;", "kStiff = 0.3;", ["physics_water_hulls", "stability_water_hulls"]),
+    "in a long step all that is less than a depth above the water answers": (
+        HULL_PLATES, "(run * depth <= 1)", "(0 * run * depth <= 1)", ["stability_water_hulls"]),
     "lines that a hull presses dry are bound in their energy": (
         "water/sweep.cpp", "line.load[i] + (stiff - L::splat(2)) * d", "0.0 * d", ["stability_water_hulls"]),
     "and what air or wind presses dry": (

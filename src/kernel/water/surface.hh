@@ -51,8 +51,8 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     const L cells = smaller(larger(courant * u, L::splat(-1)), L::splat(1)); // no more than a cell's change
     L face_depth = mean, k = theta * cells, half = 0.5 * k, advected = theta * stream;
     if (!deep) {
-        const L along = select(size_of(mid), mid, w), head = (0.5 / (sweep.gravity + 0x1p-1000)) * (along * along);
-        const FaceDepth face(c, along, any_long ? &is_long : nullptr, run, run * gc, head);
+        const L head = (0.5 / (sweep.gravity + 0x1p-1000)) * (mid * mid);
+        const FaceDepth face(c, mid, any_long ? &is_long : nullptr, run, run * gc, head);
         const L uneven = size_of(face.depth - mean);
         face_depth = face.depth;
         k = select(face.closed, none, k);

@@ -76,22 +76,34 @@ inline L WaterLine::bounded(size_t i, L w) const {
     return select(bounds, larger(-most, smaller(most, w)), w);
 }
 
-// Faces that water cannot cross take the velocity of an open face beside them, for what comes to them in the step; of
-// linear momentum they rest.
+// Faces that water cannot cross, of which one cell may be wet, take the velocity of the face on the far side of that
+// cell, as water has it on a beach; but it rests, as at a wall, where the bed on that side does not fall, and moves in
+// full from so much of the step up to the dry cell on. Of linear momentum they rest.
+constexpr double kBeach = 0.5;
+
 inline void WaterLine::follow_water(L moves) {
+    const L none{};
     struct Seen {
         L open{}, speed{};
     };
-    const auto see = [&](size_t i) { return Seen{beside(i).conducts(), velocity[i]}; };
+    const auto see = [&](size_t i) {
+        const L open = beside(i).conducts();
+        return Seen{open, select(open, velocity[i], L{})};
+    };
     if (n <= first_face()) return;
     const Seen first = see(first_face());
     Seen before = ring ? see(n - 1) : Seen{}, here = first;
     for (size_t i = first_face(); i < n; ++i) {
         const Seen behind = i + 1 < n ? see(i + 1) : ring ? first : Seen{};
-        const L both = 0.5 * (before.speed + behind.speed);
-        const L near =
-            select(before.open, select(behind.open, both, before.speed), select(behind.open, behind.speed, L{}));
-        velocity.put(i, select(select(here.open, L{}, moves), sweep.advected() ? near : L{}, here.speed));
+        if (!all_positive(here.open)) {
+            const size_t l = left(i);
+            const L is_l = depth[l], b_l = bed[l], b_r = bed[i], step = select(is_l, b_r - b_l, b_l - b_r);
+            const L falls = select(is_l, b_l - bed[left(l)], b_r - bed[cells().behind(i)]);
+            const L part = select(step, within(falls / (kBeach * step), 0, 1), L::splat(1));
+            const L led = part * select(is_l, before.speed, select(depth[i], behind.speed, none));
+            const L near = select(here.open, here.speed, sweep.advected() ? led : none);
+            velocity.put(i, select(moves, near, velocity[i]));
+        }
         before = here, here = behind;
     }
     if (ring) velocity.put(n, velocity[0]);
