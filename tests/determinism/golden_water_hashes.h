@@ -4,20 +4,20 @@
 {0, 17, 1, {0x91b076a87dd56eee, 0x6957decb95b00c01}}, /* beach */
 {0, 16, 7, {0x3b0fa20d6c368306, 0x197ddea0ec1a8757}}, /* beach */
 {0, 2, 16, {0x745bae2d9f39ceed, 0x30346aea6e28e47f}}, /* beach */
-{1, 13, 9, {0xbaf80994497cad8f, 0xdeb814ed416ed332}}, /* dam */
-{1, 1, 17, {0xcc4baf758501f23e, 0x8b61178135c26f40}}, /* dam */
-{1, 17, 1, {0x980df62082bb5f28, 0xc0a6a0f3d6c59197}}, /* dam */
-{1, 16, 7, {0xb151cd0e989cac95, 0xbf589aef3a0adb42}}, /* dam */
-{1, 2, 16, {0xa4de7935fc68bb52, 0x316cccbcb2530413}}, /* dam */
-{2, 13, 9, {0x0f2bc41480f9aaa2, 0xdd5d48303ee334cb}}, /* flood */
-{2, 1, 17, {0x49c2aa75d9e0d7f3, 0x50371d5db650f36d}}, /* flood */
-{2, 17, 1, {0x423c672a3e4aa3fd, 0xcd2745d8e9cf84fd}}, /* flood */
-{2, 16, 7, {0xa3e3d8d13e80cf7c, 0xc1a28f9948904313}}, /* flood */
-{2, 2, 16, {0x97a173e89c24dc0d, 0xf4b2782f1d8518f4}}, /* flood */
-{3, 13, 9, {0x8d31681e3a202aad, 0xb8fdd3500e0e3eaf}}, /* weir */
-{3, 1, 17, {0x0ada2790caee2487, 0x686ce2749c44bef7}}, /* weir */
-{3, 17, 1, {0x412d098b7fbd83e0, 0x079028a3b55c3c9e}}, /* weir */
-{3, 16, 7, {0xf90dc8024577aed6, 0xcb82bfe0c2a2950b}}, /* weir */
+{1, 13, 9, {0xab34a39a49a6fc8f, 0x2291b9e5d1132286}}, /* dam */
+{1, 1, 17, {0x25ad05a0c292ddb6, 0x4777aa601219663b}}, /* dam */
+{1, 17, 1, {0x4e1012f6bbf60050, 0xd0122e4e9f7d35e8}}, /* dam */
+{1, 16, 7, {0xfec89a945dd3401f, 0x3e27cb263038cd5e}}, /* dam */
+{1, 2, 16, {0xaac7a9ed8ad40df8, 0xec058aefd8c5866f}}, /* dam */
+{2, 13, 9, {0x78d4821d8497a3fb, 0x5c9b7ba3d340e436}}, /* flood */
+{2, 1, 17, {0x385641409f1b8b4d, 0x426d4bc3e8562b59}}, /* flood */
+{2, 17, 1, {0xa00eb32b372d6628, 0x92027bfc4c574cbd}}, /* flood */
+{2, 16, 7, {0x6f727f67f835f00c, 0xa11c830d7040e0bb}}, /* flood */
+{2, 2, 16, {0x8c0ae2e897187e1e, 0x3143d3e7e222f469}}, /* flood */
+{3, 13, 9, {0x319c9cc64f8c5cd1, 0xa1f75ec792f2a084}}, /* weir */
+{3, 1, 17, {0xd351782585df80f0, 0x2171a3b801f6d216}}, /* weir */
+{3, 17, 1, {0x3c200cb15850ac64, 0x6b2d02fe5fa20569}}, /* weir */
+{3, 16, 7, {0x280b83ca400c3ebc, 0xb1f1e1d05361a181}}, /* weir */
 {3, 2, 16, {0x78825d8a673da664, 0xdd13867e87b40d01}}, /* weir */
 {4, 13, 9, {0x34ff9a256ba8112e, 0x380f62d35a5d541c}}, /* explicit */
 {4, 1, 17, {0x198e4dec868efae1, 0x9bd595cdeda19578}}, /* explicit */
@@ -34,10 +34,10 @@
 {6, 17, 1, {0x616bb3d6395b86d5, 0xd66f1900bc5205f5}}, /* tide */
 {6, 16, 7, {0x4ac20562058496c3, 0x69f3f1b8ad8dc2af}}, /* tide */
 {6, 2, 16, {0x0e3644fcde0e37fa, 0x49586a8c78572324}}, /* tide */
-{7, 13, 9, {0x8dff25be3d6b9bf9, 0x01e16ad5c5b7682d}}, /* river */
+{7, 13, 9, {0x1421770defffe3a6, 0xab749a53d7f09c46}}, /* river */
 {7, 1, 17, {0x0bf022df59761559, 0x2fe2b547ac76b05f}}, /* river */
-{7, 17, 1, {0x52df525ae3fc50cc, 0x7466fbc4abc7b6e6}}, /* river */
-{7, 16, 7, {0x8ed1d0289ccae64a, 0x7c392939ae822cc7}}, /* river */
+{7, 17, 1, {0xd23c064195db5a03, 0x34b920e4cf4f5274}}, /* river */
+{7, 16, 7, {0xaf0f1229a0808a91, 0x6ebae55744100303}}, /* river */
 {7, 2, 16, {0x9358a1bbc79a7277, 0xd5defa16bbd85854}}, /* river */
 {8, 13, 9, {0xe8b9d74f3e3b41e4, 0x6ff3490b9960871f}}, /* torus */
 {8, 1, 17, {0x313e2cd3165347ce, 0x06069fae6dbdb945}}, /* torus */
@@ -49,28 +49,28 @@
 {9, 17, 1, {0x1d326e3ce732cdfa, 0x33f3c06b72c03e8c}}, /* masked */
 {9, 16, 7, {0x007e077e8746bddd, 0x1ea4b528ac880f49}}, /* masked */
 {9, 2, 16, {0xc84b6b1dd312aefd, 0x0024e715f5ab37de}}, /* masked */
-{10, 13, 9, {0xaeddcb273eede8d9, 0x9be9490bc58b8fb4}}, /* fed */
-{10, 1, 17, {0x1988f01ff8e94dcd, 0x81a1b446723eedc4}}, /* fed */
-{10, 17, 1, {0x065a37bd0df536f7, 0x00e6761dc0f88129}}, /* fed */
-{10, 16, 7, {0x00f926383e7dfbbc, 0x41a03a57f2291231}}, /* fed */
-{10, 2, 16, {0x6beedaad88075838, 0xc8d3e2331a1301dd}}, /* fed */
-{11, 13, 9, {0x1c79208109ab8ac4, 0xd6d3e18a3b1adccc}}, /* everything */
+{10, 13, 9, {0xf19a57cefcd2a8d1, 0x912c377585468169}}, /* fed */
+{10, 1, 17, {0xe73caee1ae846efd, 0x02da07916b1f6a97}}, /* fed */
+{10, 17, 1, {0xd4a224799f0e354a, 0x2b043cfe74ab4e5d}}, /* fed */
+{10, 16, 7, {0xe32f35cf69faf0cd, 0x68fcd781d11b844f}}, /* fed */
+{10, 2, 16, {0x9b392b51daa17a1a, 0xf34d4a3c387c2898}}, /* fed */
+{11, 13, 9, {0xedef21817f6b8c2c, 0xa3505ec00e94dd70}}, /* everything */
 {11, 1, 17, {0x5b2566d68f791db5, 0xda40f4492fee7fe3}}, /* everything */
-{11, 17, 1, {0x31f154e58a426f31, 0xddbc1f1300051450}}, /* everything */
-{11, 16, 7, {0x427c4e63db48d3f4, 0x9b5d969312b01ede}}, /* everything */
-{11, 2, 16, {0x975321c235d906e3, 0x2fbc75a505e0d791}}, /* everything */
-{12, 13, 9, {0xfbfcb01a45b8f443, 0x35a619f58189d357}}, /* everything, long steps */
+{11, 17, 1, {0xc64e1a8c725c67a2, 0xa2a5ded7d45497fc}}, /* everything */
+{11, 16, 7, {0x5ab0ac9cf69ad246, 0x3f7d2ced7b8d9d30}}, /* everything */
+{11, 2, 16, {0x12384ade7dd0ff1b, 0xac853b0ff7ae9525}}, /* everything */
+{12, 13, 9, {0xf7a7cf210b83749e, 0xfffd63053a18b296}}, /* everything, long steps */
 {12, 1, 17, {0x27fc469269520656, 0xa8870a195e046a5f}}, /* everything, long steps */
 {12, 17, 1, {0x3f7e127be77e33af, 0x292f03f0a4a09772}}, /* everything, long steps */
-{12, 16, 7, {0x594feb91c7a23a4b, 0x5c06d05c24eb4d4a}}, /* everything, long steps */
-{12, 2, 16, {0x76f3d8481810d4f1, 0x8e38766c1801e5a9}}, /* everything, long steps */
+{12, 16, 7, {0xcc6489d966b93845, 0x2afbbcac71b64bec}}, /* everything, long steps */
+{12, 2, 16, {0x67f736f538989936, 0x5a32c668304828e4}}, /* everything, long steps */
 {13, 13, 9, {0xb90cecafcf7391b9, 0x85930df45eeb4c5a}}, /* hulls */
 {13, 1, 17, {0xefc6e6dfd02ac6c0, 0x2c836ce9d7cf0f75}}, /* hulls */
 {13, 17, 1, {0x89dc749364423a7b, 0x482c7da828a2f3be}}, /* hulls */
 {13, 16, 7, {0x1ae81492f3b14a89, 0x31cf8fa74ef2132e}}, /* hulls */
 {13, 2, 16, {0x4bf630ac44bf6a77, 0x6d917b54b6a5f657}}, /* hulls */
-{14, 13, 9, {0x1578ebcef9ee5d29, 0x5117951619a9f81f}}, /* hulls, long steps */
-{14, 1, 17, {0xdeb08cd61c95e1b1, 0xb76e7fb6bd52a292}}, /* hulls, long steps */
-{14, 17, 1, {0xced99c7848ea8f29, 0x973d2c8ae4c33f93}}, /* hulls, long steps */
-{14, 16, 7, {0xc6558c678b211f1b, 0x159f03fd17c4fff6}}, /* hulls, long steps */
-{14, 2, 16, {0xa937db203de2e3ec, 0xeb3c081408a7a216}}, /* hulls, long steps */
+{14, 13, 9, {0xb1dfa26de8a89f51, 0xc9d1ec858bf0345f}}, /* hulls, long steps */
+{14, 1, 17, {0xb131ca2e650904b0, 0x361a58e4c2feb922}}, /* hulls, long steps */
+{14, 17, 1, {0x5def9dc62e490af5, 0x9a6904db7827c3bf}}, /* hulls, long steps */
+{14, 16, 7, {0xefbabbc057e140ce, 0x1d0d2b5301b12fb8}}, /* hulls, long steps */
+{14, 2, 16, {0x4f2e97abc5572576, 0x1badf4282edc8f5c}}, /* hulls, long steps */
