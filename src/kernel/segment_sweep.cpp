@@ -65,7 +65,7 @@ struct Head {
     }
 
     // y of the last node, whose state is left in `before`.
-    __attribute__((noinline)) Lanes<1> go_right(StateLanes<1>& before) const {
+    Lanes<1> go_right(StateLanes<1>& before) const {
         Lanes<1> sum{};
         for (size_t i = 0; i < segments.head; ++i) {
             const StateLanes<1> here = state(i);
@@ -80,7 +80,7 @@ struct Head {
         return sum;
     }
     // right, answer: of the node after it.
-    __attribute__((noinline)) bool go_left(StateLanes<1> right, Lanes<1> answer) const {
+    bool go_left(StateLanes<1> right, Lanes<1> answer) const {
         Lanes<1> probe{};
         for (size_t i = segments.head; i-- > 0;) {
             const StateLanes<1> here = state(i);
