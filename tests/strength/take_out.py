@@ -167,8 +167,8 @@ RULES = {
         "rope_step.cpp", "barrier = smaller(wanted, highest)", "barrier = wanted", ["stability_ropes"]),
     "and stiff joints count for it": ("rope_step.cpp", "* bent() : L{}", "* L{} : L{}", ["stability_ropes"]),
     "the push on a rod's first node is found as others are": (
-        "rope_rod.hh", "        if (has_contacts()) pressed<true>(i, left);\n        if (i == 0) return;\n",
-        "        if (i == 0) return;\n        if (has_contacts()) pressed<true>(i, left);\n", ["physics_rope_contact"]),
+        "rope_rod.hh", "        if (has_contacts()) pressed(i, left);\n        if (i == 0) return;\n",
+        "        if (i == 0) return;\n        if (has_contacts()) pressed(i, left);\n", ["physics_rope_contact"]),
     "where links push Newton's method goes on": (
         "rope_step.cpp", "stage.push ? stage.most_iterations : 0", "0", ["physics_rope_contact"]),
     "what a failed solve touches is looked at again": (
