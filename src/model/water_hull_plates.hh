@@ -189,8 +189,8 @@ template <class F> void each_plate(const Water& w, size_t index, const HullPose&
 // step, in which waves cross more than a cell, that is by as much as the water is deep: what the first sweep throws far
 // away from a floor comes back in the second.
 inline bool near_water(const Plate& p, double draft, double run) {
-    const double depth = p.surface - p.bed;
-    return p.surface + ((draft < depth) == (run * depth <= 1) ? draft : depth) > p.z;
+    const double depth = p.surface - p.bed, less = draft < depth ? draft : depth, more = draft < depth ? depth : draft;
+    return p.surface + (run * depth <= 1 ? less : more) > p.z;
 }
 
 // Adds what a hull presses with, as heads in cells, and how that answers to their depths; see(i, j) for those cells.

@@ -350,7 +350,7 @@ RULES = {
     "that is stiffer than the water's surface": (
         HULL, "kStiff = 3;", "kStiff = 0.3;", ["physics_water_hulls", "stability_water_hulls"]),
     "in a long step all that is less than a depth above the water answers": (
-        HULL_PLATES, "(run * depth <= 1)", "(0 * run * depth <= 1)", ["stability_water_hulls"]),
+        HULL_PLATES, "(run * depth <= 1 ? less", "(true ? less", ["stability_water_hulls"]),
     "lines that a hull presses dry are bound in their energy": (
         "water/sweep.cpp", "line.load[i] + (stiff - L::splat(2)) * d", "0.0 * d", ["stability_water_hulls"]),
     "and what air or wind presses dry": (

@@ -76,9 +76,9 @@ inline L WaterLine::bounded(size_t i, L w) const {
     return select(bounds, larger(-most, smaller(most, w)), w);
 }
 
-// Faces that water cannot cross, of which one cell may be wet, take the velocity of the face on the far side of that
-// cell, as water has it on a beach; but it rests, as at a wall, where the bed on that side does not fall, and moves in
-// full from so much of the step up to the dry cell on. Of linear momentum they rest.
+// A face that water cannot cross, with one wet cell beside it, moves as on a beach with the velocity of that cell's
+// other face, in full where the bed falls to the cell beyond by this part or more of the step up to the dry one, and in
+// proportion where it falls by less: where it does not fall, the face rests as at a wall. Of linear momentum it rests.
 constexpr double kBeach = 0.5;
 
 inline void WaterLine::follow_water(L moves) {
