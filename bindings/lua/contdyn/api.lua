@@ -2397,8 +2397,8 @@ end
 
 -- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
 -- gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer lines. Where
--- little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence tells those of the
--- last call's dearest step, and the largest gradient that a step left, over the first: INFINITY if not finite.
+-- little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence tells how many of
+-- the latter the last call's dearest step took, and the largest gradient left over the first; it may be INFINITY.
 function Membrane:set_effort(newton, gradient)
   local where = "cd_membrane_set_effort"
   newton = integer_in(newton, where, "newton")
@@ -2409,8 +2409,8 @@ end
 
 -- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
 -- gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer lines. Where
--- little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence tells those of the
--- last call's dearest step, and the largest gradient that a step left, over the first: INFINITY if not finite.
+-- little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence tells how many of
+-- the latter the last call's dearest step took, and the largest gradient left over the first; it may be INFINITY.
 function Membrane:get_effort()
   local where = "cd_membrane_get_effort"
   local out_newton = size_t_1()
@@ -3088,8 +3088,8 @@ end
 -- lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
 -- mode, of which shores are steep, take a little more. With 1/2, linear waves in the plane grow, in thousands of steps
 -- in which they cross 2 cells or more, to a ninth of the depth. Advected water gains no energy in steps in which waves
--- cross half a cell or more, and up to 0.01 at shores and cliffs in shorter ones; velocities written there bring up to
--- 0.05 in the first step. Linear water gains energy where it deepens under a velocity, h_t u^2 / 2, which its equations
+-- cross half a cell or more; in shorter ones up to 0.015 at shores and cliffs, and up to 0.05 in the first step where
+-- velocities are written there or cliffs are high. Linear water gains h_t u^2 / 2 where it deepens, which its equations
 -- do not take away again: at random shores some hundredths (and see hulls). Air that presses it dry gives it up to 1.4
 -- times what it has to give, advected water half of it, explicit steps any, as does rounding from 1e12 cells a step on.
 -- What pushes off dry land gives the last face a velocity that no water follows. In steps in which waves cross more

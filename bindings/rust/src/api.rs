@@ -2426,8 +2426,8 @@ impl Membrane {
     /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of
     /// conjugate gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer
     /// lines. Where little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence
-    /// tells those of the last call's dearest step, and the largest gradient that a step left, over the first: INFINITY
-    /// if not finite.
+    /// tells how many of the latter the last call's dearest step took, and the largest gradient left over the first; it
+    /// may be INFINITY.
     pub fn set_effort(&mut self, newton: usize, gradient: usize) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_effort(self.as_ptr(), newton, gradient) })
     }
@@ -2435,8 +2435,8 @@ impl Membrane {
     /// How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of
     /// conjugate gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer
     /// lines. Where little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence
-    /// tells those of the last call's dearest step, and the largest gradient that a step left, over the first: INFINITY
-    /// if not finite.
+    /// tells how many of the latter the last call's dearest step took, and the largest gradient left over the first; it
+    /// may be INFINITY.
     pub fn get_effort(&self) -> Result<MembraneEffort> {
         let mut out_newton = 0;
         let mut out_gradient = 0;
@@ -3086,13 +3086,13 @@ pub struct WaterEnergy {
 /// lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the
 /// linear mode, of which shores are steep, take a little more. With 1/2, linear waves in the plane grow, in
 /// thousands of steps in which they cross 2 cells or more, to a ninth of the depth. Advected water gains no energy
-/// in steps in which waves cross half a cell or more, and up to 0.01 at shores and cliffs in shorter ones;
-/// velocities written there bring up to 0.05 in the first step. Linear water gains energy where it deepens under a
-/// velocity, h_t u^2 / 2, which its equations do not take away again: at random shores some hundredths (and see
-/// hulls). Air that presses it dry gives it up to 1.4 times what it has to give, advected water half of it,
-/// explicit steps any, as does rounding from 1e12 cells a step on. What pushes off dry land gives the last face a
-/// velocity that no water follows. In steps in which waves cross more than a cell, and depths are not smooth, no
-/// face gains more energy than its water loses by falling.
+/// in steps in which waves cross half a cell or more; in shorter ones up to 0.015 at shores and cliffs, and up to
+/// 0.05 in the first step where velocities are written there or cliffs are high. Linear water gains h_t u^2 / 2
+/// where it deepens, which its equations do not take away again: at random shores some hundredths (and see hulls).
+/// Air that presses it dry gives it up to 1.4 times what it has to give, advected water half of it, explicit steps
+/// any, as does rounding from 1e12 cells a step on. What pushes off dry land gives the last face a velocity that no
+/// water follows. In steps in which waves cross more than a cell, and depths are not smooth, no face gains more
+/// energy than its water loses by falling.
 /// Explicit steps (cd_water_set_method) share all of this but the surface that is solved for: half of the slope
 /// pushes, the water moves, then the other half (velocity Verlet).
 /// Rows and columns are solved in turn only: in steps in which waves cross many cells, those that run aslant are
