@@ -1435,7 +1435,7 @@ export class Membrane extends Handle {
    * conjugate
    * gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer lines. Where
    * little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence tells how many of
-   * the latter the last call's dearest step took, and the largest gradient left over the first; it may be Infinity.
+   * the latter the last call's dearest step took, and the largest gradient left, over the first, or Infinity.
    */
   get effort(): { newton: number; gradient: number };
   set effort(value: { newton?: number; gradient?: number });

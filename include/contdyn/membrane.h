@@ -252,7 +252,7 @@ CD_API cd_status cd_membrane_get_broken(const cd_membrane* membrane, size_t* out
 /* How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
  * gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer lines. Where
  * little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence tells how many of
- * the latter the last call's dearest step took, and the largest gradient left over the first; it may be INFINITY. */
+ * the latter the last call's dearest step took, and the largest gradient left, over the first, or INFINITY. */
 CD_API cd_status cd_membrane_set_effort(cd_membrane* membrane, size_t newton, size_t gradient);
 CD_API cd_status cd_membrane_get_effort(const cd_membrane* membrane, size_t* out_newton, size_t* out_gradient);
 

@@ -3010,7 +3010,7 @@ namespace Contdyn
         /// those of conjugate gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64
         /// of the longer lines. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
         /// get_convergence tells how many of the latter the last call's dearest step took, and the largest gradient
-        /// left over the first; it may be INFINITY.</summary>
+        /// left, over the first, or INFINITY.</summary>
         public void SetEffort(long newton, long gradient)
         {
             Changed();
@@ -3022,7 +3022,7 @@ namespace Contdyn
         /// those of conjugate gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64
         /// of the longer lines. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
         /// get_convergence tells how many of the latter the last call's dearest step took, and the largest gradient
-        /// left over the first; it may be INFINITY.</summary>
+        /// left, over the first, or INFINITY.</summary>
         public MembraneEffort GetEffort()
         {
             UIntPtr outNewton;
