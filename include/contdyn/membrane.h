@@ -207,12 +207,12 @@ CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_
  * function of the velocities, and scales them at its end so that, at any dt, stiffness, masses and effort, the energy
  * that cd_membrane_get_energy tells never rises but by the work of what is driven, of forces, pressure, wind and
  * colliders that move. What a step does not reach slows the sheet down: with the default effort one of a stiffness of
- * 10 mass / dt^2 [N/m] falls to 3% as it should, and stretches by some 2% where it hangs by two corners; at 100 mass /
- * dt^2 it falls an eighth too slowly, of a bend of 300 mass / (dt^2 n^4), n springs in a line, a third, far beyond as
- * through syrup, far behind a held edge that moves: make a long frame several steps. lambda = 1 damps motion that a
- * step does not resolve, lambda nearer 1/2 less, for more effort; steps are first order in time. Free sheets keep
- * their momentum. Cloth needs CD_METHOD_IMPLICIT with lambda in [1/2, 1], no matched edge and no stiffness damping:
- * cd_membrane_step says CD_ERROR_UNSUPPORTED. It has its own solver: set_solver and set_tolerance do not matter. */
+ * 10 mass / dt^2 [N/m] falls to 2% as it should, and stretches by some 2% where it hangs by two corners; of 100 mass /
+ * dt^2 a tenth too slowly, of 1000 a quarter, far beyond as through syrup, and lags behind a held edge that moves: make
+ * a long frame several steps. lambda = 1 damps motion that a step does not resolve, lambda nearer 1/2 less, for more
+ * effort; steps are first order in time. Free sheets keep their momentum. Cloth needs CD_METHOD_IMPLICIT with lambda in
+ * [1/2, 1], no matched edge and no stiffness damping, or cd_membrane_step says CD_ERROR_UNSUPPORTED; set_solver and
+ * set_tolerance do not matter to it. */
 
 /* Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
  * is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
@@ -250,9 +250,9 @@ CD_API cd_status cd_membrane_get_breaking_strain(const cd_membrane* membrane, do
 CD_API cd_status cd_membrane_get_broken(const cd_membrane* membrane, size_t* out_springs);
 
 /* How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
- * gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer lines. Where
- * little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence tells how many of
- * the latter the last call's dearest step took, and the largest gradient left, over the first, or INFINITY. */
+ * gradients, `gradient`, 1 to 10000, or 0, the default: until four bring less than 3% of the energy that all have. Up
+ * to 4 more of the former are made where little is gained, or, of gradient 0, still much. get_convergence tells how
+ * many of the latter the last call's dearest step took, and the largest gradient left, over the first, or INFINITY. */
 CD_API cd_status cd_membrane_set_effort(cd_membrane* membrane, size_t newton, size_t gradient);
 CD_API cd_status cd_membrane_get_effort(const cd_membrane* membrane, size_t* out_newton, size_t* out_gradient);
 

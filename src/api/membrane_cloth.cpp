@@ -28,7 +28,7 @@ cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, dou
     if (!cloth) wanted.air = wanted.wind = false;
     if (!cloth) wanted.colliders = {};
     CD_CHECK(shared::change_features(__func__, m, wanted));
-    if (cloth && !has_lengths(m)) m.lambda = 1, m.cloth.gradient = default_gradient(m);
+    if (cloth && !has_lengths(m)) m.lambda = 1;
     if (!cloth) m.cloth = {};
     m.cloth.length[kU] = cloth ? along_u : 0; // not -0
     m.cloth.length[kV] = cloth ? along_v : 0;
@@ -78,15 +78,16 @@ cd_status cd_membrane_set_breaking_strain(cd_membrane* membrane, double strain) 
     return CD_OK;
 }
 
-static cd_status is_effort(const char* function, const char* name, size_t iterations, uint64_t most) {
-    if (iterations >= 1 && iterations <= most) return CD_OK;
-    return fail(CD_ERROR_VALUE, function, "%s is %zu, must be 1 to %zu", name, iterations, size_t(most));
+static cd_status is_effort(const char* function, const char* name, size_t iterations, uint64_t least, uint64_t most) {
+    if (iterations >= least && iterations <= most) return CD_OK;
+    return fail(CD_ERROR_VALUE, function, "%s is %zu, must be %zu to %zu", name, iterations, size_t(least),
+                size_t(most));
 }
 
 cd_status cd_membrane_set_effort(cd_membrane* membrane, size_t newton, size_t gradient) {
     CD_OPEN(membrane, m);
-    CD_CHECK(is_effort(__func__, "newton", newton, kMostNewton));
-    CD_CHECK(is_effort(__func__, "gradient", gradient, kMostGradient));
+    CD_CHECK(is_effort(__func__, "newton", newton, 1, kMostNewton));
+    CD_CHECK(is_effort(__func__, "gradient", gradient, 0, kMostGradient));
     CD_CHECK(is_cloth(__func__, m, "only steps of cloth have an effort"));
     m.cloth.newton = newton;
     m.cloth.gradient = gradient;
@@ -98,7 +99,7 @@ cd_status cd_membrane_get_effort(const cd_membrane* membrane, size_t* out_newton
     CD_NOT_NULL(out_newton);
     CD_NOT_NULL(out_gradient);
     *out_newton = size_t(m.cloth.newton);
-    *out_gradient = size_t(has_lengths(m) ? m.cloth.gradient : default_gradient(m));
+    *out_gradient = size_t(m.cloth.gradient);
     return CD_OK;
 }
 

@@ -14,16 +14,13 @@ enum Direction { kU = 0, kV = 1 };
 // numbers. See membrane_held.cpp.
 enum Likeness { kDiffer, kSeparate, kUniform };
 
-// Effort of a step of cloth: see cd_membrane_set_effort. By default conjugate gradients make few iterations, and one
-// more for every so many nodes by which the longer lines exceed a short one.
-constexpr uint64_t kMostNewton = 1000, kMostGradient = 10000, kFewGradient = 12;
-constexpr uint64_t kShortLine = 64, kNodesPerGradient = 16;
+constexpr uint64_t kMostNewton = 1000, kMostGradient = 10000; // see cd_membrane_set_effort
 
 // Of membranes whose springs have a length: see membrane_cloth.cpp.
 struct ClothSettings : AirSettings {
     double length[2] = {};              // [m], of the sheet; 0: springs have none
     double shear = 0, compression = 10; // [N/m], [1/s^2]
-    uint64_t newton = 3, gradient = 0;  // 0: no cloth
+    uint64_t newton = 3, gradient = 0;  // 0: as many as bring enough
     double thickness = 0;               // [m]
     double breaking_strain = INFINITY;
 };
@@ -81,12 +78,6 @@ struct Membrane : Body, MembraneSettings {
         f(m.coefficients), f(m.scratch), f(m.pressed), f(m.callbacks);
     }
 };
-
-inline uint64_t default_gradient(const Membrane& m) {
-    const uint64_t nodes = m.columns > m.rows ? m.columns : m.rows;
-    const uint64_t wanted = kFewGradient + (nodes > kShortLine ? (nodes - kShortLine) / kNodesPerGradient : 0);
-    return wanted < kMostGradient ? wanted : kMostGradient;
-}
 
 constexpr uint64_t kMembraneTag = 0x314272626d4d6443; // "CdMmbrB1"
 

@@ -21,12 +21,19 @@ namespace cd {
 
 namespace {
 
-// Conjugate gradients are content with this part of what is to be found, recycled directions counted. A search along a
-// direction, and the last scaling, evaluate the slope at most so often; a search ends where the slope is this part of the
-// first one. Newton's method goes on, at most so many times more, where it could take less than this part of a direction.
-constexpr double kContent = 1e-3, kFlat = 0.1, kWholeStep = 0.9;
-constexpr int kMostSearches = 8;
+// Conjugate gradients are content with this part of what is to be found, recycled directions counted. Where their number
+// is not given they also end once the last `kLastOnes` of them have brought less than `kLittle` of the energy that all have
+// brought: what they bring bounds what was left before them (Hestenes and Stiefel 1952, Strakos and Tichy 2002).
+constexpr double kContent = 1e-3, kLittle = 0.03;
+constexpr uint64_t kLastOnes = 4;
+// Newton's method goes on, at most so many times more, where it could take less than this part of a direction; and where
+// the number of conjugate gradients is not given, after an iteration that brought more than `kMuch` of what all have.
+constexpr double kWholeStep = 0.9, kMuch = 0.02;
 constexpr uint64_t kMoreIterations = 4;
+// A search along a direction, and the last scaling, evaluate the slope at most so often; a search ends where the slope is
+// this part of the first one.
+constexpr int kMostSearches = 8;
+constexpr double kFlat = 0.1;
 
 struct ClothStep {
     Membrane& m;
@@ -39,6 +46,7 @@ struct ClothStep {
 
     const SheetKernels& sheet() const { return m.kernels->sheet; }
     const ClothKernels& cloth() const { return m.kernels->cloth; }
+    bool as_needed() const { return m.cloth.gradient == 0; }
 
     // body(first, count, scratch rows) for parts of the rows
     template <class Body> void rows(const Body& body) const {
@@ -187,7 +195,9 @@ struct ClothStep {
         copy(w.answer, w.conjugate);
         double size = dot(w.error, w.answer);
         const double content = kContent * kContent * (known + size);
-        for (uint64_t i = 0; i < m.cloth.gradient && size > content; ++i) {
+        const uint64_t most = as_needed() ? kMostGradient : m.cloth.gradient;
+        double brought = known, last[kLastOnes] = {}; // twice the energy
+        for (uint64_t i = 0; i < most && size > content; ++i) {
             apply(w.conjugate);
             const double energy = dot(w.conjugate, w.image);
             if (!(energy > 0)) break;
@@ -196,7 +206,11 @@ struct ClothStep {
             ++iterations;
             found = true;
             combine(1, w.direction, share, w.conjugate);
-            if (i + 1 == m.cloth.gradient) break;
+            last[i % kLastOnes] = share * size;
+            brought += share * size;
+            double lately = 0;
+            for (double one : last) lately += one;
+            if (i + 1 == most || (as_needed() && i + 1 >= kLastOnes && lately < kLittle * brought)) break;
             combine(1, w.error, -share, w.image);
             precondition();
             const double next = dot(w.error, w.answer);
@@ -240,7 +254,7 @@ struct ClothStep {
 
     void newton() {
         uint64_t most = m.cloth.newton;
-        double start = 0;
+        double start = 0, brought = 0;
         touched = recycles[0] = recycles[1] = false;
         for (uint64_t i = 0;; ++i) {
             touched |= CD_WITH_CONTACT && touches(w, contacts, dt);
@@ -251,9 +265,11 @@ struct ClothStep {
             if (i == most || !(size > 0) || !solve(i == 0)) break;
             const double falls = -dot(w.residual, w.direction);
             if (!(falls < 0)) break;
-            const double share = search(falls);
+            const double share = search(falls), brings = -share * falls;
             combine(1, w.w, share, w.direction);
-            if (share < kWholeStep && i + 1 == most && most < m.cloth.newton + kMoreIterations) ++most;
+            brought += brings;
+            const bool more = share < kWholeStep || (as_needed() && brings > kMuch * brought);
+            if (more && i + 1 == most && most < m.cloth.newton + kMoreIterations) ++most;
         }
     }
 

@@ -85,9 +85,9 @@ struct MembraneKeep {
         const ClothSettings& cloth = s.own.cloth;
         return can_have_lengths(m) && valid_mass(cloth.length[kU]) && valid_mass(cloth.length[kV]) &&
                valid_parameter(cloth.shear) && valid_parameter(cloth.compression) && cloth.newton >= 1 &&
-               cloth.newton <= kMostNewton && cloth.gradient >= 1 && cloth.gradient <= kMostGradient &&
-               valid_air(m, cloth) && valid_contacts(s, cloth.thickness) &&
-               s.has_shapes() == ((s.fields & kOfShapes) != 0) && valid_breaking(s);
+               cloth.newton <= kMostNewton && cloth.gradient <= kMostGradient && valid_air(m, cloth) &&
+               valid_contacts(s, cloth.thickness) && s.has_shapes() == ((s.fields & kOfShapes) != 0) &&
+               valid_breaking(s);
     }
     // What may tear has stiffnesses of its own.
     static bool valid_breaking(const Settings& s) {

@@ -69,25 +69,23 @@ static void has_effort(const cd_membrane* m, size_t newton, size_t gradient) {
     assert_int_equal(out[1], gradient);
 }
 
-/* By default conjugate gradients make 12 iterations, and one more for every 16 nodes beyond 64 of the longer lines. */
-static void long_lines_take_more_iterations(void** state) {
+static void an_effort_stays_until_lengths_go(void** state) {
     (void)state;
-    static const size_t cases[][3] = {{1, 1, 12},  {63, 63, 12}, {78, 3, 12},       {79, 3, 13},
-                                      {3, 79, 13}, {7, 255, 24}, {159870, 1, 9999}, {159999, 1, 10000}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        cd_membrane* m = cloth(cases[i][0], cases[i][1], 3, CD_FLOAT32);
-        has_effort(m, 3, cases[i][2]);
-        ok(cd_membrane_set_rest_length(m, 1, 1));
-        has_effort(m, 3, cases[i][2]);
-        ok(cd_membrane_set_effort(m, 1, 2));
-        ok(cd_membrane_set_rest_length(m, 2, 2));
-        has_effort(m, 1, 2);
-        ok(cd_membrane_set_rest_length(m, 0, 0));
-        has_effort(m, 3, cases[i][2]);
-        ok(cd_membrane_set_rest_length(m, 1, 1));
-        has_effort(m, 3, cases[i][2]);
-        cd_membrane_destroy(m);
-    }
+    cd_membrane* m = cloth(3, 4, 3, CD_FLOAT32);
+    has_effort(m, 3, 0);
+    ok(cd_membrane_set_rest_length(m, 1, 1));
+    ok(cd_membrane_set_effort(m, 1, 2));
+    ok(cd_membrane_set_rest_length(m, 2, 2));
+    has_effort(m, 1, 2);
+    ok(cd_membrane_set_effort(m, 1000, 10000));
+    has_effort(m, 1000, 10000);
+    ok(cd_membrane_set_effort(m, 2, 0));
+    has_effort(m, 2, 0);
+    ok(cd_membrane_set_rest_length(m, 0, 0));
+    has_effort(m, 3, 0);
+    ok(cd_membrane_set_rest_length(m, 1, 1));
+    has_effort(m, 3, 0);
+    cd_membrane_destroy(m);
 }
 
 static void lengths_are_dealt_out_to_the_springs(void** state) {
@@ -408,7 +406,7 @@ static void a_residual_that_is_no_number_is_told_as_infinite(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(getters_tell_what_was_set),
-        cmocka_unit_test(long_lines_take_more_iterations),
+        cmocka_unit_test(an_effort_stays_until_lengths_go),
         cmocka_unit_test(lengths_are_dealt_out_to_the_springs),
         cmocka_unit_test(lengths_in_a_ring_are_dealt_out_to_one_spring_more),
         cmocka_unit_test(making_cloth_sets_lambda_and_no_other_length_does),

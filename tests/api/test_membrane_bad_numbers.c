@@ -80,6 +80,7 @@ static void no_cloth_takes_numbers_outside_their_range(void** state) {
         refuses_each(c, cd_membrane_set_shear(c, bad), "stiffness", negative);
         refuses_each(c, cd_membrane_set_compression(c, bad), "rate", negative);
         refuses(c, cd_membrane_set_effort(c, 0, 1), CD_ERROR_VALUE, "newton|0|1000");
+        refuses(c, cd_membrane_set_effort(c, 1, 10001), CD_ERROR_VALUE, "gradient|10001|0 to 10000");
         if (is_cloth) continue;
         refuses(c, cd_membrane_set_shear(c, 1), CD_ERROR_UNSUPPORTED, "shear|rest length");
         refuses(c, cd_membrane_set_compression(c, 1), CD_ERROR_UNSUPPORTED, "crumples|rest length");

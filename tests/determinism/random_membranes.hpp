@@ -145,7 +145,7 @@ inline void MembraneScene::act_on_cloth(Handle* membrane, Random& random, Return
     case 5: returned += cd_membrane_set_compression(membrane, random.chance(0.3) ? 0 : random.decades(-1, 4)); break;
     case 6: {
         const size_t newton = random.from_to(1, 4);
-        returned += cd_membrane_set_effort(membrane, newton, random.from_to(1, 25));
+        returned += cd_membrane_set_effort(membrane, newton, random.from_to(0, 25));
         break;
     }
     case 7: {

@@ -167,7 +167,7 @@ void Membrane::check_cloth(const Step& s) {
     cd_membrane_get_convergence(twin(), &iterations[1], &left[1]);
     must_agree("iterations", &iterations[0], &iterations[1]);
     must_agree("left", &left[0], &left[1]);
-    if (iterations[0] > (newton + 4) * gradient)
+    if (iterations[0] > (newton + 4) * (gradient > 0 ? gradient : 10000))
         return problem("cloth: %zu iterations, with an effort of %zu and %zu", iterations[0], newton, gradient);
     check_held();
     if (sleeps()) return;

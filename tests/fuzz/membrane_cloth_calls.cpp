@@ -85,8 +85,8 @@ void Membrane::set_breaking_strain() {
 
 void Membrane::set_effort() {
     const size_t newton = chance(run.bad) ? wild_size(3) : 1 + below(4);
-    const size_t gradient = chance(run.bad) ? wild_size(3) : 1 + below(25);
-    const bool good = newton >= 1 && newton <= 1000 && gradient >= 1 && gradient <= 10000;
+    const size_t gradient = chance(run.bad) ? wild_size(3) : below(25);
+    const bool good = newton >= 1 && newton <= 1000 && gradient <= 10000;
     const bool can = has_lengths();
     const cd_status status =
         both(text("set_effort %zu %zu", newton, gradient), kNoMemory,

@@ -118,6 +118,7 @@ static void what_callbacks_tell_is_met_as_the_same_shape_is(void** state) {
             ok(cd_chain_set_tolerance(c, 1e-10, 1000));
             ok(cd_chain_set_thickness(c, 0.02));
             ok(cd_membrane_set_thickness(m, 0.02));
+            ok(cd_membrane_set_effort(m, 3, 12)); /* where iterations end as needed is rounding's choice sometimes */
             if (called) {
                 ok(cd_chain_set_callback(c, 0, &tables[is_ball], origin, 3, friction));
                 ok(cd_membrane_set_callback(m, 0, &tables[is_ball], origin, 3, friction));

@@ -8,15 +8,15 @@
 enum { SPRINGS = 63, LARGE = 127, MOST = (LARGE + 1) * (LARGE + 1) }; /* along a line; nodes in all */
 static const double weight[3] = {0, -9.81, 0}, dt = 1 / 60.0;
 
-/* A level sheet of 1 m and 0.2 kg, of springs of 3000 N/m. */
-static cd_membrane* sheet(size_t count) {
+/* A level sheet of 1 m and 0.2 kg, of springs of so many N/m. */
+static cd_membrane* sheet_of(size_t count, double stiffness, double shear, double bend) {
     const double n = (double)(count + 1), springs = (double)count;
     cd_membrane* m = cloth(count, count, 3, CD_FLOAT64);
     ok(cd_membrane_set_rest_length(m, 1, 1));
     ok(cd_membrane_set_mass(m, 0.2));
-    ok(cd_membrane_set_stiffness(m, 3000 * n / springs, 3000 * n / springs));
-    ok(cd_membrane_set_shear(m, 100));
-    ok(cd_membrane_set_bend(m, 0.05 * n / (springs * springs * springs)));
+    ok(cd_membrane_set_stiffness(m, stiffness * n / springs, stiffness * n / springs));
+    ok(cd_membrane_set_shear(m, shear));
+    ok(cd_membrane_set_bend(m, bend));
     ok(cd_membrane_set_gravity(m, weight, 3));
     for (size_t v = 0; v <= count; ++v)
         for (size_t u = 0; u <= count; ++u) {
@@ -24,6 +24,10 @@ static cd_membrane* sheet(size_t count) {
             ok(cd_membrane_write_f64(m, CD_POSITION, u, v, 1, 1, x, 3));
         }
     return m;
+}
+static cd_membrane* sheet(size_t count) {
+    const double springs = (double)count;
+    return sheet_of(count, 3000, 100, 0.05 * (springs + 1) / (springs * springs * springs));
 }
 
 struct stretch {
@@ -77,19 +81,22 @@ static void folds_of(const cd_membrane* m, double* folded, double* length) {
     *length = sum / (double)triples;
 }
 
-/* Held by two corners, patches of as many nodes as the sheet is finer, after 20 frames and until 40: with the effort of a
- * step as it is, and far more. */
-static double fall(size_t springs, size_t newton, size_t gradient, struct stretch* most) {
-    cd_membrane* m = sheet(springs);
+static void hold_corners(cd_membrane* m, size_t springs, size_t patch) {
     const double pinned = CD_NODE_PINNED;
-    const size_t patch = (springs + 1) / (SPRINGS + 1);
-    double height = 0;
     ok(cd_membrane_enable_field(m, CD_PIN));
     for (size_t v = 0; v < patch; ++v)
         for (size_t u = 0; u < patch; ++u) {
             ok(cd_membrane_write_f64(m, CD_PIN, u, v, 1, 1, &pinned, 1));
             ok(cd_membrane_write_f64(m, CD_PIN, springs - u, v, 1, 1, &pinned, 1));
         }
+}
+
+/* Held by two corners, patches of as many nodes as the sheet is finer, after 20 frames and until 40: with the effort of a
+ * step as it is, and far more. */
+static double fall(size_t springs, size_t newton, size_t gradient, struct stretch* most) {
+    cd_membrane* m = sheet(springs);
+    double height = 0;
+    hold_corners(m, springs, (springs + 1) / (SPRINGS + 1));
     if (newton > 0) ok(cd_membrane_set_effort(m, newton, gradient));
     *most = (struct stretch){0, 0};
     for (int frame = 1; frame <= 40; ++frame) {
@@ -113,7 +120,42 @@ static void a_sheet_falls_and_keeps_its_size(void** state) {
     assert_true(converged.worst < 0.03 && converged.mean < 0.0026);
 }
 
-/* What long lines take is done for them. */
+/* By default a step takes few iterations where they suffice, and many where they bring something: for stiff bend, for
+ * stiff shear, for long lines. */
+static void a_step_takes_as_many_iterations_as_bring_something(void** state) {
+    (void)state;
+    const double unit = 0.2 / (dt * dt * pow(SPRINGS, 4)); /* of bend: mass / (dt^2 n^4) */
+    const struct {
+        const char* name;
+        size_t springs;
+        double stiffness, shear, bend, converged, within; /* converged: of 60 iterations by Newton's method, 300 each */
+        double least, most;                               /* iterations a step */
+    } cases[] = {
+        {"soft", SPRINGS, 3000, 100, 0, -0.3769, 0.007, 33, 38},
+        {"stiff", SPRINGS, 72000, 2400, 0, -0.3680, 0.105, 28, 38},
+        {"stiff in shear", SPRINGS, 3000, 3000, 0, -0.3709, 0.02, 50, 65},
+        {"stiff in bend", SPRINGS, 3000, 100, 300 * unit, -0.3753, 0.015, 90, 125},
+        {"very stiff in bend", SPRINGS, 3000, 100, 3000 * unit, -0.3673, 0.025, 200, 280},
+        {"few nodes", 15, 3000, 100, 0, -0.3687, 0.01, 15, 25},
+    };
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        cd_membrane* m = sheet_of(cases[i].springs, cases[i].stiffness, cases[i].shear, cases[i].bend);
+        size_t iterations;
+        double sum = 0;
+        hold_corners(m, cases[i].springs, 1);
+        for (int frame = 0; frame < 20; ++frame) {
+            ok(cd_membrane_step(m, dt, 1));
+            ok(cd_membrane_get_convergence(m, &iterations, NULL));
+            sum += (double)iterations / 20;
+        }
+        const double behind = 1 - mean_height(m) / cases[i].converged;
+        print_message("%s: %.1f iterations a step, %.2f%% behind\n", cases[i].name, sum, 100 * behind);
+        assert_true(fabs(behind) < cases[i].within);
+        assert_true(sum > cases[i].least && sum < cases[i].most);
+        cd_membrane_destroy(m);
+    }
+}
+
 static void a_fine_sheet_falls_and_keeps_its_size(void** state) {
     (void)state;
     const double converged = -0.3739; /* of 30 iterations by Newton's method with 300 each */
@@ -127,9 +169,10 @@ static void a_fine_sheet_falls_and_keeps_its_size(void** state) {
 /* What the last step did is all of what a free sheet does: the first of Newton's iterations has nothing to add. */
 static void a_free_fall_is_what_the_last_step_was(void** state) {
     (void)state;
-    size_t newton, gradient, iterations;
+    const size_t newton = 3, gradient = 12;
+    size_t iterations;
     cd_membrane* m = sheet(SPRINGS);
-    ok(cd_membrane_get_effort(m, &newton, &gradient));
+    ok(cd_membrane_set_effort(m, newton, gradient));
     for (int step = 1; step <= 8; ++step) {
         ok(cd_membrane_step(m, 1 / 60.0, 1));
         ok(cd_membrane_get_convergence(m, &iterations, NULL));
@@ -169,6 +212,7 @@ static void a_tablecloth_hangs_in_folds(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sheet_falls_and_keeps_its_size),
+        cmocka_unit_test(a_step_takes_as_many_iterations_as_bring_something),
         cmocka_unit_test(a_fine_sheet_falls_and_keeps_its_size),
         cmocka_unit_test(a_free_fall_is_what_the_last_step_was),
         cmocka_unit_test(a_tablecloth_hangs_in_folds),

@@ -184,7 +184,7 @@ void the_summary_has_stable_keys() {
           "membrane.drum.n64.at_1_percent.explicit_over_implicit", "membrane.stiff_pair.error_at_64_steps.coupled_half",
           "membrane.growth.exponent.alternating_half.float64", "membrane.iterations.most_but_for_random_springs",
           "membrane.sluggish.coupled_over_alternating_frequency.at_3",
-          "membrane.safe.library_greatest_growth_of_speed", "membrane.cloth.n33.one.3x12.worst_stretch",
+          "membrane.safe.library_greatest_growth_of_speed", "membrane.cloth.n33.one.default.worst_stretch",
           "water.seiche.at_1_percent.explicit_over_implicit", "water.thacker.advected.n200.courant_8",
           "water.stoker.order", "water.lake.textbook_gained", "water.storm.worst_account_error.advected.float64",
           "water.growth.per_cell_exponent.linear_half", "water.cost.ns_per_cell_step.plain", "water.run_up.measured",

@@ -138,8 +138,10 @@ RULES = {
         "../model/membrane_cloth_step.cpp", "recycle(first ? 0 : 1)", "first && recycle(0)", ["physics_cloth_size"]),
     "what is recycled counts where conjugate gradients are content": (
         "../model/membrane_cloth_step.cpp", "(known + size)", "size", ["physics_cloth_size"]),
-    "long lines take more iterations": (
-        "../model/membrane.hh", "(nodes - kShortLine) / kNodesPerGradient : 0", "0 : 0", ["physics_cloth_size", "api_cloth_settings"]),
+    "conjugate gradients end where they bring little": (
+        "../model/membrane_cloth_step.cpp", "lately < kLittle * brought", "false", ["physics_cloth_size"]),
+    "and Newton's method goes on where it brings much": (
+        "../model/membrane_cloth_step.cpp", "brings > kMuch * brought", "false", ["physics_cloth_size"]),
     "unless that met a collider": (
         "../model/membrane_cloth_step.cpp", "if (touched || ", "if (", ["physics_cloth_contact"]),
     "sheets whose dt changes are solved coupled": (

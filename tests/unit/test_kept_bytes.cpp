@@ -282,7 +282,7 @@ struct ClothCalls : MembraneCalls {
             return length[1] == 0 && shear == 0 && air[0] == 0 && air[1] == 0 && thickness == 0 && count == 0 &&
                    wind[0] == 0 && wind[1] == 0 && wind[2] == 0 && std::isinf(strain) &&
                    cd_membrane_read_f64(membrane, CD_WIND, 0, 0, 4, 3, v, 36) == CD_ERROR_UNSUPPORTED;
-        bool good = newton >= 1 && newton <= 1000 && gradient >= 1 && gradient <= 10000 && std::isfinite(time);
+        bool good = newton >= 1 && newton <= 1000 && gradient <= 10000 && std::isfinite(time);
         for (double l : length) good &= l >= 1e-60 && l <= 1e60;
         for (double number : {shear, rate, air[0], air[1], thickness}) good &= number >= 0 && number <= 1e60;
         for (double number : wind) good &= std::isfinite(number);

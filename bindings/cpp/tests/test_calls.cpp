@@ -311,7 +311,7 @@ void cloth() {
     CHECK(GET(sheet.get_compression()) > 0);
     OK(sheet.set_compression(0.5));
     CHECK(GET(sheet.get_compression()) == 0.5);
-    CHECK(GET(sheet.get_effort()).newton > 0 && GET(sheet.get_effort()).gradient > 0);
+    CHECK(GET(sheet.get_effort()).newton == 3 && GET(sheet.get_effort()).gradient == 0);
     OK(sheet.set_effort(8, 60));
     OK(sheet.set_sleep(0.125, 0.5));
     CHECK(GET(sheet.get_sleep()).speed == 0.125 && GET(sheet.get_sleep()).seconds == 0.5);

@@ -3007,10 +3007,10 @@ namespace Contdyn
         }
 
         /// <summary>How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each
-        /// those of conjugate gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64
-        /// of the longer lines. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
-        /// get_convergence tells how many of the latter the last call's dearest step took, and the largest gradient
-        /// left, over the first, or INFINITY.</summary>
+        /// those of conjugate gradients, `gradient`, 1 to 10000, or 0, the default: until four bring less than 3% of
+        /// the energy that all have. Up to 4 more of the former are made where little is gained, or, of gradient 0,
+        /// still much. get_convergence tells how many of the latter the last call's dearest step took, and the largest
+        /// gradient left, over the first, or INFINITY.</summary>
         public void SetEffort(long newton, long gradient)
         {
             Changed();
@@ -3019,10 +3019,10 @@ namespace Contdyn
         }
 
         /// <summary>How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each
-        /// those of conjugate gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64
-        /// of the longer lines. Where little is gained a step takes up to 4 more of the former and fewer of the latter.
-        /// get_convergence tells how many of the latter the last call's dearest step took, and the largest gradient
-        /// left, over the first, or INFINITY.</summary>
+        /// those of conjugate gradients, `gradient`, 1 to 10000, or 0, the default: until four bring less than 3% of
+        /// the energy that all have. Up to 4 more of the former are made where little is gained, or, of gradient 0,
+        /// still much. get_convergence tells how many of the latter the last call's dearest step took, and the largest
+        /// gradient left, over the first, or INFINITY.</summary>
         public MembraneEffort GetEffort()
         {
             UIntPtr outNewton;

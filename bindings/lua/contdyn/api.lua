@@ -2396,9 +2396,9 @@ function Membrane:get_broken()
 end
 
 -- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
--- gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer lines. Where
--- little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence tells how many of
--- the latter the last call's dearest step took, and the largest gradient left, over the first, or INFINITY.
+-- gradients, `gradient`, 1 to 10000, or 0, the default: until four bring less than 3% of the energy that all have. Up
+-- to 4 more of the former are made where little is gained, or, of gradient 0, still much. get_convergence tells how
+-- many of the latter the last call's dearest step took, and the largest gradient left, over the first, or INFINITY.
 function Membrane:set_effort(newton, gradient)
   local where = "cd_membrane_set_effort"
   newton = integer_in(newton, where, "newton")
@@ -2408,9 +2408,9 @@ function Membrane:set_effort(newton, gradient)
 end
 
 -- How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
--- gradients, `gradient`, 1 to 10000, default 12 and one more for every 16 nodes beyond 64 of the longer lines. Where
--- little is gained a step takes up to 4 more of the former and fewer of the latter. get_convergence tells how many of
--- the latter the last call's dearest step took, and the largest gradient left, over the first, or INFINITY.
+-- gradients, `gradient`, 1 to 10000, or 0, the default: until four bring less than 3% of the energy that all have. Up
+-- to 4 more of the former are made where little is gained, or, of gradient 0, still much. get_convergence tells how
+-- many of the latter the last call's dearest step took, and the largest gradient left, over the first, or INFINITY.
 function Membrane:get_effort()
   local where = "cd_membrane_get_effort"
   local out_newton = size_t_1()

@@ -43,7 +43,7 @@ class Effort(NamedTuple):
 
     #: of Newton's method, 1 to 1000
     newton: int
-    #: of conjugate gradients in each of those, 1 to 10000
+    #: of conjugate gradients in each of those, 1 to 10000, or 0: as many as bring something
     gradient: int
 
 
@@ -126,8 +126,9 @@ class Membrane(Body, Sheet, kind="membrane"):
                                      "for each spring, of a seam a lower one; writing Field.STIFFNESS_U or STIFFNESS_V "
                                      "mends a spring.")
     broken = Reading(int, "How many springs tore in the last call of step.")
-    effort = SettingOfSeveral(Effort, "How many iterations a step of cloth may do: (newton, gradient). Where little is "
-                                      "gained it takes a few more of the former and fewer of the latter.")
+    effort = SettingOfSeveral(Effort, "How many iterations a step of cloth may do: (newton, gradient), by default (3, 0): "
+                                      "of conjugate gradients as many as bring something. Where little is gained it "
+                                      "takes a few more of the former and fewer of the latter.")
 
     # ---- fields -----------------------------------------------------------------------------------------------------
 

@@ -247,7 +247,7 @@ OF_CLOTH = [
     ("set_breaking_strain", "UNSUPPORTED", setting("breaking_strain", 1), "cloth"),
     ("set_breaking_strain", "MEMORY", hungry(setting("breaking_strain", 1), lengthen), "memory"),
     *(("set_effort", "VALUE", (lengthen, setting("effort", (x, 1))), f"newton is {x}") for x in (0, 1001)),
-    *(("set_effort", "VALUE", (lengthen, setting("effort", (1, x))), f"gradient is {x}") for x in (0, 10001)),
+    *(("set_effort", "VALUE", (lengthen, setting("effort", (1, x))), f"gradient is {x}") for x in (10001, 2**63)),
     ("set_effort", "UNSUPPORTED", setting("effort", (2, 2)), "cloth"),
     *(("set_air", "VALUE", (lengthen, setting("air", (x, 1))), "along is") for x in BAD_NUMBERS),
     ("set_air", "VALUE", (lengthen, setting("air", (1, -1))), "across is -1"),
