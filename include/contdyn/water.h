@@ -31,13 +31,13 @@
  *
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
  * mode, of which shores are steep, take a little more. With 1/2, linear waves in the plane grow, in thousands of steps
- * in which they cross 2 cells or more, to a ninth of the depth. Advected water gains no energy in steps in which waves
- * cross half a cell or more; in shorter ones up to 0.015 at shores and cliffs, and up to 0.05 in the first step where
- * velocities are written there or cliffs are high. Linear water gains h_t u^2 / 2 where it deepens, which its equations
- * do not take away again: at random shores some hundredths (and see hulls). Air that presses it dry gives it up to 1.4
- * times what it has to give, advected water half of it, explicit steps any, as does rounding from 1e12 cells a step on.
- * What pushes off dry land gives the last face a velocity that no water follows. In steps in which waves cross more
- * than a cell, and depths are not smooth, no face gains more energy than its water loses by falling.
+ * of 2 cells or more, to a ninth of the depth. Advected water gains no energy in steps in which waves cross half a cell
+ * or more, but for a while 0.03 of its waves'; in shorter ones up to 0.015 at shores and cliffs, and up to 0.05 in the
+ * first step where velocities are written there or cliffs are high. Linear water gains h_t u^2 / 2 where it deepens,
+ * which its equations never take away: at random shores some hundredths (and see hulls). Air that presses it dry gives
+ * it up to 1.4 times what it has to give, advected water half of it, explicit steps any, as does rounding from 1e12 cells
+ * a step. What pushes off dry land gives the last face a velocity that no water follows. In steps in which waves cross
+ * more than a cell, of uneven depths, no face gains more energy than its water loses by falling.
  *
  * Explicit steps (cd_water_set_method) share all of this but the surface that is solved for: half of the slope pushes,
  * the water moves, then the other half (velocity Verlet).

@@ -208,6 +208,39 @@ static void a_seiche_from_rest_gains_no_energy(void** state) {
     }
 }
 
+/* A hump spreads over a flat bed, along a line and in the plane: no more than a small part of its energy comes back, for
+ * a while, of what steps took from it before. */
+static void a_hump_gains_no_more_energy_than_the_header_says(void** state) {
+    (void)state;
+    static const double courants[] = {0.5, 1, 4, 10, 40, 200};
+    enum { CELLS_LONG = 96 };
+    double back = 0, above = 0;
+    for (size_t c = 0; c < COUNT(courants); ++c)
+        for (int plane = 0; plane < 2; ++plane)
+            for (int high = 0; high < 3; ++high) {
+                const size_t ny = plane ? CELLS_LONG / 2 : 1;
+                const double height = high == 0 ? 0.01 : high == 1 ? 0.1 : 0.4;
+                cd_water* w = basin(CELLS_LONG, ny, 0.5, 0.5, CD_FLOAT64);
+                basin_set_way(w, &ways[ADVECTED]);
+                for (size_t k = 0; k < CELLS_LONG * ny; ++k) {
+                    const double x = 0.5 * (double)(k % CELLS_LONG) - 8;
+                    basin_set(w, CD_DEPTH, k % CELLS_LONG, k / CELLS_LONG, 1 + height * exp(-x * x / 8));
+                }
+                const double start = basin_energy(w), mean = basin_volume(w) / (0.25 * CELLS_LONG * (double)ny);
+                const double wave = start - 500 * 9.81 * mean * basin_volume(w);
+                double lowest = start;
+                for (int step = 0; step < 150; ++step) {
+                    basin_step(w, courants[c] * 0.5 / sqrt(9.81), 1);
+                    const double now = basin_energy(w);
+                    back = fmax(back, (now - lowest) / wave), above = fmax(above, (now - start) / wave);
+                    lowest = fmin(lowest, now);
+                }
+                cd_water_destroy(w);
+            }
+    print_message("humps: %.1e of their energy comes back, %.1e above the start\n", back, above);
+    assert_true(back <= 0.03 && above <= 5e-3);
+}
+
 /* A film that springs up there runs down a slope and falls into a lake, which rises to the slope's foot: the lake stays
  * calm, and not even the film runs much faster than by the fall. */
 static void a_film_does_not_throw_the_lake_that_it_falls_into(void** state) {
@@ -423,6 +456,7 @@ int main(void) {
         cmocka_unit_test(no_energy_is_made_but_by_linear_momentum_that_deepens),
         cmocka_unit_test(water_among_cliffs_makes_little_energy),
         cmocka_unit_test(a_seiche_from_rest_gains_no_energy),
+        cmocka_unit_test(a_hump_gains_no_more_energy_than_the_header_says),
         cmocka_unit_test(a_film_does_not_throw_the_lake_that_it_falls_into),
         cmocka_unit_test(water_that_falls_over_a_ledge_makes_no_energy),
         cmocka_unit_test(what_comes_to_dry_ground_climbs_no_cliff),
