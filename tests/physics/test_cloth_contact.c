@@ -342,6 +342,7 @@ static void what_lies_flat_begins_to_slide(void** state) {
         ok(cd_membrane_set_gravity(m, pull, 3));
         ok(cd_membrane_set_plane(m, 0, nowhere, up, 3, belt ? 0.3 : 0));
         if (belt) ok(cd_membrane_set_collider_velocity(m, 0, velocity, 3));
+        if (scene % 4 / 2) ok(cd_membrane_set_effort(m, 3, 12));
         ok(cd_membrane_step(m, 1 / 60.0, 60));
         middle_of(m, CD_VELOCITY, v);
         assert_near(v[0], belt ? -1 : 1, 0.5, 0);

@@ -299,7 +299,7 @@ RULES = {
         "            if (!(middle < most)) break;\n", ["physics_cloth_contact"]),
     "what the last iteration left is told": (
         CLOTH_STEP, "            if (i == most || !(size > 0) || !solve(i == 0)) break;",
-        "            if (!(size > 0) || !solve() || i + 1 >= most) break;", ["physics_cloth_motion"]),
+        "            if (!(size > 0) || !solve(i == 0) || i + 1 >= most) break;", ["physics_cloth_motion"]),
     "cloth's friction goes by no more than a node needs to stay outside": (
         CLOTH_ACT, "solved && meets[j] ? fmin(now, push_of(of_node[j], velocity + by, inverse_dt)) : 0", "now",
         ["physics_cloth_contact"]),
