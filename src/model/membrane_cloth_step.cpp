@@ -245,11 +245,10 @@ struct ClothStep {
         return least;
     }
 
-    // How much of the direction to go. Where the slope at its end has nearly gone, the secant tells.
+    // How much of the direction to go.
     double search(double falls) const {
         const double end = slope(w.w, 1, w.direction);
-        if (end <= 0) return 1;
-        return end <= -kFlat * falls ? falls / (falls - end) : share_of(w.w, w.direction, 0, falls, 1, end);
+        return end <= 0 ? 1 : share_of(w.w, w.direction, 0, falls, 1, end);
     }
 
     void newton() {

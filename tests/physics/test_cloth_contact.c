@@ -329,8 +329,8 @@ static void what_lands_sliding_loses_what_friction_takes(void** state) {
 /* Sheets that lie in the plane exactly: one that slopes without friction, and one that goes and has some. */
 static void what_lies_flat_begins_to_slide(void** state) {
     (void)state;
-    for (uint64_t scene = 1; scene <= 400; ++scene) {
-        uint64_t seed = 40 + scene;
+    for (uint64_t scene = 1; scene <= 800; ++scene) {
+        uint64_t seed = 40 + scene % 400;
         const int belt = scene % 2 != 0;
         const double velocity[3] = {-1, 0, 0};
         double pull[3] = {belt ? 0 : 1, -8 + 2 * random_number(&seed), 0}, v[3];
@@ -342,7 +342,7 @@ static void what_lies_flat_begins_to_slide(void** state) {
         ok(cd_membrane_set_gravity(m, pull, 3));
         ok(cd_membrane_set_plane(m, 0, nowhere, up, 3, belt ? 0.3 : 0));
         if (belt) ok(cd_membrane_set_collider_velocity(m, 0, velocity, 3));
-        if (scene % 4 / 2) ok(cd_membrane_set_effort(m, 3, 12));
+        if (scene > 400) ok(cd_membrane_set_effort(m, 3, 12));
         ok(cd_membrane_step(m, 1 / 60.0, 60));
         middle_of(m, CD_VELOCITY, v);
         assert_near(v[0], belt ? -1 : 1, 0.5, 0);

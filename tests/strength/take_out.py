@@ -305,8 +305,6 @@ RULES = {
         ["physics_cloth_contact"]),
     "a node on an axis has a way out": (
         CLOTH_ACT, ": across(way), distance", ": Vector3{{1, 0, 0}}, distance", ["physics_cloth_contact"]),
-    "a search ends where rounding is all that is left": (
-        CLOTH_STEP, "return end <= -kFlat * falls ?", "return false ?", ["physics_cloth_size", "physics_cloth"]),
     "what can't go the whole way goes on": (
         CLOTH_STEP, "kMoreIterations = 4;", "kMoreIterations = 0;", ["physics_cloth_size"]),
     "what crumples is pushed as the step finds it": (
