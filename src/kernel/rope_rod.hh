@@ -90,29 +90,33 @@ template <int N> void RopeBundle<N>::join(size_t i, Hung& hung) {
     const V wished = stiff * (((hung.y + carried(joint, hung.link_y)) - node.b) - bent);
     const M at_link = of_node * stiff;
 
+    const M passed = mobility * (yielding + stiff * both);
     joint.stiff = stiff, joint.reach = reach, joint.wished = wished;
-    hung.link = (mobility * (yielding + stiff * both) + hung.c) - at_link * reach;
+    hung.link = (passed + hung.c) - at_link * reach;
     hung.c = mobility * (yielding + stiff * all);
-    hung.across = mobility * (yielding + stiff * both);
+    hung.across = passed;
     hung.back = mobility * (yielding + own * stiff);
     hung.link_y = (node.b - hung.y) + (mobility * wished + of_node * wished);
     hung.y = node.b + mobility * wished;
 }
 
-// The spring on the left of a node pulls at its link: by its transverse stiffness, whatever the way, and along itself.
+// The spring on the left of a node pulls at its link: by its transverse stiffness along x, y and z, whatever the way, and
+// along itself.
 template <int N> void RopeBundle<N>::pull(const Spring& s, Joint& joint, Hung& hung) const {
-    const V ways[3] = {{one(), L{}, L{}}, {L{}, one(), L{}}, {L{}, L{}, one()}};
-    for (size_t k = 0; k < 4; ++k) {
-        const V acting = k < 3 ? ways[k] : s.acting, along = k < 3 ? ways[k] : s.along;
-        const Column moves{hung.across * acting, hung.link * acting};
-        const L yields = dot(along, moves.link), axial = s.axial + positive(yields);
-        const L share = k < 3 ? s.transverse / (one() + s.transverse * yields)
-                              : select(s.taut * size_of(axial), s.taut / axial, L{});
-        const L wished = share * ((k < 3 ? dot(along, s.wish) : s.wished) - dot(along, hung.link_y));
-        joint.pulled[k] = {wished, share * transposed_times(hung.back, along)};
-        joint.by_link[k] = share * transposed_times(hung.link, along);
+    const auto act = [&](size_t k, const Column& moves, L share, L wished, V back, V link) {
+        joint.pulled[k] = {share * wished, share * back};
+        joint.by_link[k] = share * link;
         take(hung, moves, joint.pulled[k], joint.by_link[k]);
+    };
+    for (size_t k = 0; k < 3; ++k) {
+        const Column moves{column(hung.across, k), column(hung.link, k)};
+        const L share = s.transverse / (one() + s.transverse * component(moves.link, k));
+        act(k, moves, share, component(s.wish, k) - component(hung.link_y, k), row(hung.back, k), row(hung.link, k));
     }
+    const Column moves{hung.across * s.acting, hung.link * s.acting};
+    const L axial = s.axial + positive(dot(s.along, moves.link));
+    act(3, moves, select(s.taut * size_of(axial), s.taut / axial, L{}), s.wished - dot(s.along, hung.link_y),
+        transposed_times(hung.back, s.along), transposed_times(hung.link, s.along));
 }
 
 template <int N> void RopeBundle<N>::eliminate_rod() {
@@ -134,10 +138,13 @@ template <int N> void RopeBundle<N>::eliminate_rod() {
         if (has_air()) resisted(i, left);
         Spring& s = springs[i - 1];
         V impulse{};
-        const V ways[4] = {{one(), L{}, L{}}, {L{}, one(), L{}}, {L{}, L{}, one()}, s.acting};
-        for (size_t k = 4; k-- > 0;) {
-            const V by = impulse_of(joint.pulled[k], &joint.by_link[k], left) * ways[k];
-            left.psi = left.psi + by, impulse = impulse - by;
+        const auto pulled = [&](size_t k) { return impulse_of(joint.pulled[k], &joint.by_link[k], left); };
+        const V along = pulled(3) * s.acting;
+        left.psi = left.psi + along, impulse = impulse - along;
+        for (size_t k = 3; k-- > 0;) {
+            const L by = pulled(k);
+            L &to = component(left.psi, k), &of = component(impulse, k);
+            to = to + by, of = of - by;
         }
         pulls(s, impulse);
         const V bend = joint.impulse = joint.wished - joint.stiff * (node.mobility * left.phi + joint.reach * left.psi);
