@@ -168,6 +168,54 @@ Bench small_scenes() {
             }};
 }
 
+// 500 strands of 20 nodes, each rooted by two of them on the upper half of a ball, that sway as the head nods.
+Bench hair() {
+    static constexpr std::size_t kStrands = 500, kSprings = 19, kAll = kStrands * (kSprings + 1);
+    return {"chain.hair.500x20", [] {
+                const auto of = [](const std::string& name, double bend, bool on_ball) {
+                    const double radius = 0.1, length = 0.3, centre[3] = {0, 0, 0};
+                    const auto strands = std::make_shared<Chain>(kSprings, 3, CD_FLOAT32, kStrands);
+                    cd_chain* const chain = strands->get();
+                    std::vector<double> x, rooted(kAll, 0);
+                    for (std::size_t s = 0; s < kStrands; ++s) {
+                        const double z = 0.2 + 0.8 * (double(s) + 0.5) / double(kStrands);
+                        const double across = std::sqrt(1 - z * z), angle = 2.399963 * double(s);
+                        for (std::size_t i = 0; i <= kSprings; ++i) {
+                            const double r = 1.001 * radius + length * double(i) / double(kSprings);
+                            x.insert(x.end(), {r * across * std::cos(angle), r * across * std::sin(angle), r * z});
+                            rooted[s * (kSprings + 1) + i] = i < 2 ? CD_NODE_PINNED : CD_NODE_FREE;
+                        }
+                    }
+                    strands->write(CD_POSITION, x);
+                    check(cd_chain_set_rest_length(chain, length)); // so that strands have pins of their own
+                    check(cd_chain_set_stiffness(chain, INFINITY));
+                    check(cd_chain_enable_field(chain, CD_PIN));
+                    check(cd_chain_write_f64(chain, CD_PIN, 0, kStrands, 0, kSprings + 1, rooted.data(), kAll));
+                    check(cd_chain_set_mass(chain, 1e-4));
+                    check(cd_chain_set_bend(chain, bend));
+                    check(cd_chain_set_lambda(chain, 1));
+                    check(cd_chain_set_drag(chain, 1));
+                    check(cd_chain_set_tolerance(chain, 1e-3, 200));
+                    if (on_ball) {
+                        check(cd_chain_set_colliders(chain, 1));
+                        check(cd_chain_set_capsule(chain, 0, centre, centre, 3, radius, 0.3));
+                    }
+                    Subject all = stepped(name, strands);
+                    const auto time = std::make_shared<double>(0);
+                    all.step = [strands, time] {
+                        const double nod = 0.5 * std::sin(6 * (*time += kFrame));
+                        const double gravity[3] = {9.81 * std::sin(nod), 0, -9.81 * std::cos(nod)};
+                        check(cd_chain_set_gravity(strands->get(), gravity, 3));
+                        check(cd_chain_step(strands->get(), kFrame, 1));
+                    };
+                    return all;
+                };
+                Case it{"chain.hair.500x20", kAll, {}, "50 ns, 500 us a call"};
+                it.subjects = {of("bend and ball", 1e-6, true), of("bend", 1e-6, false), of("ball", 0, true)};
+                return it;
+            }};
+}
+
 Bench by_each_kernels(const Shape& shape) {
     return {name_of("kernels", shape), [=] {
                 Case it{name_of("kernels", shape), shape.all(), {}};
@@ -209,6 +257,7 @@ std::vector<Bench> chain_benches() {
     for (const Shape& shape : {Shape{10000}, Shape{32, 3, 1024}})
         for (cd_precision precision : {CD_FLOAT32, CD_FLOAT64}) all.push_back(still_beside_lively(shape, precision));
     all.push_back(small_scenes());
+    all.push_back(hair());
     for (std::size_t components : {1, 3})
         for (std::size_t n : {2, 100, 1000, 10000, 100000, 1000000, 10000000})
             if (n * components <= 10000000) all.push_back(at_any_length({n, components}));
