@@ -245,10 +245,12 @@ struct ClothStep {
         return least;
     }
 
-    // How much of the direction to go.
+    // How much of the direction to go. Where the slope at its end has nearly gone, one secant tells: among slopes that are
+    // rounding more of them find none that falls, and the step stays where it is.
     double search(double falls) const {
         const double end = slope(w.w, 1, w.direction);
-        return end <= 0 ? 1 : share_of(w.w, w.direction, 0, falls, 1, end);
+        if (end <= 0) return 1;
+        return end <= -kFlat * falls ? falls / (falls - end) : share_of(w.w, w.direction, 0, falls, 1, end);
     }
 
     void newton() {

@@ -60,5 +60,5 @@
 {9, 0, 1, {0x531346c2f77db88a, 0xdaf2406c65b1fe9c}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
 {10, 0, 0, {0x832e0b1ba5b55cd2, 0x2cb71447148624fa}}, /* sail */
-{11, 0, 0, {0xc236fb7e5bcae100, 0x32e891a0d4576f7b}}, /* lengths */
-{12, 0, 0, {0x0618310c2f07c63c, 0x4e8f6f19ba40b604}}, /* lengths, tube */
+{11, 0, 0, {0x7adbe2432f71cec0, 0xadac2740d2da1a4a}}, /* lengths */
+{12, 0, 0, {0xfa1650841d9832eb, 0xbc91ea1f4474b009}}, /* lengths, tube */

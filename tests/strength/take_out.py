@@ -142,6 +142,8 @@ RULES = {
         "../model/membrane_cloth_step.cpp", "lately < kLittle * brought", "false", ["physics_cloth_size"]),
     "and Newton's method goes on where it brings much": (
         "../model/membrane_cloth_step.cpp", "brings > kMuch * brought", "false", ["physics_cloth_size"]),
+    "a search ends where rounding is all that is left": (
+        CLOTH_STEP, "return end <= -kFlat * falls ?", "return false ?", ["physics_cloth_motion"]),
     "unless that met a collider": (
         "../model/membrane_cloth_step.cpp", "if (touched || ", "if (", ["physics_cloth_contact"]),
     "sheets whose dt changes are solved coupled": (

@@ -67,7 +67,7 @@ class Membrane(Body, Sheet, kind="membrane"):
 
     Rest length is zero, unless rest_length makes cloth of the membrane: a free sheet draws together, and one stretched
     evenly is held by its edges. A new membrane lies with every node at the origin, at rest and free, mass 1, stiffness
-    1 along both directions, without bend, gravity and damping, with Method.IMPLICIT, lambda 1/2 and Solver.ALTERNATING.
+    1 along both directions, without bend, gravity and damping, with Method.IMPLICIT, lambda 1/2 and Solver.AUTO.
     The C header membrane.h tells which solver to take, the energies, equations and limits.
     """
 

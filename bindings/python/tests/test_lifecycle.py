@@ -64,6 +64,10 @@ def uses(kind_name):
 
 
 class Life(unittest.TestCase):
+    def test_a_new_membrane_has_the_solver_that_its_description_says(self):
+        with Membrane(1, 1, 1) as new:
+            self.assertIn(f"Solver.{new.solver.name}.", Membrane.__doc__)
+
     def test_a_closed_object_refuses_every_call(self):
         for kind_name, kind in KINDS.items():
             for name, use in uses(kind_name):
