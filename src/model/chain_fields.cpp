@@ -67,7 +67,7 @@ template <class T> static void merge_group(Chain& c, Group group, size_t first_l
 }
 
 static void merge(Chain& c, Group group, size_t first_line, size_t lines) {
-    if (c.precision == CD_FLOAT64) merge_group<double>(c, group, first_line, lines);
+    if (is_wide(c)) merge_group<double>(c, group, first_line, lines);
     else merge_group<float>(c, group, first_line, lines);
 }
 
