@@ -77,7 +77,7 @@ struct Part {
 
     double get(const Chain& c, const Place& p) const {
         if (field == CD_PIN) return c.pin[own_place(c, p.strand, p.item)];
-        if (field == CD_STRAIN) return strain_of(c, p.strand, p.item);
+        if (CD_WITH_ROPE && field == CD_STRAIN) return strain_of(c, p.strand, p.item);
         return shared_of(c, field)[own_place(c, p.strand, p.item)];
     }
     void set(Chain& c, const Place& p, double value) const {

@@ -38,6 +38,7 @@ inline cd_status is_rope(const char* function, const Chain& c, const char* only)
     return must_have_length(function, only, has_lengths(c));
 }
 inline cd_status feels_air(const char* function, const Chain& c) { return is_rope(function, c, "only ropes feel air"); }
+inline constexpr bool can_touch(const Chain&) { return CD_WITH_ROPE && CD_WITH_CONTACT; }
 inline cd_status touches(const char* function, const Chain& c) {
     return is_rope(function, c, "only ropes touch things");
 }

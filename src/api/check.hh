@@ -52,7 +52,8 @@ inline cd_status is_index(const char* function, const char* name, size_t value, 
 // Of things that there are none of before a call of set.
 inline cd_status is_index(const char* function, size_t value, size_t count, const char* things, const char* set) {
     if (count > 0) return is_index(function, "index", value, count);
-    return fail(CD_ERROR_RANGE, function, "index is %zu, but there are no %s yet: call %s first", value, things, set);
+    fail(CD_ERROR_RANGE, function, "index is %zu, but there are no %s yet: call %s first", value, things, set);
+    return CD_ERROR_RANGE; // see must_have_length
 }
 
 // [first, first + n) inside [0, count)

@@ -90,9 +90,12 @@ template <class X> cd_status has_length(const char* function, const X& x, cd_fie
     return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s: the rest length is 0", int(field), field_name(field));
 }
 
-// only: what has it
+// only: what has it. Where ropes or cloth are left out, `has` is false, and the compiler sees that no CD_OK comes of it:
+// what would follow takes no code.
 inline cd_status must_have_length(const char* function, const char* only, bool has) {
-    return has ? CD_OK : fail(CD_ERROR_UNSUPPORTED, function, "%s: the rest length is 0", only);
+    if (has) return CD_OK;
+    fail(CD_ERROR_UNSUPPORTED, function, "%s: the rest length is 0", only);
+    return CD_ERROR_UNSUPPORTED;
 }
 
 // Whether a field of a body is part of its state: a number per component, in the body's precision.

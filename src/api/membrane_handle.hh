@@ -51,6 +51,7 @@ inline cd_status is_cloth(const char* function, const Membrane& m, const char* o
 inline cd_status feels_air(const char* function, const Membrane& m) {
     return is_cloth(function, m, "only cloth feels air");
 }
+inline constexpr bool can_touch(const Membrane&) { return CD_WITH_CLOTH && CD_WITH_CONTACT; }
 inline cd_status touches(const char* function, const Membrane& m) {
     return is_cloth(function, m, "only cloth touches things");
 }

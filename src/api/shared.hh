@@ -121,7 +121,7 @@ template <class X> cd_status set_bend(const char* function, X& x, double bend) {
 inline cd_status set_gravity(const char* function, Body& b, const double* gravity, size_t count) {
     CD_CHECK(not_null(function, "gravity", gravity));
     CD_CHECK(is_count(function, "count", count, b.components));
-    CD_CHECK(are_numbers(function, "gravity", gravity, count, b.precision == CD_FLOAT64 ? kMost : 1e30));
+    CD_CHECK(are_numbers(function, "gravity", gravity, count, is_wide(b) ? kMost : 1e30));
     memcpy(b.gravity, gravity, count * sizeof(double));
     wake(b);
     return CD_OK;

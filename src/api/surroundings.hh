@@ -1,6 +1,7 @@
 // What surrounds ropes and cloth: air, and colliders. Each function is written once, as those of shared.hh are;
 // CD_SURROUNDINGS_FUNCTIONS at the end makes an object's public functions of them. An object says by feels_air and
-// touches whether it has any, by has_collider whether that one, and by air_of where its settings of the air are.
+// touches whether it has any, by has_collider whether that one, by can_touch whether this build has any for it, and by
+// air_of where its settings of the air are.
 #pragma once
 
 #include "api/shared.hh"
@@ -248,6 +249,11 @@ template <class X> cd_status get_collider(const char* function, const X& x, size
 } // namespace shared
 } // namespace cd
 
+// Of the collider `index`. Where nothing in this build can touch one the check says so, and `value` takes no code.
+#define CD_COLLIDER_FUNCTION(object, name, parameters, value)                                                          \
+    CD_FUNCTION(object, , name, parameters,                                                                            \
+                (can_touch(x) ? value : shared::is_collider(__func__, x, index, x.components)))
+
 #define CD_SURROUNDINGS_FUNCTIONS(object)                                                                              \
     CD_FUNCTION(object, , set_air, (double along, double across), shared::set_air(__func__, x, along, across))         \
     CD_FUNCTION(object, const, get_air, (double* out_along, double* out_across),                                       \
@@ -258,13 +264,13 @@ template <class X> cd_status get_collider(const char* function, const X& x, size
                 shared::get_wind(__func__, x, out_velocity, count))                                                    \
     CD_FUNCTION(object, , set_colliders, (size_t count), shared::set_colliders(__func__, x, count))                    \
     CD_GETTER(object, get_colliders, size_t, out_count, collider_count(x))                                             \
-    CD_FUNCTION(object, , set_plane,                                                                                   \
+    CD_COLLIDER_FUNCTION(object, set_plane,                                                                            \
                 (size_t index, const double* point, const double* normal, size_t count, double friction),              \
                 shared::set_plane(__func__, x, index, point, normal, count, friction))                                 \
-    CD_FUNCTION(object, , set_capsule,                                                                                 \
+    CD_COLLIDER_FUNCTION(object, set_capsule,                                                                          \
                 (size_t index, const double* first, const double* last, size_t count, double radius, double friction), \
                 shared::set_capsule(__func__, x, index, first, last, count, radius, friction))                         \
-    CD_FUNCTION(object, , set_bed,                                                                                     \
+    CD_COLLIDER_FUNCTION(object, set_bed,                                                                              \
                 (size_t index, const double* origin, size_t count, size_t columns, size_t rows, double column_spacing, \
                  double row_spacing, const double* heights, size_t height_count, double friction),                     \
                 shared::set_bed(__func__, x, index, origin, count, columns, rows, column_spacing, row_spacing,         \
@@ -272,11 +278,11 @@ template <class X> cd_status get_collider(const char* function, const X& x, size
     CD_FUNCTION(object, const, get_bed,                                                                                \
                 (size_t index, size_t * out_columns, size_t* out_rows, double* out_heights, size_t height_count),      \
                 shared::get_bed(__func__, x, index, out_columns, out_rows, out_heights, height_count))                 \
-    CD_FUNCTION(object, , set_callback,                                                                                \
+    CD_COLLIDER_FUNCTION(object, set_callback,                                                                         \
                 (size_t index, const cd_distance* distance, const double* origin, size_t count, double friction),      \
                 shared::set_callback(__func__, x, index, distance, origin, count, friction))                           \
-    CD_FUNCTION(object, , remove_collider, (size_t index), shared::remove_collider(__func__, x, index))                \
-    CD_FUNCTION(object, , set_collider_velocity, (size_t index, const double* velocity, size_t count),                 \
+    CD_COLLIDER_FUNCTION(object, remove_collider, (size_t index), shared::remove_collider(__func__, x, index))         \
+    CD_COLLIDER_FUNCTION(object, set_collider_velocity, (size_t index, const double* velocity, size_t count),          \
                 shared::set_collider_velocity(__func__, x, index, velocity, count))                                    \
     CD_FUNCTION(object, const, get_collider,                                                                           \
                 (size_t index, cd_shape * out_shape, double* out_first, double* out_second, double* out_velocity,      \

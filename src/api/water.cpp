@@ -85,7 +85,7 @@ cd_status cd_water_set_side(cd_water* water, cd_side side, cd_border kind, doubl
     CD_CHECK(is_enum(__func__, "kind", kind, CD_BORDER_LEVEL));
     WaterSide wanted{kind, 0, 0};
     if (has_value(kind)) {
-        const double most = w.precision == CD_FLOAT64 ? kMost : 1e30;
+        const double most = is_wide(w) ? kMost : 1e30;
         CD_CHECK(in_range(__func__, "value", value, -most, most));
         CD_CHECK(in_range(__func__, "rate", rate, -most, most));
         wanted = {kind, value - rate * w.clock.time(), rate};

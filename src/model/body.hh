@@ -195,8 +195,10 @@ struct BodyChanges {
           wind{b.wind, wanted.wind ? b.position.count : 0} {}
 
     template <class F> bool all(F f) {
-        return f(mass) && f(attach_stiffness) && f(attach_damping) && f(coefficients) && f(scratch) && f(colliders) &&
-               f(beds) && f(calm) && f(callbacks) && f(force) && f(target) && f(wind);
+        constexpr bool air = CD_WITH_ROPE || CD_WITH_CLOTH;
+        return f(mass) && f(attach_stiffness) && f(attach_damping) && f(coefficients) && f(scratch) &&
+               (!(air && CD_WITH_CONTACT) || (f(colliders) && f(beds) && f(callbacks))) &&
+               (!CD_WITH_SLEEP || f(calm)) && f(force) && f(target) && (!air || f(wind));
     }
     // Before they are put: what there is of colliders stays.
     void carry_over() const { colliders.carry_over(), beds.carry_over(), callbacks.carry_over(); }

@@ -88,7 +88,8 @@ struct Needs {
 // their two ways.
 Needs needs_of(const Chain& c, const Features& f) {
     const bool bends = f.bend || f.node_bend, rod = bends || f.ring;
-    if (f.length) return {rope_coefficients(c, f.colliders.count), rope_scratch(c, {bends, f.air, f.colliders}), 0};
+    if (CD_WITH_ROPE && f.length)
+        return {rope_coefficients(c, f.colliders.count), rope_scratch(c, {bends, f.air, f.colliders}), 0};
     const size_t gains = 2 + size_t(f.force) + size_t(f.target), stages = f.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
     if (is_explicit(f.method)) return {(gains + 2 + size_t(bends)) * row_length(c), 0, 0};
     const bool segments = takes_segments(c, rod);
@@ -115,8 +116,8 @@ bool set_features(Chain& c, const Features& wanted) {
     Change<double> ring_response{c.ring_response, needs.ring_response};
 
     const auto all = [&](auto f) {
-        return body.all(f) && f(pin) && f(stiffness) && f(bend) && f(length) && f(tension) && f(strength) && f(angle) &&
-               f(ring_response);
+        return body.all(f) && f(pin) && f(stiffness) && (!CD_WITH_BEND || (f(bend) && f(ring_response))) &&
+               (!CD_WITH_ROPE || (f(length) && f(tension) && f(strength) && f(angle)));
     };
     if (wanted.method == c.method && wanted.ring == (c.ring != 0) && keep_all(all)) return true;
     if (!take_all(c.memory, all)) return false;
@@ -130,11 +131,13 @@ bool set_features(Chain& c, const Features& wanted) {
     if (!has_mass) fill_uniform(c, CD_MASS);
     if (!has_stiffness) fill_uniform(c, CD_STIFFNESS);
     if (!has_bend) fill_uniform(c, CD_BEND);
-    if (length.is_new()) fill_uniform(c, CD_REST_LENGTH);
-    if (tension.is_new()) memset(c.tension.data, 0, c.tension.bytes());
-    if (strength.is_new()) fill_uniform(c, CD_STRENGTH);
-    if (angle.is_new()) fill_uniform(c, CD_REST_ANGLE);
-    if (body.wind.is_new()) fill_uniform(c, CD_WIND);
+    if (CD_WITH_ROPE) {
+        if (length.is_new()) fill_uniform(c, CD_REST_LENGTH);
+        if (tension.is_new()) memset(c.tension.data, 0, c.tension.bytes());
+        if (strength.is_new()) fill_uniform(c, CD_STRENGTH);
+        if (angle.is_new()) fill_uniform(c, CD_REST_ANGLE);
+        if (body.wind.is_new()) fill_uniform(c, CD_WIND);
+    }
     body.fill(c);
     c.prepared_dt = 0;
     return true;
@@ -146,14 +149,15 @@ void fill_uniform(Chain& c, cd_field field) {
             c.node_mass[i] = uniform_mass(c, i / (c.node_mass.count / c.nodes));
     if (field == CD_STIFFNESS && c.spring_stiffness)
         for (size_t i = 0; i < c.spring_stiffness.count; ++i) c.spring_stiffness[i] = uniform_stiffness(c);
+    if (CD_WITH_BEND && field == CD_BEND && c.node_bend)
+        for (size_t i = 0; i < c.node_bend.count; ++i) c.node_bend[i] = uniform_bend(c);
+    if (!CD_WITH_ROPE) return;
     if (field == CD_REST_LENGTH && c.spring_length)
         for (size_t i = 0; i < c.spring_length.count; ++i) c.spring_length[i] = uniform_length(c);
     if (field == CD_STRENGTH && c.spring_strength)
         for (size_t i = 0; i < c.spring_strength.count; ++i) c.spring_strength[i] = c.rope.strength;
     if (field == CD_REST_ANGLE && c.node_angle)
         for (size_t i = 0; i < c.node_angle.count; ++i) c.node_angle[i] = uniform_angle(c);
-    if (field == CD_BEND && c.node_bend)
-        for (size_t i = 0; i < c.node_bend.count; ++i) c.node_bend[i] = uniform_bend(c);
     if (field == CD_WIND && c.wind)
         for (size_t i = 0; i < c.nodes; ++i)
             for (size_t line = 0; line < c.pitch; ++line)

@@ -60,14 +60,17 @@ struct Chain : Body, ChainSettings {
 
     // f(array, array of another chain...) for each field, in the order in which they are kept; and for every array.
     template <class F, class... C> static void each_field(F f, C&... c) {
-        f(c.pin...), f(c.node_mass...), f(c.spring_stiffness...), f(c.node_bend...), f(c.spring_length...);
-        f(c.spring_strength...), f(c.node_angle...);
+        f(c.pin...), f(c.node_mass...), f(c.spring_stiffness...), f(c.node_bend...);
+        if (CD_WITH_ROPE) f(c.spring_length...), f(c.spring_strength...), f(c.node_angle...);
         f(c.attach_stiffness...), f(c.attach_damping...), f(c.position...), f(c.velocity...), f(c.force...);
-        f(c.target...), f(c.tension...), f(c.wind...), f(c.colliders...), f(c.beds...), f(c.calm...);
+        f(c.target...);
+        if (CD_WITH_ROPE) f(c.tension...), f(c.wind...), f(c.colliders...), f(c.beds...);
+        if (CD_WITH_SLEEP) f(c.calm...);
     }
     template <class F> static void each_array(F f, Chain& c) {
         each_field(f, c);
-        f(c.coefficients), f(c.scratch), f(c.ring_response), f(c.callbacks);
+        f(c.coefficients), f(c.scratch), f(c.ring_response);
+        if (CD_WITH_ROPE) f(c.callbacks);
     }
 };
 
@@ -114,11 +117,12 @@ inline double stiffness_of(const Chain& c, size_t at) {
     return c.spring_stiffness ? c.spring_stiffness[at] : uniform_stiffness(c);
 }
 inline double uniform_length(const Chain& c) { return c.rope.length / double(springs_in_all(c)); }
+inline size_t collider_count(const Chain& c) { return CD_WITH_ROPE ? collider_count(static_cast<const Body&>(c)) : 0; }
 inline double length_of(const Chain& c, size_t at) { return c.spring_length ? c.spring_length[at] : uniform_length(c); }
 inline double strength_of(const Chain& c, size_t at) {
     return c.spring_strength ? c.spring_strength[at] : c.rope.strength;
 }
-inline bool can_break(const Chain& c) { return c.spring_strength || c.rope.breaks(); }
+inline bool can_break(const Chain& c) { return CD_WITH_ROPE && (c.spring_strength || c.rope.breaks()); }
 // Of inner nodes, of which a rest angle other than 0 needs one. As many half turns as there are may round to more than
 // one for each.
 inline double uniform_angle(const Chain& c) {

@@ -8,10 +8,12 @@ namespace cd {
 bool valid_number(const Chain& c, cd_field field, size_t strand, size_t node, double value) {
     switch (field) {
     case CD_MASS: return valid_mass(value);
+#if CD_WITH_ROPE
     case CD_REST_LENGTH: return valid_mass(value);
     case CD_REST_ANGLE: return fabs(value) <= kHalfTurn;
     case CD_TENSION: return isfinite(value) != 0;
     case CD_STRENGTH: return valid_mass(value) || (isinf(value) && value > 0);
+#endif
     case CD_STIFFNESS: return valid_parameter(value) || (isinf(value) && value > 0);
     case CD_BEND: return valid_parameter(value);
     case CD_PIN: {
@@ -67,7 +69,7 @@ template <class T> static void merge_group(Chain& c, Group group, size_t first_l
 }
 
 static void merge(Chain& c, Group group, size_t first_line, size_t lines) {
-    if (c.precision == CD_FLOAT64) merge_group<double>(c, group, first_line, lines);
+    if (is_wide(c)) merge_group<double>(c, group, first_line, lines);
     else merge_group<float>(c, group, first_line, lines);
 }
 

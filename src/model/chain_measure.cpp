@@ -48,7 +48,7 @@ template <class T> struct Measure {
         });
         each(c.nodes, [&](size_t i, size_t own, Part part) {
             const Joint joint = joint_of(c, part.first / c.components, i);
-            if (joint.stiffness > 0) {
+            if (CD_WITH_BEND && joint.stiffness > 0) {
                 const size_t left = i > 0 ? i - 1 : c.nodes - 1, right = after(i);
                 const auto before = [&](size_t k) { return at(x, i, part.first + k) - at(x, left, part.first + k); };
                 elastic.add(0.5 * joint.stiffness * squares(part, [&](size_t l) {

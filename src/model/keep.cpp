@@ -73,9 +73,7 @@ KeptBody keep_body(const Body& b) {
     return {b,
             bit(bool(b.node_mass), CD_MASS) | bit(bool(b.force), CD_FORCE) | bit(bool(b.target), CD_TARGET) |
                 bit(bool(b.wind), CD_WIND) | (b.sleep_speed > 0 ? KeptBody::kOfSleep : 0),
-            colliders.count,
-            colliders.beds,
-            colliders.callbacks};
+            colliders.count, colliders.beds, colliders.callbacks};
 }
 
 bool valid_body(const KeptBody& kept) {
@@ -175,21 +173,25 @@ static bool colliders_are_shaped(const Body& b, const KeptBody& s, SavedNumbers 
 }
 
 bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s, size_t parts) {
+    constexpr bool air = CD_WITH_ROPE || CD_WITH_CLOTH; // what is left out has been refused
     by_precision(b, [&](auto zero) {
-        if (s.on(CD_WIND))
+        if (air && s.on(CD_WIND))
             check.numbers<decltype(zero)>(layout.rows * layout.width,
                                           [](double v, size_t) { return isfinite(v) != 0; });
     });
     const SavedNumbers colliders = check.here<double>();
-    check.numbers<double>(size_t(s.colliders) * kColliderNumbers, valid_collider_number);
-    const SavedNumbers beds = check.here<double>();
-    if (s.beds > size_t(check.reader.end - check.reader.from) / sizeof(double)) return false;
-    check.numbers<double>(size_t(s.beds), [](double, size_t) { return true; });
-    if (s.sleeps())
+    SavedNumbers beds = colliders;
+    if (air && CD_WITH_CONTACT) {
+        check.numbers<double>(size_t(s.colliders) * kColliderNumbers, valid_collider_number);
+        beds = check.here<double>();
+        if (s.beds > size_t(check.reader.end - check.reader.from) / sizeof(double)) return false;
+        check.numbers<double>(size_t(s.beds), [](double, size_t) { return true; });
+    }
+    if (CD_WITH_SLEEP && s.sleeps())
         check.numbers<double>(parts, [&](double calm, size_t) {
             return calm == kStirred || (calm >= 0 && calm <= s.body.sleep_seconds);
         });
-    return check.all_good() && colliders_are_shaped(b, s, colliders, beds);
+    return check.all_good() && (!(air && CD_WITH_CONTACT) || colliders_are_shaped(b, s, colliders, beds));
 }
 
 } // namespace cd

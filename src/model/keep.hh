@@ -24,7 +24,7 @@
 namespace cd {
 
 struct Kind {
-    uint32_t number; // a cd_kind
+    uint32_t number;             // a cd_kind
     const char *name, *sizes[2]; // for messages
 };
 
@@ -112,11 +112,12 @@ cd_status load_object(const char* function, typename K::Object& x, const unsigne
     if (!reader.whole) return fail(CD_ERROR_FORMAT, function, "%zu bytes are too few", size);
     if (!(shape == K::shape_of(x))) return shapes_differ(function, K::kind, "the saved one", shape, K::shape_of(x));
     K::walk_settings(reader, settings);
-    if (!reader.whole || !K::valid(x, settings) || !K::check_fields(reader, x, settings))
-        return fail(CD_ERROR_FORMAT, function, "a number in these %zu bytes is not valid", size);
+    bool valid = reader.whole && K::valid(x, settings);
     const auto wanted = taken_over(x, K::features_of(settings));
-    if (const char* const part = left_out(wanted))
-        return fail(CD_ERROR_UNSUPPORTED, function, "%s in these bytes, but left out of this build", part);
+    const char* const part = valid ? left_out(wanted) : nullptr;
+    if (part) return fail(CD_ERROR_UNSUPPORTED, function, "%s in these bytes, but left out of this build", part);
+    valid = valid && K::check_fields(reader, x, settings);
+    if (!valid) return fail(CD_ERROR_FORMAT, function, "a number in these %zu bytes is not valid", size);
     if (!set_features(x, wanted)) return fail(CD_ERROR_MEMORY, function, "no memory for the saved fields");
     K::apply(x, settings);
     walk_fields(reader, x);

@@ -104,26 +104,28 @@ inline bool is_explicit(cd_method method) {
 
 // ---- the state's numbers --------------------------------------------------------------------------------------------
 
-inline size_t number_size(const Object& o) { return o.precision == CD_FLOAT64 ? sizeof(double) : sizeof(float); }
+// Whether the state's numbers are doubles; known where only one precision is built, so that the other takes no code.
+inline bool is_wide(const Object& o) { return CD_WITH_FLOAT64 && (!CD_WITH_FLOAT32 || o.precision == CD_FLOAT64); }
+inline size_t number_size(const Object& o) { return is_wide(o) ? sizeof(double) : sizeof(float); }
 
 // The largest number that the object's precision holds.
 inline double most_of(const Object& o) {
-    return o.precision == CD_FLOAT64 ? 1.7976931348623157e308 : 3.4028234663852886e38;
+    return is_wide(o) ? 1.7976931348623157e308 : 3.4028234663852886e38;
 }
 
 // f(0.0) or f(0.0f), by the object's precision.
-template <class F> auto by_precision(const Object& o, F f) { return o.precision == CD_FLOAT64 ? f(0.0) : f(0.0f); }
+template <class F> auto by_precision(const Object& o, F f) { return is_wide(o) ? f(0.0) : f(0.0f); }
 
 template <class T> T* numbers(const Array<char>& array) { return reinterpret_cast<T*>(array.data); }
 inline StateNumbers state_of(const Object& o, const Array<char>& array) {
-    return {array.data, o.precision == CD_FLOAT64};
+    return {array.data, is_wide(o)};
 }
 
 inline double get_number(const Object& o, const Array<char>& array, size_t at) {
-    return o.precision == CD_FLOAT64 ? numbers<double>(array)[at] : double(numbers<float>(array)[at]);
+    return is_wide(o) ? numbers<double>(array)[at] : double(numbers<float>(array)[at]);
 }
 inline void set_number(const Object& o, const Array<char>& array, size_t at, double value) {
-    if (o.precision == CD_FLOAT64) numbers<double>(array)[at] = value;
+    if (is_wide(o)) numbers<double>(array)[at] = value;
     else numbers<float>(array)[at] = float(value);
 }
 

@@ -15,7 +15,7 @@ bool nearest_cell(const Water& w, double x, double y, size_t& i, size_t& j) {
 
 namespace {
 
-double as_stored(const Water& w, double value) { return w.precision == CD_FLOAT64 ? value : double(float(value)); }
+double as_stored(const Water& w, double value) { return is_wide(w) ? value : double(float(value)); }
 
 // Sets a depth, and tells by how much that changed it.
 double change_depth(Water& w, size_t i, size_t j, double depth) {

@@ -74,7 +74,7 @@ struct Stepper {
     bool finite = true;
 
     const WaterKernels& kernels() const { return *w.kernels; }
-    StateNumbers moved() const { return {work.moved, w.precision == CD_FLOAT64}; }
+    StateNumbers moved() const { return {work.moved, is_wide(w)}; }
     // Whether what moves along an axis carries velocities of the other one: there are faces between its lines, or of a
     // ring of one line from it to itself.
     bool carries(Axis a) const {
