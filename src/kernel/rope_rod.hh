@@ -138,13 +138,10 @@ template <int N> void RopeBundle<N>::eliminate_rod() {
         if (has_air()) resisted(i, left);
         Spring& s = springs[i - 1];
         V impulse{};
-        const auto pulled = [&](size_t k) { return impulse_of(joint.pulled[k], &joint.by_link[k], left); };
-        const V along = pulled(3) * s.acting;
-        left.psi = left.psi + along, impulse = impulse - along;
-        for (size_t k = 3; k-- > 0;) {
-            const L by = pulled(k);
-            L &to = component(left.psi, k), &of = component(impulse, k);
-            to = to + by, of = of - by;
+        const V ways[4] = {{one(), L{}, L{}}, {L{}, one(), L{}}, {L{}, L{}, one()}, s.acting};
+        for (size_t k = 4; k-- > 0;) {
+            const V by = impulse_of(joint.pulled[k], &joint.by_link[k], left) * ways[k];
+            left.psi = left.psi + by, impulse = impulse - by;
         }
         pulls(s, impulse);
         const V bend = joint.impulse = joint.wished - joint.stiff * (node.mobility * left.phi + joint.reach * left.psi);

@@ -58,7 +58,7 @@ template <int N> Vector<N> cross(Vector<N> a, Vector<N> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 // The k-th of three.
-template <class V> auto& component(V& a, size_t k) { return k == 0 ? a.x : k == 1 ? a.y : a.z; }
+template <int N> Lanes<N> component(const Vector<N>& a, size_t k) { return k == 0 ? a.x : k == 1 ? a.y : a.z; }
 template <int N> Vector<N> row(const Matrix<N>& a, size_t k) { return k == 0 ? a.x : k == 1 ? a.y : a.z; }
 template <int N> Vector<N> column(const Matrix<N>& a, size_t k) {
     return {component(a.x, k), component(a.y, k), component(a.z, k)};
