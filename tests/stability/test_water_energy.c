@@ -114,9 +114,9 @@ static struct gain highest_of_kinds(const struct way* way, double courant, int s
 }
 
 /* Courant numbers are for a metre of depth. Advected momentum makes none where waves cross half a cell or more, and a
- * little at shores in shorter steps; linear momentum what its equations make. In steps of 10 cells, in which depths
- * change as much as they are, that is a poor measure: of 240 beds two have more than 1e-2 beyond it with lambda = 1/2,
- * 0.022 and 0.043; in longer ones it is none, and there is no gain at all. CD_LONG looks at more beds. */
+ * little at shores in shorter steps; linear momentum what its equations make. In long steps that is no measure, as
+ * depths change in them as much as they are: there is none at all. CD_LONG looks at ten times as many beds, of which
+ * some fail: advected 1.1e-3 at 0.1 (water.h: 0.015), and with lambda = 1/2 two of 240 at 10, 0.022 and 0.043. */
 static void no_energy_is_made_but_by_linear_momentum_that_deepens(void** state) {
     (void)state;
     static const double courants[] = {0.01, 0.1, 0.3, 0.5, 1, 3, 10, 100, 1000, 1e4};
@@ -125,18 +125,16 @@ static void no_energy_is_made_but_by_linear_momentum_that_deepens(void** state) 
         for (size_t c = 0; c < COUNT(courants); ++c) {
             if (basin_is_explicit(&ways[k]) && courants[c] > 0.3) continue;
             const struct gain worst = highest_of_kinds(&ways[k], courants[c], courants[c] < 0.1 ? 1000 : 101, seeds);
-            const double shorter = is_long() ? 0.5 : 0.1; /* as few beds have what water.h allows at shores */
-            if (ways[k].momentum) assert_true(worst.made <= (courants[c] < shorter ? 1.5e-2 : 1e-5));
-            else {
-                const double beyond = k == LINEAR_HALF && courants[c] >= 10 ? 5e-2 : 1e-2;
-                assert_true(worst.made <= 0.1 && fmin(worst.made, worst.own) <= beyond);
-            }
+            const double beyond = k == LINEAR_HALF && courants[c] >= 10 ? 2e-2 : 1e-2;
+            if (ways[k].momentum) assert_true(worst.made <= (courants[c] < 0.1 ? 1.5e-2 : 1e-5));
+            else assert_true(worst.made <= 0.1 && fmin(worst.made, worst.own) <= beyond);
         }
 }
 
 /* Advected water among cliffs, of beds that are 0 or 1 cell by cell, or anything up to 2 or 4, at rest or in motion
  * where it is wet on both sides of a face: what runs at a cliff's foot is no more than what came there, and films that
- * fall into it from beyond do not move its water up the cliff. In motion at dry faces too, its first step makes some. */
+ * fall into it from beyond do not move its water up the cliff. In motion at dry faces too, its first step makes some.
+ * Of the 400 pools of CD_LONG some fail: 1.3e-2 at 0.01, where water.h says 0.015. */
 static void water_among_cliffs_makes_little_energy(void** state) {
     (void)state;
     static const double courants[] = {0.01, 0.1, 0.3, 0.5, 1, 10, 1000};
@@ -178,7 +176,7 @@ static void water_among_cliffs_makes_little_energy(void** state) {
         }
         print_message("%-17s courant %5g: among cliffs at most %.1e; in motion at dry faces %.1e first, then %.1e\n",
                       way->name, courant, worst, leap, worst_dry);
-        assert_true(worst <= (is_long() ? 1.5e-2 : 1e-2) && leap <= 5e-2 && worst_dry <= 1.5e-2);
+        assert_true(worst <= 1e-2 && leap <= 5e-2 && worst_dry <= 1e-2);
     }
 }
 
