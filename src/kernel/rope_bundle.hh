@@ -19,6 +19,10 @@ namespace CD_ISA {
 
 // A spring shorter than this, over its rest length, has no direction of its own.
 constexpr double kNoDirection = 1e-12;
+// In the first iterations springs that are as long as their length, to this part of the tolerance, count as taut unless
+// they pushed: of straight ropes at rest rounding would tell, and then one spring after the other becomes taut.
+constexpr double kAsLong = 0.5;
+constexpr size_t kFirstIterations = 5;
 constexpr double kMostCompliance = 0x1.fffffffffffffp1023; // of what is not cut
 
 // Tensions this small, over the mean force on the nodes, are rounding.
@@ -121,6 +125,7 @@ template <int N> struct RopeBundle {
     L best = L::splat(INFINITY), best_lambda{}; // the least error that was reached, and its lambda
     L heavy{};                                  // the mass of the strand, if it may touch something
     bool newtonian = true;                      // while Newton's method is at work
+    double as_long = 0;                         // see kAsLong
     L apart{};                                  // the error of springs between held nodes
     L least_worth{};                            // what tensions times lengths are at least, as errors count
     BadAnswer bad_answer{};
@@ -424,7 +429,8 @@ template <int N> struct RopeBundle {
             here.lengths = length;
         } else {
             const L shorter = give(i) * t; // by what it pulls
-            s.taut = stage.push ? one() : select(shorter + over, one(), L{});
+            const L long_enough = select(as_long * length - size_of(over), opposite(s.pushed), shorter + over);
+            s.taut = stage.push ? one() : select(long_enough, one(), L{});
             const L wrong = stage.push ? size_of(missing) : select(s.taut, size_of(missing), shorter);
             here.error = s.per_length * wrong;
         }

@@ -106,6 +106,7 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
 // Newton's method with springs that are slack or taut.
 template <int N> void RopeBundle<N>::newton(size_t most) {
     for (size_t k = 0;; ++k) {
+        as_long = k < kFirstIterations ? kAsLong * stage.tolerance : 0;
         linearize_all(L{}, false, L{}, k);
         if (k == most || !any_positive(open)) return;
         is_rod() ? eliminate_rod() : eliminate();
@@ -295,9 +296,9 @@ template <int N> void RopeBundle<N>::calm() {
     }
 }
 
-// Velocities along springs that are taut become those with which they lengthened in the step beyond its tolerance, or
-// 0 where they were slack before it; momentum stays. Without it what a step of lambda < 1 does along stiff springs
-// alternates from step to step. Halves go to the middle spring, whose tension both have.
+// Velocities along springs that are taut become those with which they lengthened in the step beyond its tolerance, or,
+// where they were slack before it, with which they are reeled in; momentum stays. Without it what a step of lambda < 1
+// does along stiff springs alternates from step to step. Halves go to the middle spring, whose tension both have.
 template <int N> void RopeBundle<N>::settle() {
     const L rate = L::splat(1 / stage.dt / stage.dt), none{};
     const L unsettled = select(one() - lambda, one(), none);
@@ -309,7 +310,8 @@ template <int N> void RopeBundle<N>::settle() {
         const L pulls = stage.push ? size_of(s.tension) : s.tension;
         s.taut = (s.moves * unsettled) * select(pulls, select(own, one(), none), none);
         const L was = load_tension(i);
-        const L moved = select(stage.push ? size_of(was) : was, long_after(i) - s.long_before, none);
+        const L moved =
+            select(stage.push ? size_of(was) : was, long_after(i) - s.long_before, none - positive(s.reeled));
         const L error = (2 * stage.tolerance) * s.length; // what two lengths that are right may differ by
         const L wanted = (1 / stage.dt) * (moved - smaller(larger(moved, none - error), error));
         s.wished = select(s.taut, dot(s.along, nodes[i + 1].next - nodes[i].next) - wanted, none);

@@ -230,6 +230,9 @@ RULES = {
         "rope_step.cpp", "part * opposite(held(i));", "part;", ["stability_ropes"]),
     "no number, no solution": (
         "rope_bundle.hh", "here.probe = 0.0 * missing;", "", ["api_rope"]),
+    "springs at their length count as taut at first": (
+        "rope_step.cpp", "k < kFirstIterations ? kAsLong * stage.tolerance : 0", "0", ["physics_rope"]),
+    "but those that push": ("rope_bundle.hh", "opposite(s.pushed), shorter", "one(), shorter", ["physics_rope"]),
     "velocities settle along taut springs": (
         "rope_step.cpp", "    if (stage.lambda < 1) settle();\n", "", ["physics_rope"]),
     "on the rate at which they lengthened": (
@@ -238,8 +241,9 @@ RULES = {
         "rope_step.cpp", "(moved - smaller(larger(moved, none - error), error))", "(moved - 0.0 * error)",
         ["stability_ropes"]),
     "if they were taut before": (
-        "rope_step.cpp", "select(stage.push ? size_of(was) : was, long_after(i) - s.long_before, none)",
+        "rope_step.cpp", "select(stage.push ? size_of(was) : was, long_after(i) - s.long_before, none - positive(s.reeled))",
         "long_after(i) - s.long_before", ["stability_ropes"]),
+    "or as they are reeled in": ("rope_step.cpp", "none - positive(s.reeled)", "none", ["physics_rope_winch"]),
     "and softly, lest one settles by the others": (
         "rope_step.cpp", "constexpr double kSettleSoftly = 1e-12;", "constexpr double kSettleSoftly = 0;", ["stability_ropes"]),
     "springs that push do so midway": (
