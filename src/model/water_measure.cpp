@@ -1,5 +1,6 @@
 // What can be measured of the water, and what it is at a place.
 #include "base/sum.hh"
+#include "kernel/water/sweep.hh"
 #include "model/water_hull.hh"
 
 namespace cd {
@@ -8,17 +9,13 @@ namespace {
 
 double gravity_over_square(const Water& w, Axis a) { return w.gravity / (w.size[a] * w.size[a]); }
 
-// The water that moves with a face: its depth, and its part of a cell's area. On a side it is half the cell there.
-struct FaceWater {
-    double depth, part;
-};
-FaceWater face_water(const Water& w, Axis a, size_t i, size_t j) {
+// The depth of the water at a face, on a side that of the cell there.
+double side_or_face_depth(const Water& w, Axis a, size_t i, size_t j) {
     const size_t at = a == kX ? i : j, n = w.cells[a];
-    if (periodic(w, a)) return at < n ? FaceWater{face_depth(w, a, i, j), 1} : FaceWater{0, 0}; // the last is the first
-    if (at > 0 && at < n) return {face_depth(w, a, i, j), 1};
-    if (!crossable(w, a, i, j)) return {0, 0};
+    if (periodic(w, a) || (at > 0 && at < n)) return face_depth(w, a, i, j);
+    if (!crossable(w, a, i, j)) return 0;
     const size_t inside = at > 0 ? n - 1 : 0;
-    return {a == kX ? depth_at(w, inside, j) : depth_at(w, i, inside), 0.5};
+    return a == kX ? depth_at(w, inside, j) : depth_at(w, i, inside);
 }
 
 // The depth of a face of the cell (i, j) on a side that has a level.
@@ -59,13 +56,52 @@ double volume(const Water& w) {
     return depths.value() * cell_area(w);
 }
 
+namespace {
+
+// A line of cells and the faces between them, with the velocities that a step takes them to have (kernel/water/line.hh,
+// 0.): half of a cell's water moves with each of its faces, also at a shore.
+struct MovingLine {
+    const Water& w;
+    Axis a;
+    size_t line, n;
+    bool ring;
+
+    size_t at(size_t k) const { return a == kX ? place(w, k, line) : place(w, line, k); }
+    size_t before(size_t k) const { return k > 0 ? k - 1 : ring ? n - 1 : 0; }
+    size_t behind(size_t k) const { return k + 1 < n ? k + 1 : ring ? 0 : k; }
+    double depth(size_t cell) const { return get_number(w, w.depth, at(cell)); }
+    double bed(size_t cell) const { return get_number(w, w.bed, at(cell)); }
+    double mean_depth(size_t face) const { return (depth(before(face)) + depth(face)) / 2; }
+    bool conducts(size_t face) const {
+        const double d_l = depth(before(face)), d_r = depth(face), step = bed(face) - bed(before(face));
+        return (d_l > 0 && (d_r > 0 || d_l > step)) || (d_r > 0 && d_r > -step);
+    }
+    double speed(size_t face) const { return conducts(face) ? get_number(w, w.velocity[a], at(face)) : 0; }
+    // Of an inner face.
+    double moves(size_t face) const {
+        if (conducts(face) || w.momentum == CD_MOMENTUM_LINEAR) return speed(face);
+        const size_t l = before(face), r = face;
+        const bool is_l = depth(l) > 0, inner = ring || (is_l ? face > 1 : face + 1 < n);
+        const double rise = bed(r) - bed(l), step = is_l ? rise : -rise;
+        const double falls = is_l ? bed(l) - bed(before(l)) : bed(r) - bed(behind(r)), part = falls / (kBeach * step);
+        const double led = inner ? speed(is_l ? l : behind(face)) : 0;
+        return part >= 1 ? led : part > 0 ? part * led : 0;
+    }
+};
+
+} // namespace
+
 void energy(const Water& w, double& kinetic, double& potential) {
     Sum moving, lifted;
     for (Axis a : {kX, kY})
         each_face(w, a, [&](size_t i, size_t j) {
-            const FaceWater water = face_water(w, a, i, j);
-            const double u = get_number(w, w.velocity[a], place(w, i, j));
-            if (water.depth > 0) moving.add(water.part * water.depth * (u * u));
+            const size_t face = a == kX ? i : j, line = a == kX ? j : i, n = w.cells[a];
+            const bool ring = periodic(w, a), inner = face < n && (ring || face > 0);
+            if (!crossable(w, a, i, j) || (ring && face == n)) return; // the last is the first
+            const MovingLine faces{w, a, line, n, ring};
+            const double d = inner ? faces.mean_depth(face) : faces.depth(face > 0 ? n - 1 : 0) / 2; // half of a cell
+            const double u = inner ? faces.moves(face) : get_number(w, w.velocity[a], faces.at(face));
+            if (d > 0) moving.add(d * (u * u));
         });
     each_cell(w, [&](size_t i, size_t j) {
         const double d = depth_at(w, i, j);
@@ -85,7 +121,7 @@ double courant(const Water& w, double dt) {
     double most = 0;
     for (Axis a : {kX, kY})
         each_face(w, a, [&](size_t i, size_t j) {
-            const double depth = face_water(w, a, i, j).depth;
+            const double depth = side_or_face_depth(w, a, i, j);
             if (!(depth > 0)) return;
             const double speed = fabs(get_number(w, w.velocity[a], place(w, i, j))) + sqrt(w.gravity * depth);
             const double number = speed * dt / w.size[a];
