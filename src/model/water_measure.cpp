@@ -69,40 +69,42 @@ struct MovingLine {
     size_t at(size_t k) const { return a == kX ? place(w, k, line) : place(w, line, k); }
     size_t before(size_t k) const { return k > 0 ? k - 1 : ring ? n - 1 : 0; }
     size_t behind(size_t k) const { return k + 1 < n ? k + 1 : ring ? 0 : k; }
-    double depth(size_t cell) const { return get_number(w, w.depth, at(cell)); }
-    double bed(size_t cell) const { return get_number(w, w.bed, at(cell)); }
-    double mean_depth(size_t face) const { return (depth(before(face)) + depth(face)) / 2; }
-    bool conducts(size_t face) const {
-        const double d_l = depth(before(face)), d_r = depth(face), step = bed(face) - bed(before(face));
-        return (d_l > 0 && (d_r > 0 || d_l > step)) || (d_r > 0 && d_r > -step);
+    __attribute__((cold, noinline)) double number(const Array<char>& of, size_t k) const {
+        return get_number(w, of, at(k));
     }
-    double speed(size_t face) const { return conducts(face) ? get_number(w, w.velocity[a], at(face)) : 0; }
+    double depth(size_t cell) const { return number(w.depth, cell); }
+    double bed(size_t cell) const { return number(w.bed, cell); }
+    double mean_depth(size_t face) const { return (depth(before(face)) + depth(face)) / 2; }
+    bool conducts(size_t face) const { return face_depth(w, a, a == kX ? face : line, a == kX ? line : face) > 0; }
     // Of an inner face.
     double moves(size_t face) const {
-        if (conducts(face) || w.momentum == CD_MOMENTUM_LINEAR) return speed(face);
-        const size_t l = before(face), r = face;
-        const bool is_l = depth(l) > 0, inner = ring || (is_l ? face > 1 : face + 1 < n);
-        const double rise = bed(r) - bed(l), step = is_l ? rise : -rise;
-        const double falls = is_l ? bed(l) - bed(before(l)) : bed(r) - bed(behind(r)), part = falls / (kBeach * step);
-        const double led = inner ? speed(is_l ? l : behind(face)) : 0;
-        return part >= 1 ? led : part > 0 ? part * led : 0;
+        if (conducts(face)) return number(w.velocity[a], face);
+        if (w.momentum == CD_MOMENTUM_LINEAR) return 0;
+        const bool is_l = depth(before(face)) > 0;
+        const size_t wet = is_l ? before(face) : face, dry = is_l ? face : before(face);
+        const size_t beyond = is_l ? before(wet) : behind(wet), other = is_l ? wet : behind(face);
+        if (beyond == wet || !conducts(other)) return 0; // beyond is a side, or no water
+        const double part = (bed(wet) - bed(beyond)) / (kBeach * (bed(dry) - bed(wet)));
+        return part > 0 ? (part < 1 ? part : 1) * number(w.velocity[a], other) : 0;
     }
 };
 
+// Depth times velocity^2. Cold: compiled to be small.
+__attribute__((cold, noinline)) double moving_face(const Water& w, Axis a, size_t i, size_t j) {
+    const size_t face = a == kX ? i : j, n = w.cells[a];
+    const MovingLine line{w, a, a == kX ? j : i, n, periodic(w, a)};
+    if (!crossable(w, a, i, j) || (line.ring && face == n)) return 0; // the last is the first
+    const bool side = !line.ring && (face == 0 || face == n);         // half of a cell
+    const double d = side ? line.depth(face > 0 ? n - 1 : 0) / 2 : line.mean_depth(face);
+    const double u = side ? line.number(w.velocity[a], face) : line.moves(face);
+    return d > 0 ? d * (u * u) : 0; // velocities of dry faces may be any
+}
+
 } // namespace
 
-void energy(const Water& w, double& kinetic, double& potential) {
+__attribute__((cold)) void energy(const Water& w, double& kinetic, double& potential) {
     Sum moving, lifted;
-    for (Axis a : {kX, kY})
-        each_face(w, a, [&](size_t i, size_t j) {
-            const size_t face = a == kX ? i : j, line = a == kX ? j : i, n = w.cells[a];
-            const bool ring = periodic(w, a), inner = face < n && (ring || face > 0);
-            if (!crossable(w, a, i, j) || (ring && face == n)) return; // the last is the first
-            const MovingLine faces{w, a, line, n, ring};
-            const double d = inner ? faces.mean_depth(face) : faces.depth(face > 0 ? n - 1 : 0) / 2; // half of a cell
-            const double u = inner ? faces.moves(face) : get_number(w, w.velocity[a], faces.at(face));
-            if (d > 0) moving.add(d * (u * u));
-        });
+    for (Axis a : {kX, kY}) each_face(w, a, [&](size_t i, size_t j) { moving.add(moving_face(w, a, i, j)); });
     each_cell(w, [&](size_t i, size_t j) {
         const double d = depth_at(w, i, j);
         if (d != 0) lifted.add(d * (bed_at(w, i, j) + d / 2));

@@ -99,7 +99,7 @@ RULES = {
     "but not at a cliff": (
         "water/velocity.hh", "within(falls / (kBeach * step), 0, 1)", "L::splat(1)", ["stability_water_energy"]),
     "which energies count": (
-        "../model/water_measure.cpp", "return part >= 1 ? led : part > 0 ? part * led : 0;", "return 0 * led;",
+        "../model/water_measure.cpp", "return part > 0 ? (part < 1 ? part : 1) * number(w.velocity[a], other) : 0;", "return 0 * part;",
         ["stability_water_energy"]),
     "slopes across": (
         "water/across.cpp", "return smaller(q, positive(given - q)) * half_slope(through, velocity, places, l, r);", "return 0.0 * q;",
