@@ -1916,7 +1916,7 @@ export interface WaterOptions {
  * negative, a lake lies still on any bed, and volume changes only by what account tells.
  *
  * Waves do not limit the step. Where water runs more than half a cell in a step, a line makes its step in 2, 4, ... 64
- * parts, in each of which it runs no more than that, at so many times the cost. Faster water, of more than 32 cells a
+ * parts, none of which it begins faster, at so many times the cost. Faster water, of more than 32 cells a
  * step, is carried less exactly, and ripples on it may grow; on slower streams they do not, but for linear momentum
  * with lambda = 1/2 over an uneven bed. Waves that a step lets cross more than a cell are slowed down, short ones most.
  * Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5% in steps in which they
@@ -1925,9 +1925,9 @@ export interface WaterOptions {
  *
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
  * mode, of which shores are steep, take a little more. With 1/2, linear waves in the plane grow, in thousands of steps
- * of 2 cells or more, to a ninth of the depth. Advected water gains no energy in steps in which waves cross half a cell
- * or more, but for a while 0.03 of its waves'; in shorter ones up to 0.015 at shores and cliffs, and up to 0.05 in the
- * first step where velocities are written there or cliffs are high. Linear water gains h_t u^2 / 2 where it deepens,
+ * of 2 cells or more, to a ninth of the depth. Advected water gains no energy in steps in which waves cross more than a
+ * cell, but for a while 0.03 of its waves'; in shorter ones up to 0.005 among cliffs, in very short ones at shores too,
+ * and up to 0.01 in the first step where velocities are written there. Linear water gains h_t u^2 / 2 where it deepens,
  * which its equations never take away: at random shores some hundredths (and see hulls). Air that presses it dry gives
  * it up to 1.4 times what it has to give, advected water half of it, explicit steps any, as does rounding from 1e12
  * cells
@@ -2421,8 +2421,8 @@ export class Water extends Handle {
   restartAccount(): void;
 
   /**
-   * Energies [J]; Kinetic: density / 2 times area, depth and velocity^2 of the faces. Potential:
-   * density g times area, depth and the height of the column's middle.
+   * Energies [J]; Kinetic: density / 2 times area, mean depth of both cells and velocity^2 of
+   * faces, at a shore as steps begin with it. Potential: density g times area, depth and height of the column's middle.
    */
   get energy(): { kinetic: number; potential: number };
 

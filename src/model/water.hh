@@ -132,7 +132,7 @@ bool crossable(const size_t* cells, const WaterSide* side, Axis a, size_t i, siz
     return !wall(a, i, j) && cell(at > 0 ? at - 1 : n - 1) && cell(at < n ? at : 0);
 }
 bool crossable(const Water& w, Axis a, size_t i, size_t j);
-// The depth of the water at a face, as energies, impulses and Courant numbers count it: the mean of two wet cells, else
+// The depth of the water at a face, as impulses and Courant numbers count it: the mean of two wet cells, else
 // how deep the water stands over the higher bed. 0 of faces on a side that is not periodic.
 double face_depth(const Water& w, Axis a, size_t i, size_t j);
 

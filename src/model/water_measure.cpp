@@ -1,5 +1,6 @@
 // What can be measured of the water, and what it is at a place.
 #include "base/sum.hh"
+#include "kernel/water/sweep.hh"
 #include "model/water_hull.hh"
 
 namespace cd {
@@ -8,17 +9,13 @@ namespace {
 
 double gravity_over_square(const Water& w, Axis a) { return w.gravity / (w.size[a] * w.size[a]); }
 
-// The water that moves with a face: its depth, and its part of a cell's area. On a side it is half the cell there.
-struct FaceWater {
-    double depth, part;
-};
-FaceWater face_water(const Water& w, Axis a, size_t i, size_t j) {
+// The depth of the water at a face, on a side that of the cell there.
+double side_or_face_depth(const Water& w, Axis a, size_t i, size_t j) {
     const size_t at = a == kX ? i : j, n = w.cells[a];
-    if (periodic(w, a)) return at < n ? FaceWater{face_depth(w, a, i, j), 1} : FaceWater{0, 0}; // the last is the first
-    if (at > 0 && at < n) return {face_depth(w, a, i, j), 1};
-    if (!crossable(w, a, i, j)) return {0, 0};
+    if (periodic(w, a) || (at > 0 && at < n)) return face_depth(w, a, i, j);
+    if (!crossable(w, a, i, j)) return 0;
     const size_t inside = at > 0 ? n - 1 : 0;
-    return {a == kX ? depth_at(w, inside, j) : depth_at(w, i, inside), 0.5};
+    return a == kX ? depth_at(w, inside, j) : depth_at(w, i, inside);
 }
 
 // The depth of a face of the cell (i, j) on a side that has a level.
@@ -59,14 +56,55 @@ double volume(const Water& w) {
     return depths.value() * cell_area(w);
 }
 
-void energy(const Water& w, double& kinetic, double& potential) {
+namespace {
+
+// A line of cells and the faces between them, with the velocities that a step takes them to have (kernel/water/line.hh,
+// 0.): half of a cell's water moves with each of its faces, also at a shore.
+struct MovingLine {
+    const Water& w;
+    Axis a;
+    size_t line, n;
+    bool ring;
+
+    size_t at(size_t k) const { return a == kX ? place(w, k, line) : place(w, line, k); }
+    size_t before(size_t k) const { return k > 0 ? k - 1 : ring ? n - 1 : 0; }
+    size_t behind(size_t k) const { return k + 1 < n ? k + 1 : ring ? 0 : k; }
+    __attribute__((cold, noinline)) double number(const Array<char>& of, size_t k) const {
+        return get_number(w, of, at(k));
+    }
+    double depth(size_t cell) const { return number(w.depth, cell); }
+    double bed(size_t cell) const { return number(w.bed, cell); }
+    double mean_depth(size_t face) const { return (depth(before(face)) + depth(face)) / 2; }
+    bool conducts(size_t face) const { return face_depth(w, a, a == kX ? face : line, a == kX ? line : face) > 0; }
+    // Of an inner face.
+    double moves(size_t face) const {
+        if (conducts(face)) return number(w.velocity[a], face);
+        if (w.momentum == CD_MOMENTUM_LINEAR) return 0;
+        const bool is_l = depth(before(face)) > 0;
+        const size_t wet = is_l ? before(face) : face, dry = is_l ? face : before(face);
+        const size_t beyond = is_l ? before(wet) : behind(wet), other = is_l ? wet : behind(face);
+        if (beyond == wet || !conducts(other)) return 0; // beyond is a side, or no water
+        const double part = (bed(wet) - bed(beyond)) / (kBeach * (bed(dry) - bed(wet)));
+        return part > 0 ? (part < 1 ? part : 1) * number(w.velocity[a], other) : 0;
+    }
+};
+
+// Depth times velocity^2. Cold: compiled to be small.
+__attribute__((cold, noinline)) double moving_face(const Water& w, Axis a, size_t i, size_t j) {
+    const size_t face = a == kX ? i : j, n = w.cells[a];
+    const MovingLine line{w, a, a == kX ? j : i, n, periodic(w, a)};
+    if (!crossable(w, a, i, j) || (line.ring && face == n)) return 0; // the last is the first
+    const bool side = !line.ring && (face == 0 || face == n);         // half of a cell
+    const double d = side ? line.depth(face > 0 ? n - 1 : 0) / 2 : line.mean_depth(face);
+    const double u = side ? line.number(w.velocity[a], face) : line.moves(face);
+    return d > 0 ? d * (u * u) : 0; // velocities of dry faces may be any
+}
+
+} // namespace
+
+__attribute__((cold)) void energy(const Water& w, double& kinetic, double& potential) {
     Sum moving, lifted;
-    for (Axis a : {kX, kY})
-        each_face(w, a, [&](size_t i, size_t j) {
-            const FaceWater water = face_water(w, a, i, j);
-            const double u = get_number(w, w.velocity[a], place(w, i, j));
-            if (water.depth > 0) moving.add(water.part * water.depth * (u * u));
-        });
+    for (Axis a : {kX, kY}) each_face(w, a, [&](size_t i, size_t j) { moving.add(moving_face(w, a, i, j)); });
     each_cell(w, [&](size_t i, size_t j) {
         const double d = depth_at(w, i, j);
         if (d != 0) lifted.add(d * (bed_at(w, i, j) + d / 2));
@@ -85,7 +123,7 @@ double courant(const Water& w, double dt) {
     double most = 0;
     for (Axis a : {kX, kY})
         each_face(w, a, [&](size_t i, size_t j) {
-            const double depth = face_water(w, a, i, j).depth;
+            const double depth = side_or_face_depth(w, a, i, j);
             if (!(depth > 0)) return;
             const double speed = fabs(get_number(w, w.velocity[a], place(w, i, j))) + sqrt(w.gravity * depth);
             const double number = speed * dt / w.size[a];

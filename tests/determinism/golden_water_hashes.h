@@ -9,11 +9,11 @@
 {1, 17, 1, {0x4e1012f6bbf60050, 0xd0122e4e9f7d35e8}}, /* dam */
 {1, 16, 7, {0xfec89a945dd3401f, 0x3e27cb263038cd5e}}, /* dam */
 {1, 2, 16, {0xaac7a9ed8ad40df8, 0xec058aefd8c5866f}}, /* dam */
-{2, 13, 9, {0x78d4821d8497a3fb, 0x5c9b7ba3d340e436}}, /* flood */
-{2, 1, 17, {0x385641409f1b8b4d, 0x426d4bc3e8562b59}}, /* flood */
-{2, 17, 1, {0xa00eb32b372d6628, 0x92027bfc4c574cbd}}, /* flood */
-{2, 16, 7, {0x6f727f67f835f00c, 0xa11c830d7040e0bb}}, /* flood */
-{2, 2, 16, {0x8c0ae2e897187e1e, 0x3143d3e7e222f469}}, /* flood */
+{2, 13, 9, {0xfc10fd94613432ef, 0x069f58c33ba89201}}, /* flood */
+{2, 1, 17, {0x9aa0df63a08ec08d, 0x1a37b40ae5d5994b}}, /* flood */
+{2, 17, 1, {0x8ebaed559a660805, 0xda3aaa32e37ab772}}, /* flood */
+{2, 16, 7, {0xcb7f997d7469d4c3, 0xec7ec3e70c3d690d}}, /* flood */
+{2, 2, 16, {0xabecf45a6f5270c0, 0xf0558e57964f0e83}}, /* flood */
 {3, 13, 9, {0x319c9cc64f8c5cd1, 0xa1f75ec792f2a084}}, /* weir */
 {3, 1, 17, {0xd351782585df80f0, 0x2171a3b801f6d216}}, /* weir */
 {3, 17, 1, {0x3c200cb15850ac64, 0x6b2d02fe5fa20569}}, /* weir */
@@ -60,17 +60,17 @@
 {11, 16, 7, {0x5ab0ac9cf69ad246, 0x3f7d2ced7b8d9d30}}, /* everything */
 {11, 2, 16, {0x12384ade7dd0ff1b, 0xac853b0ff7ae9525}}, /* everything */
 {12, 13, 9, {0xf7a7cf210b83749e, 0xfffd63053a18b296}}, /* everything, long steps */
-{12, 1, 17, {0x27fc469269520656, 0xa8870a195e046a5f}}, /* everything, long steps */
+{12, 1, 17, {0x217e71366cf9dc2f, 0x11e58a9fa97386a1}}, /* everything, long steps */
 {12, 17, 1, {0x3f7e127be77e33af, 0x292f03f0a4a09772}}, /* everything, long steps */
 {12, 16, 7, {0xcc6489d966b93845, 0x2afbbcac71b64bec}}, /* everything, long steps */
-{12, 2, 16, {0x67f736f538989936, 0x5a32c668304828e4}}, /* everything, long steps */
+{12, 2, 16, {0x79a4e9122c15a0ba, 0xdb41ef62b2439b8d}}, /* everything, long steps */
 {13, 13, 9, {0xb90cecafcf7391b9, 0x85930df45eeb4c5a}}, /* hulls */
 {13, 1, 17, {0xefc6e6dfd02ac6c0, 0x2c836ce9d7cf0f75}}, /* hulls */
 {13, 17, 1, {0x89dc749364423a7b, 0x482c7da828a2f3be}}, /* hulls */
 {13, 16, 7, {0x1ae81492f3b14a89, 0x31cf8fa74ef2132e}}, /* hulls */
 {13, 2, 16, {0x4bf630ac44bf6a77, 0x6d917b54b6a5f657}}, /* hulls */
-{14, 13, 9, {0xb1dfa26de8a89f51, 0xc9d1ec858bf0345f}}, /* hulls, long steps */
-{14, 1, 17, {0xb131ca2e650904b0, 0x361a58e4c2feb922}}, /* hulls, long steps */
-{14, 17, 1, {0x5def9dc62e490af5, 0x9a6904db7827c3bf}}, /* hulls, long steps */
-{14, 16, 7, {0xefbabbc057e140ce, 0x1d0d2b5301b12fb8}}, /* hulls, long steps */
-{14, 2, 16, {0x4f2e97abc5572576, 0x1badf4282edc8f5c}}, /* hulls, long steps */
+{14, 13, 9, {0x1b9785429e5cc782, 0x560beb53a2412e1e}}, /* hulls, long steps */
+{14, 1, 17, {0x41cf065c6cce0414, 0x499786f4e5776a52}}, /* hulls, long steps */
+{14, 17, 1, {0xcf9d3134b582bb0f, 0xd7239e83c19e5993}}, /* hulls, long steps */
+{14, 16, 7, {0x0e960205df9f7410, 0xaf4c8b51deaf60df}}, /* hulls, long steps */
+{14, 2, 16, {0x711fe798891f3a2d, 0xba13d1f709b1f8b8}}, /* hulls, long steps */

@@ -1,6 +1,7 @@
 /* Basins that nothing feeds, pushes or drains: energy over the lowest bed does not grow. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "basin.h"
 #include "check.h"
@@ -41,62 +42,115 @@ static cd_water* lively(const struct way* way, uint64_t seed, int smooth, double
 
 /* Without u u_x, water that deepens under a velocity gains: of the equations,
  *     d/dt (h u^2 / 2 + g surface^2 / 2) = h_t u^2 / 2 + what flows in,
- * h the depth of a face. Between two states that comes to a quarter of each face's change of depth times the squares of
- * its velocities. */
-struct state {
-    double depth[CELLS], bed[CELLS], velocity[2][(4 * NX + 1) * (NY + 1)];
-    size_t n[2];
+ * h the depth of a face. A step sweeps along rows and columns, and along a line with fast water in parts, each of them
+ * the two halves of another: what a part brings is a quarter of each face's change of depth times the squares of its
+ * velocities, of faces across a line half of that change times the square of what they keep. */
+struct line {
+    double bed[4 * NX], depth[4 * NX], speed[4 * NX + 1];
+    size_t n;
 };
 
-static void take(const cd_water* w, struct state* out) {
-    ok(cd_water_get_shape(w, &out->n[0], &out->n[1], NULL, NULL, NULL));
-    basin_read(w, CD_DEPTH, out->depth);
-    basin_read(w, CD_BED, out->bed);
-    basin_read(w, CD_VELOCITY_X, out->velocity[0]);
-    basin_read(w, CD_VELOCITY_Y, out->velocity[1]);
-}
+static double mean_depth(const struct line* s, size_t face) { return (s->depth[face - 1] + s->depth[face]) / 2; }
 
-static double face_depth(const struct state* s, size_t low, size_t high) {
-    const double d = s->depth[low], e = s->depth[high], b = s->bed[low], c = s->bed[high];
-    return d > 0 && e > 0 ? (d + e) / 2 : d > 0 || e > 0 ? fmax(0, fmax(b + d, c + e) - fmax(b, c)) : 0;
+/* Of a face that no water can cross, which rests in a step: 0. */
+static double square(const struct line* s, size_t face) {
+    const double d = s->depth[face - 1], e = s->depth[face], climb = s->bed[face] - s->bed[face - 1];
+    return fmax(d > 0 ? d - climb : 0, e > 0 ? e + climb : 0) > 0 || fmin(d, e) > 0 ? pow(s->speed[face], 2) : 0;
 }
 
 /* What has deepened under velocities between two states [J]; basins are a metre per cell, of density 1000. */
-static double deepening(const struct state* s) {
+static double deepening(const struct line* s, const struct line* after) {
     double sum = 0;
-    for (int axis = 0; axis < 2; ++axis)
-        for (size_t j = axis ? 1 : 0; j < s->n[1]; ++j)
-            for (size_t i = axis ? 0 : 1; i < s->n[0]; ++i) {
-                const size_t cell = j * s->n[0] + i, face = j * (s->n[0] + (axis == 0)) + i;
-                const size_t low = cell - (axis ? s->n[0] : 1);
-                const double u = s[0].velocity[axis][face], v = s[1].velocity[axis][face];
-                sum += 250 * (face_depth(&s[1], low, cell) - face_depth(&s[0], low, cell)) * (u * u + v * v);
-            }
+    for (size_t i = 1; i < s->n; ++i)
+        sum += 250 * (mean_depth(after, i) - mean_depth(s, i)) * (square(s, i) + square(after, i));
     return sum;
 }
 
+/* Steps a line by dt; what that brings is known where it is made in no more than `most` parts: where halves end as the
+ * whole, 64 of them. Else it is told from the beginning and the end. */
+static double bring(cd_water* water, struct line* line, double dt, uint64_t most, int* known) {
+    uint64_t before, after;
+    struct line whole = *line, halves = *line;
+    basin_write(water, CD_BED, line->bed), basin_write(water, CD_DEPTH, line->depth);
+    basin_write(water, CD_VELOCITY_X, line->speed);
+    ok(cd_water_get_factorizations(water, &before));
+    basin_step(water, dt, 1);
+    ok(cd_water_get_factorizations(water, &after));
+    basin_read(water, CD_DEPTH, whole.depth), basin_read(water, CD_VELOCITY_X, whole.speed);
+    double brought = deepening(line, &whole);
+    *known = after - before <= most;
+    if (*known && after - before > 1) {
+        const double first = bring(water, &halves, dt / 2, most / 2, known);
+        const double second = *known ? bring(water, &halves, dt / 2, most / 2, known) : 0;
+        if (*known) brought = first + second;
+        for (size_t i = 0; *known && i < line->n; ++i) assert_near(halves.depth[i], whole.depth[i], 1e-14, 0);
+    }
+    *line = whole;
+    return brought;
+}
+
+/* Steps a water by its lines, one by one, and tells what that brings; `line` is a water of one as long as any of its. */
+static double bring_all(cd_water* w, cd_water* const* line, double dt, int first) {
+    double bed[CELLS], depth[CELLS], velocity[2][(4 * NX + 1) * (NY + 1)], brought = 0;
+    size_t n[2];
+    struct line s;
+    ok(cd_water_get_shape(w, &n[0], &n[1], NULL, NULL, NULL));
+    basin_read(w, CD_BED, bed), basin_read(w, CD_DEPTH, depth);
+    basin_read(w, CD_VELOCITY_X, velocity[0]), basin_read(w, CD_VELOCITY_Y, velocity[1]);
+    for (int turn = 0; turn < 2; ++turn) {
+        const int axis = first ^ turn;
+        double swept[CELLS];
+        memcpy(swept, depth, sizeof swept);
+        for (int moved = 1; moved >= 0; --moved) /* along the lines, then the faces across them */
+            for (size_t k = 0; k < n[moved ? !axis : axis]; ++k) {
+                const int along = moved ? axis : !axis;
+                const size_t cell = along ? n[0] : 1, face = along ? n[0] : 1;
+                const size_t at = k * (along ? 1 : n[0]), from = k * (along ? 1 : n[0] + 1);
+                s.n = n[along];
+                struct line after;
+                int known;
+                for (size_t i = 0; i < s.n; ++i) s.bed[i] = bed[at + i * cell], s.depth[i] = depth[at + i * cell];
+                for (size_t i = 0; i <= s.n; ++i) s.speed[i] = velocity[along][from + i * face];
+                after = s;
+                if (moved && s.n > 1) brought += bring(line[along], &after, dt, 64, &known);
+                for (size_t i = 0; !moved && i < s.n; ++i) after.depth[i] = swept[at + i * cell];
+                if (!moved) brought += deepening(&s, &after);
+                for (size_t i = 0; moved && i < s.n; ++i) swept[at + i * cell] = after.depth[i];
+                for (size_t i = 0; i <= s.n; ++i) velocity[along][from + i * face] = after.speed[i];
+            }
+        memcpy(depth, swept, sizeof depth);
+    }
+    basin_step(w, dt, 1);
+    basin_read(w, CD_DEPTH, bed);
+    for (size_t i = 0; i < n[0] * n[1]; ++i) assert_near(depth[i], bed[i], 1e-14, 0);
+    return brought;
+}
+
 /* The most that the energy is ever above that of the start, and above what deepening has brought since, as parts of it,
- * over many beds. */
+ * over many beds; where it is little anyway, the same. */
 struct gain {
     double made, own;
 };
+static const double little = 2e-3;
 static struct gain highest(const struct way* way, int line, int smooth, double courant, int steps, uint64_t seeds) {
-    static struct state s[2];
     struct gain worst = {0, 0};
     for (uint64_t seed = 1; seed <= seeds; ++seed) {
-        const double motion = (double)(seed % 3) * 1.5, dt = courant / sqrt(9.81);
-        cd_water* w = lively(way, seed, smooth, motion, line);
-        const double start = basin_energy(w);
-        double brought = 0;
-        take(w, &s[1]);
-        for (int k = 0; k < steps; ++k) {
-            s[0] = s[1];
-            basin_step(w, dt, 1), take(w, &s[1]);
-            brought += deepening(s);
-            worst.made = fmax(worst.made, basin_energy(w) / start - 1);
-            worst.own = fmax(worst.own, (basin_energy(w) - brought) / start - 1);
+        double made = 0, own = 0;
+        for (int apart = 0; apart < (made > little && way->momentum == CD_MOMENTUM_LINEAR ? 2 : 1); ++apart) {
+            cd_water* w = lively(way, seed, smooth, (double)(seed % 3) * 1.5, line);
+            cd_water* lines[2] = {basin(line ? 4 * NX : NX, 1, 1, 1, CD_FLOAT64), basin(NY, 1, 1, 1, CD_FLOAT64)};
+            basin_set_way(lines[0], way), basin_set_way(lines[1], way);
+            const double start = basin_energy(w), dt = courant / sqrt(9.81);
+            double brought = 0, most = 0;
+            for (int k = 0; k < steps; ++k) {
+                if (apart) brought += bring_all(w, lines, dt, k & 1);
+                else basin_step(w, dt, 1);
+                most = fmax(most, (basin_energy(w) - brought) / start - 1);
+            }
+            made = apart ? made : most, own = most;
+            cd_water_destroy(w), cd_water_destroy(lines[0]), cd_water_destroy(lines[1]);
         }
-        cd_water_destroy(w);
+        worst.made = fmax(worst.made, made), worst.own = fmax(worst.own, fmin(made, own));
     }
     return worst;
 }
@@ -113,10 +167,8 @@ static struct gain highest_of_kinds(const struct way* way, double courant, int s
     return worst;
 }
 
-/* Courant numbers are for a metre of depth. Advected momentum makes none where waves cross half a cell or more, and a
- * little at shores in shorter steps; linear momentum what its equations make. In long steps that is no measure, as
- * depths change in them as much as they are: there is none at all. CD_LONG looks at ten times as many beds, of which
- * some fail: advected 1.1e-3 at 0.1 (water.h: 0.015), and with lambda = 1/2 two of 240 at 10, 0.022 and 0.043. */
+/* Courant numbers are for a metre of depth. Advected momentum makes none, but a little at shores in very short steps;
+ * linear momentum what its equations make. CD_LONG looks at ten times as many beds. */
 static void no_energy_is_made_but_by_linear_momentum_that_deepens(void** state) {
     (void)state;
     static const double courants[] = {0.01, 0.1, 0.3, 0.5, 1, 3, 10, 100, 1000, 1e4};
@@ -125,16 +177,14 @@ static void no_energy_is_made_but_by_linear_momentum_that_deepens(void** state) 
         for (size_t c = 0; c < COUNT(courants); ++c) {
             if (basin_is_explicit(&ways[k]) && courants[c] > 0.3) continue;
             const struct gain worst = highest_of_kinds(&ways[k], courants[c], courants[c] < 0.1 ? 1000 : 101, seeds);
-            const double beyond = k == LINEAR_HALF && courants[c] >= 10 ? 2e-2 : 1e-2;
-            if (ways[k].momentum) assert_true(worst.made <= (courants[c] < 0.1 ? 1.5e-2 : 1e-5));
-            else assert_true(worst.made <= 0.1 && fmin(worst.made, worst.own) <= beyond);
+            if (ways[k].momentum) assert_true(worst.made <= (courants[c] < 0.1 ? 5e-3 : 1e-5));
+            else assert_true(worst.made <= 0.1 && worst.own <= 2 * little);
         }
 }
 
 /* Advected water among cliffs, of beds that are 0 or 1 cell by cell, or anything up to 2 or 4, at rest or in motion
  * where it is wet on both sides of a face: what runs at a cliff's foot is no more than what came there, and films that
- * fall into it from beyond do not move its water up the cliff. In motion at dry faces too, its first step makes some.
- * Of the 400 pools of CD_LONG some fail: 1.3e-2 at 0.01, where water.h says 0.015. */
+ * fall into it from beyond do not move its water up the cliff. In motion at dry faces too, its first step makes some. */
 static void water_among_cliffs_makes_little_energy(void** state) {
     (void)state;
     static const double courants[] = {0.01, 0.1, 0.3, 0.5, 1, 10, 1000};
@@ -176,79 +226,11 @@ static void water_among_cliffs_makes_little_energy(void** state) {
         }
         print_message("%-17s courant %5g: among cliffs at most %.1e; in motion at dry faces %.1e first, then %.1e\n",
                       way->name, courant, worst, leap, worst_dry);
-        assert_true(worst <= 1e-2 && leap <= 5e-2 && worst_dry <= 1e-2);
+        assert_true(worst <= 5e-3 && leap <= 1e-2 && worst_dry <= 5e-3);
     }
 }
 
-/* ---- seiches ----------------------------------------------------------------------------------------------------- */
-
-/* How much energy a pool that swings from rest ever has, over what it started with; height: of the depth, a metre. */
-static double swing(const struct way* way, double height, double courant, int steps) {
-    enum { CELLS_LONG = 40 };
-    cd_water* w = basin(CELLS_LONG, 1, 1, 1, CD_FLOAT64);
-    double depth[CELLS_LONG], most = 0;
-    basin_set_way(w, way);
-    for (size_t i = 0; i < CELLS_LONG; ++i) depth[i] = 1;
-    basin_write(w, CD_DEPTH, depth);
-    const double level = basin_energy(w);
-    for (size_t i = 0; i < CELLS_LONG; ++i) depth[i] = 1 + height * cos((double)PI * ((double)i + 0.5) / CELLS_LONG);
-    basin_write(w, CD_DEPTH, depth);
-    const double start = basin_energy(w) - level;
-    for (int k = 0; k < steps; ++k) {
-        basin_step(w, courant / sqrt(9.81), 1);
-        most = fmax(most, (basin_energy(w) - level) / start);
-    }
-    cd_water_destroy(w);
-    return most;
-}
-
-static void a_seiche_from_rest_gains_no_energy(void** state) {
-    (void)state;
-    static const double heights[] = {0.05, 0.1, 0.2, 0.3}, courants[] = {0.5, 1, 2, 4, 8, 16, 32};
-    const struct way half_or_more = {"linear 0.51", CD_METHOD_IMPLICIT, CD_MOMENTUM_LINEAR, 0.51};
-    const struct way* const which[] = {&ways[LINEAR_HALF], &half_or_more, &ways[LINEAR], &ways[ADVECTED]};
-    for (size_t k = 0; k < COUNT(which); ++k) {
-        double most = 0;
-        for (size_t h = 0; h < COUNT(heights); ++h)
-            for (size_t c = 0; c < COUNT(courants); ++c)
-                most = fmax(most, swing(which[k], heights[h], courants[c], 2000));
-        print_message("%-17s seiches: at most %.4f of their energy\n", which[k]->name, most);
-        assert_true(most <= (which[k] == &ways[LINEAR_HALF] ? 1.2 : 1.02));
-    }
-}
-
-/* A hump spreads over a flat bed, along a line and in the plane: no more than a small part of its energy comes back, for
- * a while, of what steps took from it before. */
-static void a_hump_gains_no_more_energy_than_the_header_says(void** state) {
-    (void)state;
-    static const double courants[] = {0.5, 1, 4, 10, 40, 200};
-    enum { CELLS_LONG = 96 };
-    double back = 0, above = 0;
-    for (size_t c = 0; c < COUNT(courants); ++c)
-        for (int plane = 0; plane < 2; ++plane)
-            for (int high = 0; high < 3; ++high) {
-                const size_t ny = plane ? CELLS_LONG / 2 : 1;
-                const double height = high == 0 ? 0.01 : high == 1 ? 0.1 : 0.4;
-                cd_water* w = basin(CELLS_LONG, ny, 0.5, 0.5, CD_FLOAT64);
-                basin_set_way(w, &ways[ADVECTED]);
-                for (size_t k = 0; k < CELLS_LONG * ny; ++k) {
-                    const double x = 0.5 * (double)(k % CELLS_LONG) - 8;
-                    basin_set(w, CD_DEPTH, k % CELLS_LONG, k / CELLS_LONG, 1 + height * exp(-x * x / 8));
-                }
-                const double start = basin_energy(w), mean = basin_volume(w) / (0.25 * CELLS_LONG * (double)ny);
-                const double wave = start - 500 * 9.81 * mean * basin_volume(w);
-                double lowest = start;
-                for (int step = 0; step < 150; ++step) {
-                    basin_step(w, courants[c] * 0.5 / sqrt(9.81), 1);
-                    const double now = basin_energy(w);
-                    back = fmax(back, (now - lowest) / wave), above = fmax(above, (now - start) / wave);
-                    lowest = fmin(lowest, now);
-                }
-                cd_water_destroy(w);
-            }
-    print_message("humps: %.1e of their energy comes back, %.1e above the start\n", back, above);
-    assert_true(back <= 0.03 && above <= 5e-3);
-}
+/* ---- falls and cliffs --------------------------------------------------------------------------------------------- */
 
 /* A film that springs up there runs down a slope and falls into a lake, which rises to the slope's foot: the lake stays
  * calm, and not even the film runs much faster than by the fall. */
@@ -464,8 +446,6 @@ int main(void) {
         cmocka_unit_test(water_among_hills_rests_after_steps_of_an_hour),
         cmocka_unit_test(no_energy_is_made_but_by_linear_momentum_that_deepens),
         cmocka_unit_test(water_among_cliffs_makes_little_energy),
-        cmocka_unit_test(a_seiche_from_rest_gains_no_energy),
-        cmocka_unit_test(a_hump_gains_no_more_energy_than_the_header_says),
         cmocka_unit_test(a_film_does_not_throw_the_lake_that_it_falls_into),
         cmocka_unit_test(water_that_falls_over_a_ledge_makes_no_energy),
         cmocka_unit_test(what_comes_to_dry_ground_climbs_no_cliff),

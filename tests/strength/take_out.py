@@ -77,6 +77,8 @@ RULES = {
         ["physics_water_forces"]),
     "parts of half a cell": (
         "water/sweep.cpp", "constexpr double kPartRun = 0.5;", "constexpr double kPartRun = 1e9;", ["stability_water_currents"]),
+    "each half of a longer one": (
+        "water/sweep.cpp", "speeds.see(line.velocity[i])", "speeds.see(0.0 * line.velocity[i])", ["stability_water_energy"]),
     "which count what comes in": (
         "water/sweep.cpp", "-speeds.least), coming_in(line))", "-speeds.least), 0.0 * coming_in(line))",
         ["stability_water_extremes"]),
@@ -96,6 +98,9 @@ RULES = {
         "water/velocity.hh", "sweep.advected() ? led : none", "none", ["physics_water_thacker", "physics_water_dams"]),
     "but not at a cliff": (
         "water/velocity.hh", "within(falls / (kBeach * step), 0, 1)", "L::splat(1)", ["stability_water_energy"]),
+    "which energies count": (
+        "../model/water_measure.cpp", "return part > 0 ? (part < 1 ? part : 1) * number(w.velocity[a], other) : 0;", "return 0 * part;",
+        ["stability_water_energy"]),
     "slopes across": (
         "water/across.cpp", "return smaller(q, positive(given - q)) * half_slope(through, velocity, places, l, r);", "return 0.0 * q;",
         ["physics_water_thacker", "physics_water_momentum"]),

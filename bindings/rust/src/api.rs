@@ -3076,18 +3076,18 @@ pub struct WaterEnergy {
 /// back). So depths are never negative, a lake lies still on any bed, and volume changes only by what
 /// cd_water_get_account tells.
 /// Waves do not limit the step. Where water runs more than half a cell in a step, a line makes its step in 2, 4,
-/// ... 64 parts, in each of which it runs no more than that, at so many times the cost. Faster water, of more than
-/// 32 cells a step, is carried less exactly, and ripples on it may grow; on slower streams they do not, but for
-/// linear momentum with lambda = 1/2 over an uneven bed. Waves that a step lets cross more than a cell are slowed
-/// down, short ones most. Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at
-/// most 5% in steps in which they cross 2 to 32, over which it is drawn out to eight times as many cells. With
-/// lambda = 1/2 a train of waves runs behind it, up to 0.7 of its height high (linear 1.6), all along its way where
-/// the water rests; with 0.6 of 0.3 (1.3).
+/// ... 64 parts, none of which it begins faster, at so many times the cost. Faster water, of more than 32 cells a
+/// step, is carried less exactly, and ripples on it may grow; on slower streams they do not, but for linear
+/// momentum with lambda = 1/2 over an uneven bed. Waves that a step lets cross more than a cell are slowed down,
+/// short ones most. Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5%
+/// in steps in which they cross 2 to 32, over which it is drawn out to eight times as many cells. With lambda = 1/2
+/// a train of waves runs behind it, up to 0.7 of its height high (linear 1.6), all along its way where the water
+/// rests; with 0.6 of 0.3 (1.3).
 /// lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the
 /// linear mode, of which shores are steep, take a little more. With 1/2, linear waves in the plane grow, in
 /// thousands of steps of 2 cells or more, to a ninth of the depth. Advected water gains no energy in steps in which
-/// waves cross half a cell or more, but for a while 0.03 of its waves'; in shorter ones up to 0.015 at shores and
-/// cliffs, and up to 0.05 in the first step where velocities are written there or cliffs are high. Linear water
+/// waves cross more than a cell, but for a while 0.03 of its waves'; in shorter ones up to 0.005 among cliffs, in
+/// very short ones at shores too, and up to 0.01 in the first step where velocities are written there. Linear water
 /// gains h_t u^2 / 2 where it deepens, which its equations never take away: at random shores some hundredths (and
 /// see hulls). Air that presses it dry gives it up to 1.4 times what it has to give, advected water half of it,
 /// explicit steps any, as does rounding from 1e12 cells a step. What pushes off dry land gives the last face a
@@ -3854,8 +3854,9 @@ impl Water {
         check(unsafe { sys::cd_water_restart_account(self.as_ptr()) })
     }
 
-    /// Energies \[J\]; each output may be null. Kinetic: density / 2 times area, depth and velocity^2 of the faces.
-    /// Potential: density g times area, depth and the height of the column's middle.
+    /// Energies \[J\]; each output may be null. Kinetic: density / 2 times area, mean depth of both cells and
+    /// velocity^2 of faces, at a shore as steps begin with it. Potential: density g times area, depth and height of the
+    /// column's middle.
     pub fn get_energy(&self) -> Result<WaterEnergy> {
         let mut out_kinetic = 0.0;
         let mut out_potential = 0.0;

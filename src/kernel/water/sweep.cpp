@@ -20,10 +20,10 @@ constexpr int kMostParts = 64;
 // to none at 1.
 constexpr double kResolved = 0.8;
 
-// Begins a part of a step, of so many and in lines in which goes_on > 0, from water that is at most so deep. Lines are
+// Begins a part of a step from water that is at most so deep. Lines are
 // bound in their energy as in a long step, too, in which hulls, or what pushes from outside by more than the water
 // beside stands over its bed, may press a cell dry; winds on films do not count.
-void begin_part(WaterLine& line, L parts, L goes_on, L deepest) {
+void begin_part(WaterLine& line, L deepest) {
     const WaterSweep& sweep = line.sweep;
     L waves = deepest, squeezed{}; // waves: the depth in which they would run as fast without hulls
     for (size_t i = 0; line.pressed() && i < line.n; ++i) {
@@ -37,7 +37,6 @@ void begin_part(WaterLine& line, L parts, L goes_on, L deepest) {
         const L d = larger(over, kRoughChange * waves);
         squeezed = larger(line.open(i) * size_of(a) - (sweep.gravity * sweep.courant) * d, squeezed);
     }
-    line.share = select(goes_on, L::splat(1) / parts, L{});
     line.courant = sweep.courant * line.share;
     const L square = (sweep.gravity * waves) * (line.courant * line.courant);
     line.resolves = within((1 / (1 - kResolved)) * (L::splat(1) - square), 0, 1);
@@ -58,42 +57,55 @@ L coming_in(const WaterLine& line) {
     return most;
 }
 
+// The share of the step that the next part of a line makes, of which `left` is left: a step is made in two halves, and
+// so is each of them, while its water runs too far in it.
+L next_share(L left, L cells) {
+    double todo[kLines], run[kLines], share[kLines];
+    left.store(todo), cells.store(run);
+    for (int k = 0; k < kLines; ++k) {
+        const int parts = int(todo[k] * kMostParts);
+        int next = parts & -parts; // as half of a half ends
+        while (next > 1 && run[k] * next > kPartRun * kMostParts) next /= 2;
+        share[k] = double(next) / kMostParts;
+    }
+    return L::load(share);
+}
+
 // Depths and velocities after it are in the panels `after` and `speed`. Returns what went through faces in all parts,
 // in the panel `all` if there were several.
 __attribute__((noinline)) Panel make_step(WaterLine& line, Reach speeds, Reach depths, Panel all) {
     const size_t n = line.n;
-    const L fastest = larger(larger(speeds.largest, -speeds.least), coming_in(line));
-    const L parts = line.tally[kParts] = each_lane(fastest, [&](double speed) {
-        const double wanted = speed * line.sweep.courant / kPartRun;
-        int m = 1;
-        while (m < wanted && m < kMostParts) m *= 2;
-        return double(m);
-    });
-    const size_t most = size_t(largest_in(parts));
-    for (size_t part = 0; part < most; ++part) {
-        const L goes_on = parts - L::splat(double(part)); // > 0: makes this part
-        if (part > 0) {                                   // from what the last one has left
-            depths = {};
-            for (size_t i = 0; i < n; ++i) {
-                line.depth.put(i, settled(line.after[i], kDry));
-                depths.see(line.depth[i]);
-            }
-            const Panel velocity = line.velocity;
-            line.velocity = line.speed, line.speed = velocity;
-        }
-        if (!all_positive(depths.least)) line.follow_water(goes_on);
-        begin_part(line, parts, goes_on, depths.largest);
+    bool several = false;
+    for (L left = L::splat(1);;) {
+        const L fastest = larger(larger(speeds.largest, -speeds.least), coming_in(line));
+        line.share = next_share(left, line.sweep.courant * fastest);
+        line.tally[kParts] = line.tally[kParts] + select(line.share, L::splat(1), L{});
+        if (!all_positive(depths.least)) line.follow_water(line.share);
+        begin_part(line, depths.largest);
         line.step();
-        for (size_t i = 0; most > 1 && i <= n; ++i) { // in the other lines nothing has moved
+        const L goes_on = left;
+        left = left - line.share;
+        const bool more = any_positive(left), first = !several;
+        several |= more;
+        for (size_t i = 0; several && i <= n; ++i) { // in lines that have made their step nothing has moved
             line.speed.put(i, select(goes_on, line.speed[i], line.velocity[i]));
-            all.put(i, part == 0 ? line.flux[i] : all[i] + line.flux[i]);
+            all.put(i, first ? line.flux[i] : all[i] + line.flux[i]);
         }
-        if (line.sweep.closed()) continue;
-        const L q0 = line.flux[0], q1 = line.flux[n];
-        line.tally[kIn] = line.tally[kIn] + (positive(q0) + positive(-q1));
-        line.tally[kOut] = line.tally[kOut] + (positive(-q0) + positive(q1));
+        if (!line.sweep.closed()) {
+            const L q0 = line.flux[0], q1 = line.flux[n];
+            line.tally[kIn] = line.tally[kIn] + (positive(q0) + positive(-q1));
+            line.tally[kOut] = line.tally[kOut] + (positive(-q0) + positive(q1));
+        }
+        if (!more) return several ? all : line.flux;
+        // The next part begins with what this one has left.
+        depths = speeds = {};
+        for (size_t i = 0; i < n; ++i) {
+            line.depth.put(i, settled(line.after[i], kDry));
+            depths.see(line.depth[i]);
+        }
+        std::swap(line.velocity, line.speed);
+        for (size_t i = 0; i <= n; ++i) speeds.see(line.velocity[i]);
     }
-    return most > 1 ? all : line.flux;
 }
 
 struct Sweep {

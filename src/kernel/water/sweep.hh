@@ -14,6 +14,11 @@ namespace cd {
 // Water that is shallower is none [m].
 constexpr double kDry = 0x1p-80;
 
+// A face that water cannot cross, with one wet cell beside it, moves as on a beach with the velocity of that cell's
+// other face, in full where the bed falls to the cell beyond by this part or more of the step up to the dry one, and in
+// proportion where it falls by less: where it does not fall, the face rests as at a wall. Of linear momentum it rests.
+constexpr double kBeach = 0.5;
+
 // What is at an end of the lines: see cd_border.
 enum class End { kWall, kOpen, kLevel, kInflow, kRing };
 struct WaterEnd {

@@ -76,11 +76,7 @@ inline L WaterLine::bounded(size_t i, L w) const {
     return select(bounds, larger(-most, smaller(most, w)), w);
 }
 
-// A face that water cannot cross, with one wet cell beside it, moves as on a beach with the velocity of that cell's
-// other face, in full where the bed falls to the cell beyond by this part or more of the step up to the dry one, and in
-// proportion where it falls by less: where it does not fall, the face rests as at a wall. Of linear momentum it rests.
-constexpr double kBeach = 0.5;
-
+// See kBeach.
 inline void WaterLine::follow_water(L moves) {
     const L none{};
     struct Seen {

@@ -1,0 +1,82 @@
+/* Waves on a pool that nothing feeds, pushes or drains gain no energy but what the header says. */
+#include <math.h>
+
+#include "basin.h"
+#include "check.h"
+#include "modes.h"
+
+/* How much energy a pool that swings from rest ever has, over what it started with; height: of the depth, a metre. */
+static double swing(const struct way* way, double height, double courant, int steps) {
+    enum { CELLS_LONG = 40 };
+    cd_water* w = basin(CELLS_LONG, 1, 1, 1, CD_FLOAT64);
+    double depth[CELLS_LONG], most = 0;
+    basin_set_way(w, way);
+    for (size_t i = 0; i < CELLS_LONG; ++i) depth[i] = 1;
+    basin_write(w, CD_DEPTH, depth);
+    const double level = basin_energy(w);
+    for (size_t i = 0; i < CELLS_LONG; ++i) depth[i] = 1 + height * cos((double)PI * ((double)i + 0.5) / CELLS_LONG);
+    basin_write(w, CD_DEPTH, depth);
+    const double start = basin_energy(w) - level;
+    for (int k = 0; k < steps; ++k) {
+        basin_step(w, courant / sqrt(9.81), 1);
+        most = fmax(most, (basin_energy(w) - level) / start);
+    }
+    cd_water_destroy(w);
+    return most;
+}
+
+static void a_seiche_from_rest_gains_no_energy(void** state) {
+    (void)state;
+    static const double heights[] = {0.05, 0.1, 0.2, 0.3}, courants[] = {0.5, 1, 2, 4, 8, 16, 32};
+    const struct way half_or_more = {"linear 0.51", CD_METHOD_IMPLICIT, CD_MOMENTUM_LINEAR, 0.51};
+    const struct way* const which[] = {&ways[LINEAR_HALF], &half_or_more, &ways[LINEAR], &ways[ADVECTED]};
+    for (size_t k = 0; k < COUNT(which); ++k) {
+        double most = 0;
+        for (size_t h = 0; h < COUNT(heights); ++h)
+            for (size_t c = 0; c < COUNT(courants); ++c)
+                most = fmax(most, swing(which[k], heights[h], courants[c], 2000));
+        print_message("%-17s seiches: at most %.4f of their energy\n", which[k]->name, most);
+        assert_true(most <= (which[k] == &ways[LINEAR_HALF] ? 1.2 : 1.02));
+    }
+}
+
+/* A hump spreads over a flat bed, along a line and in the plane: no more than a small part of its energy comes back, for
+ * a while, of what steps took from it before. */
+static void a_hump_gains_no_more_energy_than_the_header_says(void** state) {
+    (void)state;
+    static const double courants[] = {0.5, 1, 4, 10, 40, 200};
+    enum { CELLS_LONG = 96 };
+    double back = 0, above = 0;
+    for (size_t c = 0; c < COUNT(courants); ++c)
+        for (int plane = 0; plane < 2; ++plane)
+            for (int high = 0; high < 3; ++high) {
+                const size_t ny = plane ? CELLS_LONG / 2 : 1;
+                const double height = high == 0 ? 0.01 : high == 1 ? 0.1 : 0.4;
+                cd_water* w = basin(CELLS_LONG, ny, 0.5, 0.5, CD_FLOAT64);
+                basin_set_way(w, &ways[ADVECTED]);
+                for (size_t k = 0; k < CELLS_LONG * ny; ++k) {
+                    const double x = 0.5 * (double)(k % CELLS_LONG) - 8;
+                    basin_set(w, CD_DEPTH, k % CELLS_LONG, k / CELLS_LONG, 1 + height * exp(-x * x / 8));
+                }
+                const double start = basin_energy(w), mean = basin_volume(w) / (0.25 * CELLS_LONG * (double)ny);
+                const double wave = start - 500 * 9.81 * mean * basin_volume(w);
+                double lowest = start;
+                for (int step = 0; step < 150; ++step) {
+                    basin_step(w, courants[c] * 0.5 / sqrt(9.81), 1);
+                    const double now = basin_energy(w);
+                    back = fmax(back, (now - lowest) / wave), above = fmax(above, (now - start) / wave);
+                    lowest = fmin(lowest, now);
+                }
+                cd_water_destroy(w);
+            }
+    print_message("humps: %.1e of their energy comes back, %.1e above the start\n", back, above);
+    assert_true(back <= 0.03 && above <= 5e-3);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_seiche_from_rest_gains_no_energy),
+        cmocka_unit_test(a_hump_gains_no_more_energy_than_the_header_says),
+    };
+    return cmocka_run_group_tests_name("water waves", tests, NULL, NULL);
+}
