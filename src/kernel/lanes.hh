@@ -129,10 +129,11 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
     friend Lanes operator*(Lanes a, Lanes b) { return {a.v * b.v}; }
     friend Lanes operator/(Lanes a, Lanes b) { return {a.v / b.v}; }
 
-    // 0 where |a| < least
+    // 0 where |a| < least. Of two comparisons GCC 12 makes a choice, with SSE2 lane by lane.
     friend Lanes settled(Lanes a, double least) {
-        const auto small = (a.v < splat(least).v) & (a.v > splat(-least).v);
-        return {reinterpret_cast<Values>(reinterpret_cast<decltype(a.v < a.v)>(a.v) & ~small)};
+        typedef decltype(a.v < a.v) Bits;
+        const Bits small = size_of(a).v < splat(least).v;
+        return {reinterpret_cast<Values>(reinterpret_cast<Bits>(a.v) & ~small)};
     }
     // a where by > 0, else b
     friend Lanes select(Lanes by, Lanes a, Lanes b) {
@@ -143,7 +144,12 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
     // a where by has its sign bit set, else b
     friend Lanes by_sign(Lanes by, Lanes a, Lanes b) {
         typedef decltype(a.v < a.v) Bits;
+#if defined(__SSE2__) && !defined(__SSE4_1__) && !defined(__clang__)
+        const Bits yes = reinterpret_cast<Bits>(by.v) >> 63; // GCC 12 would go lane by lane
+        return {reinterpret_cast<Values>((reinterpret_cast<Bits>(a.v) & yes) | (reinterpret_cast<Bits>(b.v) & ~yes))};
+#else
         return {reinterpret_cast<Bits>(by.v) < 0 ? a.v : b.v};
+#endif
     }
     // the second one where either is NaN
     friend Lanes larger(Lanes a, Lanes b) { return {a.v > b.v ? a.v : b.v}; }

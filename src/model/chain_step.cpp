@@ -25,6 +25,7 @@ struct StageSystem {
     double h, sigma = h * (h + c.damping);
     double end_mass = uniform_mass(c, 0), inner_mass = uniform_mass(c, 1),
            uniform_spring = sigma * uniform_stiffness(c);
+    bool uniform = !c.node_mass && !c.spring_stiffness && !c.node_bend && !c.attach_stiffness && !c.attach_damping;
 
     double mass(size_t i) const {
         return c.node_mass ? c.node_mass[i] : i == 0 || i + 1 == c.nodes ? end_mass : inner_mass;
@@ -32,16 +33,20 @@ struct StageSystem {
     double drag(size_t i) const {
         return c.pin[i] == CD_NODE_MATCHED || c.attach_damping ? drag_of(c, i) : c.drag * mass(i);
     }
-    double ground(size_t i) const {
+    [[gnu::noinline]] double ground(size_t i) const {
         return held(c, i) ? double(INFINITY) : mass(i) + h * drag(i) + h * h * tie_of(c, i);
     }
     double spring(size_t i) const { return c.spring_stiffness ? sigma * c.spring_stiffness[i] : uniform_spring; }
     double bend(size_t i) const { return sigma * bend_of(c, i); }
     bool repeats(size_t i) const {
-        const auto as_before = [](const auto& field, size_t at) { return !field || field[at] == field[at - 1]; };
-        return i > 1 && i + 1 < c.nodes && as_before(c.pin, i) && as_before(c.node_mass, i) &&
-               as_before(c.spring_stiffness, i) && as_before(c.node_bend, i) && as_before(c.attach_stiffness, i) &&
-               as_before(c.attach_damping, i);
+        return i > 1 && i + 1 < c.nodes && c.pin[i] == c.pin[i - 1] && (uniform || fields_repeat(i));
+    }
+
+private:
+    [[gnu::noinline]] bool fields_repeat(size_t i) const {
+        const auto as_before = [i](const auto& field) { return !field || field[i] == field[i - 1]; };
+        return as_before(c.node_mass) && as_before(c.spring_stiffness) && as_before(c.node_bend) &&
+               as_before(c.attach_stiffness) && as_before(c.attach_damping);
     }
 };
 
@@ -74,21 +79,36 @@ struct GainRows {
           drags(c.drag > 0 || c.target || c.pin[0] == CD_NODE_MATCHED || c.pin[c.nodes - 1] == CD_NODE_MATCHED) {}
 
     // Gains of node i, at place `at`, when `grounded` is what resists it; repeated: they are those of the last one.
-    void set(const StageSystem& s, size_t i, double grounded, size_t at, bool repeated) {
+    CD_INLINED void set(const StageSystem& s, size_t i, double grounded, size_t at, bool repeated) {
         if (!repeated) {
-            of_mass = s.mass(i) / grounded;
-            of_force = s.h / grounded;
-            if (drags) of_drag = (s.h * s.drag(i) + s.h * s.h * tie_of(s.c, i)) / grounded;
-            if (attach) of_tie = s.h * tie_of(s.c, i) / grounded;
+            if (i == 0 || !s.repeats(i)) {
+                mass = s.mass(i);
+                if (drags) dragging = s.h * s.drag(i) + s.h * s.h * tie_of(s.c, i);
+                if (attach) tie = s.h * tie_of(s.c, i);
+            }
+            of_mass = mass / grounded;
+            if (force) of_force = s.h / grounded;
+            if (drags) of_drag = dragging / grounded;
+            if (attach) of_tie = tie / grounded;
         }
         gravity[at] = of_mass;
         if (drags) drag[at] = of_drag;
         if (force) force[at] = of_force;
         if (attach) attach[at] = of_tie;
     }
+    // Of all nodes, when nothing resists them but what is their own.
+    template <class Place> void set_all(const StageSystem& s, Place place) {
+        double ground = 0;
+        for (size_t i = 0; i < s.c.nodes; ++i) {
+            const bool alike = s.repeats(i);
+            if (!alike) ground = s.ground(i);
+            set(s, i, ground, place(i), alike);
+        }
+    }
     NodeGains gains() const { return {gravity, force, drags ? drag : nullptr, attach}; }
 
 private:
+    double mass = 0, dragging = 0, tie = 0; // of the last node
     double of_mass = 0, of_drag = 0, of_force = 0, of_tie = 0;
 };
 
@@ -254,10 +274,9 @@ struct RodStep {
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
             factor_rod_line(c.nodes, system, rod);
-            for (size_t i = 0; i < c.nodes; ++i) {
-                gains.set(system, i, system.ground(i), i, system.repeats(i));
-                has_bend[i] = bend_of(c, i) > 0 ? 1 : 0;
-            }
+            gains.set_all(system, InOrder());
+            for (size_t i = 0; i < c.nodes; ++i)
+                has_bend[i] = system.repeats(i) ? has_bend[i - 1] : bend_of(c, i) > 0 ? 1 : 0;
             if (closing) set_closing(c, closing);
             close_ring(c, system, rod, stages.stage[0].closing_rate, InOrder());
         }
@@ -296,7 +315,7 @@ struct SegmentRodStep {
             const Segments segments(c.nodes);
             PlacesInTurn place{segments};
             factor_segment_rod(c.nodes, system, segment);
-            for (size_t i = 0; i < c.nodes; ++i) gains.set(system, i, system.ground(i), place(i), system.repeats(i));
+            gains.set_all(system, place);
             close_ring(c, system, segment.rod, stages.stage[0].closing_rate,
                        [&](size_t i) { return segments.place(i); });
         }

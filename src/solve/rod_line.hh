@@ -51,32 +51,45 @@ void factor_rod_line(size_t nodes, const System& system, const RodRows& out, Pla
     double mass_before = 0, lever_before = 0, hold_before = 0;
     double bend = 0, lean = 0, reached = 0, keep = 0, close = 0, turned = 0, follow = 0;
     double next_mass = mass, next_lever = 0, next_hold = 0;
+    double b = 0, s = 0, m = mass;
+    bool alike = false;
     size_t at = place(0);
     for (size_t i = 1; i < nodes; ++i) {
         mass_before = mass, lever_before = lever, hold_before = hold;
         mass = next_mass, lever = next_lever, hold = next_hold;
         const bool same = mass == mass_before && lever == lever_before && hold == hold_before;
-        if (!(same && i > 2 && system.repeats(i - 1) && system.repeats(i))) {
+        const bool before_alike = alike;
+        alike = system.repeats(i);
+        if (!before_alike || i == 2) b = i > 1 ? system.bend(i - 1) : 0;
+        if (!before_alike) s = system.spring(i - 1);
+        if (!alike) m = system.ground(i);
+        if (!(same && i > 2 && before_alike && alike)) {
             double a = mass, q = lever, t = hold;
             if (i > 1) {
-                const double b = system.bend(i - 1), held = t + b;
+                const double held = t + b;
                 const double on_lever = q > 0 ? a * q * q : 0;
-                bend = share(b, t + on_lever);
-                lean = q > 0 ? share(on_lever, held) / q : 0;
+                double part[2];
+                beside(b, t + on_lever, on_lever, held).share().store(part);
+                bend = part[0];
+                lean = q > 0 ? part[1] / q : 0;
                 a = q > 0 ? series(a, held / (q * q)) : a;
-                q *= share(b, t);
-                t = series(t, b);
+                const ShareAndSeries joined = share_and_series(b, t);
+                q *= joined.share, t = joined.series;
             }
-            const double s = system.spring(i - 1), m = system.ground(i), longer = q + 1;
-            const double turning = longer * longer * series(a, m);
-            const double turn = share(turning, t + s);
+            const double longer = q + 1;
+            const ShareAndSeries grounded = share_and_series(a, m);
+            const double turning = longer * longer * grounded.series;
+            double part[2];
+            beside(turning, t + s, a <= m ? a : m, a <= m ? m : a).share().store(part);
+            const double turn = part[0];
+            follow = a <= m ? part[1] : -part[1];
+            beside(t, s + turning, s, t + turning).share().store(part);
             reached = q;
-            keep = share(t, s + turning) + turn * q / longer;
-            close = share(s, t + turning);
+            keep = part[0] + turn * q / longer;
+            close = part[1];
             turned = turn / longer;
-            follow = fraction(a, m);
             next_hold = t + (s + turning);
-            next_lever = longer * share(a, m);
+            next_lever = longer * grounded.share;
             next_mass = a + m;
         }
         if (i > 1) out.bend[at] = bend, out.lean[at] = lean;

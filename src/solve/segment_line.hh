@@ -17,8 +17,6 @@
 // kSegments fixed the result is the same whatever number of lanes a register holds. (model.md, 16 and 17)
 #pragma once
 
-#include <initializer_list>
-
 #include "kernel/segment_sweep.hh"
 #include "solve/spring_line.hh"
 
@@ -42,14 +40,8 @@ struct PlacesInTurn {
     }
 };
 
-// Whether in these rows a segment has the numbers of the one before it, as most have along a uniform line.
-inline bool repeats(const Segments& segments, size_t k, std::initializer_list<const double*> rows) {
-    if (k == 0) return false;
-    for (const double* row : rows)
-        for (size_t at = k; at < kSegments * segments.length; at += kSegments)
-            if (bits_of(row[at]) != bits_of(row[at - 1])) return false;
-    return true;
-}
+// So many segments are factored side by side: two registers of SSE2, more have to be taken to memory and back.
+constexpr int kSegmentsTogether = 4;
 
 // For gains see factor_spring_line.
 template <class System, class Gains>
@@ -59,35 +51,25 @@ void factor_segment_line(size_t nodes, const System& system, const SegmentRows& 
     out.pull[segments.place(nodes - 1)] = 0;
 
     // Numbers as small as that do not matter, and could make subnormal ones.
-    const auto product = [](double a, double b) { return a * b < 0x1p-400 ? 0 : a * b; };
-    // Segments that repeat the one before are told apart; the others go side by side, for each waits for itself.
-    struct Going {
-        size_t k;
-        double reach = 1, left = 1, gathered = 0, reply = 0; // left: the weight of all that is further right
-    } going[kSegments];
-    const size_t end = kSegments * segments.length;
-    size_t count = 0;
-    for (size_t k = 0; k < kSegments; ++k)
-        if (!repeats(segments, k, {out.carry, out.pull})) going[count++] = {k};
-    for (size_t j = 0; j < segments.length; ++j)
-        for (size_t n = 0; n < count; ++n) {
-            Going& g = going[n];
-            const size_t at = kSegments * j + g.k;
-            g.reach = product(g.reach, of_fraction(out.carry[at]));
-            const double weight = product(g.left, rest_of_fraction(out.pull[at]));
-            g.left = product(g.left, of_fraction(out.pull[at]));
-            const double share = fraction(weight, g.gathered);
-            g.reply = between(Lanes<1>{g.reply}, Lanes<1>{g.reach}, Lanes<1>{0}, share).v;
-            g.gathered += weight;
-            out.reach[at] = g.reach, out.share[at] = share;
+    constexpr double kLeast = 0x1p-400;
+    using L = Lanes<kSegmentsTogether>;
+    for (size_t k = 0; k < kSegments; k += kSegmentsTogether) {
+        const L one = L::splat(1);
+        L reach = one, left = one, gathered{}, reply{}; // left: the weight of all that is further right
+        for (size_t at = k; at < kSegments * segments.length; at += kSegments) {
+            // A fraction with its sign bit set stands for 1 more.
+            const L carry = L::load(out.carry + at), pull = L::load(out.pull + at);
+            const L of_carry = by_sign(carry, one, L{}), of_pull = by_sign(pull, one, L{});
+            reach = settled(reach * (carry + of_carry), kLeast);
+            const L weight = settled(left * ((one - of_pull) - pull), kLeast);
+            left = settled(left * (pull + of_pull), kLeast);
+            const L share = Beside<kSegmentsTogether>(weight, gathered).fraction();
+            reply = between(reply, reach, L{}, share);
+            gathered = gathered + weight;
+            reach.store(out.reach + at), share.store(out.share + at);
         }
-    for (size_t n = 0; n < count; ++n) {
-        const Going& g = going[n];
-        const size_t past = n + 1 < count ? going[n + 1].k : kSegments;
-        for (size_t k = g.k; k < past; ++k) out.reply[k] = g.reply, out.pass[k] = fraction(g.left, g.gathered);
-        for (size_t from = g.k; from < end; from += kSegments)
-            for (size_t at = from + 1; at < from - g.k + past; ++at)
-                out.reach[at] = out.reach[from], out.share[at] = out.share[from];
+        reply.store(out.reply + k);
+        Beside<kSegmentsTogether>(left, gathered).fraction().store(out.pass + k);
     }
 }
 

@@ -14,6 +14,8 @@
 // neighbours as a rigid body, and in a soft one influences die out within a few nodes.
 #pragma once
 
+#include <initializer_list>
+
 #include "kernel/segment_rod.hh"
 #include "solve/rod_line.hh"
 #include "solve/segment_line.hh"
@@ -26,6 +28,15 @@ struct SegmentRodRows { // one number per node, where Segments says
     RodSegment* segment; // kSegments
 };
 
+// Rows of which segments beside each other have their own numbers.
+struct RowOfSegments {
+    const double* data;
+    Lanes<kSegmentsTogether> operator[](size_t at) const { return Lanes<kSegmentsTogether>::load(data + at); }
+};
+struct RodRowsOfSegments {
+    RowOfSegments keep, close, turn, lever, follow, lean, bend;
+};
+
 template <class System> void factor_segment_rod(size_t nodes, const System& system, const SegmentRodRows& out) {
     const RodRows& rod = out.rod;
     const Segments segments(nodes);
@@ -34,45 +45,52 @@ template <class System> void factor_segment_rod(size_t nodes, const System& syst
     for (double* row : {rod.keep, rod.close, rod.turn, rod.lever, rod.follow, rod.lean, rod.bend}) row[first] = 0;
     rod.bend[last] = 0;
     factor_rod_line(nodes, system, rod, PlacesInTurn{segments});
-    for (size_t i = 0; i < nodes; ++i)
-        if (i + 1 == nodes || system.ground(i) - system.ground(i) != 0) rod.lean[place(i)] = -0.0;
+    bool held = false;
+    for (size_t i = 0; i < nodes; ++i) {
+        if (i == 0 || !system.repeats(i)) held = system.ground(i) - system.ground(i) != 0;
+        if (held || i + 1 == nodes) rod.lean[place(i)] = -0.0;
+    }
 
-    // A lane for each of the four. Numbers as small as kLeast do not matter, and could make subnormal ones.
-    using Four = Lanes<4>;
-    constexpr double kLeast = 0x1p-400, units[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    // Each of the four for itself; two stand on the left. Numbers as small as kLeast do not matter, and could make
+    // subnormal ones.
+    constexpr double kLeast = 0x1p-400;
+    constexpr int N = kSegmentsTogether;
+    using L = Lanes<N>;
+    const RodRowsOfSegments rows{{rod.keep},   {rod.close}, {rod.turn}, {rod.lever},
+                                 {rod.follow}, {rod.lean},  {rod.bend}};
     const size_t end = kSegments * segments.length;
-    for (size_t k = 0; k < kSegments; ++k) {
-        if (repeats(segments, k, {rod.keep, rod.close, rod.turn, rod.lever, rod.follow, rod.lean, rod.bend})) {
-            for (double* row : out.influence)
-                for (size_t at = k; at < end; at += kSegments) row[at] = row[at - 1];
-            out.segment[k] = out.segment[k - 1];
-            continue;
+    for (size_t k = 0; k < kSegments; k += N) {
+        RodSegment* const segment = out.segment + k;
+        const auto store = [](const L& numbers, double* first) {
+            double number[N];
+            numbers.store(number);
+            for (int n = 0; n < N; ++n) first[n * ptrdiff_t(sizeof(RodSegment) / sizeof(double))] = number[n];
+        };
+        const L zero{}, one = L::splat(1);
+        L u[4] = {one, zero}, d[4] = {zero, one};
+        for (size_t at = k; at < end; at += kSegments) {
+#pragma GCC unroll 2
+            for (int s = 0; s < 2; ++s) {
+                rod_reach(rows, at, d[s], zero, zero, u[s], d[s]);
+                u[s] = settled(u[s], kLeast), d[s] = settled(d[s], kLeast);
+                u[s].store(out.influence[s] + at), d[s].store(out.influence[2 + s] + at); // until the way back
+            }
         }
-        Four u = Four::load(units[0]), d = Four::load(units[1]);
-        double now[2][4] = {};
-        for (size_t j = 0; j < segments.length; ++j) {
-            const size_t at = kSegments * j + k;
-            rod_reach(rod, at, d, Four{}, Four{}, u, d);
-            u = settled(u, kLeast), d = settled(d, kLeast);
-            u.store(now[0]), d.store(now[1]);
-            for (int s = 0; s < 4; ++s) out.influence[s][at] = now[s / 2][s % 2]; // until the way back
-        }
-        RodSegment& segment = out.segment[k];
-        for (int s = 0; s < 4; ++s) segment.reach[s / 2][s % 2] = now[s / 2][s % 2];
+        for (int s = 0; s < 2; ++s) store(u[s], &segment->reach[0][s]), store(d[s], &segment->reach[1][s]);
 
-        u = Four::load(units[2]), d = Four::load(units[3]);
-        for (size_t j = segments.length; j-- > 0;) {
-            const size_t at = kSegments * j + k;
-            const double rested[2][4] = {{out.influence[0][at], out.influence[1][at]},
-                                         {out.influence[2][at], out.influence[3][at]}};
-            const Four u_here = Four::load(rested[0]), d_here = Four::load(rested[1]);
-            u = __builtin_signbit(rod.lean[at]) ? u_here : u - d;
-            d = rod_leave(rod, at, u, u_here, d_here, d - d_here);
-            u = settled(u, kLeast), d = settled(d, kLeast);
-            u.store(now[0]), d.store(now[1]);
-            for (int s = 0; s < 4; ++s) out.influence[s][at] = now[0][s];
+        u[0] = u[1] = u[3] = d[0] = d[1] = d[2] = zero, u[2] = d[3] = one;
+        for (size_t at = end - kSegments + k; at < end; at -= kSegments) {
+            const L rested[2][4] = {{L::load(out.influence[0] + at), L::load(out.influence[1] + at)},
+                                    {L::load(out.influence[2] + at), L::load(out.influence[3] + at)}};
+#pragma GCC unroll 4
+            for (int s = 0; s < 4; ++s) {
+                u[s] = by_sign(rows.lean[at], rested[0][s], u[s] - d[s]);
+                d[s] = rod_leave(rows, at, u[s], rested[0][s], rested[1][s], d[s] - rested[1][s]);
+                u[s] = settled(u[s], kLeast), d[s] = settled(d[s], kLeast);
+                u[s].store(out.influence[s] + at);
+            }
         }
-        for (int s = 0; s < 4; ++s) segment.reply[0][s] = now[0][s], segment.reply[1][s] = now[1][s];
+        for (int s = 0; s < 4; ++s) store(u[s], &segment->reply[0][s]), store(d[s], &segment->reply[1][s]);
     }
 }
 

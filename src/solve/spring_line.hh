@@ -32,21 +32,20 @@ template <class System, class Place, class Gains>
 void factor_spring_line(size_t nodes, const System& system, Place place, double* carry, double* pull, Gains gains) {
     // The spring to ground that all nodes on the left of the next one amount to, of this one, and what follows from it.
     // Along a uniform part of a line it soon is the same from node to node.
-    double next = 0, hanging = 0, grounded = 0, carried = 0, pulled = 0;
+    double next = 0, hanging = 0, ground = 0, spring = 0, grounded = 0, carry_and_pull[2] = {};
     for (size_t i = 0; i < nodes; ++i) {
         const size_t at = place(i);
-        const bool repeated = i > 0 && next == hanging && system.repeats(i);
+        const bool alike = i > 0 && system.repeats(i), repeated = alike && next == hanging;
         hanging = next;
+        if (!alike) ground = system.ground(i), spring = i + 1 < nodes ? system.spring(i) : 0;
         if (!repeated) {
-            const double ground = system.ground(i), spring = i + 1 < nodes ? system.spring(i) : 0;
             grounded = ground + hanging;
-            carried = fraction(hanging, ground);
-            pulled = fraction(spring, grounded);
+            beside(hanging, ground, spring, grounded).fraction().store(carry_and_pull);
             next = series(grounded, spring);
         }
-        carry[at] = carried;
+        carry[at] = carry_and_pull[0];
         gains(i, grounded, at, repeated);
-        if (i + 1 < nodes) pull[at] = pulled;
+        if (i + 1 < nodes) pull[at] = carry_and_pull[1];
     }
 }
 

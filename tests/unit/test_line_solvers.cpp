@@ -214,6 +214,34 @@ void shares_are_right_from_zero_to_infinity(void**) {
     assert_true(cd::series(huge, huge) == huge / 2 && cd::series(tiny, huge) == tiny);
 }
 
+// Of lanes they are the same to the bit.
+void shares_of_lanes_are_those_of_numbers(void**) {
+    constexpr int kPairs = 4;
+    const double infinity = double(INFINITY);
+    const double edges[] = {0, -0.0, 5e-324, 1e-310, 2e-308, 1, 1.7e308, infinity};
+    constexpr size_t kEdges = sizeof edges / sizeof edges[0];
+    unsigned seed = 7;
+    for (size_t round = 0; round < 20000; ++round) {
+        double a[kPairs], b[kPairs], share[kPairs], fraction[kPairs];
+        for (int k = 0; k < kPairs; ++k) {
+            const size_t pair = kPairs * round + size_t(k);
+            a[k] = pow(10, 40 * random_number(seed) - 20), b[k] = a[k] * pow(10, 36 * random_number(seed) - 18);
+            if (pair < kEdges * kEdges) a[k] = edges[pair / kEdges], b[k] = edges[pair % kEdges];
+            else if (pair % 7 == 0) b[k] = pair % 2 ? a[k] : edges[pair % kEdges];
+        }
+        const cd::Beside<kPairs> beside(cd::Lanes<kPairs>::load(a), cd::Lanes<kPairs>::load(b));
+        beside.share().store(share);
+        beside.fraction().store(fraction);
+        for (int k = 0; k < kPairs; ++k) {
+            const double alone[4] = {cd::share(a[k], b[k]), cd::fraction(a[k], b[k]), cd::share(a[k], b[k]),
+                                     cd::series(a[k], b[k])};
+            const cd::ShareAndSeries both = cd::share_and_series(a[k], b[k]);
+            const double found[4] = {share[k], fraction[k], both.share, both.series};
+            assert_memory_equal(found, alone, sizeof found);
+        }
+    }
+}
+
 // A fraction close to 1 is kept by its distance from 1.
 void fractions_keep_their_digits_at_both_ends(void**) {
     using L = cd::Lanes<1>;
@@ -258,6 +286,7 @@ int main() {
         cmocka_unit_test(rods_and_rings_solve_the_dense_system),
         cmocka_unit_test(infinitely_stiff_lines_move_as_rigid_bodies),
         cmocka_unit_test(shares_are_right_from_zero_to_infinity),
+        cmocka_unit_test(shares_of_lanes_are_those_of_numbers),
         cmocka_unit_test(fractions_keep_their_digits_at_both_ends),
         cmocka_unit_test(lanes_do_not_mix),
     };
