@@ -399,16 +399,17 @@ template <class C> void any_bytes_with_a_good_checksum_are_refused_or_of_use(voi
     C::fill(source);
     const std::vector<unsigned char> good = saved<C>(source);
     size_t taken = 0, tried = 0;
+    const size_t part = is_brief() ? 7 : 2;
     for (size_t i = cd::kHeader; i < good.size(); ++i) {
-        size_t way = i; // each byte takes half of the ways, its neighbours the others
+        size_t way = i; // each byte takes a part of the ways, its neighbours the others
         for (unsigned flip : {0x01u, 0x04u, 0x80u, 0xFFu}) {
-            if (!is_taken(way++, 2)) continue;
+            if (!is_taken(way++, part)) continue;
             std::vector<unsigned char> bytes = good;
             bytes[i] = static_cast<unsigned char>(bytes[i] ^ flip);
             ++tried, taken += is_loaded<C>(bytes, true);
         }
         for (double number : {double(NAN), double(INFINITY), -1.0, 1e308, 2.0, 1e-310}) {
-            if (!is_taken(way++, 2)) continue;
+            if (!is_taken(way++, part)) continue;
             std::vector<unsigned char> bytes = good;
             const float single = float(number);
             if (i + sizeof number <= good.size()) memcpy(&bytes[i], &number, sizeof number);
