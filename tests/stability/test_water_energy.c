@@ -226,7 +226,8 @@ static void water_among_cliffs_makes_little_energy(void** state) {
         }
         print_message("%-17s courant %5g: among cliffs at most %.1e; in motion at dry faces %.1e first, then %.1e\n",
                       way->name, courant, worst, leap, worst_dry);
-        assert_true(worst <= 5e-3 && leap <= 1e-2 && worst_dry <= 5e-3);
+        /* few of the scenes of the long sweep make more than a tenth of what they may */
+        assert_true(worst <= (is_long() ? 5e-3 : 5e-4) && leap <= 1e-2 && worst_dry <= 5e-3);
     }
 }
 
