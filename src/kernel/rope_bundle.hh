@@ -490,7 +490,9 @@ template <int N> struct RopeBundle {
     void solve();
     bool try_again();
     __attribute__((cold)) void calm();
-    void settle();
+    __attribute__((noinline)) void settle(L follows);
+    __attribute__((noinline)) void take_velocities();
+    __attribute__((noinline)) L kinetic() const, caught() const;
     RopeResult step();
 };
 

@@ -297,9 +297,10 @@ template <int N> void RopeBundle<N>::calm() {
 }
 
 // Velocities along springs that are taut become those with which they lengthened in the step beyond its tolerance, or,
-// where they were slack before it, with which they are reeled in; momentum stays. Without it what a step of lambda < 1
-// does along stiff springs alternates from step to step. Halves go to the middle spring, whose tension both have.
-template <int N> void RopeBundle<N>::settle() {
+// where they were slack before it and none of these follow, with which they are reeled in; momentum stays. Without it
+// what a step of lambda < 1 does along stiff springs alternates from step to step. Halves go to the middle spring, whose
+// tension both have.
+template <int N> void RopeBundle<N>::settle(L follows) {
     const L rate = L::splat(1 / stage.dt / stage.dt), none{};
     const L unsettled = select(one() - lambda, one(), none);
     L before_pivot = one(), before_rest{}, left = alone(0);
@@ -310,8 +311,8 @@ template <int N> void RopeBundle<N>::settle() {
         const L pulls = stage.push ? size_of(s.tension) : s.tension;
         s.taut = (s.moves * unsettled) * select(pulls, select(own, one(), none), none);
         const L was = load_tension(i);
-        const L moved =
-            select(stage.push ? size_of(was) : was, long_after(i) - s.long_before, none - positive(s.reeled));
+        const L moved = select(larger(stage.push ? size_of(was) : was, follows), long_after(i) - s.long_before,
+                               none - positive(s.reeled));
         const L error = (2 * stage.tolerance) * s.length; // what two lengths that are right may differ by
         const L wanted = (1 / stage.dt) * (moved - smaller(larger(moved, none - error), error));
         s.wished = select(s.taut, dot(s.along, nodes[i + 1].next - nodes[i].next) - wanted, none);
@@ -338,17 +339,47 @@ template <int N> void RopeBundle<N>::settle() {
     }
 }
 
-template <int N> RopeResult RopeBundle<N>::step() {
-    solve();
-    RopeResult result;
-    L bad{};
+template <int N> void RopeBundle<N>::take_velocities() {
     for (size_t i = 0; i < node_count; ++i) {
         Node& n = nodes[i];
         n.y = n.x0 + L::splat(stage.dt) * n.w;
         n.next = n.v0 + (one() / lambda) * (n.w - n.v0);
     }
     meet();
-    if (stage.lambda < 1) settle();
+}
+
+template <int N> auto RopeBundle<N>::kinetic() const -> L {
+    L twice{};
+    for (size_t i = 0; i < node_count; ++i) {
+        const Node& n = nodes[i];
+        twice = twice + select(held(i), L{}, n.mass * dot(n.next, n.next));
+    }
+    return 0.5 * sum(twice);
+}
+
+// What springs that were slack took from the nodes, and do not hold.
+template <int N> auto RopeBundle<N>::caught() const -> L {
+    L taken{};
+    for (size_t i = 0; i < spring_count; ++i) {
+        const Spring& s = springs[i];
+        const L t = select(load_tension(i), L{}, s.moves * positive(s.tension));
+        const L here = t * positive((long_after(i) - s.long_before) - (0.5 * s.compliance) * t);
+        taken = taken + select(t, is_middle(i) ? 0.5 * here : here, L{});
+    }
+    return sum(taken);
+}
+
+template <int N> RopeResult RopeBundle<N>::step() {
+    solve();
+    RopeResult result;
+    L bad{};
+    take_velocities();
+    if (stage.lambda < 1) { // what is caught while it is paid out follows the winch, unless that makes energy
+        const L most = kinetic() + caught();
+        settle(one());
+        const L follows = opposite(kinetic() - most);
+        if (any_positive(one() - follows)) take_velocities(), settle(follows);
+    }
     if (has_contacts()) forget_overlaps();
     const L to_overflow = L::splat(ropes.position.range().to_overflow);
     const auto look_at = [&](L a) { bad = bad + 0.0 * (to_overflow * a); };

@@ -239,15 +239,14 @@ RULES = {
         "rope_step.cpp", "k < kFirstIterations ? kAsLong * stage.tolerance : 0", "0", ["physics_rope"]),
     "but those that push": ("rope_bundle.hh", "opposite(s.pushed), shorter", "one(), shorter", ["physics_rope"]),
     "velocities settle along taut springs": (
-        "rope_step.cpp", "    if (stage.lambda < 1) settle();\n", "", ["physics_rope"]),
+        "rope_step.cpp", "    if (stage.lambda < 1) { // what is caught", "    if (false) { // what is caught", ["physics_rope"]),
     "on the rate at which they lengthened": (
         "rope_step.cpp", "nodes[i].next) - wanted, none);", "nodes[i].next) - 0.0 * wanted, none);", ["physics_rope"]),
     "beyond what the tolerance explains": (
         "rope_step.cpp", "(moved - smaller(larger(moved, none - error), error))", "(moved - 0.0 * error)",
         ["stability_ropes"]),
-    "if they were taut before": (
-        "rope_step.cpp", "select(stage.push ? size_of(was) : was, long_after(i) - s.long_before, none - positive(s.reeled))",
-        "long_after(i) - s.long_before", ["stability_ropes"]),
+    "also of springs that were slack": ("rope_step.cpp", "        settle(one());\n", "        settle(L{});\n", ["physics_rope_winch"]),
+    "unless that makes energy": ("rope_step.cpp", "opposite(kinetic() - most)", "one()", ["stability_ropes"]),
     "or as they are reeled in": ("rope_step.cpp", "none - positive(s.reeled)", "none", ["physics_rope_winch"]),
     "and softly, lest one settles by the others": (
         "rope_step.cpp", "constexpr double kSettleSoftly = 1e-12;", "constexpr double kSettleSoftly = 0;", ["stability_ropes"]),
