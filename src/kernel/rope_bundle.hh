@@ -490,9 +490,8 @@ template <int N> struct RopeBundle {
     void solve();
     bool try_again();
     __attribute__((cold)) void calm();
-    __attribute__((noinline)) void settle(L follows);
     __attribute__((noinline)) void take_velocities();
-    __attribute__((noinline)) L kinetic() const, caught() const;
+    __attribute__((noinline)) L settle(L follows);
     RopeResult step();
 };
 

@@ -299,20 +299,24 @@ template <int N> void RopeBundle<N>::calm() {
 // Velocities along springs that are taut become those with which they lengthened in the step beyond its tolerance, or,
 // where they were slack before it and none of these follow, with which they are reeled in; momentum stays. Without it
 // what a step of lambda < 1 does along stiff springs alternates from step to step. Halves go to the middle spring, whose
-// tension both have.
-template <int N> void RopeBundle<N>::settle(L follows) {
+// tension both have. Gives the energy that this makes beyond what springs that were slack took and do not hold; what
+// moves of held nodes do is no part of it.
+template <int N> auto RopeBundle<N>::settle(L follows) -> L {
     const L rate = L::splat(1 / stage.dt / stage.dt), none{};
     const L unsettled = select(one() - lambda, one(), none);
-    L before_pivot = one(), before_rest{}, left = alone(0);
+    L before_pivot = one(), before_rest{}, left = alone(0), made{};
     for (size_t i = 0; i < spring_count; ++i) {
         Spring& s = springs[i];
         const L right = alone(i + 1);
         const L own = (1 + kSettleSoftly) * (left + right) + s.compliance * rate;
         const L pulls = stage.push ? size_of(s.tension) : s.tension;
         s.taut = (s.moves * unsettled) * select(pulls, select(own, one(), none), none);
-        const L was = load_tension(i);
-        const L moved = select(larger(stage.push ? size_of(was) : was, follows), long_after(i) - s.long_before,
-                               none - positive(s.reeled));
+        const L lengthened = long_after(i) - s.long_before;
+        const L before = load_tension(i), was = stage.push ? size_of(before) : before;
+        const L caught = select(was, none, s.moves * positive(s.tension));
+        const L lost = caught * positive(lengthened - (0.5 * s.compliance) * caught);
+        made = made - select(caught, is_middle(i) ? 0.5 * lost : lost, none);
+        const L moved = select(larger(was, follows), lengthened, none - positive(s.reeled));
         const L error = (2 * stage.tolerance) * s.length; // what two lengths that are right may differ by
         const L wanted = (1 / stage.dt) * (moved - smaller(larger(moved, none - error), error));
         s.wished = select(s.taut, dot(s.along, nodes[i + 1].next - nodes[i].next) - wanted, none);
@@ -333,10 +337,13 @@ template <int N> void RopeBundle<N>::settle(L follows) {
         after = (s.wished - coupling * after) / s.transverse;
         const V along = select(s.taut, s.along, V{});
         left = alone(i);
+        const L work = after * (dot(along, nodes[i].next - nodes[i + 1].next) + 0.5 * ((left + right) * after));
+        made = made + (is_middle(i) ? 0.5 * work : work);
         nodes[i].next = nodes[i].next + (left * after) * along;
         nodes[i + 1].next = nodes[i + 1].next - (right * after) * along;
         right = left;
     }
+    return sum(made);
 }
 
 template <int N> void RopeBundle<N>::take_velocities() {
@@ -348,36 +355,13 @@ template <int N> void RopeBundle<N>::take_velocities() {
     meet();
 }
 
-template <int N> auto RopeBundle<N>::kinetic() const -> L {
-    L twice{};
-    for (size_t i = 0; i < node_count; ++i) {
-        const Node& n = nodes[i];
-        twice = twice + select(held(i), L{}, n.mass * dot(n.next, n.next));
-    }
-    return 0.5 * sum(twice);
-}
-
-// What springs that were slack took from the nodes, and do not hold.
-template <int N> auto RopeBundle<N>::caught() const -> L {
-    L taken{};
-    for (size_t i = 0; i < spring_count; ++i) {
-        const Spring& s = springs[i];
-        const L t = select(load_tension(i), L{}, s.moves * positive(s.tension));
-        const L here = t * positive((long_after(i) - s.long_before) - (0.5 * s.compliance) * t);
-        taken = taken + select(t, is_middle(i) ? 0.5 * here : here, L{});
-    }
-    return sum(taken);
-}
-
 template <int N> RopeResult RopeBundle<N>::step() {
     solve();
     RopeResult result;
     L bad{};
     take_velocities();
     if (stage.lambda < 1) { // what is caught while it is paid out follows the winch, unless that makes energy
-        const L most = kinetic() + caught();
-        settle(one());
-        const L follows = opposite(kinetic() - most);
+        const L follows = opposite(settle(one()));
         if (any_positive(one() - follows)) take_velocities(), settle(follows);
     }
     if (has_contacts()) forget_overlaps();

@@ -245,8 +245,8 @@ RULES = {
     "beyond what the tolerance explains": (
         "rope_step.cpp", "(moved - smaller(larger(moved, none - error), error))", "(moved - 0.0 * error)",
         ["stability_ropes"]),
-    "also of springs that were slack": ("rope_step.cpp", "        settle(one());\n", "        settle(L{});\n", ["physics_rope_winch"]),
-    "unless that makes energy": ("rope_step.cpp", "opposite(kinetic() - most)", "one()", ["stability_ropes"]),
+    "also of springs that were slack": ("rope_step.cpp", "settle(one())", "settle(L{})", ["physics_rope_winch"]),
+    "unless that makes energy": ("rope_step.cpp", "opposite(settle(one()))", "settle(one()), one()", ["stability_ropes"]),
     "or as they are reeled in": ("rope_step.cpp", "none - positive(s.reeled)", "none", ["physics_rope_winch"]),
     "and softly, lest one settles by the others": (
         "rope_step.cpp", "constexpr double kSettleSoftly = 1e-12;", "constexpr double kSettleSoftly = 0;", ["stability_ropes"]),
