@@ -246,7 +246,7 @@ RULES = {
         "rope_step.cpp", "(moved - smaller(larger(moved, none - error), error))", "(moved - 0.0 * error)",
         ["stability_ropes"]),
     "also of springs that were slack": ("rope_step.cpp", "settle(one())", "settle(L{})", ["physics_rope_winch"]),
-    "unless that makes energy": ("rope_step.cpp", "opposite(settle(one()))", "settle(one()), one()", ["stability_ropes"]),
+    "unless that makes energy": ("rope_step.cpp", "opposite(settle(one()))", "(settle(one()), one())", ["stability_ropes"]),
     "or as they are reeled in": ("rope_step.cpp", "none - positive(s.reeled)", "none", ["physics_rope_winch"]),
     "and softly, lest one settles by the others": (
         "rope_step.cpp", "constexpr double kSettleSoftly = 1e-12;", "constexpr double kSettleSoftly = 0;", ["stability_ropes"]),
