@@ -484,7 +484,7 @@ template <int N> struct RopeBundle {
     Seen of_strands(const Seen& seen) const;
     void linearize_all(L barrier, bool interior, L weight, size_t iteration);
     void newton(size_t most);
-    void start_together();
+    __attribute__((cold)) void start_together();
     void interior(size_t most);
     L step_inside(L barrier);
     void solve();
