@@ -485,7 +485,7 @@ template <int N> struct RopeBundle {
     void linearize_all(L barrier, bool interior, L weight, size_t iteration);
     void newton(size_t most);
     __attribute__((cold)) void start_together();
-    void interior(size_t most);
+    __attribute__((cold)) void interior(size_t most);
     L step_inside(L barrier);
     void solve();
     bool try_again();

@@ -299,12 +299,12 @@ template <int N> void RopeBundle<N>::calm() {
 // Velocities along springs that are taut become those with which they lengthened in the step beyond its tolerance, or,
 // where they were slack before it and none of these follow, with which they are reeled in; momentum stays. Without it
 // what a step of lambda < 1 does along stiff springs alternates from step to step. Halves go to the middle spring, whose
-// tension both have. Gives the energy that this makes beyond what springs that were slack took and do not hold; what
-// moves of held nodes do is no part of it.
+// tension both have. Gives the energy that this makes beyond what springs that were slack took and do not hold, 0 where
+// none was; what moves of held nodes do is no part of it.
 template <int N> auto RopeBundle<N>::settle(L follows) -> L {
     const L rate = L::splat(1 / stage.dt / stage.dt), none{};
     const L unsettled = select(one() - lambda, one(), none);
-    L before_pivot = one(), before_rest{}, left = alone(0), made{};
+    L before_pivot = one(), before_rest{}, left = alone(0), made{}, catches{};
     for (size_t i = 0; i < spring_count; ++i) {
         Spring& s = springs[i];
         const L right = alone(i + 1);
@@ -316,6 +316,7 @@ template <int N> auto RopeBundle<N>::settle(L follows) -> L {
         const L caught = select(was, none, s.moves * positive(s.tension));
         const L lost = caught * positive(lengthened - (0.5 * s.compliance) * caught);
         made = made - select(caught, is_middle(i) ? 0.5 * lost : lost, none);
+        catches = catches + caught;
         const L moved = select(larger(was, follows), lengthened, none - positive(s.reeled));
         const L error = (2 * stage.tolerance) * s.length; // what two lengths that are right may differ by
         const L wanted = (1 / stage.dt) * (moved - smaller(larger(moved, none - error), error));
@@ -343,7 +344,7 @@ template <int N> auto RopeBundle<N>::settle(L follows) -> L {
         nodes[i + 1].next = nodes[i + 1].next - (right * after) * along;
         right = left;
     }
-    return sum(made);
+    return select(sum(catches), sum(made), none);
 }
 
 template <int N> void RopeBundle<N>::take_velocities() {
