@@ -44,7 +44,7 @@ struct Pull {
     double h, dt;
     bool curves;
 
-    template <int N> Vector<N> force(int number, size_t at, Vector<N> way, bool keeps) const {
+    template <int N> Vector<N> force(int number, ptrdiff_t at, Vector<N> way, bool keeps) const {
         using L = Lanes<N>;
         const L stiffness = L::load(springs.stiffness[number] + at), length = L::load(springs.length[number] + at);
         const L compression = number <= kAlongV ? L::load(springs.compression[number] + at) : L{};
@@ -69,7 +69,7 @@ struct Unfold {
     const ClothSprings& springs;
     double h;
 
-    template <int N> Vector<N> force(int number, size_t at, Vector<N> way, bool) const {
+    template <int N> Vector<N> force(int number, ptrdiff_t at, Vector<N> way, bool) const {
         using L = Lanes<N>;
         if (number > kAlongV) return Vector<N>{};
         const L length = L::load(springs.length[number] + at);
@@ -82,7 +82,7 @@ struct Unfold {
 struct Product {
     const ClothMatrix& matrix;
 
-    template <int N> Vector<N> force(int number, size_t at, Vector<N> way, bool) const {
+    template <int N> Vector<N> force(int number, ptrdiff_t at, Vector<N> way, bool) const {
         using L = Lanes<N>;
         const double* const* const plane = matrix.spring[number].plane;
         const Vector<N> a = Vector<N>::load(plane + 1, at);
@@ -97,10 +97,10 @@ template <class Law, class Node> void sum_springs(const Grid& grid, const Law& l
     double* const carried[3] = {scratch + kBefore, scratch + grid.pitch + kBefore, scratch + 2 * grid.pitch + kBefore};
     // sums(at, what the springs that start in this row pull by, at both their ends in it, what to carry)
     const auto walk = [&](size_t row, bool keeps, const auto& sums) {
-        const size_t here = row * grid.pitch, below = grid.below(row) * grid.pitch;
+        const ptrdiff_t here = ptrdiff_t(row * grid.pitch), below = ptrdiff_t(grid.below(row) * grid.pitch);
         V left[kClothSprings] = {};
         for (ptrdiff_t u = -kLanes; u < ptrdiff_t(grid.columns); u += kLanes) {
-            const size_t at = here + size_t(u), under = below + size_t(u);
+            const ptrdiff_t at = here + u, under = below + u;
             const V self = V::load(x, at), right = V::load(x, at + 1), down = V::load(x, under),
                     across = V::load(x, under + 1);
             const V way[kClothSprings] = {right - self, down - self, across - self, down - right};
@@ -154,25 +154,28 @@ void cloth_apply(const Grid& grid, const ClothMatrix& matrix, const double* cons
 void cloth_bend(const Grid& grid, const ClothMatrix& matrix, double factor, const double* const* p, double* const* q,
                 double* scratch, size_t first, size_t count) {
     using L = Lanes<kLanes>;
-    const size_t columns = grid.columns;
-    const auto difference = [](const double* x, size_t from, size_t to) { return L::load(x + to) - L::load(x + from); };
-    const auto right = [&](const double* x, size_t at) { return difference(x, at, at + 1); };
-    const auto along_v = [&](const double* x, size_t row, size_t u) {
-        const size_t at = row * grid.pitch + u;
-        return L::load(matrix.bend[1] + at) * (difference(x, at, grid.above(row) * grid.pitch + u) +
-                                               difference(x, at, grid.below(row) * grid.pitch + u));
+    const ptrdiff_t columns = ptrdiff_t(grid.columns);
+    const auto difference = [](const double* x, ptrdiff_t from, ptrdiff_t to) {
+        return L::load(x + to) - L::load(x + from);
     };
-    const auto twist = [&](const double* x, size_t row, size_t u, L step) {
-        return L::load(matrix.twist + row * grid.pitch + u) * (right(x, grid.below(row) * grid.pitch + u) - step);
+    const auto right = [&](const double* x, ptrdiff_t at) { return difference(x, at, at + 1); };
+    const auto start = [&](size_t row) { return ptrdiff_t(row * grid.pitch); };
+    const auto along_v = [&](const double* x, size_t row, ptrdiff_t u) {
+        const ptrdiff_t at = start(row) + u;
+        return L::load(matrix.bend[1] + at) *
+               (difference(x, at, start(grid.above(row)) + u) + difference(x, at, start(grid.below(row)) + u));
+    };
+    const auto twist = [&](const double* x, size_t row, ptrdiff_t u, L step) {
+        return L::load(matrix.twist + (start(row) + u)) * (right(x, start(grid.below(row)) + u) - step);
     };
     double *above[3], *here[3], *twisted[3];
     for (int k = 0; k < 3; ++k) {
         const auto row = [&](int i) { return scratch + size_t(3 * k + i) * grid.pitch + kBefore; };
         above[k] = row(0), here[k] = row(1), twisted[k] = row(2);
         const size_t before = grid.above(first);
-        const auto cell = [&](size_t u) { return twist(p[k], before, u, right(p[k], before * grid.pitch + u)); };
-        L left = cell(size_t(-kLanes));
-        for (size_t u = 0; u < columns; u += size_t(kLanes)) {
+        const auto cell = [&](ptrdiff_t u) { return twist(p[k], before, u, right(p[k], start(before) + u)); };
+        L left = cell(-kLanes);
+        for (ptrdiff_t u = 0; u < columns; u += kLanes) {
             along_v(p[k], before, u).store(above[k] + u);
             along_v(p[k], first, u).store(here[k] + u);
             const L now = cell(u);
@@ -183,15 +186,15 @@ void cloth_bend(const Grid& grid, const ClothMatrix& matrix, double factor, cons
     for (size_t row = first; row < first + count; ++row)
         for (int k = 0; k < 3; ++k) {
             const double* const x = p[k];
-            const size_t start = row * grid.pitch, outside = start - size_t(kLanes);
-            const auto along_u = [&](size_t at, L before, L now) {
+            const ptrdiff_t first_node = start(row), outside = first_node - kLanes;
+            const auto along_u = [&](ptrdiff_t at, L before, L now) {
                 return L::load(matrix.bend[0] + at) * (now - behind(before, now));
             };
-            L step = right(x, start), before_step = right(x, outside);
-            L before = along_u(outside, L{}, before_step), now = along_u(start, before_step, step);
-            L left = twist(x, row, size_t(-kLanes), before_step);
-            for (size_t u = 0; u < columns; u += size_t(kLanes)) {
-                const size_t at = start + u, after = at + size_t(kLanes);
+            L step = right(x, first_node), before_step = right(x, outside);
+            L before = along_u(outside, L{}, before_step), now = along_u(first_node, before_step, step);
+            L left = twist(x, row, -kLanes, before_step);
+            for (ptrdiff_t u = 0; u < columns; u += kLanes) {
+                const ptrdiff_t at = first_node + u, after = at + kLanes;
                 const L next_step = right(x, after), next = along_u(after, step, next_step);
                 const L middle = L::load(here[k] + u), below = along_v(x, grid.below(row), u);
                 const L cell = twist(x, row, u, step), turned = cell - behind(left, cell);
@@ -211,13 +214,14 @@ void cloth_blocks(const Grid& grid, const ClothMatrix& matrix, double* const* ou
     using L = Lanes<kLanes>;
     static constexpr int kRow[6] = {1, 2, 3, 1, 1, 2}, kColumn[6] = {1, 2, 3, 2, 3, 3};
     for (size_t row = first; row < first + count; ++row) {
-        const size_t above = grid.above(row) * grid.pitch, below = grid.below(row) * grid.pitch;
-        for (size_t u = 0; u < grid.columns; u += size_t(kLanes)) {
-            const size_t at = row * grid.pitch + u, over = above + u;
+        const ptrdiff_t here = ptrdiff_t(row * grid.pitch), above = ptrdiff_t(grid.above(row) * grid.pitch),
+                        below = ptrdiff_t(grid.below(row) * grid.pitch);
+        for (ptrdiff_t u = 0; u < ptrdiff_t(grid.columns); u += kLanes) {
+            const ptrdiff_t at = here + u, over = above + u;
             // The springs that end or start at a node: number and place.
             const struct {
                 int number;
-                size_t at;
+                ptrdiff_t at;
             } touching[8] = {{kAlongU, at},
                              {kAlongU, at - 1},
                              {kAlongV, at},
@@ -229,7 +233,7 @@ void cloth_blocks(const Grid& grid, const ClothMatrix& matrix, double* const* ou
             L alike{};
             for (const auto& t : touching) alike = alike + L::load(matrix.spring[t.number].plane[0] + t.at);
             if (CD_WITH_BEND && matrix.twist) {
-                const auto number = [&](const double* plane, size_t i) { return L::load(plane + i); };
+                const auto number = [&](const double* plane, ptrdiff_t i) { return L::load(plane + i); };
                 alike = alike + ((number(matrix.bend[0], at - 1) + number(matrix.bend[0], at + 1)) +
                                  (number(matrix.bend[1], over) + number(matrix.bend[1], below + u)));
                 alike = alike + 4 * (number(matrix.bend[0], at) + number(matrix.bend[1], at));

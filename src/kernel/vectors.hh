@@ -10,10 +10,10 @@ template <int N> struct Vector {
     using L = Lanes<N>;
     L x, y, z;
 
-    static Vector load(const double* const* planes, size_t at) {
+    static Vector load(const double* const* planes, ptrdiff_t at) {
         return {L::load(planes[0] + at), L::load(planes[1] + at), L::load(planes[2] + at)};
     }
-    void store(double* const* planes, size_t at) const {
+    void store(double* const* planes, ptrdiff_t at) const {
         x.store(planes[0] + at), y.store(planes[1] + at), z.store(planes[2] + at);
     }
     friend Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }

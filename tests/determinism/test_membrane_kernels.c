@@ -34,7 +34,7 @@ static void all_kernels_give_the_same_bits(void** state) {
 static void cloth_of_any_shape_gives_the_same_bits(void** state) {
     (void)state;
     for (const struct cloth_scene* scene = length_cloths; scene < length_cloths + LENGTH_CLOTHS; ++scene)
-        for (size_t nu = 5; nu <= 34; ++nu)
+        for (size_t nu = 5; nu <= 34; nu += is_brief() ? 5 : 1)
             for (size_t nv = 5; nv <= 34; nv += nu % 3 + 5)
                 for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
                     uint64_t plain = 0;
