@@ -1155,7 +1155,7 @@ export interface MembraneOptions {
  * the
  *      mean stiffness and inverse mass), coupled elsewhere, and on uniform sheets once they have been, or steps have
  *      differed in dt, method, lambda, damping or solver, or moving nodes were pinned, until reset. Short
- *      kicks go too far, alternating: at that bound of one node of 33 x 33 29 times, in a radius of an eighth of the
+ *      kicks go too far, alternating: at that bound of one node of 33 x 33 31 times, in a radius of an eighth of the
  *      sheet 3.5, of a quarter 1.4 times as far. It holds memory for either: some 300 bytes a node, where alternating
  *      takes 36 on uniform sheets held by edges. Builds without the coupled one alternate.
  *   "alternating"  rows, then columns (Kass 1997, section 9). At a fixed cost it is stable at any stiffness

@@ -274,6 +274,7 @@ static double reach_of(cd_solver solver, double radius) {
     ok(cd_membrane_set_tolerance(m, 1e-10, 1000));
     for (cd_edge edge = CD_EDGE_U_FIRST; edge <= CD_EDGE_V_LAST; ++edge)
         ok(cd_membrane_set_edge(m, edge, CD_NODE_PINNED));
+    ok(cd_membrane_reset(m));
     ok(cd_membrane_impulse(m, 16, 16, radius, &kick, 1));
     for (int step = 0; step < 60; ++step) {
         ok(cd_membrane_step(m, dt, 1));
@@ -286,7 +287,7 @@ static double reach_of(cd_solver solver, double radius) {
 }
 static void short_kicks_go_too_far(void** state) {
     (void)state;
-    static const double radii[] = {0, 4, 8}, told[] = {29, 3.5, 1.4};
+    static const double radii[] = {0, 4, 8}, told[] = {31, 3.5, 1.4};
     for (size_t i = 0; i < COUNT(radii); ++i) {
         const double times = reach_of(CD_SOLVER_AUTO, radii[i]) / reach_of(CD_SOLVER_COUPLED, radii[i]);
         print_message("a kick of radius %g goes %.3f times as far\n", radii[i], times);
