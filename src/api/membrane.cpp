@@ -39,7 +39,10 @@ cd_status cd_membrane_set_solver(cd_membrane* membrane, cd_solver solver) {
     CD_CHECK(is_enum(__func__, "solver", solver, CD_SOLVER_AUTO));
     MembraneFeatures wanted = features(m);
     wanted.solver = solver;
-    return shared::change_features(__func__, m, wanted);
+    const bool differs = solver != m.solver;
+    CD_CHECK(shared::change_features(__func__, m, wanted));
+    if (differs) make_unlike(m);
+    return CD_OK;
 }
 
 cd_status cd_membrane_set_tolerance(cd_membrane* membrane, double tolerance, size_t most_iterations) {

@@ -67,6 +67,20 @@ inline cd_status disable_field(const char* function, Membrane& m, cd_field field
     return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s: springs that may tear need it", int(field),
                 field_name(field));
 }
+// What the extra mass of factored lines depends on beside masses and springs, whose changes are work.
+inline cd_status set_method(const char* function, Membrane& m, cd_method method) {
+    const bool differs = method != m.method;
+    CD_CHECK(set_method<Membrane>(function, m, method));
+    if (differs) make_unlike(m);
+    return CD_OK;
+}
+inline cd_status set_parameter(const char* function, Membrane& m, const char* name, double value, double& parameter,
+                               double least = 0, double most = kMost) {
+    const double before = parameter;
+    CD_CHECK(set_parameter(function, static_cast<Object&>(m), name, value, parameter, least, most));
+    if (parameter != before) make_unlike(m);
+    return CD_OK;
+}
 } // namespace shared
 
 } // namespace cd

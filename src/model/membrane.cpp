@@ -236,7 +236,7 @@ void fill_uniform(Membrane& m, cd_field field) {
 }
 
 void clear_state(Membrane& m) {
-    if (!m.clock.all_steps_last(m.clock.dt)) m.prepared_dt = 0; // the solver is chosen anew
+    if (!m.clock.all_alike(m.clock.dt)) m.prepared_dt = 0; // the solver is chosen anew
     clear_state(static_cast<Body&>(m));
     if (m.change) memset(m.change.data, 0, m.change.bytes());
 }
@@ -244,8 +244,10 @@ void clear_state(Membrane& m) {
 void stop_nodes(Membrane& m) {
     for (size_t v = 0; v < m.rows; ++v)
         for (size_t u = 0; u < m.columns; ++u)
-            if (kind_of(m, u, v) == CD_NODE_PINNED || !present(m, u, v))
-                for (size_t k = 0; k < m.components; ++k) set_number(m, m.velocity, place(m, u, v, k), 0);
+            for (size_t k = 0; k < m.components && (kind_of(m, u, v) == CD_NODE_PINNED || !present(m, u, v)); ++k) {
+                if (get_number(m, m.velocity, place(m, u, v, k)) != 0) make_unlike(m);
+                set_number(m, m.velocity, place(m, u, v, k), 0);
+            }
 }
 
 bool set_edge(Membrane& m, cd_edge edge, cd_node kind) {

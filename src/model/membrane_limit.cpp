@@ -93,8 +93,10 @@ cd_solver solver_for(const Membrane& m, double dt, double kinks, bool separates)
     // The mean square of the motion is a quarter. The kink about a held node (the lattice's Green's function) adds 0.5
     // to 0.9 times the product of the two rates on 33 x 33 nodes, less on larger sheets.
     const double extra = u.motion * v.motion + kinks * u.spring * v.spring / (double(m.nodes) / 4);
-    // The extra mass of factored lines depends on dt: the energy counts it, and so would change with dt, without bound.
-    const bool varies = separates && extra > 0 && !m.clock.all_steps_last(dt);
+    // The extra mass of factored lines depends on dt and more: the energy counts it, and so would change with these,
+    // without bound. make_unlike is told of what else it depends on, but not of masses and springs, whose changes are
+    // work however a step is solved; and of steps that keep the energy without it, and of velocities put to 0.
+    const bool varies = separates && extra > 0 && !m.clock.all_alike(dt);
     return extra <= kMostExtraMass && !varies ? CD_SOLVER_ALTERNATING : CD_SOLVER_COUPLED;
 }
 

@@ -392,7 +392,8 @@ MembraneOutcome step_springs(Membrane& m, double dt, size_t count) {
     if (bad) stop_nodes(m);
     m.iterations = stepper.worst.iterations;
     m.residual = stepper.worst.residual;
-    return {bad, stepper.worst.reached};
+    const bool factored = m.taken != CD_SOLVER_COUPLED && m.likeness != kDiffer;
+    return {bad, stepper.worst.reached, factored || !work.implicit};
 }
 
 } // namespace
@@ -446,6 +447,7 @@ static MembraneOutcome step_until_asleep(Membrane& m, double dt, size_t count) {
         if (asleep) continue;
         if (all.diverged_at == 0) all.diverged_at = one.diverged_at;
         all.converged &= one.converged;
+        all.factored &= one.factored;
         if (m.iterations > worst.iterations) worst.iterations = m.iterations;
         if (m.residual > worst.residual) worst.residual = m.residual;
         if (m.broken > broken) wake(m);
@@ -463,6 +465,7 @@ MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
     m.broken = 0;
     const MembraneOutcome outcome = may_sleep(m) ? step_until_asleep(m, dt, count) : make_steps(m, dt, count);
     m.clock.advance(dt, count);
+    if (!outcome.factored) make_unlike(m);
     m.diverged = outcome.diverged_at != 0;
     return outcome;
 }

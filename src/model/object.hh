@@ -18,7 +18,7 @@ constexpr double kLeastStep = 1e-30, kMostStep = 1e30;
 
 // Time as a count of steps of one length since a start, so that it does not depend on how steps share calls.
 struct Clock {
-    double start, dt;
+    double start, dt; // start: -0 where steps have differed in something else
     uint64_t counted; // steps of dt since start
     uint64_t steps;   // of any length since create, reset or load
 
@@ -28,8 +28,11 @@ struct Clock {
         const bool of_steps = dt == 0 || (dt >= kLeastStep && dt <= kMostStep);
         return start >= 0 && start <= kMost && of_steps && counted <= steps && (dt > 0 || counted == 0);
     }
-    // Whether steps have always been of this length.
-    bool all_steps_last(double step) const { return steps == 0 || (dt == step && counted == steps); }
+    // Whether steps have always been of this length, and alike in what else make_unlike was told of.
+    bool all_alike(double step) const { return steps == 0 || (dt == step && counted == steps && !signbit(start)); }
+    void make_unlike() {
+        if (steps > 0 && start == 0) start = -0.0;
+    }
     void advance(double step, uint64_t count) {
         if (dt != step) *this = {time(), step, 0, steps};
         counted += count;

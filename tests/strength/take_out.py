@@ -151,8 +151,10 @@ RULES = {
         CLOTH_STEP, "return end <= -kFlat * falls ?", "return false ?", ["physics_cloth_motion"]),
     "unless that met a collider": (
         "../model/membrane_cloth_step.cpp", "if (touched || ", "if (", ["physics_cloth_contact"]),
-    "sheets whose dt changes are solved coupled": (
-        "../model/membrane_limit.cpp", "!m.clock.all_steps_last(dt)", "false", ["stability_membrane_uneven"]),
+    "sheets whose steps differ are solved coupled": (
+        "../model/membrane_limit.cpp", "!m.clock.all_alike(dt)", "false", ["stability_membrane_uneven"]),
+    "in other things than their length too": (
+        "../model/object.hh", " && !signbit(start)", "", ["stability_membrane_uneven"]),
     "a plate's two V-cycles go both ways where one way leads astray": (
         "../solve/conjugate_gradients.cpp", "const bool astray = ", "const bool astray = false && ",
         ["stability_membrane_convergence"]),

@@ -1844,32 +1844,34 @@ end
 -- Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve. CD_SOLVER_AUTO
 -- one of the two below for each dt: alternating where it makes a motion of half a wave along each direction, round a
 -- ring of a whole one, with the kinks at held or attached nodes, at most 5% heavier (by the mean stiffness and inverse
--- mass), coupled elsewhere, and on uniform sheets from the first step on whose dt differs from that of the steps
--- before, until cd_membrane_reset. It holds the memory that either needs: some 300 bytes a node; alternating takes 36
--- on uniform sheets held by edges. Builds without the coupled one alternate. CD_SOLVER_ALTERNATING rows, then columns
--- (Kass 1997, section 9). At a fixed cost it is stable at any stiffness and any dt that stays the same. Its price: a
--- motion with the angular frequencies w_u and w_v along the two directions moves as if it were 1 + (w_u h)^2 (w_v h)^2
--- times as heavy, h = lambda dt: what is fast along both is slowed down. Where it comes to rest does not depend on dt.
--- So it is on uniform sheets held by whole rows and columns, closed forms and all, with up to 16 single nodes held or
--- attached (these if h (h + damping) (2 k + 16 b) is at most 1e4 times a node's mass). On any other sheet (nodes
--- absent, masses or springs of their own, bend with free edges) the factored system would blow up; there, at six times
--- the cost and not quite linear, a step is the best, in energy, of the lines' answers, the velocity and common motion.
--- CD_SOLVER_COUPLED the system itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On uniform
--- sheets without bend and rings, held by whole rows and columns, up to 16 single nodes too, it takes one or two
--- iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet comes to rest at
--- the same place with either; take this one where stiff sheets must move in time, and for stiff parts that move against
--- each other, of which alternating finds the common motion only. It needs many iterations where springs or masses vary
--- at random by decades, plates with free edges hardly stretch or many nodes are tied. Without rest lengths lambda = 1/2
--- keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance; the momentum of a free sheet is
--- kept too, of one torn into parts that of each part, however stiff they are (alternating, of uniform free sheets up to
--- a stiffness of 1e19 mass / h^2, of plates with one ring up to a bend of 1e13). On uniform sheets, alternating, the
--- energy so kept counts the extra mass in what moves, which depends on dt: where dt changes from step to step they gain
--- energy without bound, with lambda = 1/2 or CD_METHOD_STIFF_SECOND by up to an eighth a step where 16 and 17 ms take
--- turns, with lambda = 1 by a quarter where some steps are twice as long. In CD_FLOAT32 each rounding of a velocity is
--- a kick of so many times its energy: where (w_u h) (w_v h) is beyond 1e4, take CD_FLOAT64 or the coupled solver.
--- Plates with stiffness damping, alternating, are first order in time, else second. CD_METHOD_STIFF_SECOND adds no
--- energy where coupled solves meet the default tolerance; a step that ends short of its own has added a third, one that
--- alternates on a sheet that is not uniform a twentieth.
+-- mass), coupled elsewhere, and on uniform sheets once they have been, or steps have differed in dt, method, lambda,
+-- damping or solver, or moving nodes were pinned, until cd_membrane_reset. Short kicks go too far, alternating: at that
+-- bound of one node of 33 x 33 31 times, in a radius of an eighth of the sheet 3.5, of a quarter 1.4 times as far. It
+-- holds memory for either: some 300 bytes a node, where alternating takes 36 on uniform sheets held by edges. Builds
+-- without the coupled one alternate. CD_SOLVER_ALTERNATING rows, then columns (Kass 1997, section 9). At a fixed cost
+-- it is stable at any stiffness and any dt that stays the same. Its price: a motion with the angular frequencies w_u
+-- and w_v along the two directions moves as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is
+-- fast along both is slowed down. Where it comes to rest does not depend on dt. So it is on uniform sheets held by
+-- whole rows and columns, closed forms and all, with up to 16 single nodes held or attached (these if h (h + damping)
+-- (2 k + 16 b) is at most 1e4 times a node's mass). On any other sheet (nodes absent, masses or springs of their own,
+-- bend with free edges) the factored system would blow up; there, at six times the cost and not quite linear, a step is
+-- the best, in energy, of the lines' answers, the velocity and common motion. CD_SOLVER_COUPLED the system itself, to a
+-- tolerance, by conjugate gradients, and as stiff as it should be. On uniform sheets without bend and rings, held by
+-- whole rows and columns, up to 16 single nodes too, it takes one or two iterations of some ten alternating solves
+-- each, elsewhere multigrid: tens of times the cost. A sheet comes to rest at the same place with either; take this one
+-- where stiff sheets must move in time, and for stiff parts that move against each other, of which alternating finds
+-- the common motion only. It needs many iterations where springs or masses vary at random by decades, plates with free
+-- edges hardly stretch or many nodes are tied. Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2
+-- never adds any, coupled whatever its tolerance; the momentum of a free sheet is kept too, of one torn into parts that
+-- of each part, however stiff they are (alternating, of uniform free sheets up to a stiffness of 1e19 mass / h^2, of
+-- plates with one ring up to a bend of 1e13). On uniform sheets, alternating, the energy so kept counts the extra mass
+-- in what moves, which depends on dt, lambda and damping: if these keep changing they gain energy without bound, with
+-- lambda = 1/2 or CD_METHOD_STIFF_SECOND by up to an eighth a step where 16 and 17 ms take turns, with lambda = 1 by a
+-- quarter where some steps are twice as long. In CD_FLOAT32 each rounding of a velocity is a kick of so many times its
+-- energy: where (w_u h) (w_v h) is beyond 1e4, take CD_FLOAT64 or the coupled solver. Plates with stiffness damping,
+-- alternating, are first order in time, else second. CD_METHOD_STIFF_SECOND adds no energy where coupled solves meet
+-- the default tolerance; a step that ends short of its own has added a third, one that alternates on other sheets a
+-- twentieth.
 -- What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
 -- 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
