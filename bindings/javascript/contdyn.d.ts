@@ -1405,8 +1405,8 @@ export class Membrane extends Handle {
   /**
    * What keeps cloth from crumpling within its own plane: springs along u and v shorter than their length push by
    * c (L - l), longer ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default
-   * 10.
-   * It damps turning a little: raise it for stiffer folds, 0 for none.
+   * 10,
+   * with which springs of a flag are 0.87 to 0.98 of L in the mean, with 100 0.97. It damps turning a little; 0: none.
    */
   get compression(): number;
   set compression(value: number);
@@ -1463,9 +1463,11 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it is
-   * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
-   * through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass),
+   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it
+   * would
+   * be deepest in, or nearest to, if it went on as it does, and may not pass the planes that touch them where it
+   * begins:
+   * it goes through none of them, however fast. Contacts yield a little: to a node's force times dt^2 / (1e4 mass),
    * which
    * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
    * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
@@ -1487,9 +1489,11 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it is
-   * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
-   * through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass),
+   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it
+   * would
+   * be deepest in, or nearest to, if it went on as it does, and may not pass the planes that touch them where it
+   * begins:
+   * it goes through none of them, however fast. Contacts yield a little: to a node's force times dt^2 / (1e4 mass),
    * which
    * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
    * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
@@ -1510,9 +1514,11 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it is
-   * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
-   * through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass),
+   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it
+   * would
+   * be deepest in, or nearest to, if it went on as it does, and may not pass the planes that touch them where it
+   * begins:
+   * it goes through none of them, however fast. Contacts yield a little: to a node's force times dt^2 / (1e4 mass),
    * which
    * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
    * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
@@ -1533,9 +1539,11 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it is
-   * deepest in, or nearest to, when the step begins, and may not pass the planes that touch them there: none goes
-   * through a collider, at any speed. Contacts yield a little: to the force on a node times dt^2 / (1e4 its mass),
+   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it
+   * would
+   * be deepest in, or nearest to, if it went on as it does, and may not pass the planes that touch them where it
+   * begins:
+   * it goes through none of them, however fast. Contacts yield a little: to a node's force times dt^2 / (1e4 mass),
    * which
    * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
    * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
