@@ -1403,10 +1403,10 @@ export class Membrane extends Handle {
   set shear(value: number);
 
   /**
-   * What keeps cloth from crumpling within its own plane: springs along u and v shorter than their length push by
-   * c (L - l), longer ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default
-   * 10,
-   * with which springs of a flag are 0.87 to 0.98 of L in the mean, with 100 0.97. It damps turning a little; 0: none.
+   * What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
+   * ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default 10: springs of a
+   * flag
+   * are 0.87 to 0.98 of L in the mean; of 100 0.97. It damps turning a little; beyond 1e8 / dt^2 rounding moves nodes.
    */
   get compression(): number;
   set compression(value: number);
@@ -1474,7 +1474,7 @@ export class Membrane extends Handle {
    * find:
    * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are
    * now
-   * and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
+   * and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
    * m/s.
    * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
@@ -1500,7 +1500,7 @@ export class Membrane extends Handle {
    * find:
    * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are
    * now
-   * and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
+   * and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
    * m/s.
    * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
@@ -1525,7 +1525,7 @@ export class Membrane extends Handle {
    * find:
    * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are
    * now
-   * and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
+   * and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
    * m/s.
    * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
@@ -1550,7 +1550,7 @@ export class Membrane extends Handle {
    * find:
    * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are
    * now
-   * and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
+   * and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
    * m/s.
    * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow

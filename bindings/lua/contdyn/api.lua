@@ -2335,9 +2335,9 @@ function Membrane:get_shear()
   return tonumber(out_stiffness[0])
 end
 
--- What keeps cloth from crumpling within its own plane: springs along u and v shorter than their length push by c (L -
--- l), longer ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default 10, with
--- which springs of a flag are 0.87 to 0.98 of L in the mean, with 100 0.97. It damps turning a little; 0: none.
+-- What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
+-- ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default 10: springs of a flag
+-- are 0.87 to 0.98 of L in the mean; of 100 0.97. It damps turning a little; beyond 1e8 / dt^2 rounding moves nodes.
 function Membrane:set_compression(rate)
   local where = "cd_membrane_set_compression"
   rate = number_in(rate, where, "rate")
@@ -2345,9 +2345,9 @@ function Membrane:set_compression(rate)
   check(lib.cd_membrane_set_compression(handle_of(self), rate))
 end
 
--- What keeps cloth from crumpling within its own plane: springs along u and v shorter than their length push by c (L -
--- l), longer ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default 10, with
--- which springs of a flag are 0.87 to 0.98 of L in the mean, with 100 0.97. It damps turning a little; 0: none.
+-- What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
+-- ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default 10: springs of a flag
+-- are 0.87 to 0.98 of L in the mean; of 100 0.97. It damps turning a little; beyond 1e8 / dt^2 rounding moves nodes.
 function Membrane:get_compression()
   local where = "cd_membrane_get_compression"
   local out_rate = double_1()
@@ -2475,7 +2475,7 @@ end
 -- is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
 -- itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find:
 -- with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are now
--- and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s.
+-- and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s.
 -- What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
 -- Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow
 -- rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
@@ -2495,7 +2495,7 @@ end
 -- is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
 -- itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find:
 -- with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are now
--- and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s.
+-- and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s.
 -- What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
 -- Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow
 -- rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
@@ -2515,7 +2515,7 @@ end
 -- is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
 -- itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find:
 -- with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are now
--- and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s.
+-- and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s.
 -- What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
 -- Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow
 -- rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
@@ -2540,7 +2540,7 @@ end
 -- is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
 -- itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find:
 -- with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are now
--- and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s.
+-- and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s.
 -- What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
 -- Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow
 -- rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
@@ -2566,7 +2566,7 @@ end
 -- is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
 -- itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find:
 -- with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are now
--- and then deeper: by some 1e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s.
+-- and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s.
 -- What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
 -- Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow
 -- rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
