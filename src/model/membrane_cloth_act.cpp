@@ -77,8 +77,9 @@ void add_air(const Membrane& m, ClothWork& w, double h) {
 
 namespace {
 
-// How stiff a contact is, over the mass of its node; and the speed e of v / (v + e) in friction [m/s].
-constexpr double kContactStiffness = 1e4, kStickSpeed = 1e-3;
+// How stiff a contact is, over the mass of its node; the speed e of v / (v + e) in friction [m/s]; and how much friction
+// may resist, over the contact's stiffness: of any more, rounding would hold the node along the normal too.
+constexpr double kContactStiffness = 1e4, kStickSpeed = 1e-3, kMostFriction = 1e6;
 
 Vector3 operator+(Vector3 a, Vector3 b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
 
@@ -144,10 +145,11 @@ Answers ask_all(Membrane& m, const ClothWork& w, const Obstacle& to, double time
     return {gaps, normals};
 }
 
-// Puts a contact among the nearest ones of its node, in the order of their gaps.
-void keep_nearest(ClothContact* of_node, size_t most, const ClothContact& contact) {
+// Puts a contact among those of its node that it would be deepest in if it went on by `way`, in that order.
+void keep_nearest(ClothContact* of_node, size_t most, const ClothContact& contact, Vector3 way) {
+    const auto left = [&](const ClothContact& c) { return c.room + dot(normal_of(c), way); };
     size_t place = most;
-    while (place > 0 && of_node[place - 1].gap > contact.gap) --place;
+    while (place > 0 && left(of_node[place - 1]) > left(contact)) --place;
     if (place == most) return;
     for (size_t j = most - 1; j > place; --j) of_node[j] = of_node[j - 1];
     of_node[place] = contact;
@@ -157,7 +159,7 @@ void keep_nearest(ClothContact* of_node, size_t most, const ClothContact& contac
 
 size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt) {
     const size_t most = most_contacts(collider_count(m)), places = most * m.nodes;
-    for (size_t i = 0; i < places; ++i) w.contacts[i].gap = HUGE_VAL; // none
+    for (size_t i = 0; i < places; ++i) w.contacts[i].room = HUGE_VAL; // none
     each_obstacle(m, m.cloth.thickness, [&](const Obstacle& to) {
         const Vector3 velocity = {{to.velocity[0], to.velocity[1], to.velocity[2]}};
         const Answers told = to.callback ? ask_all(m, w, to, now) : Answers();
@@ -175,12 +177,12 @@ size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt) {
                                      {},
                                      0};
                 for (int k = 0; k < 3; ++k) contact.normal[k] = gap.normal[k], contact.velocity[k] = velocity[k];
-                keep_nearest(w.contacts + node * most, most, contact);
+                keep_nearest(w.contacts + node * most, most, contact, dt * vector_at(w.w, at));
             }
     });
     size_t found = 0;
     for (size_t i = 0; i < places; ++i)
-        if (w.contacts[i].gap < HUGE_VAL) w.contacts[found++] = w.contacts[i];
+        if (w.contacts[i].room < HUGE_VAL) w.contacts[found++] = w.contacts[i];
     return found;
 }
 
@@ -190,7 +192,7 @@ namespace {
 double resistance_of(const ClothContact& c, Vector3 velocity, Vector3& slip) {
     const Vector3 through = velocity - collider_velocity(c), normal = normal_of(c);
     slip = through - dot(normal, through) * normal;
-    return c.friction * c.push / (sqrt(dot(slip, slip)) + kStickSpeed);
+    return fmin(c.friction * c.push / (sqrt(dot(slip, slip)) + kStickSpeed), kMostFriction * c.stiffness);
 }
 
 // The pushes that friction goes by: those of the contacts at this velocity, but no more than would keep the node out if it

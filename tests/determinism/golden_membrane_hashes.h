@@ -61,4 +61,4 @@
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
 {10, 0, 0, {0x832e0b1ba5b55cd2, 0x2cb71447148624fa}}, /* sail */
 {11, 0, 0, {0x7adbe2432f71cec0, 0xadac2740d2da1a4a}}, /* lengths */
-{12, 0, 0, {0xfa1650841d9832eb, 0xbc91ea1f4474b009}}, /* lengths, tube */
+{12, 0, 0, {0xfa1650841d9832eb, 0x5393e3b9de7718eb}}, /* lengths, tube */

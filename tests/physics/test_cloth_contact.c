@@ -155,6 +155,28 @@ static void a_slope_holds_or_lets_slide(void** state) {
         }
 }
 
+/* However much friction there is, what lies inside comes out, and then stays where it is, steep as the slope may be. */
+static void any_friction_lets_out_and_holds(void** state) {
+    (void)state;
+    static const double frictions[] = {1e3, 1e6, 1e12, 1e20, 1e60};
+    for (size_t f = 0; f < COUNT(frictions); ++f) {
+        const double angle = -1.3, depth = 0.05, normal[3] = {-sin(angle), cos(angle), 0};
+        const double point[3] = {depth * normal[0], depth * normal[1], 0};
+        double before[3], after[3];
+        cd_membrane* m = level(8, 0, 1);
+        turn(m, angle);
+        ok(cd_membrane_set_plane(m, 0, point, normal, 3, frictions[f]));
+        middle_of(m, CD_POSITION, before);
+        ok(cd_membrane_step(m, 1 / 60.0, 60));
+        middle_of(m, CD_POSITION, after);
+        const double moved = cos(angle) * (after[0] - before[0]) + sin(angle) * (after[1] - before[1]);
+        print_message("friction %g: %.1e m deep, moved %.1e m\n", frictions[f], -least_gap(m), moved);
+        assert_true(least_gap(m) > -1e-5);
+        assert_true(fabs(moved) < fmax(1e-8, 4e-3 / frictions[f]));
+        cd_membrane_destroy(m);
+    }
+}
+
 /* A belt under the sheet: it comes along by friction g / 2, until it goes as the belt does. */
 static void a_belt_takes_the_sheet_along(void** state) {
     (void)state;
@@ -203,6 +225,32 @@ static void nothing_goes_through_however_fast(void** state) {
         cd_membrane_destroy(m);
     }
     print_message("thrown with 50 m/s: deepest %.1e m\n", deepest);
+}
+
+/* Down a shaft onto a bar: the four walls are nearer than the bar, until a step goes past it. */
+static void what_lies_ahead_counts_before_what_is_near(void** state) {
+    (void)state;
+    for (int way = 0; way < 8; ++way) {
+        const double dt = way % 2 ? 1 / 30.0 : 1 / 60.0, speed = 5 << way / 2;
+        cd_membrane* m = level(8, 0, 5);
+        for (size_t wall = 0; wall < 4; ++wall) {
+            double point[3] = {0, 0, 0}, inwards[3] = {0, 0, 0};
+            const size_t axis = wall / 2 * 2;
+            inwards[axis] = wall % 2 ? 1 : -1;
+            point[axis] = -0.52 * inwards[axis];
+            ok(cd_membrane_set_plane(m, wall, point, inwards, 3, 0));
+        }
+        ok(cd_membrane_set_capsule(m, 4, (double[3]){-1, -0.8, 0}, (double[3]){1, -0.8, 0}, 3, 0.1, 0));
+        throw_at(m, 0, -speed, 0);
+        double deepest = 0, middle[3];
+        for (int n = 0; n < 15; ++n) ok(cd_membrane_step(m, dt, 1)), deepest = fmax(deepest, -least_gap(m));
+        ok(cd_membrane_read_f64(m, CD_POSITION, 4, 4, 1, 1, middle, 3)); /* above the bar */
+        print_message("down a shaft at %g m/s, dt %.4f: %.1e m deep, middle at %.3f m\n", speed, dt, deepest,
+                      middle[1]);
+        assert_true(deepest < 4e-3);
+        assert_true(middle[1] > -0.8);
+        cd_membrane_destroy(m);
+    }
 }
 
 /* An upright bar that moves through where a sheet stands: no node passes it, and in the end all go with it. */
@@ -375,11 +423,13 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_dropped_sheet_comes_to_rest),
         cmocka_unit_test(a_slope_holds_or_lets_slide),
+        cmocka_unit_test(any_friction_lets_out_and_holds),
         cmocka_unit_test(a_belt_takes_the_sheet_along),
         cmocka_unit_test(what_lands_sliding_loses_what_friction_takes),
         cmocka_unit_test(what_lies_flat_begins_to_slide),
         cmocka_unit_test(what_lies_on_an_axis_comes_out),
         cmocka_unit_test(nothing_goes_through_however_fast),
+        cmocka_unit_test(what_lies_ahead_counts_before_what_is_near),
         cmocka_unit_test(a_bar_that_moves_sweeps_the_sheet_along),
         cmocka_unit_test(what_starts_inside_comes_out_and_is_not_thrown),
         cmocka_unit_test(a_sheet_in_a_gutter_enters_neither_side),

@@ -406,6 +406,10 @@ RULES = {
         HULL_PLATES, "round = periodic ? length : 2 * length;", "round = length;", ["physics_water_hulls"]),
     "cloth heeds several colliders": (
         "../model/membrane_cloth.hh", "kMostTouched = 3;", "kMostTouched = 1;", ["physics_cloth_contact"]),
+    "what lies ahead before what is near": (
+        CLOTH_ACT, "contact, dt * vector_at(w.w, at));", "contact, Vector3());", ["physics_cloth_contact"]),
+    "friction of cloth resists no more than rounding bears": (
+        CLOTH_ACT, "kMostFriction = 1e6;", "kMostFriction = 1e60;", ["physics_cloth_contact"]),
     "stiff bend of a single line makes no forces": (
         "../model/membrane_work.cpp", "m.stiff_rod = has_bend(m) &&", "m.stiff_rod = false && has_bend(m) &&",
         ["stability_membrane_rigid"]),
@@ -414,7 +418,7 @@ RULES = {
     "contacts of cloth yield little": (
         CLOTH_ACT, "kContactStiffness = 1e4,", "kContactStiffness = 1e2,", ["physics_cloth_contact"]),
     "and stick below a speed": (
-        CLOTH_ACT, "kStickSpeed = 1e-3;", "kStickSpeed = 1e-1;", ["physics_cloth_contact"]),
+        CLOTH_ACT, "kStickSpeed = 1e-3,", "kStickSpeed = 1e-1,", ["physics_cloth_contact"]),
     "a line of cloth's springs tears in one place of a step": (
         CLOTH_TEAR, "if (now > worst[line * stride]) worst[line * stride] = now, place[line * stride] = double(i);",
         "if (now > 1) m.spring_stiffness[d][at] = 0;", ["physics_cloth_tears"]),

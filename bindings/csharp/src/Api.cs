@@ -2955,9 +2955,10 @@ namespace Contdyn
             }
         }
 
-        /// <summary>What keeps cloth from crumpling within its own plane: springs along u and v shorter than their
-        /// length push by c (L - l), longer ones pull by as much, c dealt out as a stiffness of mass * rate is. rate
-        /// [1/s^2] &gt;= 0, default 10. It damps turning a little: raise it for stiffer folds, 0 for none.</summary>
+        /// <summary>What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c
+        /// (L - l), longer ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] &gt;= 0,
+        /// default 10: springs of a flag are 0.87 to 0.98 of L in the mean; of 100 0.97. It damps turning a little;
+        /// beyond 1e8 / dt^2 rounding moves nodes.</summary>
         public double Compression
         {
             get
@@ -3114,18 +3115,19 @@ namespace Contdyn
 
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the planes
-        /// that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the force on
-        /// a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what
-        /// lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at
-        /// the speed v, of the push that the step's iterations find: with the default effort what begins to slide is up
-        /// to a quarter too slow in its first half second, and nodes are now and then deeper: by some 1e-3 m in steps
-        /// of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside, or yielded so
-        /// far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step. Beds and callbacks are
-        /// those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above
-        /// that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
-        /// all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
+        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
+        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
+        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
+        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
+        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
+        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
+        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
+        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
+        /// cd_chain.</summary>
         public long Colliders
         {
             get
@@ -3145,18 +3147,19 @@ namespace Contdyn
 
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the planes
-        /// that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the force on
-        /// a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what
-        /// lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at
-        /// the speed v, of the push that the step's iterations find: with the default effort what begins to slide is up
-        /// to a quarter too slow in its first half second, and nodes are now and then deeper: by some 1e-3 m in steps
-        /// of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside, or yielded so
-        /// far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step. Beds and callbacks are
-        /// those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above
-        /// that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
-        /// all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
+        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
+        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
+        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
+        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
+        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
+        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
+        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
+        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
+        /// cd_chain.</summary>
         public void SetPlane(long index, double[] point, double[] normal, double friction)
         {
             fixed (double* pointPointer = point)
@@ -3167,18 +3170,19 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the planes
-        /// that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the force on
-        /// a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what
-        /// lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at
-        /// the speed v, of the push that the step's iterations find: with the default effort what begins to slide is up
-        /// to a quarter too slow in its first half second, and nodes are now and then deeper: by some 1e-3 m in steps
-        /// of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside, or yielded so
-        /// far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step. Beds and callbacks are
-        /// those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above
-        /// that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
-        /// all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
+        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
+        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
+        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
+        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
+        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
+        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
+        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
+        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
+        /// cd_chain.</summary>
         public void SetPlane(long index, ReadOnlySpan<double> point, ReadOnlySpan<double> normal, double friction)
         {
             fixed (double* pointPointer = &MemoryMarshal.GetReference(point))
@@ -3200,18 +3204,19 @@ namespace Contdyn
 
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the planes
-        /// that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the force on
-        /// a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what
-        /// lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at
-        /// the speed v, of the push that the step's iterations find: with the default effort what begins to slide is up
-        /// to a quarter too slow in its first half second, and nodes are now and then deeper: by some 1e-3 m in steps
-        /// of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside, or yielded so
-        /// far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step. Beds and callbacks are
-        /// those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above
-        /// that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
-        /// all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
+        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
+        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
+        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
+        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
+        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
+        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
+        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
+        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
+        /// cd_chain.</summary>
         public void SetCapsule(long index, double[] first, double[] last, double radius, double friction)
         {
             fixed (double* firstPointer = first)
@@ -3223,18 +3228,19 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the planes
-        /// that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the force on
-        /// a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what
-        /// lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at
-        /// the speed v, of the push that the step's iterations find: with the default effort what begins to slide is up
-        /// to a quarter too slow in its first half second, and nodes are now and then deeper: by some 1e-3 m in steps
-        /// of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside, or yielded so
-        /// far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step. Beds and callbacks are
-        /// those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above
-        /// that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
-        /// all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
+        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
+        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
+        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
+        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
+        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
+        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
+        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
+        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
+        /// cd_chain.</summary>
         public void SetCapsule(long index, ReadOnlySpan<double> first, ReadOnlySpan<double> last, double radius,
             double friction)
         {
@@ -3257,18 +3263,19 @@ namespace Contdyn
 
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the planes
-        /// that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the force on
-        /// a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what
-        /// lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at
-        /// the speed v, of the push that the step's iterations find: with the default effort what begins to slide is up
-        /// to a quarter too slow in its first half second, and nodes are now and then deeper: by some 1e-3 m in steps
-        /// of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside, or yielded so
-        /// far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step. Beds and callbacks are
-        /// those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above
-        /// that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
-        /// all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
+        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
+        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
+        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
+        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
+        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
+        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
+        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
+        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
+        /// cd_chain.</summary>
         public void SetBed(long index, double[] origin, long columns, long rows, double columnSpacing,
             double rowSpacing, double[] heights, double friction)
         {
@@ -3281,18 +3288,19 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it is deepest in, or nearest to, when the step begins, and may not pass the planes
-        /// that touch them there: none goes through a collider, at any speed. Contacts yield a little: to the force on
-        /// a node times dt^2 / (1e4 its mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what
-        /// lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at
-        /// the speed v, of the push that the step's iterations find: with the default effort what begins to slide is up
-        /// to a quarter too slow in its first half second, and nodes are now and then deeper: by some 1e-3 m in steps
-        /// of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies inside, or yielded so
-        /// far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step. Beds and callbacks are
-        /// those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow rises above
-        /// that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
-        /// all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing
-        /// after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of cd_chain.</summary>
+        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
+        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
+        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
+        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
+        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
+        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
+        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
+        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
+        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
+        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
+        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
+        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
+        /// cd_chain.</summary>
         public void SetBed(long index, ReadOnlySpan<double> origin, long columns, long rows, double columnSpacing,
             double rowSpacing, ReadOnlySpan<double> heights, double friction)
         {
