@@ -244,10 +244,12 @@ void clear_state(Membrane& m) {
 void stop_nodes(Membrane& m) {
     for (size_t v = 0; v < m.rows; ++v)
         for (size_t u = 0; u < m.columns; ++u)
-            for (size_t k = 0; k < m.components && (kind_of(m, u, v) == CD_NODE_PINNED || !present(m, u, v)); ++k) {
-                if (get_number(m, m.velocity, place(m, u, v, k)) != 0) make_unlike(m);
-                set_number(m, m.velocity, place(m, u, v, k), 0);
-            }
+            if (kind_of(m, u, v) == CD_NODE_PINNED || !present(m, u, v))
+                for (size_t k = 0; k < m.components; ++k) {
+                    const size_t at = place(m, u, v, k);
+                    if (get_number(m, m.velocity, at) != 0) make_unlike(m);
+                    set_number(m, m.velocity, at, 0);
+                }
 }
 
 bool set_edge(Membrane& m, cd_edge edge, cd_node kind) {

@@ -193,7 +193,6 @@ bool needs_of(const Membrane& m, const MembraneFeatures& f, MembraneNeeds& out);
 struct MembraneOutcome {
     uint64_t diverged_at; // number of the first step at which a number left the finite range, or 0
     bool converged;       // of all coupled solves
-    bool factored = true; // whether the energy that the steps kept, if any, counts the extra mass of factored lines
 };
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count);
 // Tells CD_SOLVER_AUTO that steps from here on differ from those before in what factored lines' energy depends on.

@@ -84,7 +84,7 @@ constexpr double kContactStiffness = 1e4, kStickSpeed = 1e-3, kMostFriction = 1e
 Vector3 operator+(Vector3 a, Vector3 b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
 
 // A direction at right angles to `way`: any, if that is 0.
-Vector3 across(Vector3 way) {
+__attribute__((cold)) Vector3 across(Vector3 way) {
     int least = 0;
     for (int k = 1; k < 3; ++k)
         if (fabs(way[k]) < fabs(way[least])) least = k;
@@ -146,13 +146,10 @@ Answers ask_all(Membrane& m, const ClothWork& w, const Obstacle& to, double time
 }
 
 // Puts a contact among those of its node that it would be deepest in if it went on by `way`, in that order.
-void keep_nearest(ClothContact* of_node, size_t most, const ClothContact& contact, Vector3 way) {
+void keep_nearest(ClothContact* of_node, size_t most, ClothContact contact, Vector3 way) {
     const auto left = [&](const ClothContact& c) { return c.room + dot(normal_of(c), way); };
-    size_t place = most;
-    while (place > 0 && left(of_node[place - 1]) > left(contact)) --place;
-    if (place == most) return;
-    for (size_t j = most - 1; j > place; --j) of_node[j] = of_node[j - 1];
-    of_node[place] = contact;
+    for (size_t j = 0; j < most; ++j)
+        if (left(contact) < left(of_node[j])) std::swap(contact, of_node[j]);
 }
 
 } // namespace
@@ -168,15 +165,15 @@ size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt) {
                 const size_t at = w.place(u, v);
                 if (!(w.moves[at] > 0)) continue;
                 const Gap gap = to.callback ? told[node] : gap_to(to, vector_at(w.from, at), now);
-                ClothContact contact{double(at),
-                                     {},
-                                     gap.size,
-                                     gap.size - dt * dot(gap.normal, velocity),
-                                     kContactStiffness * w.mass[at],
-                                     to.friction,
-                                     {},
-                                     0};
-                for (int k = 0; k < 3; ++k) contact.normal[k] = gap.normal[k], contact.velocity[k] = velocity[k];
+                const Vector3 out = gap.normal;
+                const ClothContact contact{double(at),
+                                           {out[0], out[1], out[2]},
+                                           gap.size,
+                                           gap.size - dt * dot(out, velocity),
+                                           kContactStiffness * w.mass[at],
+                                           to.friction,
+                                           {velocity[0], velocity[1], velocity[2]},
+                                           0};
                 keep_nearest(w.contacts + node * most, most, contact, dt * vector_at(w.w, at));
             }
     });
@@ -192,7 +189,9 @@ namespace {
 double resistance_of(const ClothContact& c, Vector3 velocity, Vector3& slip) {
     const Vector3 through = velocity - collider_velocity(c), normal = normal_of(c);
     slip = through - dot(normal, through) * normal;
-    return fmin(c.friction * c.push / (sqrt(dot(slip, slip)) + kStickSpeed), kMostFriction * c.stiffness);
+    const double most = kMostFriction * c.stiffness,
+                 wanted = c.friction * c.push / (sqrt(dot(slip, slip)) + kStickSpeed);
+    return wanted < most ? wanted : most;
 }
 
 // The pushes that friction goes by: those of the contacts at this velocity, but no more than would keep the node out if it

@@ -392,8 +392,7 @@ MembraneOutcome step_springs(Membrane& m, double dt, size_t count) {
     if (bad) stop_nodes(m);
     m.iterations = stepper.worst.iterations;
     m.residual = stepper.worst.residual;
-    const bool factored = m.taken != CD_SOLVER_COUPLED && m.likeness != kDiffer;
-    return {bad, stepper.worst.reached, factored || !work.implicit};
+    return {bad, stepper.worst.reached};
 }
 
 } // namespace
@@ -447,7 +446,6 @@ static MembraneOutcome step_until_asleep(Membrane& m, double dt, size_t count) {
         if (asleep) continue;
         if (all.diverged_at == 0) all.diverged_at = one.diverged_at;
         all.converged &= one.converged;
-        all.factored &= one.factored;
         if (m.iterations > worst.iterations) worst.iterations = m.iterations;
         if (m.residual > worst.residual) worst.residual = m.residual;
         if (m.broken > broken) wake(m);
@@ -465,7 +463,8 @@ MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
     m.broken = 0;
     const MembraneOutcome outcome = may_sleep(m) ? step_until_asleep(m, dt, count) : make_steps(m, dt, count);
     m.clock.advance(dt, count);
-    if (!outcome.factored) make_unlike(m);
+    // Steps that keep the energy without the extra mass of factored lines.
+    if (m.taken == CD_SOLVER_COUPLED || (m.taken == CD_SOLVER_ALTERNATING && m.likeness == kDiffer)) make_unlike(m);
     m.diverged = outcome.diverged_at != 0;
     return outcome;
 }
