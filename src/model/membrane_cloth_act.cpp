@@ -1,5 +1,6 @@
 // What acts on cloth from outside: air, and what it touches.
 #include <math.h>
+#include <utility>
 
 #include "model/membrane_cloth.hh"
 
