@@ -147,7 +147,7 @@ Answers ask_all(Membrane& m, const ClothWork& w, const Obstacle& to, double time
 }
 
 // Puts a contact among those of its node that it would be deepest in if it went on by `way`, in that order.
-void keep_nearest(ClothContact* of_node, size_t most, ClothContact contact, Vector3 way) {
+void keep_deepest(ClothContact* of_node, size_t most, ClothContact contact, Vector3 way) {
     const auto left = [&](const ClothContact& c) { return c.room + dot(normal_of(c), way); };
     for (size_t j = 0; j < most; ++j)
         if (left(contact) < left(of_node[j])) std::swap(contact, of_node[j]);
@@ -175,7 +175,7 @@ size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt) {
                                            to.friction,
                                            {velocity[0], velocity[1], velocity[2]},
                                            0};
-                keep_nearest(w.contacts + node * most, most, contact, dt * vector_at(w.w, at));
+                keep_deepest(w.contacts + node * most, most, contact, dt * vector_at(w.w, at));
             }
     });
     size_t found = 0;

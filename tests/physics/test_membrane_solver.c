@@ -164,8 +164,8 @@ static void the_step_is_that_of_the_solver_taken(void** state) {
         cd_membrane* const m = sheet_of(c, CD_SOLVER_AUTO);
         cd_membrane* const other = sheet_of(c, CD_SOLVER_COUPLED);
         const int separates = c->kind != TORN && c->bend == 0;
-        for (int step = 0; step < 9;
-             ++step) { /* from one to the other, and back where the directions do not separate */
+        /* From one to the other, and back where the directions do not separate. */
+        for (int step = 0; step < 9; ++step) {
             const int alternates = separates ? step / 3 == 0 : step / 3 != 1;
             const double dt = (step / 3 == 1 ? 3 : 0.5) * bound;
             ok(cd_membrane_set_solver(other, alternates ? CD_SOLVER_ALTERNATING : CD_SOLVER_COUPLED));
