@@ -42,9 +42,10 @@ struct Pull {
     const ClothSprings& springs;
     const ClothMatrix& matrix;
     double h, dt;
+    const double* const* velocity;
     bool curves;
 
-    template <int N> Vector<N> force(int number, ptrdiff_t at, Vector<N> way, bool keeps) const {
+    template <int N> Vector<N> force(int number, ptrdiff_t at, ptrdiff_t under, Vector<N> way, bool keeps) const {
         using L = Lanes<N>;
         const L stiffness = L::load(springs.stiffness[number] + at), length = L::load(springs.length[number] + at);
         const L compression = number <= kAlongV ? L::load(springs.compression[number] + at) : L{};
@@ -59,22 +60,25 @@ struct Pull {
             ((h * dt) * compression + across).store(matrix.spring[number].plane[0] + at);
             ((root(most - across) * per_now) * way).store(matrix.spring[number].plane + 1, at);
         }
-        return (h * (along + compression)) * way;
+        if (number > kAlongV) return (h * along) * way;
+        const Vector<N> moves =
+            Vector<N>::load(velocity, number == kAlongU ? at + 1 : under) - Vector<N>::load(velocity, at);
+        return (h * along) * way + ((h * dt) * compression) * moves;
     }
 };
 
-// What keeps springs from crumpling pushes them towards their length: compression (l - L), of which the first part is
-// Pull's and this one the second.
+// What keeps springs from crumpling pushes them towards their length: compression (l - L) as a step finds it, and as they
+// move on, which is Pull's. As compression l and compression L, which cancel, it would be lost in rounding.
 struct Unfold {
     const ClothSprings& springs;
     double h;
 
-    template <int N> Vector<N> force(int number, ptrdiff_t at, Vector<N> way, bool) const {
+    template <int N> Vector<N> force(int number, ptrdiff_t at, ptrdiff_t, Vector<N> way, bool) const {
         using L = Lanes<N>;
         if (number > kAlongV) return Vector<N>{};
         const L length = L::load(springs.length[number] + at);
         const L now = larger(root(dot(way, way)), kLeastDirection * length);
-        return (-h * (L::load(springs.compression[number] + at) * length) / now) * way;
+        return (h * L::load(springs.compression[number] + at) * (L::splat(1) - length / now)) * way;
     }
 };
 
@@ -82,7 +86,7 @@ struct Unfold {
 struct Product {
     const ClothMatrix& matrix;
 
-    template <int N> Vector<N> force(int number, ptrdiff_t at, Vector<N> way, bool) const {
+    template <int N> Vector<N> force(int number, ptrdiff_t at, ptrdiff_t, Vector<N> way, bool) const {
         using L = Lanes<N>;
         const double* const* const plane = matrix.spring[number].plane;
         const Vector<N> a = Vector<N>::load(plane + 1, at);
@@ -106,7 +110,7 @@ template <class Law, class Node> void sum_springs(const Grid& grid, const Law& l
             const V way[kClothSprings] = {right - self, down - self, across - self, down - right};
             V force[kClothSprings];
             for (int number = 0; number < kClothSprings; ++number)
-                force[number] = law.template force<kLanes>(number, at, way[number], keeps);
+                force[number] = law.template force<kLanes>(number, at, under, way[number], keeps);
             const auto before = [&](ClothSpring number) { return behind(left[number], force[number]); };
             if (u >= 0)
                 sums(size_t(u), force[kAlongU] + force[kAlongV] + force[kDiagonal] + before(kCounterDiagonal),
@@ -128,10 +132,11 @@ void cloth_residual(const Grid& grid, const ClothSprings& springs, const ClothMa
                     const double* const* y, double* const* r, bool curves, double* scratch, size_t first,
                     size_t count) {
     using L = Lanes<kLanes>;
-    sum_springs(grid, Pull{springs, matrix, with.h, with.dt, curves}, y, scratch, first, count, [&](size_t at, V pull) {
-        const V own = times<kLanes>(matrix.ground, at, V::load(with.w, at));
-        (L::load(matrix.moves + at) * ((V::load(with.rhs, at) - own) + pull)).store(r, at);
-    });
+    sum_springs(grid, Pull{springs, matrix, with.h, with.dt, with.w, curves}, y, scratch, first, count,
+                [&](size_t at, V pull) {
+                    const V own = times<kLanes>(matrix.ground, at, V::load(with.w, at));
+                    (L::load(matrix.moves + at) * ((V::load(with.rhs, at) - own) + pull)).store(r, at);
+                });
 }
 
 void cloth_unfold(const Grid& grid, const ClothSprings& springs, double h, const double* const* y, double* const* out,

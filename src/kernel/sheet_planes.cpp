@@ -44,9 +44,10 @@ void transpose(const Grid& grid, const double* from, double* to, size_t to_pitch
     }
 }
 
-void combine(const Grid& grid, double alpha, double* a, double beta, const double* b, size_t first, size_t count) {
+void combine(const Grid& grid, double alpha, const double* a, double beta, const double* b, double* out, size_t first,
+             size_t count) {
     for (size_t r = first; r < first + count; ++r) {
-        Combine bundles{alpha, beta, a + r * grid.pitch, b + r * grid.pitch};
+        Combine bundles{alpha, beta, a + r * grid.pitch, b + r * grid.pitch, out + r * grid.pitch};
         along_row(0, grid.columns, bundles);
     }
 }

@@ -91,6 +91,7 @@ struct ClothStep {
         copy(velocity, w.to);
         combine(dt, w.to, 1, w.from);
         wrap(w.to);
+        wrap(velocity);
         const ClothMatrix matrix = w.matrix(w.own);
         const ClothResidual with{h, dt, {w.rhs[0], w.rhs[1], w.rhs[2]}, {velocity[0], velocity[1], velocity[2]}};
         rows([&](size_t first, size_t count, double* scratch) {

@@ -52,7 +52,7 @@ void SheetSystem::copy(const double* from, double* to) const {
 }
 
 void SheetSystem::combine(double alpha, double* a, double beta, const double* b) const {
-    rows([&](size_t first, size_t count) { kernels->combine(grid, alpha, a, beta, b, first, count); });
+    rows([&](size_t first, size_t count) { kernels->combine(grid, alpha, a, beta, b, a, first, count); });
 }
 
 void SheetSystem::multiply(const double* a, const double* b, double* out) const {

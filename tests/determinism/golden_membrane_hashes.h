@@ -59,6 +59,6 @@
 {9, 3, 0, {0x3d0fe91e35e3c78f, 0xf875ebadc490f80b}}, /* everything, tube */
 {9, 0, 1, {0x531346c2f77db88a, 0xdaf2406c65b1fe9c}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
-{10, 0, 0, {0x832e0b1ba5b55cd2, 0x2cb71447148624fa}}, /* sail */
-{11, 0, 0, {0x7adbe2432f71cec0, 0xadac2740d2da1a4a}}, /* lengths */
-{12, 0, 0, {0xfa1650841d9832eb, 0x5393e3b9de7718eb}}, /* lengths, tube */
+{10, 0, 0, {0x832e0b1ba5b55cd2, 0x0b63c0c0bda8165b}}, /* sail */
+{11, 0, 0, {0x7adbe2432f71cec0, 0xe91b612c082ebabb}}, /* lengths */
+{12, 0, 0, {0xfa1650841d9832eb, 0x666ff154f8415214}}, /* lengths, tube */

@@ -338,6 +338,29 @@ static void what_is_asked_for_is_found(void** state) {
     assert_true(worst < 1e-11); /* 2e-4 if a search among slopes of rounding went nowhere */
 }
 
+/* However much keeps a flat sheet from crumpling, what it moves by is the noise that it begins with. */
+static void what_does_not_crumple_lies_still(void** state) {
+    (void)state;
+    for (int way = 0; way < 8; ++way) {
+        const double dt = way % 2 ? 1 : 1 / 60.0, rate = pow(10, 4 + way / 2 * 4) / (dt * dt), noise = 1e-12;
+        double x[3 * MOST], most = 0;
+        cd_membrane* m = flat(15, 15, 8, 8);
+        uint64_t random = 1;
+        cloth_read(m, CD_POSITION, x);
+        for (size_t i = 0; i < numbers_of(m); ++i) x[i] += noise * random_number(&random);
+        cloth_write(m, CD_POSITION, x);
+        ok(cd_membrane_set_compression(m, rate));
+        for (int n = 0; n < 60; ++n) {
+            ok(cd_membrane_step(m, dt, 1));
+            cloth_read(m, CD_VELOCITY, x);
+            for (size_t i = 0; i < numbers_of(m); ++i) most = fmax(most, fabs(x[i]) * dt);
+        }
+        print_message("compression %g, dt %.4f: moves by %.1e m a step\n", rate, dt, most);
+        assert_true(most < 1e-9);
+        cd_membrane_destroy(m);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_flat_sheet_falls_as_the_air_lets_it),
@@ -350,6 +373,7 @@ int main(void) {
         cmocka_unit_test(a_reset_leaves_nothing_of_what_was),
         cmocka_unit_test(a_teleport_changes_nothing_but_the_place),
         cmocka_unit_test(a_taut_sheet_swings_to_first_order),
+        cmocka_unit_test(what_does_not_crumple_lies_still),
     };
     return cmocka_run_group_tests_name("cloth that moves", tests, NULL, NULL);
 }
