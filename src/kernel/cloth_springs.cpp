@@ -29,7 +29,7 @@ template <int N> Vector<N> behind(Vector<N> before, Vector<N> now) {
 }
 
 // Symmetric numbers in the order of ClothMatrix::ground, the last three null: they are 0.
-template <int N> Vector<N> times(const double* const* planes, size_t at, Vector<N> v) {
+template <int N> CD_INLINED inline Vector<N> times(const double* const* planes, size_t at, Vector<N> v) {
     const auto of = [&](int k) { return Lanes<N>::load(planes[k] + at); };
     if (!planes[3]) return {of(0) * v.x, of(1) * v.y, of(2) * v.z};
     const Lanes<N> xy = of(3), xz = of(4), yz = of(5);

@@ -200,8 +200,9 @@ void smooth_lines(const Grid& grid, const LineFactors& factors, const double* cr
 // ---- planes (sheet_planes.cpp) ----
 
 void transpose(const Grid& grid, const double* from, double* to, size_t to_pitch, size_t first, size_t count);
-// a = alpha a + beta b
-void combine(const Grid& grid, double alpha, double* a, double beta, const double* b, size_t first, size_t count);
+// out = alpha a + beta b; out may be a.
+void combine(const Grid& grid, double alpha, const double* a, double beta, const double* b, double* out, size_t first,
+             size_t count);
 void multiply(const Grid& grid, const double* a, const double* b, double* out, size_t first, size_t count);
 void wrap(const Grid& grid, double* a, size_t first, size_t count); // fills what lies beyond the rows
 void dot(const Grid& grid, const double* a, const double* b, double* sums, size_t first, size_t count);

@@ -9,12 +9,12 @@ namespace {
 
 struct Combine {
     double alpha, beta;
-    double* a;
-    const double* b;
+    const double *a, *b;
+    double* out;
 
     template <int N> void bundle(size_t u) const {
         using L = Lanes<N>;
-        (alpha * L::load(a + u) + beta * L::load(b + u)).store(a + u);
+        (alpha * L::load(a + u) + beta * L::load(b + u)).store(out + u);
     }
 };
 

@@ -60,18 +60,20 @@ template <class T> struct Measure {
                 elastic.add(0.5 * c.attach_stiffness[own] *
                             squares(part, [&](size_t l) { return at(x, i, l) - at(target, i, l); }));
             if (held(c, own)) return;
-            kinetic.add(0.5 * mass_of(c, own) * squares(part, [&](size_t l) { return at(v, i, l); }));
+            const double mass = mass_of(c, own);
+            kinetic.add(0.5 * mass * squares(part, [&](size_t l) { return at(v, i, l); }));
             double fall = 0;
             for (size_t l = part.first; l < part.end; ++l) fall += c.gravity[l % c.components] * at(x, i, l);
-            gravity.add(-mass_of(c, own) * fall);
+            gravity.add(-mass * fall);
         });
     }
 
     void momentum(double* out) const {
         Sum sums[4];
         each(c.nodes, [&](size_t i, size_t own, Part part) {
-            for (size_t l = part.first; l < part.end && !held(c, own); ++l)
-                sums[l % c.components].add(mass_of(c, own) * at(v, i, l));
+            if (held(c, own)) return;
+            const double mass = mass_of(c, own);
+            for (size_t l = part.first; l < part.end; ++l) sums[l % c.components].add(mass * at(v, i, l));
         });
         for (size_t k = 0; k < c.components; ++k) out[k] = sums[k].value();
     }

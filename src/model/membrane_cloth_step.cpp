@@ -72,24 +72,25 @@ struct ClothStep {
         }
         return sum;
     }
-    void copy(double* const* from, double* const* to) const {
+    [[gnu::noinline]] void copy(double* const* from, double* const* to) const {
         rows([&](size_t first, size_t count, double*) {
             for (int k = 0; k < 3; ++k)
                 memcpy(to[k] + first * w.grid.pitch, from[k] + first * w.grid.pitch,
                        count * w.grid.pitch * sizeof(double));
         });
     }
-    // a = alpha a + beta b
-    void combine(double alpha, double* const* a, double beta, double* const* b) const {
+    // out = alpha a + beta b
+    [[gnu::noinline]] void combine(double alpha, double* const* a, double beta, double* const* b, double* const* out) const {
         rows([&](size_t first, size_t count, double*) {
-            for (int k = 0; k < 3; ++k) sheet().combine(w.grid, alpha, a[k], beta, b[k], first, count);
+            for (int k = 0; k < 3; ++k) sheet().combine(w.grid, alpha, a[k], beta, b[k], out[k], first, count);
         });
     }
+    // a += beta b
+    void add(double beta, double* const* b, double* const* a) const { combine(1, a, beta, b, a); }
 
     // The residual -grad Phi at these velocities; with `curves` the curvatures of the matrix too, and its ground.
     void find_residual(double* const* velocity, bool curves) const {
-        copy(velocity, w.to);
-        combine(dt, w.to, 1, w.from);
+        combine(dt, velocity, 1, w.from, w.to);
         wrap(w.to);
         wrap(velocity);
         const ClothMatrix matrix = w.matrix(w.own);
@@ -117,7 +118,7 @@ struct ClothStep {
         });
     }
 
-    void turn(double* from, double* to) const {
+    [[gnu::noinline]] void turn(double* from, double* to) const {
         rows([&](size_t first, size_t count, double*) {
             sheet().transpose(w.grid, from, to, w.turned.pitch, first, count);
         });
@@ -155,9 +156,9 @@ struct ClothStep {
             for (int k = 0; k < 3; ++k)
                 sheet().transpose(w.turned, w.turned_z[k], w.image[k], w.grid.pitch, first, count);
         });
-        combine(1, w.answer, 1, w.image);
+        add(1, w.image, w.answer);
         for (int i = 0; i < 2; ++i)
-            if (recycles[i]) combine(1, w.answer, dot(w.error, w.recycled[i]), w.recycled[i]);
+            if (recycles[i]) add(dot(w.error, w.recycled[i]), w.recycled[i], w.answer);
     }
 
     // Makes a direction p, scaled to p . matrix p = 1, known to the preconditioner, and starts from the best multiple of
@@ -168,10 +169,10 @@ struct ClothStep {
         const double scale = 1 / sqrt(dot(p, w.image));
         recycles[i] = scale > 0 && isfinite(scale);
         if (!recycles[i]) return 0;
-        combine(0, p, scale, p);
+        combine(0, p, scale, p, p);
         const double share = dot(w.residual, p);
-        combine(1, w.direction, share, p);
-        combine(1, w.error, -share * scale, w.image);
+        add(share, p, w.direction);
+        add(-share * scale, w.image, w.error);
         return share * share;
     }
     // What moves goes on: what the last step changed is the first such direction.
@@ -206,25 +207,24 @@ struct ClothStep {
             if (!(share <= HUGE_VAL)) break;
             ++iterations;
             found = true;
-            combine(1, w.direction, share, w.conjugate);
+            add(share, w.conjugate, w.direction);
             last[i % kLastOnes] = share * size;
             brought += share * size;
             double lately = 0;
             for (double one : last) lately += one;
             if (i + 1 == most || (as_needed() && i + 1 >= kLastOnes && lately < kLittle * brought)) break;
-            combine(1, w.error, -share, w.image);
+            add(-share, w.image, w.error);
             precondition();
             const double next = dot(w.error, w.answer);
-            combine(next / size, w.conjugate, 1, w.answer);
+            combine(next / size, w.conjugate, 1, w.answer, w.conjugate);
             size = next;
         }
         return found;
     }
 
     // The slope of Phi along `way` at from + share way.
-    double slope(double* const* from, double share, double* const* way) const {
-        copy(from, w.trial);
-        combine(1, w.trial, share, way);
+    [[gnu::noinline]] double slope(double* const* from, double share, double* const* way) const {
+        combine(1, from, share, way, w.trial);
         find_residual(w.trial, false);
         return -dot(w.residual, way);
     }
@@ -268,7 +268,7 @@ struct ClothStep {
             const double falls = -dot(w.residual, w.direction);
             if (!(falls < 0)) break;
             const double share = search(falls), brings = -share * falls;
-            combine(1, w.w, share, w.direction);
+            add(share, w.direction, w.w);
             brought += brings;
             const bool more = share < kWholeStep || (as_needed() && brings > kMuch * brought);
             if (more && i + 1 == most && most < m.cloth.newton + kMoreIterations) ++most;
@@ -305,15 +305,15 @@ struct ClothStep {
     }
 
     // Scales what w has beside this velocity of the whole sheet, so that Phi does not rise along it. That velocity, which
-    // may be as good as nothing beside the rest, is what all of it is added to.
-    void scale(const double* mean) const {
+    // may be as good as nothing beside the rest, is what all of it is added to. `found`: the residual is that of w.
+    void scale(const double* mean, bool found) const {
         double* const* const way = w.direction;
         for (int k = 0; k < 3; ++k)
             each_place([&](size_t at) {
                 way[k][at] = w.moves[at] * (w.w[k][at] - mean[k]);
                 if (w.moves[at] > 0) w.w[k][at] = mean[k];
             });
-        const double end = slope(w.w, 1, way);
+        const double end = found ? -dot(w.residual, way) : slope(w.w, 1, way);
         double share = 1;
         if (!(end <= 0)) {
             // Phi's second derivative along `way` is at least that of the ground.
@@ -322,7 +322,7 @@ struct ClothStep {
             const double falls = least < 1 ? slope(w.w, least, way) : 0;
             share = falls < 0 ? share_of(w.w, way, least, falls, 1, end) : least;
         }
-        combine(1, w.w, share, way);
+        add(share, way, w.w);
     }
 
     // A sheet that nothing holds and that touches nothing keeps its momentum, however little of its step was found, also in
@@ -331,9 +331,9 @@ struct ClothStep {
         double mean[3] = {};
         const bool alone = !is_held() && !touched;
         if (alone) share_momentum(mean);
-        scale(mean);
+        scale(mean, !alone);
         static constexpr double kRest[3] = {};
-        if (alone && w.has_blocks()) scale(kRest);
+        if (alone && w.has_blocks()) scale(kRest, false);
     }
 
     // Positions, velocities, what a node would do by itself, and what resists it.
@@ -393,10 +393,10 @@ struct ClothStep {
             if (touched || !put(w.w[k][at] - w.trial[k][at], change)) change = 0;
         });
         const double share = 1 / m.lambda; // v1 = v0 + (w - v0) / lambda
-        if (share != 1) combine(1 - share, w.trial, share, w.w);
+        if (share != 1) combine(1 - share, w.trial, share, w.w, w.trial);
         else copy(w.w, w.trial);
         if (CD_WITH_CONTACT) settle_contacts(w, contacts, dt, w.trial);
-        combine(1, w.from, dt, w.w);
+        add(dt, w.w, w.from);
         each_number_of_state<T>(m.position, [&](size_t k, size_t at, T& x) { finite &= put(w.from[k][at], x); });
         each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { finite &= put(w.trial[k][at], v); });
         return finite;

@@ -68,7 +68,9 @@ template <class T> struct Measure {
     void momentum(double* out) const {
         Sum sums[4];
         each_node([&](size_t i, size_t j) {
-            for (size_t k = 0; k < m.components && !held(m, i, j); ++k) sums[k].add(mass_of(m, i, j) * at(v, i, j, k));
+            if (held(m, i, j)) return;
+            const double mass = mass_of(m, i, j);
+            for (size_t k = 0; k < m.components; ++k) sums[k].add(mass * at(v, i, j, k));
         });
         for (size_t k = 0; k < m.components; ++k) out[k] = sums[k].value();
     }

@@ -137,7 +137,7 @@ RULES = {
     "a step of cloth begins where the last one went": (
         "../model/membrane_cloth_step.cpp", "w.moves[at] * double(number)", "0 * double(number)", ["physics_cloth_size"]),
     "and the preconditioner knows that direction": (
-        "../model/membrane_cloth_step.cpp", "            if (recycles[i]) combine", "            if (i > 0 && recycles[i]) combine",
+        "../model/membrane_cloth_step.cpp", "            if (recycles[i]) add", "            if (i > 0 && recycles[i]) add",
         ["physics_cloth_size"]),
     "and Newton's last one": (
         "../model/membrane_cloth_step.cpp", "recycle(first ? 0 : 1)", "first && recycle(0)", ["physics_cloth_size"]),
@@ -300,7 +300,7 @@ RULES = {
     "held nodes touch nothing": (
         "rope_contact.hh", "free = opposite(held(i));", "free = one();", ["physics_rope_contact"]),
     "a step of cloth ends where it has made no energy": (
-        CLOTH_STEP, "        combine(1, w.w, share, way);\n", "", ["stability_cloth"]),
+        CLOTH_STEP, "        add(share, way, w.w);\n", "", ["stability_cloth"]),
     "with the momentum that a free sheet has": (
         CLOTH_STEP, "        if (alone) share_momentum(mean);\n", "", ["physics_cloth"]),
     "and in air and beside colliders": (
