@@ -3082,10 +3082,10 @@ pub struct WaterEnergy {
 /// ... 64 parts, none of which it begins faster, at so many times the cost. Faster water, of more than 32 cells a
 /// step, is carried less exactly, and ripples on it may grow; on slower streams they do not, but for linear
 /// momentum with lambda = 1/2 over an uneven bed. Waves that a step lets cross more than a cell are slowed down,
-/// short ones most. Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5%
-/// in steps in which they cross 2 to 32, over which it is drawn out to eight times as many cells. With lambda = 1/2
-/// a train of waves runs behind it, up to 0.7 of its height high (linear 1.6), all along its way where the water
-/// rests; with 0.6 of 0.3 (1.3).
+/// short ones most. Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5%,
+/// against a stream 10%, in steps in which they cross 2 to 32, over which it is drawn out to eight times as many
+/// cells. With lambda = 1/2 waves run behind it, up to 0.7 of its height high (linear 1.6), all along its way where
+/// the water rests; with 0.6 of 0.3 (1.3).
 /// lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the
 /// linear mode, of which shores are steep, take a little more. With 1/2, linear waves in the plane grow, in
 /// thousands of steps of 2 cells or more, to a ninth of the depth. Advected water gains no energy in steps in which
