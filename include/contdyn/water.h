@@ -25,19 +25,19 @@
  * parts, none of which it begins faster, at so many times the cost. Faster water, of more than 32 cells a
  * step, is carried less exactly, and ripples on it may grow; on slower streams they do not, but for linear momentum
  * with lambda = 1/2 over an uneven bed. Waves that a step lets cross more than a cell are slowed down, short ones most.
- * Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5% in steps in which they
- * cross 2 to 32, over which it is drawn out to eight times as many cells. With lambda = 1/2 a train of waves runs
+ * Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5%, against a stream 10%, in
+ * steps in which they cross 2 to 32, over which it is drawn out to eight times as many cells. With lambda = 1/2 waves run
  * behind it, up to 0.7 of its height high (linear 1.6), all along its way where the water rests; with 0.6 of 0.3 (1.3).
  *
  * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
  * mode, of which shores are steep, take a little more. With 1/2, linear waves in the plane grow, in thousands of steps
  * of 2 cells or more, to a ninth of the depth. Advected water gains no energy in steps in which waves cross more than a
- * cell, but for a while 0.05 of its waves'; in shorter ones up to 0.005 among cliffs, in very short ones at shores too,
- * and up to 0.01 in the first step where velocities are written there. Linear water gains h_t u^2 / 2 where it deepens,
- * which its equations never take away: at random shores some hundredths (and see hulls). Air that presses it dry gives
- * it up to 1.4 times what it has to give, advected water half of it, explicit steps any, as does rounding from 1e12 cells
- * a step. What pushes off dry land gives the last face a velocity that no water follows. In steps in which waves cross
- * more than a cell, of uneven depths, no face gains more energy than its water loses by falling.
+ * cell, but for a while 0.05 of its waves', and with 1/2 low waves round a ring over an uneven bed eight times theirs; in
+ * shorter ones up to 0.005 of all its energy among cliffs, in very short ones at shores too, and 0.01 in the first step
+ * where velocities are written there. Linear water gains h_t u^2 / 2 where it deepens: at random shores some hundredths
+ * (and see hulls). Air that presses it dry gives it up to 1.4 times what it has to give, advected water half of it,
+ * explicit steps any, as does rounding from 1e12 cells a step. What pushes off dry land gives the last face a velocity
+ * that no water follows. In long steps, of uneven depths, no face gains more energy than its water loses by falling.
  *
  * Explicit steps (cd_water_set_method) share all of this but the surface that is solved for: half of the slope pushes,
  * the water moves, then the other half (velocity Verlet).

@@ -1,5 +1,5 @@
 /* Fronts: dams that break onto water (Stoker 1957) and onto dry ground (Ritter 1892), and a front that drag slows down
- * over dry ground. The first two are solutions with advected momentum only. */
+ * over dry ground; and a bore that a wall throws back. All but the front are solutions with advected momentum only. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -136,10 +136,61 @@ static void a_front_runs_over_dry_ground_against_drag(void** state) {
     }
 }
 
+static void turn_round(double* line, size_t n) {
+    for (size_t i = 0; i < n / 2; ++i) {
+        const double of = line[i];
+        line[i] = line[n - 1 - i], line[n - 1 - i] = of;
+    }
+}
+
+/* A stream a metre deep that a wall stops piles up behind a bore that runs back against it, as mass and momentum say
+ * (Stoker 1957, chapter 10). In steps in which waves cross more than a cell it is slower, and deeper behind. */
+static void a_stream_against_a_wall_sends_back_a_bore(void** state) {
+    (void)state;
+    enum { N = 600 };
+    static const double streams[] = {1, 2, 4}, courants[] = {0.5, 4};
+    for (size_t k = 0; k < COUNT(streams) * COUNT(courants); ++k) {
+        const double stream = streams[k / COUNT(courants)], courant = courants[k % COUNT(courants)];
+        const int along_y = k / COUNT(courants) & 1, at_first = k < 2; /* which wall stops it */
+        double h[2] = {1, 100}, d[N], u[N + 1], place[2];              /* h: bisected */
+        for (int bisection = 0; bisection < 60; ++bisection) {
+            const double middle = (h[0] + h[1]) / 2;
+            h[(middle - 1) * sqrt(gravity * (middle + 1) / (2 * middle)) > stream ? 1 : 0] = middle;
+        }
+        const double speed = stream / (h[0] - 1), time = 0.2 * N / (speed + stream);
+        const size_t steps = (size_t)ceil(time * sqrt(gravity * h[0]) / courant);
+        cd_water* w = line_basin(along_y, N, 3, 1, CD_FLOAT64);
+        basin_set_way(w, &ways[ADVECTED]);
+        for (size_t i = 0; i < N; ++i) d[i] = 1;
+        for (size_t i = 0; i <= N; ++i) u[i] = i == 0 || i == N ? 0 : at_first ? -stream : stream;
+        line_write(w, along_y, CD_DEPTH, d);
+        line_write(w, along_y, CD_VELOCITY_X, u);
+        double behind = 0;
+        for (int half = 0; half < 2; ++half) {
+            basin_step(w, time / (double)steps, steps);
+            line_read(w, along_y, CD_DEPTH, 1e-12, d);
+            if (!at_first) turn_round(d, N);
+            size_t i = N / 2; /* in front of the bore */
+            const double front = (1 + h[0]) / 2;
+            while (d[i - 1] < front) --i;
+            place[half] = (double)i + (d[i - 1] - front) / (d[i - 1] - d[i]);
+            behind = 0;
+            for (size_t l = 0; l < i - 10; ++l) behind += d[l] / ((double)(i - 10) * h[0]);
+        }
+        const double slow = 1 - (place[1] - place[0]) / (speed * time);
+        print_message("a stream of %g m/s, courant %3g: bore %+.1e too slow, the water behind %+.1e too deep\n", stream,
+                      courant, slow, behind - 1);
+        assert_true(fabs(slow) <= (courant < 1 ? 1e-2 : 0.1));
+        assert_true(fabs(behind - 1) <= (courant < 1 ? 1e-2 : 0.05));
+        cd_water_destroy(w);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dams_break_as_stoker_and_ritter_say),
         cmocka_unit_test(a_front_runs_over_dry_ground_against_drag),
+        cmocka_unit_test(a_stream_against_a_wall_sends_back_a_bore),
     };
     return cmocka_run_group_tests_name("water dams", tests, NULL, NULL);
 }
