@@ -648,9 +648,18 @@ namespace Contdyn
             void* allocatorStruct = allocator == null ? null : allocator.Struct();
             IntPtr made;
             Native.CheckVersion();
-            Native.Check(Native.cd_chain_create(Native.Size(strands, "cd_chain_create", "strands"),
-                Native.Size(springs, "cd_chain_create", "springs"), Native.Size(components, "cd_chain_create",
-                "components"), (int)precision, allocatorStruct, &made), allocator);
+            int status;
+            try
+            {
+                status = Native.cd_chain_create(Native.Size(strands, "cd_chain_create", "strands"),
+                    Native.Size(springs, "cd_chain_create", "springs"), Native.Size(components, "cd_chain_create",
+                    "components"), (int)precision, allocatorStruct, &made);
+            }
+            catch (EntryPointNotFoundException)
+            {
+                throw Native.LeftOut("cd_chain_create");
+            }
+            Native.Check(status, allocator);
             Own(new ChainHandle(made));
             Handle.Keep("allocator", allocator);
         }
@@ -2435,9 +2444,18 @@ namespace Contdyn
             void* allocatorStruct = allocator == null ? null : allocator.Struct();
             IntPtr made;
             Native.CheckVersion();
-            Native.Check(Native.cd_membrane_create(Native.Size(nu, "cd_membrane_create", "nu"), Native.Size(nv,
-                "cd_membrane_create", "nv"), Native.Size(components, "cd_membrane_create", "components"),
-                (int)precision, allocatorStruct, &made), allocator);
+            int status;
+            try
+            {
+                status = Native.cd_membrane_create(Native.Size(nu, "cd_membrane_create", "nu"), Native.Size(nv,
+                    "cd_membrane_create", "nv"), Native.Size(components, "cd_membrane_create", "components"),
+                    (int)precision, allocatorStruct, &made);
+            }
+            catch (EntryPointNotFoundException)
+            {
+                throw Native.LeftOut("cd_membrane_create");
+            }
+            Native.Check(status, allocator);
             Own(new MembraneHandle(made));
             Handle.Keep("allocator", allocator);
         }
@@ -4323,8 +4341,17 @@ namespace Contdyn
             void* allocatorStruct = allocator == null ? null : allocator.Struct();
             IntPtr made;
             Native.CheckVersion();
-            Native.Check(Native.cd_water_create(Native.Size(nx, "cd_water_create", "nx"), Native.Size(ny,
-                "cd_water_create", "ny"), dx, dy, (int)precision, allocatorStruct, &made), allocator);
+            int status;
+            try
+            {
+                status = Native.cd_water_create(Native.Size(nx, "cd_water_create", "nx"), Native.Size(ny,
+                    "cd_water_create", "ny"), dx, dy, (int)precision, allocatorStruct, &made);
+            }
+            catch (EntryPointNotFoundException)
+            {
+                throw Native.LeftOut("cd_water_create");
+            }
+            Native.Check(status, allocator);
             Own(new WaterHandle(made));
             Handle.Keep("allocator", allocator);
         }

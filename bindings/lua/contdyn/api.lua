@@ -739,7 +739,7 @@ end
 -- stores them, so that a scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 -- comments name the other errors.
-local Chain = support.class("Chain", lib.cd_chain_destroy)
+local Chain = support.class("Chain", "cd_chain_destroy")
 api.Chain = Chain
 Chain._range_alternates = true
 Chain._components = 3 -- which result of get_shape
@@ -766,6 +766,7 @@ Chain._fields = {
 -- leaves out.
 function Chain.create(strands, springs, components, precision, allocator)
   local where, made = "cd_chain_create", ffi.new("cd_chain*[1]")
+  support.check_built(Chain, where)
   if precision == nil then precision = "float64" end
   check(lib.cd_chain_create(integer_in(strands, where, "strands"), integer_in(springs, where, "springs"),
       integer_in(components, where, "components"), enum_in("cd_precision", precision, where, "precision"), allocator,
@@ -1876,7 +1877,7 @@ end
 -- 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 -- comments name the other errors. Functions that the chain has too mean the same here.
-local Membrane = support.class("Membrane", lib.cd_membrane_destroy)
+local Membrane = support.class("Membrane", "cd_membrane_destroy")
 api.Membrane = Membrane
 Membrane._range_alternates = false
 Membrane._components = 3 -- which result of get_shape
@@ -1907,6 +1908,7 @@ Membrane._fields = {
 -- that this build leaves out.
 function Membrane.create(nu, nv, components, precision, allocator)
   local where, made = "cd_membrane_create", ffi.new("cd_membrane*[1]")
+  support.check_built(Membrane, where)
   if precision == nil then precision = "float64" end
   check(lib.cd_membrane_create(integer_in(nu, where, "nu"), integer_in(nv, where, "nv"), integer_in(components, where,
       "components"), enum_in("cd_precision", precision, where, "precision"), allocator, made))
@@ -3109,7 +3111,7 @@ end
 -- velocities below 2^-80 (float32) or 2^-500 m/s. Parameters may be as large as 1e60.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 -- comments name the other errors. Functions that chain and membrane have too mean the same here.
-local Water = support.class("Water", lib.cd_water_destroy)
+local Water = support.class("Water", "cd_water_destroy")
 api.Water = Water
 Water._range_alternates = false
 Water._components = nil -- which result of get_shape
@@ -3133,6 +3135,7 @@ Water._fields = {
 -- CD_ERROR_SIZE, CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED for a precision that this build leaves out.
 function Water.create(nx, ny, dx, dy, precision, allocator)
   local where, made = "cd_water_create", ffi.new("cd_water*[1]")
+  support.check_built(Water, where)
   if precision == nil then precision = "float64" end
   check(lib.cd_water_create(integer_in(nx, where, "nx"), integer_in(ny, where, "ny"), number_in(dx, where, "dx"),
       number_in(dy, where, "dy"), enum_in("cd_precision", precision, where, "precision"), allocator, made))
