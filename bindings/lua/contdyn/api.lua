@@ -2116,10 +2116,9 @@ end
 
 -- Bend stiffness b [N/m], >= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2 over the unit square
 -- of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of it along the
--- edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. A square plate of the
--- side L with b = D / L^2 has the flexural rigidity D [N m]; one with the sides L_u and L_v has b L_u^3 / L_v along u,
--- b L_v^3 / L_u along v and b L_u L_v in twist. The plate is not cut with a spring: take nodes out by CD_MASK. Errors:
--- CD_ERROR_MEMORY when bend is switched on.
+-- edges; along v likewise; per cell, on the squared twist: twice their geometric mean. A square plate of side L with b
+-- = D / L^2 has the flexural rigidity D [N m]; one of L_u by L_v has b L_u^3 / L_v along u, b L_v^3 / L_u along v and b
+-- L_u L_v in twist. Cut springs do not cut it, but CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on.
 function Membrane:set_bend(bend)
   local where = "cd_membrane_set_bend"
   bend = number_in(bend, where, "bend")
@@ -2129,10 +2128,9 @@ end
 
 -- Bend stiffness b [N/m], >= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2 over the unit square
 -- of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of it along the
--- edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. A square plate of the
--- side L with b = D / L^2 has the flexural rigidity D [N m]; one with the sides L_u and L_v has b L_u^3 / L_v along u,
--- b L_v^3 / L_u along v and b L_u L_v in twist. The plate is not cut with a spring: take nodes out by CD_MASK. Errors:
--- CD_ERROR_MEMORY when bend is switched on.
+-- edges; along v likewise; per cell, on the squared twist: twice their geometric mean. A square plate of side L with b
+-- = D / L^2 has the flexural rigidity D [N m]; one of L_u by L_v has b L_u^3 / L_v along u, b L_v^3 / L_u along v and b
+-- L_u L_v in twist. Cut springs do not cut it, but CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on.
 function Membrane:get_bend()
   local where = "cd_membrane_get_bend"
   local out_bend = double_1()
@@ -2195,8 +2193,9 @@ function Membrane:get_gravity(out_gravity)
 end
 
 -- Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a node is
--- pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3 components only; it
--- costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY.
+-- pressure times the gradient of the volume under the sheet, at the positions a step starts from. It grows with the
+-- sheet, which beyond some half of stiffness / side nothing may hold: it then grows without end. 3 components only;
+-- costs memory while not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY.
 function Membrane:set_pressure(pressure)
   local where = "cd_membrane_set_pressure"
   pressure = number_in(pressure, where, "pressure")
@@ -2205,8 +2204,9 @@ function Membrane:set_pressure(pressure)
 end
 
 -- Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a node is
--- pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3 components only; it
--- costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY.
+-- pressure times the gradient of the volume under the sheet, at the positions a step starts from. It grows with the
+-- sheet, which beyond some half of stiffness / side nothing may hold: it then grows without end. 3 components only;
+-- costs memory while not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY.
 function Membrane:get_pressure()
   local where = "cd_membrane_get_pressure"
   local out_pressure = double_1()
