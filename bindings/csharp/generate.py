@@ -416,7 +416,13 @@ def an_object(api, thing):
     callbacks = [variable(p.name) for p in create.arguments if p.role == "callbacks"]
     lines.append("    IntPtr made;")
     lines.append("    Native.CheckVersion();")
-    lines.append(f"    Native.Check(Native.{create.name}({', '.join(passed)}, &made), {callbacks[0]});")
+    lines.append("    int status;")
+    lines += ["    try", "    {"]
+    lines.append(f"        status = Native.{create.name}({', '.join(passed)}, &made);")
+    lines += ["    }", "    catch (EntryPointNotFoundException)", "    {"]
+    lines.append(f'        throw Native.LeftOut("{create.name}");')
+    lines.append("    }")
+    lines.append(f"    Native.Check(status, {callbacks[0]});")
     lines.append(f"    Own(new {name}Handle(made));")
     lines += [f'    Handle.Keep("{v}", {v});' for v in callbacks]
     lines += ["}", ""]

@@ -220,7 +220,7 @@ def free_function(f):
 def an_object(api, thing):
     name, create = pascal(thing.name), thing.create
     yield from comment(thing.doc, "-- ")
-    yield f'local {name} = support.class("{name}", lib.{thing.destroy.name})'
+    yield f'local {name} = support.class("{name}", "{thing.destroy.name}")'
     yield f"api.{name} = {name}"
     yield f"{name}._range_alternates = {str(thing.range_alternates).lower()}"
     components = thing.shape.index("components") + 1 if thing.has_components else "nil"
@@ -235,6 +235,7 @@ def an_object(api, thing):
     yield from comment(create.doc, "-- ")
     yield f"function {name}.create({', '.join(names)})"
     yield f'  local where, made = "{create.name}", ffi.new("{thing.handle}*[1]")'
+    yield f"  support.check_built({name}, where)"
     values = []
     for p in create.arguments:
         v = variable(p.name)

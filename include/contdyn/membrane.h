@@ -147,10 +147,9 @@ CD_API cd_status cd_membrane_get_stiffness(const cd_membrane* membrane, double* 
 
 /* Bend stiffness b [N/m], >= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2 over the unit square
  * of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of it along the
- * edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. A square plate of the
- * side L with b = D / L^2 has the flexural rigidity D [N m]; one with the sides L_u and L_v has b L_u^3 / L_v along u,
- * b L_v^3 / L_u along v and b L_u L_v in twist. The plate is not cut with a spring: take nodes out by CD_MASK. Errors:
- * CD_ERROR_MEMORY when bend is switched on. */
+ * edges; along v likewise; per cell, on the squared twist: twice their geometric mean. A square plate of side L with b
+ * = D / L^2 has the flexural rigidity D [N m]; one of L_u by L_v has b L_u^3 / L_v along u, b L_v^3 / L_u along v and b
+ * L_u L_v in twist. Cut springs do not cut it, but CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on. */
 CD_API cd_status cd_membrane_set_bend(cd_membrane* membrane, double bend);
 CD_API cd_status cd_membrane_get_bend(const cd_membrane* membrane, double* out_bend);
 
@@ -169,8 +168,9 @@ CD_API cd_status cd_membrane_set_gravity(cd_membrane* membrane, const double* gr
 CD_API cd_status cd_membrane_get_gravity(const cd_membrane* membrane, double* out_gravity, size_t count);
 
 /* Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a node is
- * pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3 components only;
- * it costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY. */
+ * pressure times the gradient of the volume under the sheet, at the positions a step starts from. It grows with the
+ * sheet, which beyond some half of stiffness / side nothing may hold: it then grows without end. 3 components only;
+ * costs memory while not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_set_pressure(cd_membrane* membrane, double pressure);
 CD_API cd_status cd_membrane_get_pressure(const cd_membrane* membrane, double* out_pressure);
 

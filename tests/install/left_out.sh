@@ -2,8 +2,9 @@
 # left_out.sh PARTS: builds contdyn without these, joined by +: one of CHAIN, MEMBRANE, WATER, or some of ROPE, CLOTH,
 # HULL, BEND, CONTACT, COUPLED, ADVECTED, DRAW, SLEEP, SAVE, FLOAT32, FLOAT64. Fails unless it compiles without a warning,
 # their code is gone, and every scene of the bindings gives the same bits as with the whole library, or ends with
-# CD_ERROR_UNSUPPORTED where it asks for what was left out, as does loading states that need it. Not optimised, and
-# without the widest kernels, which are the same text again: that takes less time.
+# CD_ERROR_UNSUPPORTED where it asks for what was left out, as does loading states that need it, and as do the packages
+# of other languages where an object is left out. Not optimised, and without the widest kernels, which are the same text
+# again: that takes less time.
 . "$(dirname "$0")/common.sh"
 
 parts=$1
@@ -21,11 +22,37 @@ dropped() { # fails unless the whole library has functions of this pattern and t
     [ -n "$(functions "$ARCHIVE" "$1")" ] || fail "the whole library has no $1: what is looked for?"
     functions "$out/src/libcontdyn.a" "$1" | { ! grep . ; } || fail "still there without $parts"
 }
+languages_tell() { # fails unless the packages of languages load the library, and say that it makes no such object
+    local class=${1^} folder
+    local made="$class(2, 2, 1)" left_out="cd_$1_create: this build of the library leaves it out"
+    [ "$1" != water ] || made="$class(2, 2, 1, 1)"
+    folder=$(mktemp -d)
+    export CONTDYN_LIBRARY="$out/src/libcontdyn.so" LD_LIBRARY_PATH="$out/src"
+    if command -v luajit >/dev/null; then
+        LUA_PATH="$SOURCE/bindings/lua/?.lua;$SOURCE/bindings/lua/?/init.lua" \
+            luajit -e "print(pcall(function() return require('contdyn').$made end))" >"$folder/lua" 2>&1 || true
+    fi
+    if command -v python3 >/dev/null; then
+        PYTHONPATH="$SOURCE/bindings/python" \
+            python3 -B -c "import contdyn; contdyn.$made" >"$folder/python" 2>&1 || true
+    fi
+    if command -v mcs >/dev/null && command -v mono >/dev/null; then
+        echo "class Left { static void Main() { using (new Contdyn.$made) { } } }" >"$folder/left.cs"
+        mcs -unsafe -out:"$folder/left.exe" "$folder/left.cs" "$SOURCE"/bindings/csharp/src/*.cs
+        mono "$folder/left.exe" >"$folder/csharp" 2>&1 || true
+        rm "$folder"/left.*
+    fi
+    for said in "$folder"/*; do
+        grep -q "$left_out" "$said" || fail "$(basename "$said") says: $(cat "$said")"
+    done
+    rm -r "$folder"
+}
 for part in "${all[@]}"; do
     case $part in
     CHAIN | MEMBRANE | WATER)
         dropped "cd_${part,,}_[a-z_]*"
         functions "$out/src/libcontdyn.a" cd_version | grep -q . || fail "cd_version is gone too"
+        languages_tell "${part,,}"
         exit 0
         ;;
     ROPE) dropped 'RopeBundle<[0-9]*>' ;;

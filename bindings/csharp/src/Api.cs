@@ -648,9 +648,18 @@ namespace Contdyn
             void* allocatorStruct = allocator == null ? null : allocator.Struct();
             IntPtr made;
             Native.CheckVersion();
-            Native.Check(Native.cd_chain_create(Native.Size(strands, "cd_chain_create", "strands"),
-                Native.Size(springs, "cd_chain_create", "springs"), Native.Size(components, "cd_chain_create",
-                "components"), (int)precision, allocatorStruct, &made), allocator);
+            int status;
+            try
+            {
+                status = Native.cd_chain_create(Native.Size(strands, "cd_chain_create", "strands"),
+                    Native.Size(springs, "cd_chain_create", "springs"), Native.Size(components, "cd_chain_create",
+                    "components"), (int)precision, allocatorStruct, &made);
+            }
+            catch (EntryPointNotFoundException)
+            {
+                throw Native.LeftOut("cd_chain_create");
+            }
+            Native.Check(status, allocator);
             Own(new ChainHandle(made));
             Handle.Keep("allocator", allocator);
         }
@@ -2435,9 +2444,18 @@ namespace Contdyn
             void* allocatorStruct = allocator == null ? null : allocator.Struct();
             IntPtr made;
             Native.CheckVersion();
-            Native.Check(Native.cd_membrane_create(Native.Size(nu, "cd_membrane_create", "nu"), Native.Size(nv,
-                "cd_membrane_create", "nv"), Native.Size(components, "cd_membrane_create", "components"),
-                (int)precision, allocatorStruct, &made), allocator);
+            int status;
+            try
+            {
+                status = Native.cd_membrane_create(Native.Size(nu, "cd_membrane_create", "nu"), Native.Size(nv,
+                    "cd_membrane_create", "nv"), Native.Size(components, "cd_membrane_create", "components"),
+                    (int)precision, allocatorStruct, &made);
+            }
+            catch (EntryPointNotFoundException)
+            {
+                throw Native.LeftOut("cd_membrane_create");
+            }
+            Native.Check(status, allocator);
             Own(new MembraneHandle(made));
             Handle.Keep("allocator", allocator);
         }
@@ -2704,11 +2722,10 @@ namespace Contdyn
 
         /// <summary>Bend stiffness b [N/m], &gt;= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2
         /// over the unit square of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3
-        /// / nv and half of it along the edges; along v likewise; per cell, on the squared twist: twice the geometric
-        /// mean of the two. A square plate of the side L with b = D / L^2 has the flexural rigidity D [N m]; one with
-        /// the sides L_u and L_v has b L_u^3 / L_v along u, b L_v^3 / L_u along v and b L_u L_v in twist. The plate is
-        /// not cut with a spring: take nodes out by CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched
-        /// on.</summary>
+        /// / nv and half of it along the edges; along v likewise; per cell, on the squared twist: twice their geometric
+        /// mean. A square plate of side L with b = D / L^2 has the flexural rigidity D [N m]; one of L_u by L_v has b
+        /// L_u^3 / L_v along u, b L_v^3 / L_u along v and b L_u L_v in twist. Cut springs do not cut it, but CD_MASK.
+        /// Errors: CD_ERROR_MEMORY when bend is switched on.</summary>
         public double Bend
         {
             get
@@ -2813,8 +2830,9 @@ namespace Contdyn
 
         /// <summary>Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the
         /// force on a node is pressure times the gradient of the volume under the sheet, at the positions a step starts
-        /// from. 3 components only; it costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for other
-        /// components unless 0; CD_ERROR_MEMORY.</summary>
+        /// from. It grows with the sheet, which beyond some half of stiffness / side nothing may hold: it then grows
+        /// without end. 3 components only; costs memory while not 0. Errors: CD_ERROR_UNSUPPORTED for other components
+        /// unless 0; CD_ERROR_MEMORY.</summary>
         public double Pressure
         {
             get
@@ -4323,8 +4341,17 @@ namespace Contdyn
             void* allocatorStruct = allocator == null ? null : allocator.Struct();
             IntPtr made;
             Native.CheckVersion();
-            Native.Check(Native.cd_water_create(Native.Size(nx, "cd_water_create", "nx"), Native.Size(ny,
-                "cd_water_create", "ny"), dx, dy, (int)precision, allocatorStruct, &made), allocator);
+            int status;
+            try
+            {
+                status = Native.cd_water_create(Native.Size(nx, "cd_water_create", "nx"), Native.Size(ny,
+                    "cd_water_create", "ny"), dx, dy, (int)precision, allocatorStruct, &made);
+            }
+            catch (EntryPointNotFoundException)
+            {
+                throw Native.LeftOut("cd_water_create");
+            }
+            Native.Check(status, allocator);
             Own(new WaterHandle(made));
             Handle.Keep("allocator", allocator);
         }

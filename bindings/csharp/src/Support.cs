@@ -35,6 +35,11 @@ namespace Contdyn
             return Marshal.PtrToStringAnsi(text);
         }
 
+        internal static ContdynException LeftOut(string function)
+        {
+            return new ContdynException(Status.ErrorUnsupported, function + ": this build of the library leaves it out");
+        }
+
         internal static void Check(int status, Callbacks callbacks = null)
         {
             if (callbacks != null) callbacks.Rethrow();

@@ -739,7 +739,7 @@ end
 -- stores them, so that a scene at rest is never slow. Parameters may be as large as 1e60, masses as small as 1e-60.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 -- comments name the other errors.
-local Chain = support.class("Chain", lib.cd_chain_destroy)
+local Chain = support.class("Chain", "cd_chain_destroy")
 api.Chain = Chain
 Chain._range_alternates = true
 Chain._components = 3 -- which result of get_shape
@@ -766,6 +766,7 @@ Chain._fields = {
 -- leaves out.
 function Chain.create(strands, springs, components, precision, allocator)
   local where, made = "cd_chain_create", ffi.new("cd_chain*[1]")
+  support.check_built(Chain, where)
   if precision == nil then precision = "float64" end
   check(lib.cd_chain_create(integer_in(strands, where, "strands"), integer_in(springs, where, "springs"),
       integer_in(components, where, "components"), enum_in("cd_precision", precision, where, "precision"), allocator,
@@ -1876,7 +1877,7 @@ end
 -- 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 -- comments name the other errors. Functions that the chain has too mean the same here.
-local Membrane = support.class("Membrane", lib.cd_membrane_destroy)
+local Membrane = support.class("Membrane", "cd_membrane_destroy")
 api.Membrane = Membrane
 Membrane._range_alternates = false
 Membrane._components = 3 -- which result of get_shape
@@ -1907,6 +1908,7 @@ Membrane._fields = {
 -- that this build leaves out.
 function Membrane.create(nu, nv, components, precision, allocator)
   local where, made = "cd_membrane_create", ffi.new("cd_membrane*[1]")
+  support.check_built(Membrane, where)
   if precision == nil then precision = "float64" end
   check(lib.cd_membrane_create(integer_in(nu, where, "nu"), integer_in(nv, where, "nv"), integer_in(components, where,
       "components"), enum_in("cd_precision", precision, where, "precision"), allocator, made))
@@ -2114,10 +2116,9 @@ end
 
 -- Bend stiffness b [N/m], >= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2 over the unit square
 -- of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of it along the
--- edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. A square plate of the
--- side L with b = D / L^2 has the flexural rigidity D [N m]; one with the sides L_u and L_v has b L_u^3 / L_v along u,
--- b L_v^3 / L_u along v and b L_u L_v in twist. The plate is not cut with a spring: take nodes out by CD_MASK. Errors:
--- CD_ERROR_MEMORY when bend is switched on.
+-- edges; along v likewise; per cell, on the squared twist: twice their geometric mean. A square plate of side L with b
+-- = D / L^2 has the flexural rigidity D [N m]; one of L_u by L_v has b L_u^3 / L_v along u, b L_v^3 / L_u along v and b
+-- L_u L_v in twist. Cut springs do not cut it, but CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on.
 function Membrane:set_bend(bend)
   local where = "cd_membrane_set_bend"
   bend = number_in(bend, where, "bend")
@@ -2127,10 +2128,9 @@ end
 
 -- Bend stiffness b [N/m], >= 0, of E = b/2 times the integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2 over the unit square
 -- of u and v. Per node with two neighbours along u: b nu^3 / (nv + 1), half edges: b nu^3 / nv and half of it along the
--- edges; along v likewise; per cell, on the squared twist: twice the geometric mean of the two. A square plate of the
--- side L with b = D / L^2 has the flexural rigidity D [N m]; one with the sides L_u and L_v has b L_u^3 / L_v along u,
--- b L_v^3 / L_u along v and b L_u L_v in twist. The plate is not cut with a spring: take nodes out by CD_MASK. Errors:
--- CD_ERROR_MEMORY when bend is switched on.
+-- edges; along v likewise; per cell, on the squared twist: twice their geometric mean. A square plate of side L with b
+-- = D / L^2 has the flexural rigidity D [N m]; one of L_u by L_v has b L_u^3 / L_v along u, b L_v^3 / L_u along v and b
+-- L_u L_v in twist. Cut springs do not cut it, but CD_MASK. Errors: CD_ERROR_MEMORY when bend is switched on.
 function Membrane:get_bend()
   local where = "cd_membrane_get_bend"
   local out_bend = double_1()
@@ -2193,8 +2193,9 @@ function Membrane:get_gravity(out_gravity)
 end
 
 -- Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a node is
--- pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3 components only; it
--- costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY.
+-- pressure times the gradient of the volume under the sheet, at the positions a step starts from. It grows with the
+-- sheet, which beyond some half of stiffness / side nothing may hold: it then grows without end. 3 components only;
+-- costs memory while not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY.
 function Membrane:set_pressure(pressure)
   local where = "cd_membrane_set_pressure"
   pressure = number_in(pressure, where, "pressure")
@@ -2203,8 +2204,9 @@ function Membrane:set_pressure(pressure)
 end
 
 -- Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a node is
--- pressure times the gradient of the volume under the sheet, at the positions a step starts from. 3 components only; it
--- costs memory while it is not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY.
+-- pressure times the gradient of the volume under the sheet, at the positions a step starts from. It grows with the
+-- sheet, which beyond some half of stiffness / side nothing may hold: it then grows without end. 3 components only;
+-- costs memory while not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0; CD_ERROR_MEMORY.
 function Membrane:get_pressure()
   local where = "cd_membrane_get_pressure"
   local out_pressure = double_1()
@@ -3110,7 +3112,7 @@ end
 -- velocities below 2^-80 (float32) or 2^-500 m/s. Parameters may be as large as 1e60.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 -- comments name the other errors. Functions that chain and membrane have too mean the same here.
-local Water = support.class("Water", lib.cd_water_destroy)
+local Water = support.class("Water", "cd_water_destroy")
 api.Water = Water
 Water._range_alternates = false
 Water._components = nil -- which result of get_shape
@@ -3134,6 +3136,7 @@ Water._fields = {
 -- CD_ERROR_SIZE, CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED for a precision that this build leaves out.
 function Water.create(nx, ny, dx, dy, precision, allocator)
   local where, made = "cd_water_create", ffi.new("cd_water*[1]")
+  support.check_built(Water, where)
   if precision == nil then precision = "float64" end
   check(lib.cd_water_create(integer_in(nx, where, "nx"), integer_in(ny, where, "ny"), number_in(dx, where, "dx"),
       number_in(dy, where, "dy"), enum_in("cd_precision", precision, where, "precision"), allocator, made))

@@ -20,7 +20,7 @@ local function fail(code, message)
   error(setmetatable({status = enumerations.cd_status.names[code] or code, code = code, message = message}, Error), 0)
 end
 
-local VALUE, ENUM, RANGE = 3, 4, 5
+local VALUE, ENUM, RANGE, UNSUPPORTED = 3, 4, 5, 9
 
 local function check(status)
   if pending ~= nil then
@@ -325,8 +325,10 @@ function Object:destroy()
   if handle ~= nil then self._destroy(ffi.gc(handle, nil)) end
 end
 
+-- The library may be built without a kind of objects, and has none of its functions then.
 function support.class(name, destroy)
-  local class = {_name = name, _destroy = destroy}
+  local there, call = pcall(function() return lib[destroy] end)
+  local class = {_name = name, _destroy = there and call or nil}
   for method, call in pairs(Object) do class[method] = call end
   class.__index = class
   class.__tostring = function(self)
@@ -337,6 +339,10 @@ function support.class(name, destroy)
   end
   classes[#classes + 1] = class
   return setmetatable(class, {__call = function(self, ...) return self.create(...) end})
+end
+
+function support.check_built(class, where)
+  if not class._destroy then fail(UNSUPPORTED, where .. ": this build of the library leaves it out") end
 end
 
 function support.own(class, handle, kept)

@@ -371,7 +371,8 @@ template <class Last> struct last_of<Last> { using type = Last; };
 // A number in a field's own memory.
 inline double number_at(const void* data, std::size_t offset, precision stored) {
     const void* at = static_cast<const unsigned char*>(data) + offset;
-    return stored == precision::float32 ? *static_cast<const float*>(at) : *static_cast<const double*>(at);
+    if (stored == precision::float64) return *static_cast<const double*>(at);
+    return static_cast<double>(*static_cast<const float*>(at));
 }
 
 // Whether a matrix, where there is one, has as many rows and columns as a vector has numbers.
