@@ -32,7 +32,7 @@ template <int N> void RopeBundle<N>::begin_joints() {
     for (int j = 0; j < N; ++j) ways[j] = comes_back[j] ? -1 : 1;
     for (size_t i = 1; i < ropes.nodes; ++i) {
         Joint& joint = joints[i];
-        joint.stiffness = L{}, joint.ratio = one(), joint.impulse = V{};
+        joint.stiffness = L{}, joint.ratio = one(), joint.turn = {one(), L{}}, joint.impulse = V{};
         if (i == 1) continue;
         const Spring &before = springs[i - 2], &link = springs[i - 1];
         const L mean = 0.5 * (before.length + link.length), share = mean * link.per_length;

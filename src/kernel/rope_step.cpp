@@ -378,8 +378,10 @@ template <int N> RopeResult RopeBundle<N>::step() {
     }
     for (size_t i = 0; i < spring_count; ++i) {
         const Spring& s = springs[i];
-        const L slack = (1 - fmax(stage.tolerance, kLeastSlack)) * s.length - long_after(i);
-        double lane[N]; // the interior point leaves a tension to what is slack
+        // Of the interior point all springs have a tension: slack are those that it would not take to their length.
+        const L shorter = smaller((1 - fmax(stage.tolerance, kLeastSlack)) * s.length, s.length - give(i) * s.tension);
+        const L slack = shorter - long_after(i);
+        double lane[N];
         (stage.push ? s.tension : select(slack, L{}, s.tension)).store(lane);
         for (int j = 0; j < N && is_used(j); ++j)
             if (has_spring(i, j)) ropes.tension[tension_place(i, j)] = isfinite(lane[j]) ? lane[j] : 0;

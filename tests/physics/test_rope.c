@@ -326,6 +326,47 @@ static void a_free_rope_keeps_its_momentum(void** state) {
     }
 }
 
+/* What a step of lambda = 1 did to each node is what the tensions that it tells do, whatever way it was solved: of ropes
+ * of very different masses that are thrown apart, to 1% of the mean force that would stop a node within the step. */
+static void tensions_are_what_the_step_did(void** state) {
+    (void)state;
+    enum { NODES = 41 };
+    const double along[3] = {1, 0, 0}, none[3] = {0, 0, 0}, dt = 1.0 / 60;
+    double worst = 0;
+    size_t most = 0;
+    uint64_t seed = 17 + other_scenes();
+    for (int scene = 0; scene < 60; ++scene) {
+        double mass[NODES], v[NODES][3], after[NODES][3], stops = 0;
+        cd_chain* chain = rope(NODES - 1, 1, 1, along, CD_FLOAT64);
+        ok(cd_chain_set_lambda(chain, 1));
+        ok(cd_chain_set_gravity(chain, none, 3));
+        ok(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_FREE));
+        ok(cd_chain_enable_field(chain, CD_MASS));
+        for (int i = 0; i < NODES; ++i) mass[i] = pow(10, 2 * random_number(&seed));
+        for (int i = 0; i < NODES; ++i)
+            for (int k = 0; k < 3; ++k) v[i][k] = random_number(&seed);
+        for (int i = 0; i < NODES; ++i)
+            stops += mass[i] * sqrt(v[i][0] * v[i][0] + v[i][1] * v[i][1] + v[i][2] * v[i][2]);
+        ok(cd_chain_write_f64(chain, CD_MASS, 0, 1, 0, NODES, mass, NODES));
+        ok(cd_chain_write_f64(chain, CD_VELOCITY, 0, 1, 0, NODES, v[0], 3 * NODES));
+        size_t iterations;
+        ok(cd_chain_step(chain, dt, 1));
+        ok(cd_chain_get_convergence(chain, &iterations, NULL));
+        ok(cd_chain_read_f64(chain, CD_VELOCITY, 0, 1, 0, NODES, after[0], 3 * NODES));
+        for (int i = 0; i < NODES; ++i) {
+            double force[3];
+            ok(cd_chain_get_reaction(chain, 0, (size_t)i, force, 3));
+            for (int k = 0; k < 3; ++k)
+                worst = fmax(worst, fabs(force[k] - mass[i] * (after[i][k] - v[i][k]) / dt) / (stops / NODES / dt));
+        }
+        most = iterations > most ? iterations : most;
+        cd_chain_destroy(chain);
+    }
+    print_message("tensions: what the step did to %.1e of the mean force; up to %zu iterations\n", worst, most);
+    assert_true(most > 8); /* by the interior point too */
+    assert_true(worst < 0.01);
+}
+
 /* A step of lambda = 1/2 is as easy to solve where springs yield, however small the tolerance is, so that hardly any is
  * made with lambda = 1 instead: swings from an angle, stretched by their weight, end where looser ones end, and ropes
  * that spin, and grow longer and shorter as they do, keep their angular momentum. */
@@ -444,6 +485,7 @@ int main(void) {
         cmocka_unit_test(a_hanging_rope_swings_in_its_lowest_mode),
         cmocka_unit_test(a_taut_string_swings_as_its_lattice),
         cmocka_unit_test(a_free_rope_keeps_its_momentum),
+        cmocka_unit_test(tensions_are_what_the_step_did),
         cmocka_unit_test(soft_ropes_move_alike_at_any_tolerance),
         cmocka_unit_test(straight_ropes_begin_to_second_order),
         cmocka_unit_test(a_winch_at_an_even_speed_carries_the_weight),

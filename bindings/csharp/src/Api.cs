@@ -1265,12 +1265,12 @@ namespace Contdyn
         }
 
         /// <summary>When a step of a rope is content: every spring is as long as its tension makes it, but for
-        /// `tolerance` times its length, and springs gave no more energy than that is worth; a slack one may keep a
-        /// tension of about the tolerance times the largest force on the nodes. In [1e-14, 1/2], default 1e-6.
-        /// most_iterations, 1 to 10000, default 200, are those that a step may take by the slow and sure method, an
-        /// interior point, after at most 16 by Newton's; where springs push, by Newton's too. A tolerance looser than
-        /// 1e-4 costs more time, not less: what a step leaves wrong, the next one must mend. Errors:
-        /// CD_ERROR_VALUE.</summary>
+        /// `tolerance` times its length, and springs gave no more energy than that is worth; a slack one, shorter by a
+        /// part s of its length, may keep a tension of tolerance / s times the mean force on the nodes, or the mean
+        /// tension. In [1e-14, 1/2], default 1e-6. most_iterations, 1 to 10000, default 200, are those that a step may
+        /// take by the slow and sure method, an interior point, after at most 16 by Newton's; where springs push, by
+        /// Newton's too. A tolerance looser than 1e-4 costs more time, not less: what a step leaves wrong, the next one
+        /// must mend. Errors: CD_ERROR_VALUE.</summary>
         public void SetTolerance(double tolerance, long mostIterations)
         {
             Changed();
@@ -1279,12 +1279,12 @@ namespace Contdyn
         }
 
         /// <summary>When a step of a rope is content: every spring is as long as its tension makes it, but for
-        /// `tolerance` times its length, and springs gave no more energy than that is worth; a slack one may keep a
-        /// tension of about the tolerance times the largest force on the nodes. In [1e-14, 1/2], default 1e-6.
-        /// most_iterations, 1 to 10000, default 200, are those that a step may take by the slow and sure method, an
-        /// interior point, after at most 16 by Newton's; where springs push, by Newton's too. A tolerance looser than
-        /// 1e-4 costs more time, not less: what a step leaves wrong, the next one must mend. Errors:
-        /// CD_ERROR_VALUE.</summary>
+        /// `tolerance` times its length, and springs gave no more energy than that is worth; a slack one, shorter by a
+        /// part s of its length, may keep a tension of tolerance / s times the mean force on the nodes, or the mean
+        /// tension. In [1e-14, 1/2], default 1e-6. most_iterations, 1 to 10000, default 200, are those that a step may
+        /// take by the slow and sure method, an interior point, after at most 16 by Newton's; where springs push, by
+        /// Newton's too. A tolerance looser than 1e-4 costs more time, not less: what a step leaves wrong, the next one
+        /// must mend. Errors: CD_ERROR_VALUE.</summary>
         public ChainTolerance GetTolerance()
         {
             double outTolerance;
