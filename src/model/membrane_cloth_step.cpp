@@ -48,6 +48,7 @@ struct ClothStep {
     const ClothKernels& cloth() const { return m.kernels->cloth; }
     bool as_needed() const { return m.cloth.gradient == 0; }
 
+    // Functions that are not inlined would be copied to where each is called: 5 kB.
     // body(first, count, scratch rows) for parts of the rows
     template <class Body> void rows(const Body& body) const {
         w.parts.each(m.parallel, [&](size_t part, size_t first, size_t count) {
@@ -80,7 +81,8 @@ struct ClothStep {
         });
     }
     // out = alpha a + beta b
-    [[gnu::noinline]] void combine(double alpha, double* const* a, double beta, double* const* b, double* const* out) const {
+    [[gnu::noinline]] void combine(double alpha, double* const* a, double beta, double* const* b,
+                                   double* const* out) const {
         rows([&](size_t first, size_t count, double*) {
             for (int k = 0; k < 3; ++k) sheet().combine(w.grid, alpha, a[k], beta, b[k], out[k], first, count);
         });
@@ -163,7 +165,7 @@ struct ClothStep {
 
     // Makes a direction p, scaled to p . matrix p = 1, known to the preconditioner, and starts from the best multiple of
     // it. Tells what that is of r . matrix^-1 r, r the residual.
-    double recycle(int i) {
+    [[gnu::noinline]] double recycle(int i) {
         double* const* const p = w.recycled[i];
         apply(p);
         const double scale = 1 / sqrt(dot(p, w.image));
@@ -185,7 +187,7 @@ struct ClothStep {
     }
 
     // direction = matrix^-1 residual, nearly. False where nothing could be found.
-    bool solve(bool first) {
+    [[gnu::noinline]] bool solve(bool first) {
         factor();
         copy(w.residual, w.error);
         if (first) load_change();
@@ -230,8 +232,8 @@ struct ClothStep {
     }
 
     // A share of `way` in (least, most] at which Phi does not rise, if it falls at `least` and rises at `most`.
-    double share_of(double* const* from, double* const* way, double least, double falls, double most,
-                    double rises) const {
+    [[gnu::noinline]] double share_of(double* const* from, double* const* way, double least, double falls, double most,
+                                      double rises) const {
         if (!isfinite(rises)) return least;
         const double flat = kFlat * falls;
         for (int i = 0; i < kMostSearches && falls < flat; ++i) { // secants; a side that stays counts for half
