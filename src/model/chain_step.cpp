@@ -164,7 +164,7 @@ struct Stages {
     int count;
 
     // Number by number: processors wait where what was just stored in parts is read as a whole.
-    Stages(const Chain& c, double dt) {
+    [[gnu::noinline]] Stages(const Chain& c, double dt) {
         const double h = stage_share(c, dt), closing_rate = 1 / (h + c.damping);
         const StageMoves moves(c, dt);
         count = moves.count;
@@ -247,16 +247,16 @@ RodRows take_rod(Rows& rows) {
     return {rows.take(), rows.take(), rows.take(), rows.take(), rows.take(), rows.take(), rows.take()};
 }
 
-// closing_rate: of springs that are not welded.
-template <class Place>
-void close_ring(Chain& c, const StageSystem& system, const RodRows& rod, double closing_rate, Place place) {
+// closing_rate: of springs that are not welded. segments: null where nodes lie in order.
+void close_ring(Chain& c, const StageSystem& system, const RodRows& rod, double closing_rate,
+                const Segments* segments) {
     c.closure = {};
     if (!c.ring) return;
     const size_t n = c.nodes;
     const double stiffness[3] = {system.spring(c.springs), system.bend(n - 1), system.bend(0)};
     double* const response[3] = {c.ring_response.data, c.ring_response.data + n, c.ring_response.data + 2 * n};
     factor_ring(n, system, rod, has_bend(c) ? 3 : 1, stiffness, response, c.ring_response.data + 3 * n, c.closure,
-                place);
+                [&](size_t i) { return segments ? segments->place(i) : i; });
     c.closure.closing_rate = welded(c, c.springs) ? 0 : closing_rate;
 }
 
@@ -278,7 +278,7 @@ struct RodStep {
             for (size_t i = 0; i < c.nodes; ++i)
                 has_bend[i] = system.repeats(i) ? has_bend[i - 1] : bend_of(c, i) > 0 ? 1 : 0;
             if (closing) set_closing(c, closing);
-            close_ring(c, system, rod, stages.stage[0].closing_rate, InOrder());
+            close_ring(c, system, rod, stages.stage[0].closing_rate, nullptr);
         }
         coefficients = {rod.keep,   rod.close,     rod.turn,  rod.lever,
                         rod.follow, rod.lean,      rod.bend,  c.has_welds ? closing : nullptr,
@@ -316,8 +316,7 @@ struct SegmentRodStep {
             PlacesInTurn place{segments};
             factor_segment_rod(c.nodes, system, segment);
             gains.set_all(system, place);
-            close_ring(c, system, segment.rod, stages.stage[0].closing_rate,
-                       [&](size_t i) { return segments.place(i); });
+            close_ring(c, system, segment.rod, stages.stage[0].closing_rate, &segments);
         }
         const RodRows& rod = segment.rod;
         double* const* const influence = segment.influence;

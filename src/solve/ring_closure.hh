@@ -61,6 +61,31 @@ void pull_line(size_t nodes, const System& system, const RodRows& rows, Place pl
     }
 }
 
+// C^-1 by bordering: constraint r joins those before it. One that adds no compliance of its own (a cut one has none to
+// add, and in a rigid line they coincide to rounding) is already kept by the others, and left out. out.compliance is U' W,
+// of which one half is read.
+[[gnu::noinline]] inline void invert_compliance(const double* stiffness, RingClosure& out) {
+    auto& c = out.compliance;
+    for (auto& row : out.inverse)
+        for (double& entry : row) entry = 0;
+    for (int r = 0; r < out.constraints; ++r) {
+        if (!(stiffness[r] > 0)) continue;
+        c[r][r] += 1 / stiffness[r];
+        double column[3] = {}, pivot = c[r][r];
+        const double least = kLeastPivot * pivot;
+        for (int a = 0; a < r; ++a) c[r][a] = c[a][r];
+        for (int a = 0; a < r; ++a)
+            for (int b = 0; b < r; ++b) column[a] += out.inverse[a][b] * c[b][r];
+        for (int a = 0; a < r; ++a) pivot -= c[a][r] * column[a];
+        if (!(pivot > least)) continue;
+        for (int a = 0; a < r; ++a) {
+            for (int b = 0; b < r; ++b) out.inverse[a][b] += column[a] * column[b] / pivot;
+            out.inverse[a][r] = out.inverse[r][a] = -column[a] / pivot;
+        }
+        out.inverse[r][r] = 1 / pivot;
+    }
+}
+
 // response: constraints arrays of `nodes`, filled here. scratch: nodes. stiffness: of the constraints, 0 leaves one
 // out.
 template <class System, class Place = InOrder>
@@ -83,27 +108,7 @@ void factor_ring(size_t nodes, const System& system, const RodRows& rows, int co
         out.response[s] = response[s];
     }
     out.constraints = constraints;
-    for (auto& row : out.inverse)
-        for (double& entry : row) entry = 0;
-
-    // C^-1 by bordering: constraint r joins those before it. One that adds no compliance of its own (a cut one has none
-    // to add, and in a rigid line they coincide to rounding) is already kept by the others, and left out.
-    for (int r = 0; r < constraints; ++r) {
-        if (!(stiffness[r] > 0)) continue;
-        c[r][r] += 1 / stiffness[r];
-        double column[3] = {}, pivot = c[r][r];
-        const double least = kLeastPivot * pivot;
-        for (int a = 0; a < r; ++a) c[r][a] = c[a][r];
-        for (int a = 0; a < r; ++a)
-            for (int b = 0; b < r; ++b) column[a] += out.inverse[a][b] * c[b][r];
-        for (int a = 0; a < r; ++a) pivot -= c[a][r] * column[a];
-        if (!(pivot > least)) continue;
-        for (int a = 0; a < r; ++a) {
-            for (int b = 0; b < r; ++b) out.inverse[a][b] += column[a] * column[b] / pivot;
-            out.inverse[a][r] = out.inverse[r][a] = -column[a] / pivot;
-        }
-        out.inverse[r][r] = 1 / pivot;
-    }
+    invert_compliance(stiffness, out);
 }
 
 } // namespace cd
