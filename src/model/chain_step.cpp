@@ -57,7 +57,7 @@ struct Rows {
 
     explicit Rows(const Chain& c) : next(c.coefficients.data), length(row_length(c)) {}
     double* take(bool needed = true) { return needed ? take(length) : nullptr; }
-    double* take(size_t numbers) {
+    [[gnu::noinline]] double* take(size_t numbers) {
         double* const row = next;
         next += numbers;
         return row;
@@ -71,7 +71,7 @@ struct GainRows {
     double *gravity, *drag, *force, *attach; // the last two null where nothing of the kind acts
     bool drags;
 
-    GainRows(const Chain& c, Rows& rows)
+    [[gnu::noinline]] GainRows(const Chain& c, Rows& rows)
         : gravity(rows.take()),
           drag(rows.take()),
           force(rows.take(bool(c.force))),

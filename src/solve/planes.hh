@@ -23,7 +23,7 @@ struct Carver {
     size_t taken = 0;
     bool fits = true;
 
-    double* numbers(size_t count) {
+    [[gnu::noinline]] double* numbers(size_t count) {
         if (!next) {
             size_t whole;
             fits = fits && add(count, 7, whole) && add(taken, whole / 8 * 8, taken);
@@ -34,7 +34,7 @@ struct Carver {
         next += whole, taken += whole;
         return run;
     }
-    double* plane(const Grid& grid) {
+    [[gnu::noinline]] double* plane(const Grid& grid) {
         if (next) return numbers(grid.pitch * grid.rows + 2 * 8) + 8;
         size_t size;
         fits = fits && multiply(grid.pitch, grid.rows, size) && add(size, 2 * 8, size);
