@@ -38,7 +38,7 @@ struct ClothMatrix {
     const double* moves;           // 1 where a node moves, else 0
 };
 
-// What the springs' impulses are added to: rhs - ground w.
+// What the springs' impulses are added to: rhs - ground w, w the velocities, which what resists crumpling also goes by.
 struct ClothResidual {
     double h, dt; // of impulses, and of motion
     const double *rhs[3], *w[3];

@@ -57,6 +57,7 @@ struct Rows {
 
     explicit Rows(const Chain& c) : next(c.coefficients.data), length(row_length(c)) {}
     double* take(bool needed = true) { return needed ? take(length) : nullptr; }
+    // Not inlined, as the two constructors below: all kinds of lines call them, and would each have a copy.
     [[gnu::noinline]] double* take(size_t numbers) {
         double* const row = next;
         next += numbers;

@@ -344,7 +344,7 @@ struct Mover {
     }
 
     // Energies: had in motion before the water's push, made by that, rubbed off by friction.
-    [[gnu::noinline]] void drift(HullPose& pose, double had, double made, double rubbed, double energy) {
+    void drift(HullPose& pose, double had, double made, double rubbed, double energy) {
         const double credit = kCredit * (had + energy);
         double time = dt, due = 0;
         bool stops[2];

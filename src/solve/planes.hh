@@ -23,6 +23,7 @@ struct Carver {
     size_t taken = 0;
     bool fits = true;
 
+    // Not inlined, as plane(): asked for dozens of planes in a row.
     [[gnu::noinline]] double* numbers(size_t count) {
         if (!next) {
             size_t whole;

@@ -361,6 +361,43 @@ static void what_does_not_crumple_lies_still(void** state) {
     }
 }
 
+/* A crumpled tube moves alike whether it goes round along u or along v: what lies beyond the ends of its rows is what
+ * lies round the ring, in velocities too. */
+static void a_tube_moves_alike_along_u_and_v(void** state) {
+    (void)state;
+    enum { ROUND = 16, ALONG = 11, COUNT_OF = 3 * ROUND * (ALONG + 1) };
+    double x[2][COUNT_OF], moved = 0, apart = 0;
+    for (int turned = 0; turned < 2; ++turned) {
+        const size_t columns = turned ? ALONG + 1 : ROUND, rows = turned ? ROUND : ALONG + 1;
+        double start[COUNT_OF];
+        cd_membrane* m;
+        ok(cd_membrane_create(turned ? ALONG : ROUND, turned ? ROUND : ALONG, 3, CD_FLOAT64, NULL, &m));
+        ok(cd_membrane_set_ring(m, !turned, turned));
+        ok(cd_membrane_set_rest_length(m, turned ? 1 : 6.28, turned ? 6.28 : 1));
+        ok(cd_membrane_set_stiffness(m, 1000, 1000));
+        ok(cd_membrane_set_compression(m, 1e4));
+        for (size_t v = 0; v < rows; ++v)
+            for (size_t u = 0; u < columns; ++u) {
+                const size_t i = turned ? v : u, j = turned ? u : v;
+                const double angle = 2 * 3.14159265358979324 * (double)i / ROUND;
+                const double at[3] = {cos(angle), sin(angle), (double)j / ALONG};
+                for (size_t k = 0; k < 3; ++k)
+                    start[3 * (v * columns + u) + k] = at[k] + 0.02 * sin(13 * (double)(j * ROUND + i) + 7 * (double)k);
+            }
+        ok(cd_membrane_write_f64(m, CD_POSITION, 0, 0, columns, rows, start, COUNT_OF));
+        ok(cd_membrane_step(m, 1 / 60.0, 10));
+        ok(cd_membrane_read_f64(m, CD_POSITION, 0, 0, columns, rows, x[turned], COUNT_OF));
+        for (size_t n = 0; n < COUNT_OF; ++n) moved = fmax(moved, fabs(x[turned][n] - start[n]));
+        cd_membrane_destroy(m);
+    }
+    for (size_t j = 0; j <= ALONG; ++j)
+        for (size_t i = 0; i < ROUND; ++i)
+            for (size_t k = 0; k < 3; ++k)
+                apart = fmax(apart, fabs(x[0][3 * (j * ROUND + i) + k] - x[1][3 * (i * (ALONG + 1) + j) + k]));
+    print_message("a tube along u and along v: %.1e m apart, %.1e m moved\n", apart, moved);
+    assert_true(moved > 1e-3 && apart < 1e-9 * moved);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_flat_sheet_falls_as_the_air_lets_it),
@@ -374,6 +411,7 @@ int main(void) {
         cmocka_unit_test(a_teleport_changes_nothing_but_the_place),
         cmocka_unit_test(a_taut_sheet_swings_to_first_order),
         cmocka_unit_test(what_does_not_crumple_lies_still),
+        cmocka_unit_test(a_tube_moves_alike_along_u_and_v),
     };
     return cmocka_run_group_tests_name("cloth that moves", tests, NULL, NULL);
 }
