@@ -41,7 +41,6 @@ struct WaterLine {
     bool ring;
 
     L courant{}, share{};  // dt / cell of the part of the step that is made [s/m]; its share of dt
-    L resolves{};          // how far it resolves waves, 0 to 1, see sweep.cpp
     L is_long{};           // > 0: in it waves cross more than a cell
     bool any_long = false; // of the lanes
 
@@ -109,6 +108,7 @@ struct WaterLine {
     L bounded(size_t i, L w) const;
     void balance();
     void set_velocities();
+    void keep_energy();
     void end_velocities();
 
     // momentum.hh

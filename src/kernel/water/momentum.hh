@@ -47,7 +47,7 @@ inline L WaterLine::sloped(size_t cell, L through) const {
     const size_t next = faces().behind(cell);
     const L run = courant * select(through, positive(velocity[cell]), positive(-velocity[next])); // cells
     const L part = smaller(run, positive(L::splat(1) - run)) * even_depth(cell);
-    return (resolves * smaller(part, size_of(through))) * half_slope(through, velocity, faces(), cell, next);
+    return smaller(part, size_of(through)) * half_slope(through, velocity, faces(), cell, next);
 }
 
 // What velocities of the beginning will be changed by at faces, one after the other along a line.
@@ -77,7 +77,7 @@ struct StreamAcceleration {
         const L carried = from_l * (before.speed - u) + from_r * (behind.speed - u);
         const L change = carried + (before.sloped - behind.sloped);
         before = behind;
-        return select(smaller(d_l, d_r), line.resolves * change, L{});
+        return select(smaller(d_l, d_r), change, L{});
     }
 };
 
@@ -157,10 +157,12 @@ struct FaceCarriers {
             const L less = v0 * u + line.pull[i] * push;
             out.load = select(smaller(line.limits, size_of(out.load) - size_of(less)), less, out.load);
         }
-        if (line.any_long) { // all of the push comes before
-            const L is_long = line.is_long;
-            out.speed = select(is_long, any_bounded ? line.bounded(i, base - late) : base - late, out.speed);
-            out.load = select(is_long, v0 * out.speed, out.load);
+        if (line.any_long) {
+            const double theta = line.sweep.theta;
+            const L early = ((1 - theta) / theta) * (line.push_of(i) * line.pushing_rise(i, line.beside(i)));
+            const L pushed = base - late, w = any_bounded ? line.bounded(i, pushed) : pushed;
+            const L comes = smaller(v1 - v0, v0);
+            out.load = select(line.is_long, v0 * w + theta * comes * (w - (pushed + (early + late))), out.load);
         }
         if (!line.opening) return out;
         const L open = line.opening[i];
@@ -185,6 +187,7 @@ struct FaceCarriers {
 inline void WaterLine::carry() {
     const FaceCarriers faces{*this, first_face(), any_positive(bounds), any_positive(limits)};
     carry_line(n - first_face(), ring, faces, Panel{speed.first + first_face() * kLines}, pull, spare[0]);
+    if (any_long) keep_energy();
 }
 
 } // namespace CD_ISA

@@ -18,7 +18,6 @@ constexpr int kMostParts = 64;
 // face gains more energy than its water loses by falling. What resolves waves, the acceleration of a stream along its
 // line in its fluxes and the slope of velocities within cells, counts in full up to this square of cells, and fades out
 // to none at 1.
-constexpr double kResolved = 0.8;
 
 // Begins a part of a step from water that is at most so deep. Lines are
 // bound in their energy as in a long step, too, in which hulls, or what pushes from outside by more than the water
@@ -39,7 +38,6 @@ void begin_part(WaterLine& line, L deepest) {
     }
     line.courant = sweep.courant * line.share;
     const L square = (sweep.gravity * waves) * (line.courant * line.courant);
-    line.resolves = within((1 / (1 - kResolved)) * (L::splat(1) - square), 0, 1);
     line.is_long = sweep.implicit ? larger(square - L::splat(1), squeezed) : L{};
     line.any_long = any_positive(line.is_long);
 }

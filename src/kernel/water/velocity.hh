@@ -18,6 +18,9 @@ namespace CD_ISA {
 // or some depth changes by more than this part of itself.
 constexpr double kRoughChange = 0.05;
 
+// What part of its energy a line may gain in a step, as rounding does.
+constexpr double kNoGain = 0x1p-40;
+
 // Of an inner face: the water that counts there, the energy of its motion, what lifting water over it takes per flux
 // [m^2/s^2], before the step and what the step's changes of the surface add, and what the flux gains.
 inline FaceEnergy WaterLine::energy_of(size_t i) const {
@@ -117,6 +120,31 @@ inline void WaterLine::set_velocities() {
         if (any_limited) w = select(limits, here.pull[i] * w, w);
         here.speed.put(i, wet ? w : select(c.conducts(), w, L{}));
     }
+}
+
+// In a long step a line has no more energy after it than before, and than what pushes it and what comes in at its ends
+// bring: what there is too much is taken from all velocities in the same proportion, round a ring of water, if it can,
+// from how far they differ from their mean, so that momentum is kept.
+inline void WaterLine::keep_energy() {
+    const L none{}, one = L::splat(1);
+    L mass = none, momentum = none, gap = none;
+    L moving = none, most = none; // twice the energy, at first of what comes in at the ends
+    if (!ring) most = positive(flux[0]) * (speed[0] * speed[0]) + positive(-flux[n]) * (speed[n] * speed[n]);
+    for (size_t i = first_face(); i < n; ++i) {
+        const L v = beside_after(i).mean_depth(), u = speed[i], before = velocity[i], p = v * u;
+        most = most + (beside(i).mean_depth() * (before * before) + 2 * energy_of(i).gained);
+        moving = moving + p * u;
+        mass = mass + v;
+        momentum = momentum + p;
+        gap = larger(gap, select(size_of(u), none, one));
+    }
+    const L excess = moving - most, over = smaller(excess - kNoGain * moving, is_long);
+    if (!any_positive(over)) return;
+    L mean = ring ? select(gap, none, momentum / mass) : none;
+    mean = select((moving - mean * momentum) - excess, mean, none);
+    const L differ = moving - mean * momentum,
+            keep = select(smaller(over, differ), root(positive(differ - excess) / differ), one);
+    for (size_t i = first_face(); i < n; ++i) speed.put(i, mean + keep * (speed[i] - mean));
 }
 
 // What crosses a side runs as fast as its discharge in its depth, but no faster than it came or than its waves: more
