@@ -109,7 +109,7 @@ cd_status load_object(const char* function, typename K::Object& x, const unsigne
     Shape shape{};
     typename K::Settings settings{};
     walk_shape(reader, shape);
-    if (!reader.whole) return fail(CD_ERROR_FORMAT, function, "%zu bytes are too few", size);
+    if (!reader.whole) return fail(CD_ERROR_FORMAT, function, "size is %zu, too few for a saved state", size);
     if (!(shape == K::shape_of(x))) return shapes_differ(function, K::kind, "the saved one", shape, K::shape_of(x));
     K::walk_settings(reader, settings);
     bool valid = reader.whole && K::valid(x, settings);
