@@ -3074,42 +3074,44 @@ end
 -- (i, j) has its centre at ((i + 1/2) dx, (j + 1/2) dy).
 -- Motion d_t + (d u)_x + (d v)_y = source u_t [+ u u_x + v u_y] = -g h_x - p_x / density + force - friction u, and v
 -- likewise friction = drag + g manning^2 |u| / d^(4/3) (Kass 1997, eq. 32-33; the bracket: shallow water)
--- CD_MOMENTUM_LINEAR without the bracket: waves, splashes, tides, floods that creep. Water has no inertia beyond its
--- own face: a shore moves with the slope of the surface there, and bores of a tenth, half and twice the depth run 1, 5
--- and 13% too slow. CD_MOMENTUM_ADVECTED with it: moving shores, dam breaks, bores, whirls. Momentum goes with the
--- water that leaves a cell, upwind, of second order where depths are even and waves cross less than a cell in a step.
--- A step sweeps along the rows, then along the columns, in the other order every other step. Along a line the fluxes
--- and the surface that they change are solved for at once, by the theta scheme, theta = lambda, in time proportional to
--- the cells; a face is as deep as the cells beside it in the mean, nearer to the one that gives where they differ a
--- lot; no cell gives more than it has and gets (cd_water_get_limited counts what that held back). So depths are never
--- negative, a lake lies still on any bed, and volume changes only by what cd_water_get_account tells.
--- Waves do not limit the step. Where water runs more than half a cell in a step, a line makes its step in 2, 4, ... 64
--- parts, none of which it begins faster, at so many times the cost. Faster water, of more than 32 cells a step, is
--- carried less exactly, and ripples on it may grow; on slower streams they do not, but for linear momentum with lambda
--- = 1/2 over an uneven bed. Waves that a step lets cross more than a cell are slowed down, short ones most. Advected, a
--- bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5%, against a stream 10%, in steps in
--- which they cross 2 to 32, over which it is drawn out to eight times as many cells. With lambda = 1/2 waves run behind
--- it, up to 0.7 of its height high (linear 1.6), all along its way where the water rests; with 0.6 of 0.3 (1.3).
--- lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
--- mode, of which shores are steep, take a little more. With 1/2, linear waves in the plane grow, in thousands of steps
--- of 2 cells or more, to a ninth of the depth. Advected water gains no energy in steps in which waves cross more than a
--- cell, but for a while 0.05 of its waves', and with 1/2 low waves round a ring over an uneven bed eight times theirs;
--- in shorter ones up to 0.005 of all its energy among cliffs, in very short ones at shores too, and 0.01 in the first
--- step where velocities are written there. Linear water gains h_t u^2 / 2 where it deepens: at random shores some
--- hundredths (and see hulls). Air that presses it dry gives it up to 1.4 times what it has to give, advected water half
--- of it, explicit steps any, as does rounding from 1e12 cells a step. What pushes off dry land gives the last face a
--- velocity that no water follows. In long steps, of uneven depths, no face gains more energy than its water loses by
--- falling.
--- Explicit steps (cd_water_set_method) share all of this but the surface that is solved for: half of the slope pushes,
--- the water moves, then the other half (velocity Verlet).
--- Rows and columns are solved in turn only: in steps in which waves cross many cells, those that run aslant are slower
--- than along the axes. Shorter steps serve better than a solve of the whole plane: neither symmetric nor definite where
--- streams run, it cost tens of times as much, and gained and lost water.
--- Right for waves much longer than the water is deep, and surfaces that do not turn over: no dispersion, no ship wakes.
+-- CD_MOMENTUM_LINEAR without the bracket: waves, splashes, tides, floods that creep. CD_MOMENTUM_ADVECTED with it:
+-- moving shores, dam breaks, bores, whirls. Momentum goes with the water that leaves a cell, upwind, of second order
+-- where depths are even and waves cross less than a cell in a step.
+-- What to set: the momentum by this list; lambda as cd_water_set_momentum sets it; one step a frame, which is never too
+-- long to be stable, or more where waves must run at their speed (cd_water_get_courant at most 1). lambda = 1/2 is of
+-- second order in time and keeps the energy of small waves; above 1/2 short waves die out, and linear water, whose
+-- shores are steep, needs a little more. Right for waves much longer than the water is deep and for surfaces that do
+-- not turn over: there is no dispersion, and there are no ship wakes.
+-- A step sweeps along all rows, then along all columns, and the next step the other way round. Along such a line the
+-- fluxes and the changes of the surface are solved for together, by the theta scheme, theta = lambda, in time in
+-- proportion to its cells. The depth at a face is the mean of its two cells'; where these differ a lot, it is nearer to
+-- that of the cell which the water leaves. No cell gives more than it has and gets: cd_water_get_limited tells how much
+-- that holds back. So no depth is negative, a lake lies still on any bed, and cd_water_get_account tells all changes of
+-- volume. Explicit methods differ in that no surface is solved for: half of the slope pushes, the water moves, then the
+-- other half pushes (velocity Verlet).
+-- What goes wrong, and by how much. "From n cells on" means: in steps in which waves cross n cells or more. Long steps:
+-- from 1 cell on waves run too slowly, short ones most, and slantwise more than along the axes. Make them shorter: to
+-- solve for the whole plane, a system that streams make neither symmetric nor definite, cost tens of times as much, and
+-- gained and lost water. Fast water: a line whose water would run more than half a cell makes its step in 2, 4, ... 64
+-- parts, at so many times the cost, none of which begins with faster water. Water that runs more than 32 cells is
+-- carried less exactly, and ripples on it may grow; on slower water only those of linear momentum, lambda 1/2, uneven
+-- beds do. Bores, linear: momentum is not carried on, so that a shore moves with the slope of the surface there, and a
+-- bore a tenth, half and twice as high as the depth before it runs 2, 9 and 21% too slow. Bores, advected: 0.1% too
+-- slow at half a cell; from 2 to 32 cells up to 6%, against a stream 10%, and spread over 8 times as many. Waves behind
+-- a bore: with lambda = 1/2 up to 0.7 of its height (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where
+-- the water behind it rests. Energy, linear: where water deepens it gains h_t u^2 / 2, at random shores some hundredths
+-- in all (and see hulls). From 2 cells on waves in the plane, with lambda = 1/2, grow in thousands of steps to a ninth
+-- of the depth. Energy, advected: from 1 cell on it may rise for a while by 0.05 of that of the waves; low waves round
+-- a ring over an uneven bed, with lambda = 1/2, come to 8 times theirs. Below 1 cell up to 0.005 of it all is added
+-- among cliffs, far below also at shores, and 0.01 in the first step after velocities are written there. Energy, both:
+-- from 1 cell on, over uneven depths, no face gains more than its water loses by falling; from 1e12 on rounding may add
+-- any amount. Air that presses water dry adds up to 1.4 times what it has to give where momentum is linear, half of it
+-- where advected, and any amount in explicit methods. Dry land: what pushes water away from it gives the face at the
+-- water's edge a velocity that no water follows.
 -- A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
--- CD_METHOD_IMPLICIT with lambda 0.55. All computing is done in double precision; CD_FLOAT32 is what depth, bed,
--- velocities and the fields are stored in. Depths below 2^-80 m are taken for 0 where a step stores them, and
--- velocities below 2^-80 (float32) or 2^-500 m/s. Parameters may be as large as 1e60.
+-- CD_METHOD_IMPLICIT with lambda 0.55. All computing is in double precision; CD_FLOAT32 is what depth, bed, velocities
+-- and the fields are stored in. Steps store 0 for depths below 2^-80 m and velocities below 2^-80 (float32) or 2^-500
+-- m/s. Parameters may be as large as 1e60.
 -- Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 -- comments name the other errors. Functions that chain and membrane have too mean the same here.
 local Water = support.class("Water", "cd_water_destroy")
