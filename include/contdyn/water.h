@@ -52,7 +52,7 @@
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
  * CD_METHOD_IMPLICIT with lambda 0.55.
  * All computing is in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in. Steps
- * store 0 for depths below 2^-80 m and velocities below 2^-80 (float32) or 2^-500 m/s. Parameters may be as large as 1e60.
+ * store 0 for depths below 2^-80 m and velocities below 2^-80 (float32), 2^-500 m/s. Parameters may be as large as 1e60.
  *
  * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
  * comments name the other errors. Functions that chain and membrane have too mean the same here. */
@@ -167,18 +167,18 @@ CD_API cd_status cd_water_get_manning(const cd_water* water, double* out_manning
 
 /* What is at a side. `value` now, and how fast it changes, `rate` per second, from now on, both at most 1e60 in size,
  * in CD_FLOAT32 1e30:
- *   CD_BORDER_OPEN     level of the water outside [m], which is at rest: a tide is its level and rate, set anew as it
- *                      goes. Low waves leave without an echo, and some hundredths of high ones come back, by u = 2
- *                      (sqrt(g d) - sqrt(g D)), d the depth in the cell at the side and D that of the level over the
- *                      same bed; linear, u = sqrt(g d) (1 - D / d). The discharge is u d. Where that is faster than the
- *                      waves, as over a side that lies higher than the level, water falls off: a stream slower than its
- *                      waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
- *   CD_BORDER_LEVEL    level [m] that is held at the side itself, whatever flows out: of depth D there water crosses it
- *                      with U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and discharge U D. Waves
- *                      are thrown back. What is faster than its waves falls off as above.
+ *   CD_BORDER_OPEN     level of the water outside [m], which is at rest: for a tide set level and rate anew as it goes.
+ *                      Low waves leave without an echo; some hundredths of high ones come back. With d the depth in the
+ *                      cell at the side, D the level's depth over the same bed, water leaves by u = 2 (sqrt(g d) -
+ *                      sqrt(g D)), linear by u = sqrt(g d) (1 - D / d), and the discharge is u d. Where u is faster
+ *                      than waves, as over a side that lies higher than the level, water falls off: a stream slower than
+ *                      its waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
+ *   CD_BORDER_LEVEL    level [m] that is held at the side itself, whatever flows out: with D the depth there and u the
+ *                      velocity one face inside, water crosses it by U = u + 2 (sqrt(g d) - sqrt(g D)), and the
+ *                      discharge is U D. Waves are thrown back. What is faster than its waves falls off as above.
  *   CD_BORDER_INFLOW   discharge per metre of the side [m^2/s] into the water, velocity times depth, whatever the depth
- *                      is; it comes in at critical depth where the cell is shallower. If negative it leaves, as far as
- *                      there is water
+ *                      is; where the cell is shallower than the critical depth, it comes in at that. If negative it
+ *                      leaves, as far as there is water.
  *   CD_BORDER_WALL, CD_BORDER_PERIODIC   value and rate mean nothing
  * Both sides of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the
  * opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE. */
@@ -286,16 +286,16 @@ CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double ra
  * metre to port. Velocities are {along x, along y, upward [m/s], yaw, pitch, roll [1/s]}, yaw counter-clockwise seen
  * from above. Mass is spread evenly over length and width; the righting moment is that of the waterline.
  *
- * Between body and water lies a skin, three times as stiff as the water's surface. So the body's keel lies deeper than
- * the floor that is to be drawn, which cd_water_get_hull_floor gives, by a third of the draft for a hull of many cells:
- * of a hull that lies still the floor displaces its own mass, draft = mass / (density area) for a flat one.
+ * Between body and water lies an elastic skin, three times as stiff as the water's surface. So the body's keel lies
+ * deeper than the floor that cd_water_get_hull_floor gives, to be drawn: by a third of the draft for a hull of many
+ * cells. It is the floor of a hull at rest that displaces its mass: draft = mass / (density area) for a flat one.
  *
- * Steps stay bounded at any dt, for hulls of any mass; hulls and water together gain no energy beyond what the water
- * itself does. That is much where a hull presses linear water dry: 13 times what was there in steps in which waves
- * cross 2.8 cells; advected water gained none there. In steps in which waves cross many cells, or a hull its own
- * length, hulls are slowed down. Momentum that drag takes from a hull the water gets, in such long steps less; of what
- * its waves take, half or more. Forces cost time in proportion to the cells under hulls, and steps of water with hulls
- * some more per cell.
+ * Energy: steps stay bounded at any dt, for hulls of any mass, and hulls and water together gain no energy beyond what
+ *    the water itself does. That is much where a hull presses linear water dry: in steps in which waves cross 2.8 cells
+ *    13 times the energy that was there; advected water gained none there.
+ * Long steps, in which waves cross many cells or a hull its own length, slow hulls down.
+ * Momentum: the water gets all that drag takes from a hull, less in long steps, and half or more of what its waves take.
+ * Time: forces cost in proportion to the cells under hulls, and all cells of water with hulls a little more.
  * Errors of all: CD_ERROR_RANGE for an index that no hull has, or a count that is not what the comment says. */
 
 /* How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along` and `n_across`, 1 to
