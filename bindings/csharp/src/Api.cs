@@ -50,10 +50,10 @@ namespace Contdyn
         Float64 = 1,
     }
 
-    /// <summary>How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. What is
-    /// bounded, and keeps energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that
-    /// its velocity would carry it, and in a ring or with bend of the way that it would fall in dt, which shows
-    /// where dt is longer than 1e12 times the time of the fastest swing.</summary>
+    /// <summary>How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. Bounds
+    /// hold, and energy is kept, to rounding: in a step a node's position may be wrong by some 1e-15 of the
+    /// distance that its velocity covers in dt, in a ring or with bend also by 1e-15 of the distance that it would
+    /// fall in dt, which shows where dt is longer than 1e12 times the time of the fastest swing.</summary>
     public enum Method
     {
         /// <summary>Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is backward Euler; for
@@ -89,9 +89,9 @@ namespace Contdyn
         HalfEnds = 1,
     }
 
-    /// <summary>The instructions that steps are made of. All give the same bits, as long as those are of finite
-    /// numbers: how far what is not finite spreads in steps that end with CD_ERROR_DIVERGED may differ. A new
-    /// object has the fastest that its processor runs.</summary>
+    /// <summary>The instructions that steps are made of. All give the same bits as long as all numbers are finite;
+    /// how far infinity and NaN spread in steps that end with CD_ERROR_DIVERGED may differ. A new object has the
+    /// fastest that its processor runs.</summary>
     public enum Kernels
     {
         /// <summary>what every processor of the target has: SSE2 on x86-64, NEON on AArch64, and on WebAssembly SIMD128
@@ -137,9 +137,9 @@ namespace Contdyn
         Nearest = 1,
     }
 
-    /// <summary>Per-node and per-spring data; which object has which is in its own header. One list, since what
-    /// objects share has one meaning; and all are numbers, pins and masks too, so that one read and one write serve
-    /// them.</summary>
+    /// <summary>Per-node and per-spring data; each object's header lists those that it has. They are in one list,
+    /// since a field that several objects have means the same in each. All hold numbers, pins and masks too, for
+    /// one read and one write.</summary>
     public enum Field
     {
         Position = 0,
@@ -337,14 +337,14 @@ namespace Contdyn
         }
     }
 
-    /// <summary>A shape from the caller, of a collider of ropes and cloth. distance tells of `count` positions,
-    /// each of `components` numbers and relative to the collider's origin, how far outside of the shape they are at
-    /// this time [s], as signed distances [m], less than 0 inside, at most 1e60 in size; and the unit vector along
-    /// which that distance grows fastest, of a length within 1e-3 of 1: out_distances[i],
-    /// out_normals[i][component]. It is called from steps, from any thread of cd_parallel and from several at once,
-    /// and has to give the same position the same answer at the same time, whatever it is asked with; it may call
-    /// no function on the object. A shape that moves as a whole should do so by the collider's velocity: one that
-    /// changes with time by itself is met where it was when the step began. Copied when it is set.</summary>
+    /// <summary>A shape from the caller, of a collider of ropes and cloth. distance is given `count` positions,
+    /// each of `components` numbers and relative to the collider's origin, and the time [s]. To out_distances[i] it
+    /// writes how far outside of the shape each is [m], less than 0 inside, at most 1e60 in size; to
+    /// out_normals[i][component] the unit vector along which that distance grows fastest, of a length within 1e-3
+    /// of 1. It is called from steps, from any thread of cd_parallel and from several at once. The same position
+    /// must get the same answer at the same time, whatever others are asked with it, and it may call no function on
+    /// the object. A shape that moves as a whole should do so by the collider's velocity: one that changes with
+    /// time by itself is met where it was when the step began. Copied when it is set.</summary>
     public sealed unsafe class DistanceCallbacks : Callbacks
     {
         public delegate void DistanceFunction(double time, long count, long components, IntPtr positions,
@@ -4307,14 +4307,14 @@ namespace Contdyn
     /// faster water. Water that runs more than 32 cells is carried less exactly, and ripples on it may grow; on
     /// slower water only those of linear momentum, lambda 1/2, uneven beds do. Bores, linear: momentum is not
     /// carried on, so that a shore moves with the slope of the surface there, and a bore a tenth, half and twice as
-    /// high as the depth before it runs 2, 9 and 21% too slow. Bores, advected: 0.1% too slow at half a cell; from
-    /// 2 to 32 cells up to 6%, against a stream 10%, and spread over 8 times as many. Waves behind a bore: with
-    /// lambda = 1/2 up to 0.7 of its height (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where the
-    /// water behind it rests. Energy, linear: where water deepens it gains h_t u^2 / 2, at random shores some
+    /// high as the depth before it runs some 2, 9 and 22% too slow. Bores, advected: 0.1% too slow at half a cell;
+    /// from 2 to 32 cells up to 6%, against a stream 10%, and spread over 8 times as many. Waves behind a bore:
+    /// with lambda = 1/2 up to 0.7 of its height (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where
+    /// the water behind it rests. Energy, linear: where water deepens it gains h_t u^2 / 2, at random shores some
     /// hundredths in all (and see hulls). From 2 cells on waves in the plane, with lambda = 1/2, grow in thousands
     /// of steps to a ninth of the depth. Energy, advected: from 1 cell on it may rise for a while by 0.05 of that
     /// of the waves; low waves round a ring over an uneven bed, with lambda = 1/2, come to 8 times theirs. Below 1
-    /// cell up to 0.005 of it all is added among cliffs, far below also at shores, and 0.01 in the first step after
+    /// cell up to 0.005 of it all is won among cliffs, far below also at shores, and 0.01 in the first step after
     /// velocities are written there. Energy, both: from 1 cell on, over uneven depths, no face gains more than its
     /// water loses by falling; from 1e12 on rounding may add any amount. Air that presses water dry adds up to 1.4
     /// times what it has to give where momentum is linear, half of it where advected, and any amount in explicit
@@ -4323,7 +4323,7 @@ namespace Contdyn
     /// A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag,
     /// CD_MOMENTUM_LINEAR, CD_METHOD_IMPLICIT with lambda 0.55. All computing is in double precision; CD_FLOAT32 is
     /// what depth, bed, velocities and the fields are stored in. Steps store 0 for depths below 2^-80 m and
-    /// velocities below 2^-80 (float32) or 2^-500 m/s. Parameters may be as large as 1e60.
+    /// velocities below 2^-80 (float32), 2^-500 m/s. Parameters may be as large as 1e60.
     /// Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind;
     /// the comments name the other errors. Functions that chain and membrane have too mean the same here.</summary>
     public sealed unsafe class Water : LibraryObject

@@ -86,10 +86,10 @@ impl Precision {
     }
 }
 
-/// How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. What is bounded, and
-/// keeps energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that its velocity
-/// would carry it, and in a ring or with bend of the way that it would fall in dt, which shows where dt is longer
-/// than 1e12 times the time of the fastest swing.
+/// How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. Bounds hold, and
+/// energy is kept, to rounding: in a step a node's position may be wrong by some 1e-15 of the distance that its
+/// velocity covers in dt, in a ring or with bend also by 1e-15 of the distance that it would fall in dt, which
+/// shows where dt is longer than 1e12 times the time of the fastest swing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]
 pub enum Method {
@@ -170,9 +170,9 @@ impl MassRule {
     }
 }
 
-/// The instructions that steps are made of. All give the same bits, as long as those are of finite numbers: how far
-/// what is not finite spreads in steps that end with CD_ERROR_DIVERGED may differ. A new object has the fastest
-/// that its processor runs.
+/// The instructions that steps are made of. All give the same bits as long as all numbers are finite; how far
+/// infinity and NaN spread in steps that end with CD_ERROR_DIVERGED may differ. A new object has the fastest that
+/// its processor runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]
 pub enum Kernels {
@@ -281,8 +281,9 @@ impl Outside {
     }
 }
 
-/// Per-node and per-spring data; which object has which is in its own header. One list, since what objects share
-/// has one meaning; and all are numbers, pins and masks too, so that one read and one write serve them.
+/// Per-node and per-spring data; each object's header lists those that it has. They are in one list, since a field
+/// that several objects have means the same in each. All hold numbers, pins and masks too, for one read and one
+/// write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]
 pub enum Field {
@@ -3094,23 +3095,23 @@ pub struct WaterEnergy {
 /// its step in 2, 4, ... 64 parts, at so many times the cost, none of which begins with faster water. Water that
 /// runs more than 32 cells is carried less exactly, and ripples on it may grow; on slower water only those of
 /// linear momentum, lambda 1/2, uneven beds do. Bores, linear: momentum is not carried on, so that a shore moves
-/// with the slope of the surface there, and a bore a tenth, half and twice as high as the depth before it runs 2, 9
-/// and 21% too slow. Bores, advected: 0.1% too slow at half a cell; from 2 to 32 cells up to 6%, against a stream
-/// 10%, and spread over 8 times as many. Waves behind a bore: with lambda = 1/2 up to 0.7 of its height (linear:
-/// 1.6), with 0.6 up to 0.3 (1.3), all along its way where the water behind it rests. Energy, linear: where water
-/// deepens it gains h_t u^2 / 2, at random shores some hundredths in all (and see hulls). From 2 cells on waves in
-/// the plane, with lambda = 1/2, grow in thousands of steps to a ninth of the depth. Energy, advected: from 1 cell
-/// on it may rise for a while by 0.05 of that of the waves; low waves round a ring over an uneven bed, with lambda
-/// = 1/2, come to 8 times theirs. Below 1 cell up to 0.005 of it all is added among cliffs, far below also at
-/// shores, and 0.01 in the first step after velocities are written there. Energy, both: from 1 cell on, over uneven
-/// depths, no face gains more than its water loses by falling; from 1e12 on rounding may add any amount. Air that
-/// presses water dry adds up to 1.4 times what it has to give where momentum is linear, half of it where advected,
-/// and any amount in explicit methods. Dry land: what pushes water away from it gives the face at the water's edge
-/// a velocity that no water follows.
+/// with the slope of the surface there, and a bore a tenth, half and twice as high as the depth before it runs some
+/// 2, 9 and 22% too slow. Bores, advected: 0.1% too slow at half a cell; from 2 to 32 cells up to 6%, against a
+/// stream 10%, and spread over 8 times as many. Waves behind a bore: with lambda = 1/2 up to 0.7 of its height
+/// (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where the water behind it rests. Energy, linear:
+/// where water deepens it gains h_t u^2 / 2, at random shores some hundredths in all (and see hulls). From 2 cells
+/// on waves in the plane, with lambda = 1/2, grow in thousands of steps to a ninth of the depth. Energy, advected:
+/// from 1 cell on it may rise for a while by 0.05 of that of the waves; low waves round a ring over an uneven bed,
+/// with lambda = 1/2, come to 8 times theirs. Below 1 cell up to 0.005 of it all is won among cliffs, far below
+/// also at shores, and 0.01 in the first step after velocities are written there. Energy, both: from 1 cell on,
+/// over uneven depths, no face gains more than its water loses by falling; from 1e12 on rounding may add any
+/// amount. Air that presses water dry adds up to 1.4 times what it has to give where momentum is linear, half of it
+/// where advected, and any amount in explicit methods. Dry land: what pushes water away from it gives the face at
+/// the water's edge a velocity that no water follows.
 /// A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag,
 /// CD_MOMENTUM_LINEAR, CD_METHOD_IMPLICIT with lambda 0.55. All computing is in double precision; CD_FLOAT32 is
 /// what depth, bed, velocities and the fields are stored in. Steps store 0 for depths below 2^-80 m and velocities
-/// below 2^-80 (float32) or 2^-500 m/s. Parameters may be as large as 1e60.
+/// below 2^-80 (float32), 2^-500 m/s. Parameters may be as large as 1e60.
 /// Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
 /// comments name the other errors. Functions that chain and membrane have too mean the same here.
 pub struct Water {
