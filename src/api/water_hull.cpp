@@ -51,7 +51,7 @@ double most_size(const Water& w) { return kMostHullCells * cell_size(w.size, w.c
 cd_status is_size(const char* function, const Water& w, const char* name, double size) {
     const double most = most_size(w);
     if (size > 0 && size <= most) return CD_OK;
-    return fail(CD_ERROR_VALUE, function, "%s is %g, must be > 0 and at most %g, %g cells", name, size, most,
+    return fail(CD_ERROR_VALUE, function, "%s is %g, must be > 0 and at most %g, which is %g cells", name, size, most,
                 kMostHullCells);
 }
 
