@@ -18,7 +18,7 @@ inline bool is_of_ropes(cd_field field) {
 inline bool needs_length(const Chain&, cd_field field) { return is_of_ropes(field); }
 inline cd_status is_field(const char* function, const Chain&, cd_field field) {
     if (is_of_ropes(field) || (field >= 0 && field <= CD_TARGET)) return CD_OK;
-    return fail(CD_ERROR_ENUM, function, "field is %d, must be one of a chain's, 0 to 7, 22 to 26 or 35", int(field));
+    return fail(CD_ERROR_ENUM, function, "field is %d, which no chain has, must be 0 to 7, 22 to 26 or 35", int(field));
 }
 inline bool is_always_on(const Chain&, cd_field field) {
     return field == CD_POSITION || field == CD_VELOCITY || field == CD_PIN || field == CD_TENSION || field == CD_STRAIN;

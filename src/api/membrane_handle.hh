@@ -26,7 +26,7 @@ inline bool is_along(cd_field field, Direction d) {
 }
 inline cd_status is_field(const char* function, const Membrane&, cd_field field) {
     if (!is_of_cloth(field) && (field < 0 || field > CD_MASK))
-        return fail(CD_ERROR_ENUM, function, "field is %d, must be one of a membrane's, 0 to 10, 24 or 27 to 34",
+        return fail(CD_ERROR_ENUM, function, "field is %d, which no membrane has, must be 0 to 10, 24 or 27 to 34",
                     int(field));
     if (field != CD_STIFFNESS && field != CD_BEND) return CD_OK;
     return fail(CD_ERROR_UNSUPPORTED, function, "field is %d, %s, which no membrane has%s", int(field),

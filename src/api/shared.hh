@@ -20,7 +20,7 @@ inline cd_status can_make(const char* function, size_t components, cd_precision 
     if (components < 1 || components > 4)
         return fail(CD_ERROR_VALUE, function, "components is %zu, must be 1 to 4", components);
     if (allocator && (!allocator->allocate || !allocator->release))
-        return fail(CD_ERROR_NULL, function, "allocator->allocate or allocator->release is null");
+        return fail(CD_ERROR_NULL, function, "allocator has a null allocate or release");
     if ((precision == CD_FLOAT32 && !CD_WITH_FLOAT32) || (precision == CD_FLOAT64 && !CD_WITH_FLOAT64))
         return fail(CD_ERROR_UNSUPPORTED, function, "precision is %d, which is left out of this build", int(precision));
     return CD_OK;
