@@ -99,10 +99,10 @@ export const Precision: {
 export type Precision = keyof typeof Precision;
 
 /**
- * How a step advances the state by dt. "implicit" is the default, with lambda = 1/2. What is bounded, and keeps
- * energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that its velocity would carry
- * it, and in a ring or with bend of the way that it would fall in dt, which shows where dt is longer than 1e12 times
- * the time of the fastest swing.
+ * How a step advances the state by dt. "implicit" is the default, with lambda = 1/2. Bounds hold, and energy is
+ * kept, to rounding: in a step a node's position may be wrong by some 1e-15 of the distance that its velocity covers in
+ * dt, in a ring or with bend also by 1e-15 of the distance that it would fall in dt, which shows where dt is longer
+ * than 1e12 times the time of the fastest swing.
  */
 export const Method: {
   /**
@@ -143,9 +143,9 @@ export const MassRule: {
 export type MassRule = keyof typeof MassRule;
 
 /**
- * The instructions that steps are made of. All give the same bits, as long as those are of finite numbers: how far what
- * is not finite spreads in steps that end with "errorDiverged" may differ. A new object has the fastest that its
- * processor runs.
+ * The instructions that steps are made of. All give the same bits as long as all numbers are finite; how far infinity
+ * and NaN spread in steps that end with "errorDiverged" may differ. A new object has the fastest that its processor
+ * runs.
  */
 export const Kernels: {
   /**
@@ -196,8 +196,8 @@ export const Outside: {
 export type Outside = keyof typeof Outside;
 
 /**
- * Per-node and per-spring data; which object has which is in its own header. One list, since what objects share has one
- * meaning; and all are numbers, pins and masks too, so that one read and one write serve them.
+ * Per-node and per-spring data; each object's header lists those that it has. They are in one list, since a field that
+ * several objects have means the same in each. All hold numbers, pins and masks too, for one read and one write.
  */
 export const Field: {
   readonly position: 0;
@@ -426,8 +426,8 @@ export interface ChainOptions {
  *
  * A chain has `springs` springs and nodes = springs + 1 nodes; spring i joins node i to node i + 1. A ring has one
  * spring more, number `springs`, from the last node to the first. A node has 1 to 4 components that never mix. One
- * handle holds one or many strands, each with its own positions, velocities, forces and targets. Masses, stiffnesses,
- * pins and attachments, and so one factorization, they share; strands of ropes have their own of these too.
+ * handle holds one or many strands, each with its own positions, velocities, forces and targets. Strands share masses,
+ * stiffnesses, pins and attachments, and so one factorization; only ropes' strands have their own of these too.
  *
  * Energy    E = 1/2 sum k_i |x_{i+1} - x_i|^2 + 1/2 sum b_i |x_{i+1} - 2 x_i + x_{i-1}|^2      (Kass 1997, eq. 2 and 5)
  * Motion    M x'' + C x' + K x = M g + f,  K = the Hessian of E,  C = drag M + stiffness_damping K
@@ -584,36 +584,36 @@ export class Chain extends Handle {
   // ---- ropes: springs that have a length ----------------------------------------------------------------------------
   // A rope is a chain with a rest length: the components of a node, 1 to 3, are directions of space, and a spring pulls
   // along itself by k_i (|x_{i+1} - x_i| - length_i) once it is longer than its length; shorter it is slack. k_i may be
-  // anything up to Infinity, which keeps its length. A step solves this nonlinear
-  // system to the tolerance by Newton's method, each iteration in time proportional to the nodes: 1 to 3 of them as a
-  // rule. lambda = 1/2 is second order and keeps the energy of a swing, but for the jerk when slack ends; lambda = 1
-  // damps most. What lengthens and shortens springs of finite stiffness is damped at every lambda, with 1/2 about half
-  // as
-  // much as with 1. What can't be solved with lambda < 1 is solved with 1.
-  // At any dt, stiffness and masses a step that reaches its tolerance keeps momentum to rounding. Energy it can add
-  // only
-  // as much as errors of length within the tolerance are worth. For each spring, before the step and again after it,
-  // that
-  // is at most 2 T e + k e^2: e is tolerance * length; T is the spring's tension, or the mean force on the nodes where
-  // that is larger and the interior point was needed; k e^2 is left out where the stiffness is infinite. With "float32"
-  // e has the rounding of positions in it, 6e-8 of their distance from the origin: 1e5 times its springs' length away a
-  // rope that swings gains up to 2e-4 of its energy, 1e6 times away a fifth. A spring that is longer than its tension
-  // makes it, because positions were written so, comes back within the step at any speed. Where a rest length is
-  // reduced,
-  // the work of that is no energy added: tension times what the length falls by, with 1/2 along the mean of the
-  // spring's
-  // directions before and after the step.
+  // anything up to Infinity, which keeps its length.
+  // Steps: a step solves this nonlinear system, to the tolerance, by Newton's method, as a rule in 1 to 3 iterations,
+  // each
+  //    in time proportional to the nodes. lambda = 1/2 is second order and keeps the energy of a swing, but for the
+  // jerk
+  //    when slack ends; lambda = 1 damps most. Stretching of springs of finite stiffness is damped at every lambda,
+  // with
+  //    1/2 about half as much as with 1. What can't be solved with lambda < 1 is solved with 1. A spring that is longer
+  //    than its tension makes it, because positions were written so, comes back within the step at any speed.
+  // Momentum: a step that reaches its tolerance keeps it to rounding, at any dt, stiffness and masses.
+  // Energy: such a step adds no more than errors of length within the tolerance are worth: for each spring, before the
+  //    step and again after it, at most 2 T e + k e^2. e is tolerance * length; T is the spring's tension, or the mean
+  //    force on the nodes where that is larger and the interior point was needed; k e^2 is left out where k is
+  // infinite.
+  //    In "float32" e includes the rounding of positions, 6e-8 of their distance from the origin: a swinging rope gains
+  //    up to 2e-4 of its energy at 1e5 times its springs' length from there, a fifth at 1e6 times. Where a rest length
+  //    is reduced, tension times what it falls by, with 1/2 along the mean of the spring's directions before and after
+  //    the step, is work, and not counted as energy added.
   // Ropes need "implicit" with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
   // step says "errorUnsupported".
   //
   // With bend a rope is a rod, or hair, straight at rest or, in a plane, curled: its bend energy at a node is
-  // b_i / 2 |d r_i|^2, d r_i the difference of the spring vectors beside it, each over its rest length and times the
-  // mean
-  // of the two, the one before turned by the rest angle. Two pinned nodes at an end clamp it: the inner one, at the
-  // clamp, should have twice the bend of the others. Springs that only pull let a rod shorten under pressure about as
-  // far
-  // as the same force across would bend it: hair that is to stand at its length needs springs that push. Any bend is
-  // stable; but where pinned nodes hold a rod bent with more than 1e5 times the energy m g L of the rope, or where its
+  // b_i / 2 |d r_i|^2. d r_i is the difference of the two spring vectors at the node, each divided by its rest length
+  // and
+  // multiplied by the mean of both rest lengths, the first turned by the rest angle. Two pinned nodes at an end clamp
+  // it:
+  // the inner one, at the clamp, should have twice the bend of the others. A rod whose springs only pull shortens under
+  // pressure about as far as the same force across would bend it: hair that is to stand needs push. Any bend
+  // is stable; but where pinned nodes hold a rod bent with more than 1e5 times the energy m g L of the rope, or where
+  // its
   // nodes lie a hundred of its lengths apart, rounding may let a step end short of its tolerance.
 
   /**
@@ -655,9 +655,10 @@ export class Chain extends Handle {
    * by cutting, of each strand, the spring whose tension is most beyond its strength: its stiffness and tension become
    * 0, and the next step shows what the others bear. Where a step ends short of its tolerance and leaves springs of
    * fixed
-   * length longer than that allows, as between held nodes that are driven apart, no tension is enough: then the weakest
-   * breaks of those that hold on to the longest one, up to the next held nodes. Mend it by writing "stiffness", which a
-   * finite strength switches on and keeps on. The field "strength" has one for each spring.
+   * length longer than that allows, as between held nodes that are driven apart, no tension is large enough: then, of
+   * the
+   * springs between the held nodes on both sides of the longest one, the weakest breaks. Mend a spring by writing
+   * "stiffness", which a finite strength switches on and keeps on. The field "strength" has one for each spring.
    * Errors: "errorValue"; "errorMemory"; "errorUnsupported" of a chain that is no rope.
    */
   get strength(): number;
@@ -668,20 +669,23 @@ export class Chain extends Handle {
 
   /**
    * The force [N], one number per component, with which the springs of a rope pull at a node, and its bend: of a held
-   * node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have
-   * now, 0 of a spring without length, and of what the bend there and at the nodes beside it does.
-   * After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum of what springs did to
-   * each
-   * node in it: a rope of fixed length with a driven end that the motion would stretch has no tension that holds it. To
-   * tie a rope to a body of your own, give the last node the body's mass, in "mass"; or drive the end, and give the
-   * rope
-   * a finite stiffness.
-   * Where tensions are read, or a strength is set, take lambda = 1: with 1/2 < lambda < 1 they miss part of the pull of
-   * springs that hardly yield, up to a third where nodes swing; with 1/2 they can be twice the mean just after a jolt.
-   * With lambda < 1 and infinite stiffness a load m that is reeled in makes them uncertain by 4 m * tolerance * length
-   * /
-   * dt^2, one that is paid out by 9: of 10 kg on 4 m of rope 0.5 N and 1.3 N at dt = 1/60 s, 130 N and 330 N, and slack
-   * every other step, at 1/960 s: a smaller tolerance mends that.
+   * node, what the rope does to whatever holds it. It is the sum of the springs' tensions, along their directions now
+   * (0
+   * of a spring without length), and of the forces of the bend at the node and at the nodes beside it.
+   * After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum of the forces of springs
+   * on
+   * each node in that step: a rope of fixed length has no tension that holds a driven end which would stretch it. To
+   * tie
+   * a rope to a body of your own, give the last node the body's mass, in "mass"; or drive the end, and give the rope a
+   * finite stiffness.
+   * Where tensions are read, or a strength is set, take lambda = 1. With 1/2 < lambda < 1 they miss up to a third of
+   * the
+   * pull of hardly yielding springs where nodes swing; with 1/2 they can be twice the mean just after a jolt. With
+   * lambda
+   * < 1 and infinite stiffness they are uncertain by 4 m * tolerance * length / dt^2 where a load of mass m is reeled
+   * in,
+   * by 9 in place of 4 where it is paid out: of 10 kg on 4 m of rope by 0.5 N and 1.3 N at dt = 1/60 s, by 130 N and
+   * 330 N at 1/960 s, with slack in every other step. A smaller tolerance mends that.
    * Errors: "errorRange"; "errorUnsupported" of a chain that is no rope.
    */
   getReaction(strand: number, node: number): Float64Array;
@@ -707,14 +711,16 @@ export class Chain extends Handle {
   set wind(value: Numbers);
 
   /**
-   * When a step of a rope is content: every spring is as long as its tension makes it, but for `tolerance` times its
-   * length, and springs gave no more energy than that is worth; a slack one, shorter by a part s of its length, may
-   * keep a
-   * tension of tolerance / s times the mean force on the nodes, or the mean tension. In [1e-14, 1/2], default 1e-6.
-   * mostIterations, 1 to 10000, default 200, are those that a step may take by the slow and sure method, an interior
-   * point, after at most 16 by Newton's; where springs push, by Newton's too. A tolerance looser than 1e-4 costs more
-   * time,
-   * not less: what a step leaves wrong, the next one must mend. Errors: "errorValue".
+   * When a step of a rope ends: when every spring is as long as its tension makes it, but for `tolerance` times its
+   * rest
+   * length, and springs gave no more energy than such errors are worth. A slack spring that is shorter by the fraction
+   * s
+   * may keep a tension of tolerance / s times the mean force on the nodes, or the mean tension. In [1e-14, 1/2],
+   * default
+   * 1e-6; above 1e-4 it costs more time, not less, since the next step must correct what one leaves. mostIterations, 1
+   * to 10000, default 200, limits the slow and sure method, an interior point, which follows on at most 16 iterations
+   * of
+   * Newton's; where springs push, it limits Newton's. Errors: "errorValue".
    */
   get tolerance(): { tolerance: number; mostIterations: number };
   set tolerance(value: { tolerance?: number; mostIterations?: number });
@@ -730,15 +736,17 @@ export class Chain extends Handle {
   // ---- what ropes touch ---------------------------------------------------------------------------------------------
   // The nodes of a rope stay outside of colliders, numbered from 0, which all strands meet: half spaces, and capsules,
   // spheres among them, beds of heights, and shapes that a callback tells the distance from, each with a velocity and a
-  // friction of its own. A step that reaches its tolerance leaves no free node deeper inside than that, times the
-  // springs' length, and colliders at rest give no energy. What falls on one does not bounce; what comes to rest stays.
-  // A strand that touches something makes that step with lambda = 1: where it slides at the speed v round a body of the
-  // radius R, this brakes it as friction of the coefficient v dt / R would. A node that lies inside when a step begins
-  // comes out of it, and throws neither itself nor its strand. Nodes collide; springs between them do not, nor do ropes
-  // with each other. No node passes through a capsule that it meets by less than a radius a step. Where colliders
-  // overlap, a node may be caught between them: "errorTolerance". Friction is Coulomb's, of each node's push, times
-  // v / (v + 1e-4 m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the push that 50
-  // iterations found. So what it holds creeps: at half of what it bears by 1e-4 m/s.
+  // friction of its own. Nodes collide; springs between them do not, nor do ropes with each other. A step that reaches
+  // its tolerance leaves no free node deeper inside than the tolerance times the springs' length, and colliders at rest
+  // give no energy. What falls on one does not bounce; what comes to rest stays. A node that lies inside when a step
+  // begins comes out, and throws neither itself nor its strand. No node passes through a capsule that it meets by less
+  // than a radius a step. Where colliders overlap, a node may be caught between them: "errorTolerance". A strand that
+  // touches something makes that step with lambda = 1; sliding at the speed v round a body of the radius R, this brakes
+  // it as friction of the coefficient v dt / R would. Friction is Coulomb's: the coefficient times the force that
+  // presses
+  // a node on, times v / (v + 1e-4 m/s) at the speed v, to 1%; of the force after 50 iterations where a step is hard.
+  // So
+  // what it holds creeps: under half of the largest force that it can hold by 1e-4 m/s.
   // Errors of all that set: "errorUnsupported" without a rest length; "errorRange" for an index that no collider
   // has, or a count that is not the number of components; "errorValue"; "errorMemory" where a bed or a callback
   // becomes something else.
@@ -1149,41 +1157,39 @@ export interface MembraneOptions {
  * one stretched evenly is held by its edges. A new membrane lies at the origin, at rest, all nodes free, mass 1,
  * stiffness 1 both ways, no bend, gravity and damping, "implicit" with lambda 1/2, "auto".
  *
- * Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve.
- *   "auto"         one of the two below for each dt: alternating where it makes a motion of half a wave along
- *      each direction, round a ring of a whole one, with the kinks at held or attached nodes, at most 5% heavier (by
- * the
- *      mean stiffness and inverse mass), coupled elsewhere, and on uniform sheets once they have been, or steps have
- *      differed in dt, method, lambda, damping or solver, or moving nodes were pinned, until reset. Short
- *      kicks go too far, alternating: at that bound of one node of 33 x 33 31 times, in a radius of an eighth of the
- *      sheet 3.5, of a quarter 1.4 times as far. It holds memory for either: some 300 bytes a node, where alternating
- *      takes 36 on uniform sheets held by edges. Builds without the coupled one alternate.
- *   "alternating"  rows, then columns (Kass 1997, section 9). At a fixed cost it is stable at any stiffness
- *      and any dt that stays the same. Its price: a motion with the angular frequencies w_u and w_v along the two
- *      directions moves as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both is
- *      slowed down. Where it comes to rest does not depend on dt. So it is on uniform sheets held by whole rows and
- *      columns, closed forms and all, with up to 16 single nodes held or attached (these if h (h + damping) (2 k + 16
- * b)
- *      is at most 1e4 times a node's mass). On any other sheet (nodes absent, masses or springs of their own, bend with
- *      free edges) the factored system would blow up; there, at six times the cost and not quite linear, a step is the
- *      best, in energy, of the lines' answers, the velocity and common motion.
- *   "coupled"      the system itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On
- *      uniform sheets without bend and rings, held by whole rows and columns, up to 16 single nodes too, it takes one
- *      or two iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet
- *      comes to rest at the same place with either; take this one where stiff sheets must move in time, and for stiff
- *      parts that move against each other, of which alternating finds the common motion only. It needs many iterations
- *      where springs or masses vary at random by decades, plates with free edges hardly stretch or many nodes are tied.
- * Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance;
- * the momentum of a free sheet is kept too, of one torn into parts that of each part, however stiff they are
- * (alternating, of uniform free sheets up to a stiffness of 1e19 mass / h^2, of plates with one ring up to a bend of
- * 1e13). On uniform sheets, alternating, the energy so kept counts the extra mass in what moves, which depends on dt,
- * lambda and damping: if these keep changing they gain energy without bound, with lambda = 1/2 or "stiffSecond"
- * by up to an eighth a step where 16 and 17 ms take turns, with lambda = 1 by a quarter where some steps are twice as
- * long. In "float32" each rounding of a velocity is a kick of so many times its energy: where (w_u h) (w_v h) is beyond
- * 1e4, take "float64" or the coupled solver. Plates with stiffness damping, alternating, are first order in time, else
- * second. "stiffSecond" adds no energy where coupled solves meet the default tolerance; a step that ends short
- * of its own has added a third, one that alternates on other sheets a twentieth.
- *
+ * Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve, here with h =
+ * lambda dt. Leave that to "auto", or take "alternating" for a fixed cost and less memory. A sheet is
+ * uniform here if its masses and stiffnesses are the totals dealt out and no node is absent; if nothing holds it but
+ * whole rows and columns and at most 16 single nodes, held or attached, these while h (h + damping) (2 k + 16 b) is at
+ * most 1e4 times a node's mass; and if with bend each direction is held at both edges or a ring, not both a ring.
+ *   "alternating"  rows, then columns (Kass 1997, section 9). Uniform sheets are stable at any stiffness and
+ *      any dt that stays the same. A motion of the angular frequencies w_u and w_v along the two directions is slowed
+ *      down as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy; where the sheet comes to rest does not depend on dt.
+ *      Other sheets, a plate that is a ring both ways among them, would blow up: their step, not quite linear and at
+ *      six times the cost, is the best, in energy, of sums of the lines' answers, the velocity and common motion.
+ *   "coupled"      the system itself, to a tolerance, by conjugate gradients: nothing is slowed down. Uniform
+ *      sheets without bend and rings take one or two iterations of some ten alternating solves each, others multigrid,
+ *      tens of times the cost. It comes to rest where alternating does. Take it where stiff sheets must move in time,
+ *      or stiff parts against each other: alternating finds only their common motion. It needs many iterations where
+ *      springs or masses vary at random by decades, plates with free edges hardly stretch or many nodes are tied.
+ *   "auto"         for each dt, alternating where the slowest motion (half a wave along each direction, round a
+ *      ring a whole one, with the kinks at held or attached nodes; by the mean stiffness and inverse mass) is made at
+ *      most 5% heavier. Else coupled; and so, until reset, uniform sheets that have been coupled once,
+ *      whose steps have differed in dt, method, lambda, damping or solver, or of which moving nodes were pinned. At
+ *      that bound a kick of one of 33 x 33 nodes goes 31 times as far as it should, of a radius of an eighth of the
+ *      sheet 3.5, of a quarter 1.4 times. It holds some 300 bytes a node; alternating takes 36 on uniform sheets held
+ *      by edges. Builds without the coupled solver alternate.
+ * Steps are of second order in time, those of alternating plates with stiffness damping of first. Without rest lengths:
+ *   Energy: lambda = 1/2 keeps it, and lambda > 1/2 never adds any, whatever the tolerance of coupled solves.
+ *   Momentum: of a free sheet, and of each part of a torn one, it is kept however stiff they are; alternating, up to a
+ *      stiffness of 1e19 mass / h^2 of uniform sheets, and a bend of 1e13 mass / h^2 of plates with one ring.
+ *   Unlike steps: alternating, the energy that a uniform sheet keeps counts the extra mass, which depends on dt, lambda
+ *      and damping. If these keep changing it grows without bound: with lambda = 1/2 or "stiffSecond" by up to
+ *      an eighth a step where 16 and 17 ms take turns, with lambda = 1 by a quarter where some steps are twice as long.
+ *   "float32": alternating, the rounding of a velocity is a kick whose energy is so many times larger as the motion is
+ *      heavier: where (w_u h) (w_v h) is beyond 1e4, take "float64" or the coupled solver.
+ *   "stiffSecond": adds no energy where coupled solves meet the default tolerance; a step that ended short of
+ *      its own has added a third, one that alternates on a sheet that is not uniform a twentieth.
  * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
  * 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.
  * Every function returns "errorNull" for a null pointer and "errorHandle" for a handle of another kind; the
@@ -1354,7 +1360,7 @@ export class Membrane extends Handle {
   /**
    * Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s],
    * in
-   * [1e-30, 1e60]: as sleep says; nor does the effort wake it. Errors: "errorValue"; "errorMemory".
+   * [1e-30, 1e60]: as sleep says; the effort wakes nothing. Errors: "errorValue"; "errorMemory".
    */
   get sleep(): { speed: number; seconds: number };
   set sleep(value: { speed?: number; seconds?: number });
@@ -1362,7 +1368,7 @@ export class Membrane extends Handle {
   /**
    * Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s],
    * in
-   * [1e-30, 1e60]: as sleep says; nor does the effort wake it. Errors: "errorValue"; "errorMemory".
+   * [1e-30, 1e60]: as sleep says; the effort wakes nothing. Errors: "errorValue"; "errorMemory".
    */
   get awake(): number;
 
@@ -1375,17 +1381,15 @@ export class Membrane extends Handle {
   // shrink. Springs that are shorter resist crumpling by compression. A cell with its four springs has
   // shear and twist, a node between two springs of a line has bend; where one of those springs is cut they are cut too.
   //
-  // A step minimizes, by Newton's method with few iterations of conjugate gradients (effort), a convex
-  // function of the velocities, and scales them at its end so that, at any dt, stiffness, masses and effort, the energy
-  // that energy tells never rises but by the work of what is driven, of forces, pressure, wind and
-  // colliders that move. What a step does not reach slows the sheet down: with the default effort one of a stiffness of
-  // 10 mass / dt^2 [N/m] falls to 2% as it should, and stretches by some 2% where it hangs by two corners; of 100 mass
-  // /
-  // dt^2 a tenth too slowly, of 1000 28%, far beyond as through syrup, and lags behind a held edge that moves: make
-  // a long frame several steps. lambda = 1 damps motion that a step does not resolve, lambda nearer 1/2 less, for more
-  // effort; steps are first order in time. Free sheets keep their momentum. Cloth needs "implicit" with lambda in
-  // [1/2, 1], no matched edge and no stiffness damping, or step says "errorUnsupported"; set_solver and
-  // set_tolerance do not matter to it.
+  // Steps: a step minimizes a convex function of the velocities, by Newton's method with few iterations of conjugate
+  //    gradients (effort), and then scales the velocities. They are of first order in time. lambda = 1
+  //    damps motion that a step does not resolve; lambda nearer 1/2 damps it less, and needs more effort.
+  // Energy: at any dt, stiffness, masses and effort, what energy tells rises only by the work of driven
+  //    nodes, forces, pressure, wind and moving colliders. Free sheets keep their momentum.
+  // Stiff sheets, default effort: at 10 mass / dt^2 [N/m] they fall 2% too slowly, and stretch by 2% where two corners
+  //    hold them; at 100 10%, at 1000 28% too slowly; beyond, they hardly fall and lag behind edges: shorten steps.
+  // Cloth needs "implicit", lambda in [1/2, 1], no matched edge, no stiffness damping, or step says
+  // "errorUnsupported"; solver and _set_tolerance do not matter to it.
 
   /**
    * Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or
@@ -1417,13 +1421,15 @@ export class Membrane extends Handle {
   /**
    * The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60 to 1e60, or
    * Infinity, the default: springs hold. The fields "breakingStrainU" and _V have one for each spring: a seam is a
-   * line of springs that tear at less. A step ends by cutting springs that are strained beyond it, each row and each
-   * column of springs in one place at the most: the spring whose strain is the largest multiple of its breaking strain,
-   * those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the rows that are
-   * left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut spring's stiffness
-   * becomes 0, and no energy comes of it. Mend it by writing "stiffnessU" or _V, which finite breaking strains switch
-   * on and keep on. A cell of cloth without two of its springs or more is open: it is not drawn, it has no volume, and
-   * air and pressure go through it. Errors: "errorMemory" too.
+   * line of springs that tear at less. A step ends by cutting springs beyond their breaking strains, in each row and
+   * each
+   * column of springs at most one. First goes the spring whose strain is the largest multiple of its breaking strain;
+   * then its neighbour in the next row, and so on from row to row, while that is beyond its breaking strain too; then
+   * the
+   * same in the rows that are left. So tears go on from their ends, and jerked cloth parts without falling to pieces. A
+   * cut spring's stiffness becomes 0, and adds no energy. Mend it by writing "stiffnessU" or _V, which finite breaking
+   * strains switch on and keep on. A cell of cloth that lacks two or more springs is open: it is not drawn, it has no
+   * volume, and air and pressure go through it. Errors: "errorMemory" too.
    */
   get breakingStrain(): number;
   set breakingStrain(value: number);
@@ -1437,9 +1443,10 @@ export class Membrane extends Handle {
   /**
    * How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of
    * conjugate
-   * gradients, `gradient`, 1 to 10000, or 0, the default: until four bring less than 3% of the energy that all have. Up
-   * to 4 more of the former are made where little is gained, or, of gradient 0, still much. get_convergence tells how
-   * many of the latter the last call's dearest step took, and the largest gradient left, over the first, or Infinity.
+   * gradients, `gradient`, 1 to 10000, or 0, the default: until four bring less than 3% of the energy that all brought.
+   * Up to 4 more of Newton's are made where it gains little, with gradient 0 also where it still gains much. After a
+   * step
+   * get_convergence tells the most of conjugate gradients that a step took, and what gradient was left over the first.
    */
   get effort(): { newton: number; gradient: number };
   set effort(value: { newton?: number; gradient?: number });
@@ -1466,20 +1473,18 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it
+   * them, beds and callbacks, each with velocity and friction of its own. In a step a node meets the three that it
    * would
-   * be deepest in, or nearest to, if it went on as it does, and may not pass the planes that touch them where it
-   * begins:
-   * it goes through none of them, however fast. Contacts yield a little: to a node's force times dt^2 / (1e4 mass),
-   * which
-   * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
-   * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
-   * find:
-   * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are
-   * now
-   * and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
-   * m/s.
-   * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
+   * be deepest in, or nearest to, at its velocity, as the planes that touch them where the step begins: it goes through
+   * none of them, however fast. Nodes collide; what lies between them does not, nor does cloth with itself.
+   * Depth: contacts yield by a node's force times dt^2 / (1e4 mass), some 1e-3 m where a sheet lands at 50 m/s; with
+   * the
+   *    default effort nodes are now and then deeper, by up to 7e-3 m in steps that move them by 0.1 m. What lies inside
+   *    comes out, and what that lifts or stretches gains energy: at 1e9 N/m 1e-3 of it a step.
+   * Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find. With
+   * the
+   *    default effort, what begins to slide is up to a quarter too slow in its first half second. What friction holds
+   *    creeps, at half of the largest force that it can hold by 1e-3 m/s.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1491,20 +1496,18 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it
+   * them, beds and callbacks, each with velocity and friction of its own. In a step a node meets the three that it
    * would
-   * be deepest in, or nearest to, if it went on as it does, and may not pass the planes that touch them where it
-   * begins:
-   * it goes through none of them, however fast. Contacts yield a little: to a node's force times dt^2 / (1e4 mass),
-   * which
-   * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
-   * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
-   * find:
-   * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are
-   * now
-   * and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
-   * m/s.
-   * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
+   * be deepest in, or nearest to, at its velocity, as the planes that touch them where the step begins: it goes through
+   * none of them, however fast. Nodes collide; what lies between them does not, nor does cloth with itself.
+   * Depth: contacts yield by a node's force times dt^2 / (1e4 mass), some 1e-3 m where a sheet lands at 50 m/s; with
+   * the
+   *    default effort nodes are now and then deeper, by up to 7e-3 m in steps that move them by 0.1 m. What lies inside
+   *    comes out, and what that lifts or stretches gains energy: at 1e9 N/m 1e-3 of it a step.
+   * Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find. With
+   * the
+   *    default effort, what begins to slide is up to a quarter too slow in its first half second. What friction holds
+   *    creeps, at half of the largest force that it can hold by 1e-3 m/s.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1515,20 +1518,18 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it
+   * them, beds and callbacks, each with velocity and friction of its own. In a step a node meets the three that it
    * would
-   * be deepest in, or nearest to, if it went on as it does, and may not pass the planes that touch them where it
-   * begins:
-   * it goes through none of them, however fast. Contacts yield a little: to a node's force times dt^2 / (1e4 mass),
-   * which
-   * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
-   * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
-   * find:
-   * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are
-   * now
-   * and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
-   * m/s.
-   * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
+   * be deepest in, or nearest to, at its velocity, as the planes that touch them where the step begins: it goes through
+   * none of them, however fast. Nodes collide; what lies between them does not, nor does cloth with itself.
+   * Depth: contacts yield by a node's force times dt^2 / (1e4 mass), some 1e-3 m where a sheet lands at 50 m/s; with
+   * the
+   *    default effort nodes are now and then deeper, by up to 7e-3 m in steps that move them by 0.1 m. What lies inside
+   *    comes out, and what that lifts or stretches gains energy: at 1e9 N/m 1e-3 of it a step.
+   * Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find. With
+   * the
+   *    default effort, what begins to slide is up to a quarter too slow in its first half second. What friction holds
+   *    creeps, at half of the largest force that it can hold by 1e-3 m/s.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1539,20 +1540,18 @@ export class Membrane extends Handle {
 
   /**
    * As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
-   * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it
+   * them, beds and callbacks, each with velocity and friction of its own. In a step a node meets the three that it
    * would
-   * be deepest in, or nearest to, if it went on as it does, and may not pass the planes that touch them where it
-   * begins:
-   * it goes through none of them, however fast. Contacts yield a little: to a node's force times dt^2 / (1e4 mass),
-   * which
-   * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
-   * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations
-   * find:
-   * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are
-   * now
-   * and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3
-   * m/s.
-   * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
+   * be deepest in, or nearest to, at its velocity, as the planes that touch them where the step begins: it goes through
+   * none of them, however fast. Nodes collide; what lies between them does not, nor does cloth with itself.
+   * Depth: contacts yield by a node's force times dt^2 / (1e4 mass), some 1e-3 m where a sheet lands at 50 m/s; with
+   * the
+   *    default effort nodes are now and then deeper, by up to 7e-3 m in steps that move them by 0.1 m. What lies inside
+   *    comes out, and what that lifts or stretches gains energy: at 1e9 N/m 1e-3 of it a step.
+   * Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find. With
+   * the
+   *    default effort, what begins to slide is up to a quarter too slow in its first half second. What friction holds
+   *    creeps, at half of the largest force that it can hold by 1e-3 m/s.
    * Beds and callbacks are those of Chain, met at the plane that touches them where a step finds a node: what a hollow
    * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step,
    * for
@@ -1910,54 +1909,53 @@ export interface WaterOptions {
  *           u_t [+ u u_x + v u_y] = -g h_x - p_x / density + force - friction u,     and v likewise
  *           friction = drag + g manning^2 |u| / d^(4/3)         (Kass 1997, eq. 32-33; the bracket: shallow water)
  *
- * "linear"    without the bracket: waves, splashes, tides, floods that creep. Water has no inertia beyond its
- *                       own face: a shore moves with the slope of the surface there, and bores of a tenth, half and
- *                       twice the depth run 1, 5 and 13% too slow.
+ * "linear"    without the bracket: waves, splashes, tides, floods that creep.
  * "advected"  with it: moving shores, dam breaks, bores, whirls. Momentum goes with the water that leaves a
  *                       cell, upwind, of second order where depths are even and waves cross less than a cell in a step.
  *
- * A step sweeps along the rows, then along the columns, in the other order every other step. Along a line the fluxes
- * and the surface that they change are solved for at once, by the theta scheme, theta = lambda, in time proportional to
- * the cells; a face is as deep as the cells beside it in the mean, nearer to the one that gives where they differ a
- * lot;
- * no cell gives more than it has and gets (limited counts what that held back). So depths are never
- * negative, a lake lies still on any bed, and volume changes only by what account tells.
+ * What to set: the momentum by this list; lambda as momentum sets it; one step a frame, which is never too
+ * long to be stable, or more where waves must run at their speed (getCourant at most 1). lambda = 1/2 is of
+ * second order in time and keeps the energy of small waves; above 1/2 short waves die out, and linear water, whose
+ * shores
+ * are steep, needs a little more. Right for waves much longer than the water is deep and for surfaces that do not turn
+ * over: there is no dispersion, and there are no ship wakes.
  *
- * Waves do not limit the step. Where water runs more than half a cell in a step, a line makes its step in 2, 4, ... 64
- * parts, none of which it begins faster, at so many times the cost. Faster water, of more than 32 cells a
- * step, is carried less exactly, and ripples on it may grow; on slower streams they do not, but for linear momentum
- * with lambda = 1/2 over an uneven bed. Waves that a step lets cross more than a cell are slowed down, short ones most.
- * Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5%, against a stream 10%,
- * in
- * steps in which they cross 2 to 32, over which it is drawn out to eight times as many cells. With lambda = 1/2 waves
- * run
- * behind it, up to 0.7 of its height high (linear 1.6), all along its way where the water rests; with 0.6 of 0.3 (1.3).
+ * A step sweeps along all rows, then along all columns, and the next step the other way round. Along such a line the
+ * fluxes and the changes of the surface are solved for together, by the theta scheme, theta = lambda, in time in
+ * proportion to its cells. The depth at a face is the mean of its two cells'; where these differ a lot, it is nearer to
+ * that of the cell which the water leaves. No cell gives more than it has and gets: limited tells how much
+ * that holds back. So no depth is negative, a lake lies still on any bed, and account tells all changes of
+ * volume. Explicit methods differ in that no surface is solved for: half of the slope pushes, the water moves, then the
+ * other half pushes (velocity Verlet).
  *
- * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
- * mode, of which shores are steep, take a little more. With 1/2, linear waves in the plane grow, in thousands of steps
- * of 2 cells or more, to a ninth of the depth. Advected water gains no energy in steps in which waves cross more than a
- * cell, but for a while 0.05 of its waves', and with 1/2 low waves round a ring over an uneven bed eight times theirs;
- * in
- * shorter ones up to 0.005 of all its energy among cliffs, in very short ones at shores too, and 0.01 in the first step
- * where velocities are written there. Linear water gains h_t u^2 / 2 where it deepens: at random shores some hundredths
- * (and see hulls). Air that presses it dry gives it up to 1.4 times what it has to give, advected water half of it,
- * explicit steps any, as does rounding from 1e12 cells a step. What pushes off dry land gives the last face a velocity
- * that no water follows. In long steps, of uneven depths, no face gains more energy than its water loses by falling.
- *
- * Explicit steps (method) share all of this but the surface that is solved for: half of the slope pushes,
- * the water moves, then the other half (velocity Verlet).
- *
- * Rows and columns are solved in turn only: in steps in which waves cross many cells, those that run aslant are slower
- * than along the axes. Shorter steps serve better than a solve of the whole plane: neither symmetric nor definite where
- * streams run, it cost tens of times as much, and gained and lost water.
- *
- * Right for waves much longer than the water is deep, and surfaces that do not turn over: no dispersion, no ship wakes.
+ * What goes wrong, and by how much. "From n cells on" means: in steps in which waves cross n cells or more.
+ *   Long steps: from 1 cell on waves run too slowly, short ones most, and slantwise more than along the axes. Make
+ *      them shorter: to solve for the whole plane, a system that streams make neither symmetric nor definite, cost tens
+ *      of times as much, and gained and lost water.
+ *   Fast water: a line whose water would run more than half a cell makes its step in 2, 4, ... 64 parts, at so many
+ *      times the cost, none of which begins with faster water. Water that runs more than 32 cells is carried less
+ *      exactly, and ripples on it may grow; on slower water only those of linear momentum, lambda 1/2, uneven beds do.
+ *   Bores, linear: momentum is not carried on, so that a shore moves with the slope of the surface there, and a bore a
+ *      tenth, half and twice as high as the depth before it runs some 2, 9 and 22% too slow.
+ *   Bores, advected: 0.1% too slow at half a cell; from 2 to 32 cells up to 6%, against a stream 10%, and spread over 8
+ *      times as many. Waves behind a bore: with lambda = 1/2 up to 0.7 of its height (linear: 1.6), with 0.6 up to
+ *      0.3 (1.3), all along its way where the water behind it rests.
+ *   Energy, linear: where water deepens it gains h_t u^2 / 2, at random shores some hundredths in all (and see hulls).
+ *      From 2 cells on waves in the plane, with lambda = 1/2, grow in thousands of steps to a ninth of the depth.
+ *   Energy, advected: from 1 cell on it may rise for a while by 0.05 of that of the waves; low waves round a ring over
+ *      an uneven bed, with lambda = 1/2, come to 8 times theirs. Below 1 cell up to 0.005 of it all is won among
+ * cliffs,
+ *      far below also at shores, and 0.01 in the first step after velocities are written there.
+ *   Energy, both: from 1 cell on, over uneven depths, no face gains more than its water loses by falling; from 1e12 on
+ *      rounding may add any amount. Air that presses water dry adds up to 1.4 times what it has to give where momentum
+ *      is linear, half of it where advected, and any amount in explicit methods.
+ *   Dry land: what pushes water away from it gives the face at the water's edge a velocity that no water follows.
  *
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, "linear",
  * "implicit" with lambda 0.55.
- * All computing is done in double precision; "float32" is what depth, bed, velocities and the fields are stored in.
- * Depths below 2^-80 m are taken for 0 where a step stores them, and velocities below 2^-80 (float32) or 2^-500 m/s.
- * Parameters may be as large as 1e60.
+ * All computing is in double precision; "float32" is what depth, bed, velocities and the fields are stored in. Steps
+ * store 0 for depths below 2^-80 m and velocities below 2^-80 (float32), 2^-500 m/s. Parameters may be as large as
+ * 1e60.
  *
  * Every function returns "errorNull" for a null pointer and "errorHandle" for a handle of another kind; the
  * comments name the other errors. Functions that chain and membrane have too mean the same here.
@@ -2036,22 +2034,20 @@ export class Water extends Handle {
   /**
    * What is at a side. `value` now, and how fast it changes, `rate` per second, from now on, both at most 1e60 in size,
    * in "float32" 1e30:
-   *   "open"     level of the water outside [m], which is at rest: a tide is its level and rate, set anew as it
-   *                      goes. Low waves leave without an echo, and some hundredths of high ones come back, by u = 2
-   *                      (sqrt(g d) - sqrt(g D)), d the depth in the cell at the side and D that of the level over the
-   *                      same bed; linear, u = sqrt(g d) (1 - D / d). The discharge is u d. Where that is faster than
+   *   "open"     level of the water outside [m], which is at rest: for a tide set level and rate anew as it goes.
+   *                      Low waves leave without an echo; some hundredths of high ones come back. With d the depth in
    * the
-   *                      waves, as over a side that lies higher than the level, water falls off: a stream slower than
-   * its
-   *                      waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
-   *   "level"    level [m] that is held at the side itself, whatever flows out: of depth D there water crosses it
-   *                      with U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and discharge U D.
-   * Waves
-   *                      are thrown back. What is faster than its waves falls off as above.
+   *                      cell at the side, D the level's depth over the same bed, water leaves by u = 2 (sqrt(g d) -
+   *                      sqrt(g D)), linear by u = sqrt(g d) (1 - D / d), and the discharge is u d. Where u is faster
+   *                      than waves, as over a side that lies higher than the level, water falls off: a stream slower
+   * than
+   *                      its waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
+   *   "level"    level [m] that is held at the side itself, whatever flows out: with D the depth there and u the
+   *                      velocity one face inside, water crosses it by U = u + 2 (sqrt(g d) - sqrt(g D)), and the
+   *                      discharge is U D. Waves are thrown back. What is faster than its waves falls off as above.
    *   "inflow"   discharge per metre of the side [m^2/s] into the water, velocity times depth, whatever the depth
-   *                      is; it comes in at critical depth where the cell is shallower. If negative it leaves, as far
-   * as
-   *                      there is water
+   *                      is; where the cell is shallower than the critical depth, it comes in at that. If negative it
+   *                      leaves, as far as there is water.
    *   "wall", "periodic"   value and rate mean nothing
    * Both sides of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the
    * opposite one as a wall. Errors: "errorEnum"; "errorValue".
@@ -2196,19 +2192,19 @@ export class Water extends Handle {
   // metre to port. Velocities are {along x, along y, upward [m/s], yaw, pitch, roll [1/s]}, yaw counter-clockwise seen
   // from above. Mass is spread evenly over length and width; the righting moment is that of the waterline.
   //
-  // Between body and water lies a skin, three times as stiff as the water's surface. So the body's keel lies deeper
-  // than
-  // the floor that is to be drawn, which getHullFloor gives, by a third of the draft for a hull of many cells:
-  // of a hull that lies still the floor displaces its own mass, draft = mass / (density area) for a flat one.
+  // Between body and water lies an elastic skin, three times as stiff as the water's surface. So the body's keel lies
+  // deeper than the floor that getHullFloor gives, to be drawn: by a third of the draft for a hull of many
+  // cells. It is the floor of a hull at rest that displaces its mass: draft = mass / (density area) for a flat one.
   //
-  // Steps stay bounded at any dt, for hulls of any mass; hulls and water together gain no energy beyond what the water
-  // itself does. That is much where a hull presses linear water dry: 13 times what was there in steps in which waves
-  // cross 2.8 cells; advected water gained none there. In steps in which waves cross many cells, or a hull its own
-  // length, hulls are slowed down. Momentum that drag takes from a hull the water gets, in such long steps less; of
+  // Energy: steps stay bounded at any dt, for hulls of any mass, and hulls and water together gain no energy beyond
   // what
-  // its waves take, half or more. Forces cost time in proportion to the cells under hulls, and steps of water with
-  // hulls
-  // some more per cell.
+  //    the water itself does. That is much where a hull presses linear water dry: in steps in which waves cross 2.8
+  // cells
+  //    13 times the energy that was there; advected water gained none there.
+  // Long steps, in which waves cross many cells or a hull its own length, slow hulls down.
+  // Momentum: the water gets all that drag takes from a hull, less in long steps, and half or more of what its waves
+  // take.
+  // Time: forces cost in proportion to the cells under hulls, and all cells of water with hulls a little more.
   // Errors of all: "errorRange" for an index that no hull has, or a count that is not what the comment says.
 
   /**

@@ -62,10 +62,10 @@ CD_API const char* cd_error_message(void);
 typedef int32_t cd_precision;
 enum { CD_FLOAT32 = 0, CD_FLOAT64 = 1 };
 
-/* How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. What is bounded, and keeps
- * energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that its velocity would carry
- * it, and in a ring or with bend of the way that it would fall in dt, which shows where dt is longer than 1e12 times
- * the time of the fastest swing. */
+/* How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. Bounds hold, and energy is
+ * kept, to rounding: in a step a node's position may be wrong by some 1e-15 of the distance that its velocity covers in
+ * dt, in a ring or with bend also by 1e-15 of the distance that it would fall in dt, which shows where dt is longer
+ * than 1e12 times the time of the fastest swing. */
 typedef int32_t cd_method;
 enum {
     CD_METHOD_IMPLICIT = 0,         /* Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is
@@ -92,9 +92,9 @@ enum {
     CD_MASS_HALF_ENDS = 1 /* nodes on a border half as heavy as those inside: second order in space */
 };
 
-/* The instructions that steps are made of. All give the same bits, as long as those are of finite numbers: how far what
- * is not finite spreads in steps that end with CD_ERROR_DIVERGED may differ. A new object has the fastest that its
- * processor runs. */
+/* The instructions that steps are made of. All give the same bits as long as all numbers are finite; how far infinity
+ * and NaN spread in steps that end with CD_ERROR_DIVERGED may differ. A new object has the fastest that its processor
+ * runs. */
 typedef int32_t cd_kernels;
 enum {
     CD_KERNELS_PLAIN = 0, /* what every processor of the target has: SSE2 on x86-64, NEON on AArch64, and on WebAssembly
@@ -126,8 +126,8 @@ enum {
     CD_OUTSIDE_NEAREST = 1  /* they stand for the nearest place in the object; only NaN is refused */
 };
 
-/* Per-node and per-spring data; which object has which is in its own header. One list, since what objects share has one
- * meaning; and all are numbers, pins and masks too, so that one read and one write serve them. */
+/* Per-node and per-spring data; each object's header lists those that it has. They are in one list, since a field that
+ * several objects have means the same in each. All hold numbers, pins and masks too, for one read and one write. */
 typedef int32_t cd_field;
 enum {
     CD_POSITION = 0,
@@ -170,8 +170,8 @@ enum {
 
 /* ---- callbacks ------------------------------------------------------------------------------------------------- */
 
-/* These tables stay as they are: what a later version asks of the caller will have a table of its own. No function
- * tells which table an object has: it is its user's. */
+/* These tables keep their members: what a later version asks of the caller will be in another table. No function tells
+ * which table an object has. */
 
 /* Memory from the caller. allocate returns `size` bytes aligned to `alignment` (a power of two, at most 64), or null;
  * release gets back what allocate gave, with the same size and alignment. Both are called only from inside a call on
@@ -190,13 +190,13 @@ typedef struct cd_parallel {
     void (*run)(void* user, size_t count, void (*task)(void* context, size_t index), void* context);
 } cd_parallel;
 
-/* A shape from the caller, of a collider of ropes and cloth. distance tells of `count` positions, each of `components`
- * numbers and relative to the collider's origin, how far outside of the shape they are at this time [s], as signed
- * distances [m], less than 0 inside, at most 1e60 in size; and the unit vector along which that distance grows fastest,
- * of a length within 1e-3 of 1: out_distances[i], out_normals[i][component]. It is called from steps, from any thread
- * of cd_parallel and from several at once, and has to give the same position the same answer at the same time, whatever
- * it is asked with; it may call no function on the object. A shape that moves as a whole should do so by the collider's
- * velocity: one that changes with time by itself is met where it was when the step began. Copied when it is set. */
+/* A shape from the caller, of a collider of ropes and cloth. distance is given `count` positions, each of `components`
+ * numbers and relative to the collider's origin, and the time [s]. To out_distances[i] it writes how far outside of the
+ * shape each is [m], less than 0 inside, at most 1e60 in size; to out_normals[i][component] the unit vector along which
+ * that distance grows fastest, of a length within 1e-3 of 1. It is called from steps, from any thread of cd_parallel and
+ * from several at once. The same position must get the same answer at the same time, whatever others are asked with it,
+ * and it may call no function on the object. A shape that moves as a whole should do so by the collider's velocity: one
+ * that changes with time by itself is met where it was when the step began. Copied when it is set. */
 typedef struct cd_distance {
     void* user;
     void (*distance)(void* user, double time, size_t count, size_t components, const double* positions,

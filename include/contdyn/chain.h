@@ -2,8 +2,8 @@
  *
  * A chain has `springs` springs and nodes = springs + 1 nodes; spring i joins node i to node i + 1. A ring has one
  * spring more, number `springs`, from the last node to the first. A node has 1 to 4 components that never mix. One
- * handle holds one or many strands, each with its own positions, velocities, forces and targets. Masses, stiffnesses,
- * pins and attachments, and so one factorization, they share; strands of ropes have their own of these too.
+ * handle holds one or many strands, each with its own positions, velocities, forces and targets. Strands share masses,
+ * stiffnesses, pins and attachments, and so one factorization; only ropes' strands have their own of these too.
  *
  * Energy    E = 1/2 sum k_i |x_{i+1} - x_i|^2 + 1/2 sum b_i |x_{i+1} - 2 x_i + x_{i-1}|^2      (Kass 1997, eq. 2 and 5)
  * Motion    M x'' + C x' + K x = M g + f,  K = the Hessian of E,  C = drag M + stiffness_damping K
@@ -143,29 +143,29 @@ CD_API cd_status cd_chain_get_awake(const cd_chain* chain, size_t* out_nodes);
 /* ---- ropes: springs that have a length --------------------------------------------------------------------------- */
 /* A rope is a chain with a rest length: the components of a node, 1 to 3, are directions of space, and a spring pulls
  * along itself by k_i (|x_{i+1} - x_i| - length_i) once it is longer than its length; shorter it is slack. k_i may be
- * anything up to INFINITY, which keeps its length. A step solves this nonlinear
- * system to the tolerance by Newton's method, each iteration in time proportional to the nodes: 1 to 3 of them as a
- * rule. lambda = 1/2 is second order and keeps the energy of a swing, but for the jerk when slack ends; lambda = 1
- * damps most. What lengthens and shortens springs of finite stiffness is damped at every lambda, with 1/2 about half as
- * much as with 1. What can't be solved with lambda < 1 is solved with 1.
- * At any dt, stiffness and masses a step that reaches its tolerance keeps momentum to rounding. Energy it can add only
- * as much as errors of length within the tolerance are worth. For each spring, before the step and again after it, that
- * is at most 2 T e + k e^2: e is tolerance * length; T is the spring's tension, or the mean force on the nodes where
- * that is larger and the interior point was needed; k e^2 is left out where the stiffness is infinite. With CD_FLOAT32
- * e has the rounding of positions in it, 6e-8 of their distance from the origin: 1e5 times its springs' length away a
- * rope that swings gains up to 2e-4 of its energy, 1e6 times away a fifth. A spring that is longer than its tension
- * makes it, because positions were written so, comes back within the step at any speed. Where a rest length is reduced,
- * the work of that is no energy added: tension times what the length falls by, with 1/2 along the mean of the spring's
- * directions before and after the step.
+ * anything up to INFINITY, which keeps its length.
+ * Steps: a step solves this nonlinear system, to the tolerance, by Newton's method, as a rule in 1 to 3 iterations, each
+ *    in time proportional to the nodes. lambda = 1/2 is second order and keeps the energy of a swing, but for the jerk
+ *    when slack ends; lambda = 1 damps most. Stretching of springs of finite stiffness is damped at every lambda, with
+ *    1/2 about half as much as with 1. What can't be solved with lambda < 1 is solved with 1. A spring that is longer
+ *    than its tension makes it, because positions were written so, comes back within the step at any speed.
+ * Momentum: a step that reaches its tolerance keeps it to rounding, at any dt, stiffness and masses.
+ * Energy: such a step adds no more than errors of length within the tolerance are worth: for each spring, before the
+ *    step and again after it, at most 2 T e + k e^2. e is tolerance * length; T is the spring's tension, or the mean
+ *    force on the nodes where that is larger and the interior point was needed; k e^2 is left out where k is infinite.
+ *    In CD_FLOAT32 e includes the rounding of positions, 6e-8 of their distance from the origin: a swinging rope gains
+ *    up to 2e-4 of its energy at 1e5 times its springs' length from there, a fifth at 1e6 times. Where a rest length
+ *    is reduced, tension times what it falls by, with 1/2 along the mean of the spring's directions before and after
+ *    the step, is work, and not counted as energy added.
  * Ropes need CD_METHOD_IMPLICIT with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
  * cd_chain_step says CD_ERROR_UNSUPPORTED.
  *
  * With bend a rope is a rod, or hair, straight at rest or, in a plane, curled: its bend energy at a node is
- * b_i / 2 |d r_i|^2, d r_i the difference of the spring vectors beside it, each over its rest length and times the mean
- * of the two, the one before turned by the rest angle. Two pinned nodes at an end clamp it: the inner one, at the
- * clamp, should have twice the bend of the others. Springs that only pull let a rod shorten under pressure about as far
- * as the same force across would bend it: hair that is to stand at its length needs springs that push. Any bend is
- * stable; but where pinned nodes hold a rod bent with more than 1e5 times the energy m g L of the rope, or where its
+ * b_i / 2 |d r_i|^2. d r_i is the difference of the two spring vectors at the node, each divided by its rest length and
+ * multiplied by the mean of both rest lengths, the first turned by the rest angle. Two pinned nodes at an end clamp it:
+ * the inner one, at the clamp, should have twice the bend of the others. A rod whose springs only pull shortens under
+ * pressure about as far as the same force across would bend it: hair that is to stand needs cd_chain_set_push. Any bend
+ * is stable; but where pinned nodes hold a rod bent with more than 1e5 times the energy m g L of the rope, or where its
  * nodes lie a hundred of its lengths apart, rounding may let a step end short of its tolerance. */
 
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
@@ -196,9 +196,9 @@ CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
 /* The tension at which a spring breaks [N], 1e-60 to 1e60, or INFINITY, the default: springs hold. A rope's step ends
  * by cutting, of each strand, the spring whose tension is most beyond its strength: its stiffness and tension become
  * 0, and the next step shows what the others bear. Where a step ends short of its tolerance and leaves springs of fixed
- * length longer than that allows, as between held nodes that are driven apart, no tension is enough: then the weakest
- * breaks of those that hold on to the longest one, up to the next held nodes. Mend it by writing CD_STIFFNESS, which a
- * finite strength switches on and keeps on. The field CD_STRENGTH has one for each spring.
+ * length longer than that allows, as between held nodes that are driven apart, no tension is large enough: then, of the
+ * springs between the held nodes on both sides of the longest one, the weakest breaks. Mend a spring by writing
+ * CD_STIFFNESS, which a finite strength switches on and keeps on. The field CD_STRENGTH has one for each spring.
  * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
 CD_API cd_status cd_chain_set_strength(cd_chain* chain, double strength);
 CD_API cd_status cd_chain_get_strength(const cd_chain* chain, double* out_strength);
@@ -207,17 +207,17 @@ CD_API cd_status cd_chain_get_strength(const cd_chain* chain, double* out_streng
 CD_API cd_status cd_chain_get_broken(const cd_chain* chain, size_t* out_springs);
 
 /* The force [N], one number per component, with which the springs of a rope pull at a node, and its bend: of a held
- * node, what the rope does to whatever holds it. It is the sum of their tensions, along the directions that they have
- * now, 0 of a spring without length, and of what the bend there and at the nodes beside it does.
- * After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum of what springs did to each
- * node in it: a rope of fixed length with a driven end that the motion would stretch has no tension that holds it. To
- * tie a rope to a body of your own, give the last node the body's mass, in CD_MASS; or drive the end, and give the rope
- * a finite stiffness.
- * Where tensions are read, or a strength is set, take lambda = 1: with 1/2 < lambda < 1 they miss part of the pull of
- * springs that hardly yield, up to a third where nodes swing; with 1/2 they can be twice the mean just after a jolt.
- * With lambda < 1 and infinite stiffness a load m that is reeled in makes them uncertain by 4 m * tolerance * length /
- * dt^2, one that is paid out by 9: of 10 kg on 4 m of rope 0.5 N and 1.3 N at dt = 1/60 s, 130 N and 330 N, and slack
- * every other step, at 1/960 s: a smaller tolerance mends that.
+ * node, what the rope does to whatever holds it. It is the sum of the springs' tensions, along their directions now (0
+ * of a spring without length), and of the forces of the bend at the node and at the nodes beside it.
+ * After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum of the forces of springs on
+ * each node in that step: a rope of fixed length has no tension that holds a driven end which would stretch it. To tie
+ * a rope to a body of your own, give the last node the body's mass, in CD_MASS; or drive the end, and give the rope a
+ * finite stiffness.
+ * Where tensions are read, or a strength is set, take lambda = 1. With 1/2 < lambda < 1 they miss up to a third of the
+ * pull of hardly yielding springs where nodes swing; with 1/2 they can be twice the mean just after a jolt. With lambda
+ * < 1 and infinite stiffness they are uncertain by 4 m * tolerance * length / dt^2 where a load of mass m is reeled in,
+ * by 9 in place of 4 where it is paid out: of 10 kg on 4 m of rope by 0.5 N and 1.3 N at dt = 1/60 s, by 130 N and
+ * 330 N at 1/960 s, with slack in every other step. A smaller tolerance mends that.
  * Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
 CD_API cd_status cd_chain_get_reaction(const cd_chain* chain, size_t strand, size_t node, double* out_force,
                                        size_t count);
@@ -237,12 +237,12 @@ CD_API cd_status cd_chain_get_air(const cd_chain* chain, double* out_along, doub
 CD_API cd_status cd_chain_set_wind(cd_chain* chain, const double* velocity, size_t count);
 CD_API cd_status cd_chain_get_wind(const cd_chain* chain, double* out_velocity, size_t count);
 
-/* When a step of a rope is content: every spring is as long as its tension makes it, but for `tolerance` times its
- * length, and springs gave no more energy than that is worth; a slack one, shorter by a part s of its length, may keep a
- * tension of tolerance / s times the mean force on the nodes, or the mean tension. In [1e-14, 1/2], default 1e-6.
- * most_iterations, 1 to 10000, default 200, are those that a step may take by the slow and sure method, an interior
- * point, after at most 16 by Newton's; where springs push, by Newton's too. A tolerance looser than 1e-4 costs more time,
- * not less: what a step leaves wrong, the next one must mend. Errors: CD_ERROR_VALUE. */
+/* When a step of a rope ends: when every spring is as long as its tension makes it, but for `tolerance` times its rest
+ * length, and springs gave no more energy than such errors are worth. A slack spring that is shorter by the fraction s
+ * may keep a tension of tolerance / s times the mean force on the nodes, or the mean tension. In [1e-14, 1/2], default
+ * 1e-6; above 1e-4 it costs more time, not less, since the next step must correct what one leaves. most_iterations, 1
+ * to 10000, default 200, limits the slow and sure method, an interior point, which follows on at most 16 iterations of
+ * Newton's; where springs push, it limits Newton's. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_chain_set_tolerance(cd_chain* chain, double tolerance, size_t most_iterations);
 CD_API cd_status cd_chain_get_tolerance(const cd_chain* chain, double* out_tolerance, size_t* out_most_iterations);
 
@@ -254,15 +254,15 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
 /* ---- what ropes touch -------------------------------------------------------------------------------------------- */
 /* The nodes of a rope stay outside of colliders, numbered from 0, which all strands meet: half spaces, and capsules,
  * spheres among them, beds of heights, and shapes that a callback tells the distance from, each with a velocity and a
- * friction of its own. A step that reaches its tolerance leaves no free node deeper inside than that, times the
- * springs' length, and colliders at rest give no energy. What falls on one does not bounce; what comes to rest stays.
- * A strand that touches something makes that step with lambda = 1: where it slides at the speed v round a body of the
- * radius R, this brakes it as friction of the coefficient v dt / R would. A node that lies inside when a step begins
- * comes out of it, and throws neither itself nor its strand. Nodes collide; springs between them do not, nor do ropes
- * with each other. No node passes through a capsule that it meets by less than a radius a step. Where colliders
- * overlap, a node may be caught between them: CD_ERROR_TOLERANCE. Friction is Coulomb's, of each node's push, times
- * v / (v + 1e-4 m/s) at the speed v, to 1% of coefficient times push; where a step is hard, of the push that 50
- * iterations found. So what it holds creeps: at half of what it bears by 1e-4 m/s.
+ * friction of its own. Nodes collide; springs between them do not, nor do ropes with each other. A step that reaches
+ * its tolerance leaves no free node deeper inside than the tolerance times the springs' length, and colliders at rest
+ * give no energy. What falls on one does not bounce; what comes to rest stays. A node that lies inside when a step
+ * begins comes out, and throws neither itself nor its strand. No node passes through a capsule that it meets by less
+ * than a radius a step. Where colliders overlap, a node may be caught between them: CD_ERROR_TOLERANCE. A strand that
+ * touches something makes that step with lambda = 1; sliding at the speed v round a body of the radius R, this brakes
+ * it as friction of the coefficient v dt / R would. Friction is Coulomb's: the coefficient times the force that presses
+ * a node on, times v / (v + 1e-4 m/s) at the speed v, to 1%; of the force after 50 iterations where a step is hard. So
+ * what it holds creeps: under half of the largest force that it can hold by 1e-4 m/s.
  * Errors of all that set: CD_ERROR_UNSUPPORTED without a rest length; CD_ERROR_RANGE for an index that no collider
  * has, or a count that is not the number of components; CD_ERROR_VALUE; CD_ERROR_MEMORY where a bed or a callback
  * becomes something else. */

@@ -13,39 +13,39 @@
  * one stretched evenly is held by its edges. A new membrane lies at the origin, at rest, all nodes free, mass 1,
  * stiffness 1 both ways, no bend, gravity and damping, CD_METHOD_IMPLICIT with lambda 1/2, CD_SOLVER_AUTO.
  *
- * Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve.
- *   CD_SOLVER_AUTO         one of the two below for each dt: alternating where it makes a motion of half a wave along
- *      each direction, round a ring of a whole one, with the kinks at held or attached nodes, at most 5% heavier (by the
- *      mean stiffness and inverse mass), coupled elsewhere, and on uniform sheets once they have been, or steps have
- *      differed in dt, method, lambda, damping or solver, or moving nodes were pinned, until cd_membrane_reset. Short
- *      kicks go too far, alternating: at that bound of one node of 33 x 33 31 times, in a radius of an eighth of the
- *      sheet 3.5, of a quarter 1.4 times as far. It holds memory for either: some 300 bytes a node, where alternating
- *      takes 36 on uniform sheets held by edges. Builds without the coupled one alternate.
- *   CD_SOLVER_ALTERNATING  rows, then columns (Kass 1997, section 9). At a fixed cost it is stable at any stiffness
- *      and any dt that stays the same. Its price: a motion with the angular frequencies w_u and w_v along the two
- *      directions moves as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is fast along both is
- *      slowed down. Where it comes to rest does not depend on dt. So it is on uniform sheets held by whole rows and
- *      columns, closed forms and all, with up to 16 single nodes held or attached (these if h (h + damping) (2 k + 16 b)
- *      is at most 1e4 times a node's mass). On any other sheet (nodes absent, masses or springs of their own, bend with
- *      free edges) the factored system would blow up; there, at six times the cost and not quite linear, a step is the
- *      best, in energy, of the lines' answers, the velocity and common motion.
- *   CD_SOLVER_COUPLED      the system itself, to a tolerance, by conjugate gradients, and as stiff as it should be. On
- *      uniform sheets without bend and rings, held by whole rows and columns, up to 16 single nodes too, it takes one
- *      or two iterations of some ten alternating solves each, elsewhere multigrid: tens of times the cost. A sheet
- *      comes to rest at the same place with either; take this one where stiff sheets must move in time, and for stiff
- *      parts that move against each other, of which alternating finds the common motion only. It needs many iterations
- *      where springs or masses vary at random by decades, plates with free edges hardly stretch or many nodes are tied.
- * Without rest lengths lambda = 1/2 keeps the energy and lambda > 1/2 never adds any, coupled whatever its tolerance;
- * the momentum of a free sheet is kept too, of one torn into parts that of each part, however stiff they are
- * (alternating, of uniform free sheets up to a stiffness of 1e19 mass / h^2, of plates with one ring up to a bend of
- * 1e13). On uniform sheets, alternating, the energy so kept counts the extra mass in what moves, which depends on dt,
- * lambda and damping: if these keep changing they gain energy without bound, with lambda = 1/2 or CD_METHOD_STIFF_SECOND
- * by up to an eighth a step where 16 and 17 ms take turns, with lambda = 1 by a quarter where some steps are twice as
- * long. In CD_FLOAT32 each rounding of a velocity is a kick of so many times its energy: where (w_u h) (w_v h) is beyond
- * 1e4, take CD_FLOAT64 or the coupled solver. Plates with stiffness damping, alternating, are first order in time, else
- * second. CD_METHOD_STIFF_SECOND adds no energy where coupled solves meet the default tolerance; a step that ends short
- * of its own has added a third, one that alternates on other sheets a twentieth.
- *
+ * Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve, here with h =
+ * lambda dt. Leave that to CD_SOLVER_AUTO, or take CD_SOLVER_ALTERNATING for a fixed cost and less memory. A sheet is
+ * uniform here if its masses and stiffnesses are the totals dealt out and no node is absent; if nothing holds it but
+ * whole rows and columns and at most 16 single nodes, held or attached, these while h (h + damping) (2 k + 16 b) is at
+ * most 1e4 times a node's mass; and if with bend each direction is held at both edges or a ring, not both a ring.
+ *   CD_SOLVER_ALTERNATING  rows, then columns (Kass 1997, section 9). Uniform sheets are stable at any stiffness and
+ *      any dt that stays the same. A motion of the angular frequencies w_u and w_v along the two directions is slowed
+ *      down as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy; where the sheet comes to rest does not depend on dt.
+ *      Other sheets, a plate that is a ring both ways among them, would blow up: their step, not quite linear and at
+ *      six times the cost, is the best, in energy, of sums of the lines' answers, the velocity and common motion.
+ *   CD_SOLVER_COUPLED      the system itself, to a tolerance, by conjugate gradients: nothing is slowed down. Uniform
+ *      sheets without bend and rings take one or two iterations of some ten alternating solves each, others multigrid,
+ *      tens of times the cost. It comes to rest where alternating does. Take it where stiff sheets must move in time,
+ *      or stiff parts against each other: alternating finds only their common motion. It needs many iterations where
+ *      springs or masses vary at random by decades, plates with free edges hardly stretch or many nodes are tied.
+ *   CD_SOLVER_AUTO         for each dt, alternating where the slowest motion (half a wave along each direction, round a
+ *      ring a whole one, with the kinks at held or attached nodes; by the mean stiffness and inverse mass) is made at
+ *      most 5% heavier. Else coupled; and so, until cd_membrane_reset, uniform sheets that have been coupled once,
+ *      whose steps have differed in dt, method, lambda, damping or solver, or of which moving nodes were pinned. At
+ *      that bound a kick of one of 33 x 33 nodes goes 31 times as far as it should, of a radius of an eighth of the
+ *      sheet 3.5, of a quarter 1.4 times. It holds some 300 bytes a node; alternating takes 36 on uniform sheets held
+ *      by edges. Builds without the coupled solver alternate.
+ * Steps are of second order in time, those of alternating plates with stiffness damping of first. Without rest lengths:
+ *   Energy: lambda = 1/2 keeps it, and lambda > 1/2 never adds any, whatever the tolerance of coupled solves.
+ *   Momentum: of a free sheet, and of each part of a torn one, it is kept however stiff they are; alternating, up to a
+ *      stiffness of 1e19 mass / h^2 of uniform sheets, and a bend of 1e13 mass / h^2 of plates with one ring.
+ *   Unlike steps: alternating, the energy that a uniform sheet keeps counts the extra mass, which depends on dt, lambda
+ *      and damping. If these keep changing it grows without bound: with lambda = 1/2 or CD_METHOD_STIFF_SECOND by up to
+ *      an eighth a step where 16 and 17 ms take turns, with lambda = 1 by a quarter where some steps are twice as long.
+ *   CD_FLOAT32: alternating, the rounding of a velocity is a kick whose energy is so many times larger as the motion is
+ *      heavier: where (w_u h) (w_v h) is beyond 1e4, take CD_FLOAT64 or the coupled solver.
+ *   CD_METHOD_STIFF_SECOND: adds no energy where coupled solves meet the default tolerance; a step that ended short of
+ *      its own has added a third, one that alternates on a sheet that is not uniform a twentieth.
  * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
  * 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.
  * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
@@ -191,7 +191,7 @@ CD_API cd_status cd_membrane_set_ring(cd_membrane* membrane, int32_t along_u, in
 CD_API cd_status cd_membrane_get_ring(const cd_membrane* membrane, int32_t* out_along_u, int32_t* out_along_v);
 
 /* Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some `seconds` [s], in
- * [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
+ * [1e-30, 1e60]: as cd_chain_set_sleep says; the effort wakes nothing. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_set_sleep(cd_membrane* membrane, double speed, double seconds);
 CD_API cd_status cd_membrane_get_sleep(const cd_membrane* membrane, double* out_speed, double* out_seconds);
 CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_nodes);
@@ -204,16 +204,15 @@ CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_
  * shrink. Springs that are shorter resist crumpling by cd_membrane_set_compression. A cell with its four springs has
  * shear and twist, a node between two springs of a line has bend; where one of those springs is cut they are cut too.
  *
- * A step minimizes, by Newton's method with few iterations of conjugate gradients (cd_membrane_set_effort), a convex
- * function of the velocities, and scales them at its end so that, at any dt, stiffness, masses and effort, the energy
- * that cd_membrane_get_energy tells never rises but by the work of what is driven, of forces, pressure, wind and
- * colliders that move. What a step does not reach slows the sheet down: with the default effort one of a stiffness of
- * 10 mass / dt^2 [N/m] falls to 2% as it should, and stretches by some 2% where it hangs by two corners; of 100 mass /
- * dt^2 a tenth too slowly, of 1000 28%, far beyond as through syrup, and lags behind a held edge that moves: make
- * a long frame several steps. lambda = 1 damps motion that a step does not resolve, lambda nearer 1/2 less, for more
- * effort; steps are first order in time. Free sheets keep their momentum. Cloth needs CD_METHOD_IMPLICIT with lambda in
- * [1/2, 1], no matched edge and no stiffness damping, or cd_membrane_step says CD_ERROR_UNSUPPORTED; set_solver and
- * set_tolerance do not matter to it. */
+ * Steps: a step minimizes a convex function of the velocities, by Newton's method with few iterations of conjugate
+ *    gradients (cd_membrane_set_effort), and then scales the velocities. They are of first order in time. lambda = 1
+ *    damps motion that a step does not resolve; lambda nearer 1/2 damps it less, and needs more effort.
+ * Energy: at any dt, stiffness, masses and effort, what cd_membrane_get_energy tells rises only by the work of driven
+ *    nodes, forces, pressure, wind and moving colliders. Free sheets keep their momentum.
+ * Stiff sheets, default effort: at 10 mass / dt^2 [N/m] they fall 2% too slowly, and stretch by 2% where two corners
+ *    hold them; at 100 10%, at 1000 28% too slowly; beyond, they hardly fall and lag behind edges: shorten steps.
+ * Cloth needs CD_METHOD_IMPLICIT, lambda in [1/2, 1], no matched edge, no stiffness damping, or cd_membrane_step says
+ * CD_ERROR_UNSUPPORTED; cd_membrane_set_solver and _set_tolerance do not matter to it. */
 
 /* Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
  * is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets
@@ -236,13 +235,13 @@ CD_API cd_status cd_membrane_get_compression(const cd_membrane* membrane, double
 
 /* The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60 to 1e60, or
  * INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each spring: a seam is a
- * line of springs that tear at less. A step ends by cutting springs that are strained beyond it, each row and each
- * column of springs in one place at the most: the spring whose strain is the largest multiple of its breaking strain,
- * those that follow beside it, row after row, as long as they are beyond theirs too, and so on with the rows that are
- * left. So a tear runs on from its ends, and what is jerked parts without falling to pieces. A cut spring's stiffness
- * becomes 0, and no energy comes of it. Mend it by writing CD_STIFFNESS_U or _V, which finite breaking strains switch
- * on and keep on. A cell of cloth without two of its springs or more is open: it is not drawn, it has no volume, and
- * air and pressure go through it. Errors: CD_ERROR_MEMORY too. */
+ * line of springs that tear at less. A step ends by cutting springs beyond their breaking strains, in each row and each
+ * column of springs at most one. First goes the spring whose strain is the largest multiple of its breaking strain;
+ * then its neighbour in the next row, and so on from row to row, while that is beyond its breaking strain too; then the
+ * same in the rows that are left. So tears go on from their ends, and jerked cloth parts without falling to pieces. A
+ * cut spring's stiffness becomes 0, and adds no energy. Mend it by writing CD_STIFFNESS_U or _V, which finite breaking
+ * strains switch on and keep on. A cell of cloth that lacks two or more springs is open: it is not drawn, it has no
+ * volume, and air and pressure go through it. Errors: CD_ERROR_MEMORY too. */
 CD_API cd_status cd_membrane_set_breaking_strain(cd_membrane* membrane, double strain);
 CD_API cd_status cd_membrane_get_breaking_strain(const cd_membrane* membrane, double* out_strain);
 
@@ -251,9 +250,9 @@ CD_API cd_status cd_membrane_get_breaking_strain(const cd_membrane* membrane, do
 CD_API cd_status cd_membrane_get_broken(const cd_membrane* membrane, size_t* out_springs);
 
 /* How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each those of conjugate
- * gradients, `gradient`, 1 to 10000, or 0, the default: until four bring less than 3% of the energy that all have. Up
- * to 4 more of the former are made where little is gained, or, of gradient 0, still much. get_convergence tells how
- * many of the latter the last call's dearest step took, and the largest gradient left, over the first, or INFINITY. */
+ * gradients, `gradient`, 1 to 10000, or 0, the default: until four bring less than 3% of the energy that all brought.
+ * Up to 4 more of Newton's are made where it gains little, with gradient 0 also where it still gains much. After a step
+ * get_convergence tells the most of conjugate gradients that a step took, and what gradient was left over the first. */
 CD_API cd_status cd_membrane_set_effort(cd_membrane* membrane, size_t newton, size_t gradient);
 CD_API cd_status cd_membrane_get_effort(const cd_membrane* membrane, size_t* out_newton, size_t* out_gradient);
 
@@ -273,14 +272,15 @@ CD_API cd_status cd_membrane_get_wind(const cd_membrane* membrane, double* out_v
 
 /* ---- what cloth touches ------------------------------------------------------------------------------------------ */
 /* As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and capsules, spheres among
- * them, beds and callbacks, each with velocity and friction of its own. In a step a node heeds the three that it would
- * be deepest in, or nearest to, if it went on as it does, and may not pass the planes that touch them where it begins:
- * it goes through none of them, however fast. Contacts yield a little: to a node's force times dt^2 / (1e4 mass), which
- * is some 1e-3 m where a sheet lands at 50 m/s. Nodes collide; what lies between them does not, nor does cloth with
- * itself. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find:
- * with the default effort what begins to slide is up to a quarter too slow in its first half second, and nodes are now
- * and then deeper: by up to 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s.
- * What lies inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
+ * them, beds and callbacks, each with velocity and friction of its own. In a step a node meets the three that it would
+ * be deepest in, or nearest to, at its velocity, as the planes that touch them where the step begins: it goes through
+ * none of them, however fast. Nodes collide; what lies between them does not, nor does cloth with itself.
+ * Depth: contacts yield by a node's force times dt^2 / (1e4 mass), some 1e-3 m where a sheet lands at 50 m/s; with the
+ *    default effort nodes are now and then deeper, by up to 7e-3 m in steps that move them by 0.1 m. What lies inside
+ *    comes out, and what that lifts or stretches gains energy: at 1e9 N/m 1e-3 of it a step.
+ * Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the push that the step's iterations find. With the
+ *    default effort, what begins to slide is up to a quarter too slow in its first half second. What friction holds
+ *    creeps, at half of the largest force that it can hold by 1e-3 m/s.
  * Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what a hollow
  * rises above that plane a node may end inside of, and the next step takes it out. A callback is asked once a step, for
  * all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK, and one that is missing after a

@@ -9,50 +9,50 @@
  *           u_t [+ u u_x + v u_y] = -g h_x - p_x / density + force - friction u,     and v likewise
  *           friction = drag + g manning^2 |u| / d^(4/3)         (Kass 1997, eq. 32-33; the bracket: shallow water)
  *
- * CD_MOMENTUM_LINEAR    without the bracket: waves, splashes, tides, floods that creep. Water has no inertia beyond its
- *                       own face: a shore moves with the slope of the surface there, and bores of a tenth, half and
- *                       twice the depth run 1, 5 and 13% too slow.
+ * CD_MOMENTUM_LINEAR    without the bracket: waves, splashes, tides, floods that creep.
  * CD_MOMENTUM_ADVECTED  with it: moving shores, dam breaks, bores, whirls. Momentum goes with the water that leaves a
  *                       cell, upwind, of second order where depths are even and waves cross less than a cell in a step.
  *
- * A step sweeps along the rows, then along the columns, in the other order every other step. Along a line the fluxes
- * and the surface that they change are solved for at once, by the theta scheme, theta = lambda, in time proportional to
- * the cells; a face is as deep as the cells beside it in the mean, nearer to the one that gives where they differ a lot;
- * no cell gives more than it has and gets (cd_water_get_limited counts what that held back). So depths are never
- * negative, a lake lies still on any bed, and volume changes only by what cd_water_get_account tells.
+ * What to set: the momentum by this list; lambda as cd_water_set_momentum sets it; one step a frame, which is never too
+ * long to be stable, or more where waves must run at their speed (cd_water_get_courant at most 1). lambda = 1/2 is of
+ * second order in time and keeps the energy of small waves; above 1/2 short waves die out, and linear water, whose shores
+ * are steep, needs a little more. Right for waves much longer than the water is deep and for surfaces that do not turn
+ * over: there is no dispersion, and there are no ship wakes.
  *
- * Waves do not limit the step. Where water runs more than half a cell in a step, a line makes its step in 2, 4, ... 64
- * parts, none of which it begins faster, at so many times the cost. Faster water, of more than 32 cells a
- * step, is carried less exactly, and ripples on it may grow; on slower streams they do not, but for linear momentum
- * with lambda = 1/2 over an uneven bed. Waves that a step lets cross more than a cell are slowed down, short ones most.
- * Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell, and at most 5%, against a stream 10%, in
- * steps in which they cross 2 to 32, over which it is drawn out to eight times as many cells. With lambda = 1/2 waves run
- * behind it, up to 0.7 of its height high (linear 1.6), all along its way where the water rests; with 0.6 of 0.3 (1.3).
+ * A step sweeps along all rows, then along all columns, and the next step the other way round. Along such a line the
+ * fluxes and the changes of the surface are solved for together, by the theta scheme, theta = lambda, in time in
+ * proportion to its cells. The depth at a face is the mean of its two cells'; where these differ a lot, it is nearer to
+ * that of the cell which the water leaves. No cell gives more than it has and gets: cd_water_get_limited tells how much
+ * that holds back. So no depth is negative, a lake lies still on any bed, and cd_water_get_account tells all changes of
+ * volume. Explicit methods differ in that no surface is solved for: half of the slope pushes, the water moves, then the
+ * other half pushes (velocity Verlet).
  *
- * lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in the linear
- * mode, of which shores are steep, take a little more. With 1/2, linear waves in the plane grow, in thousands of steps
- * of 2 cells or more, to a ninth of the depth. Advected water gains no energy in steps in which waves cross more than a
- * cell, but for a while 0.05 of its waves', and with 1/2 low waves round a ring over an uneven bed eight times theirs; in
- * shorter ones up to 0.005 of all its energy among cliffs, in very short ones at shores too, and 0.01 in the first step
- * where velocities are written there. Linear water gains h_t u^2 / 2 where it deepens: at random shores some hundredths
- * (and see hulls). Air that presses it dry gives it up to 1.4 times what it has to give, advected water half of it,
- * explicit steps any, as does rounding from 1e12 cells a step. What pushes off dry land gives the last face a velocity
- * that no water follows. In long steps, of uneven depths, no face gains more energy than its water loses by falling.
- *
- * Explicit steps (cd_water_set_method) share all of this but the surface that is solved for: half of the slope pushes,
- * the water moves, then the other half (velocity Verlet).
- *
- * Rows and columns are solved in turn only: in steps in which waves cross many cells, those that run aslant are slower
- * than along the axes. Shorter steps serve better than a solve of the whole plane: neither symmetric nor definite where
- * streams run, it cost tens of times as much, and gained and lost water.
- *
- * Right for waves much longer than the water is deep, and surfaces that do not turn over: no dispersion, no ship wakes.
+ * What goes wrong, and by how much. "From n cells on" means: in steps in which waves cross n cells or more.
+ *   Long steps: from 1 cell on waves run too slowly, short ones most, and slantwise more than along the axes. Make
+ *      them shorter: to solve for the whole plane, a system that streams make neither symmetric nor definite, cost tens
+ *      of times as much, and gained and lost water.
+ *   Fast water: a line whose water would run more than half a cell makes its step in 2, 4, ... 64 parts, at so many
+ *      times the cost, none of which begins with faster water. Water that runs more than 32 cells is carried less
+ *      exactly, and ripples on it may grow; on slower water only those of linear momentum, lambda 1/2, uneven beds do.
+ *   Bores, linear: momentum is not carried on, so that a shore moves with the slope of the surface there, and a bore a
+ *      tenth, half and twice as high as the depth before it runs some 2, 9 and 22% too slow.
+ *   Bores, advected: 0.1% too slow at half a cell; from 2 to 32 cells up to 6%, against a stream 10%, and spread over 8
+ *      times as many. Waves behind a bore: with lambda = 1/2 up to 0.7 of its height (linear: 1.6), with 0.6 up to
+ *      0.3 (1.3), all along its way where the water behind it rests.
+ *   Energy, linear: where water deepens it gains h_t u^2 / 2, at random shores some hundredths in all (and see hulls).
+ *      From 2 cells on waves in the plane, with lambda = 1/2, grow in thousands of steps to a ninth of the depth.
+ *   Energy, advected: from 1 cell on it may rise for a while by 0.05 of that of the waves; low waves round a ring over
+ *      an uneven bed, with lambda = 1/2, come to 8 times theirs. Below 1 cell up to 0.005 of it all is won among cliffs,
+ *      far below also at shores, and 0.01 in the first step after velocities are written there.
+ *   Energy, both: from 1 cell on, over uneven depths, no face gains more than its water loses by falling; from 1e12 on
+ *      rounding may add any amount. Air that presses water dry adds up to 1.4 times what it has to give where momentum
+ *      is linear, half of it where advected, and any amount in explicit methods.
+ *   Dry land: what pushes water away from it gives the face at the water's edge a velocity that no water follows.
  *
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
  * CD_METHOD_IMPLICIT with lambda 0.55.
- * All computing is done in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in.
- * Depths below 2^-80 m are taken for 0 where a step stores them, and velocities below 2^-80 (float32) or 2^-500 m/s.
- * Parameters may be as large as 1e60.
+ * All computing is in double precision; CD_FLOAT32 is what depth, bed, velocities and the fields are stored in. Steps
+ * store 0 for depths below 2^-80 m and velocities below 2^-80 (float32), 2^-500 m/s. Parameters may be as large as 1e60.
  *
  * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
  * comments name the other errors. Functions that chain and membrane have too mean the same here. */
@@ -167,18 +167,18 @@ CD_API cd_status cd_water_get_manning(const cd_water* water, double* out_manning
 
 /* What is at a side. `value` now, and how fast it changes, `rate` per second, from now on, both at most 1e60 in size,
  * in CD_FLOAT32 1e30:
- *   CD_BORDER_OPEN     level of the water outside [m], which is at rest: a tide is its level and rate, set anew as it
- *                      goes. Low waves leave without an echo, and some hundredths of high ones come back, by u = 2
- *                      (sqrt(g d) - sqrt(g D)), d the depth in the cell at the side and D that of the level over the
- *                      same bed; linear, u = sqrt(g d) (1 - D / d). The discharge is u d. Where that is faster than the
- *                      waves, as over a side that lies higher than the level, water falls off: a stream slower than its
- *                      waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
- *   CD_BORDER_LEVEL    level [m] that is held at the side itself, whatever flows out: of depth D there water crosses it
- *                      with U = u + 2 (sqrt(g d) - sqrt(g D)), u its velocity one face inside, and discharge U D. Waves
- *                      are thrown back. What is faster than its waves falls off as above.
+ *   CD_BORDER_OPEN     level of the water outside [m], which is at rest: for a tide set level and rate anew as it goes.
+ *                      Low waves leave without an echo; some hundredths of high ones come back. With d the depth in the
+ *                      cell at the side, D the level's depth over the same bed, water leaves by u = 2 (sqrt(g d) -
+ *                      sqrt(g D)), linear by u = sqrt(g d) (1 - D / d), and the discharge is u d. Where u is faster
+ *                      than waves, as over a side that lies higher than the level, water falls off: a stream slower than
+ *                      its waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
+ *   CD_BORDER_LEVEL    level [m] that is held at the side itself, whatever flows out: with D the depth there and u the
+ *                      velocity one face inside, water crosses it by U = u + 2 (sqrt(g d) - sqrt(g D)), and the
+ *                      discharge is U D. Waves are thrown back. What is faster than its waves falls off as above.
  *   CD_BORDER_INFLOW   discharge per metre of the side [m^2/s] into the water, velocity times depth, whatever the depth
- *                      is; it comes in at critical depth where the cell is shallower. If negative it leaves, as far as
- *                      there is water
+ *                      is; where the cell is shallower than the critical depth, it comes in at that. If negative it
+ *                      leaves, as far as there is water.
  *   CD_BORDER_WALL, CD_BORDER_PERIODIC   value and rate mean nothing
  * Both sides of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the
  * opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE. */
@@ -286,16 +286,16 @@ CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double ra
  * metre to port. Velocities are {along x, along y, upward [m/s], yaw, pitch, roll [1/s]}, yaw counter-clockwise seen
  * from above. Mass is spread evenly over length and width; the righting moment is that of the waterline.
  *
- * Between body and water lies a skin, three times as stiff as the water's surface. So the body's keel lies deeper than
- * the floor that is to be drawn, which cd_water_get_hull_floor gives, by a third of the draft for a hull of many cells:
- * of a hull that lies still the floor displaces its own mass, draft = mass / (density area) for a flat one.
+ * Between body and water lies an elastic skin, three times as stiff as the water's surface. So the body's keel lies
+ * deeper than the floor that cd_water_get_hull_floor gives, to be drawn: by a third of the draft for a hull of many
+ * cells. It is the floor of a hull at rest that displaces its mass: draft = mass / (density area) for a flat one.
  *
- * Steps stay bounded at any dt, for hulls of any mass; hulls and water together gain no energy beyond what the water
- * itself does. That is much where a hull presses linear water dry: 13 times what was there in steps in which waves
- * cross 2.8 cells; advected water gained none there. In steps in which waves cross many cells, or a hull its own
- * length, hulls are slowed down. Momentum that drag takes from a hull the water gets, in such long steps less; of what
- * its waves take, half or more. Forces cost time in proportion to the cells under hulls, and steps of water with hulls
- * some more per cell.
+ * Energy: steps stay bounded at any dt, for hulls of any mass, and hulls and water together gain no energy beyond what
+ *    the water itself does. That is much where a hull presses linear water dry: in steps in which waves cross 2.8 cells
+ *    13 times the energy that was there; advected water gained none there.
+ * Long steps, in which waves cross many cells or a hull its own length, slow hulls down.
+ * Momentum: the water gets all that drag takes from a hull, less in long steps, and half or more of what its waves take.
+ * Time: forces cost in proportion to the cells under hulls, and all cells of water with hulls a little more.
  * Errors of all: CD_ERROR_RANGE for an index that no hull has, or a count that is not what the comment says. */
 
 /* How many hulls there are, `count`, 0 to 4096, default 0, and how many plates each has, `n_along` and `n_across`, 1 to

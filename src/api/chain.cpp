@@ -59,10 +59,10 @@ cd_status cd_chain_set_ring(cd_chain* chain, int32_t ring) {
     CD_OPEN(chain, c);
     if (ring != 0 && ring != 1) return fail(CD_ERROR_VALUE, __func__, "ring is %d, must be 0 or 1", int(ring));
     if (ring && c.nodes < 3)
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "ring is 1, but of %zu nodes, fewer than 3", c.nodes);
+        return fail(CD_ERROR_UNSUPPORTED, __func__, "ring is 1, which needs 3 nodes: this chain has %zu", c.nodes);
     for (size_t at = 0; at < c.pin.count && ring; ++at)
         if (c.pin[at] == CD_NODE_MATCHED)
-            return fail(CD_ERROR_UNSUPPORTED, __func__, "ring is 1, but node %zu is a matched end",
+            return fail(CD_ERROR_UNSUPPORTED, __func__, "ring is 1, but node %zu is CD_NODE_MATCHED",
                         at / own_strands(c));
     if (ring == c.ring) return wake(c), CD_OK;
     Features wanted = features(c);
@@ -108,12 +108,14 @@ static cd_status can_lose_lengths(const char* function, const Chain& c) {
         return fail(CD_ERROR_UNSUPPORTED, function,
                     "length is 0, but strands differ in pins, masses, stiffnesses, bends or attachments, which they "
                     "would share");
-    if (isinf(c.stiffness)) return fail(CD_ERROR_UNSUPPORTED, function, "length is 0, but the stiffness is infinite");
+    if (isinf(c.stiffness))
+        return fail(CD_ERROR_UNSUPPORTED, function,
+                    "length is 0, but the stiffness is infinite, which only ropes take");
     if (groups_are_sound(
             c.nodes, c.ring != 0, [&](size_t i) { return is_rigid(c, own_place(c, 0, i)); },
             [&](size_t i) { return held(c, own_place(c, 0, i)); }))
         return CD_OK;
-    return fail(CD_ERROR_UNSUPPORTED, function, "length is 0: a group of welded nodes would hold two held ones");
+    return fail(CD_ERROR_UNSUPPORTED, function, "length is 0, but two held nodes would be welded together");
 }
 
 cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {

@@ -36,9 +36,10 @@ struct Part {
 
     cd_status check(const char* function, const Chain& c, size_t count) const {
         CD_CHECK(is_on(function, c, field));
-        CD_CHECK(is_part(function, "strands from", first_strand, strands, strands_of(c, field)));
+        CD_CHECK(
+            is_part(function, "first_strand", first_strand, "strands", strands, strands_of(c, field), "its strands"));
         const size_t all = is_per_spring(field) ? springs_in_all(c) : c.nodes;
-        CD_CHECK(is_part(function, is_per_spring(field) ? "springs from" : "nodes from", first, n, all));
+        CD_CHECK(is_part(function, "first", first, "n", n, all, is_per_spring(field) ? "springs" : "nodes"));
         return is_count(function, "count", count, strands * n * components(c));
     }
 
@@ -63,7 +64,7 @@ struct Part {
             c.nodes, c.ring != 0, [&](size_t i) { return isinf(new_value(CD_STIFFNESS, i, stiffness_of(c, i))); },
             [&](size_t i) { return holds(new_value(CD_PIN, i, c.pin[i])); });
         if (sound) return CD_OK;
-        return fail(CD_ERROR_UNSUPPORTED, function, "a group of welded nodes would hold two held ones");
+        return fail(CD_ERROR_UNSUPPORTED, function, "two held nodes would be welded together");
     }
 
     Block block(const Chain& c) const {
@@ -172,7 +173,7 @@ cd_status cd_chain_set_end(cd_chain* chain, cd_end end, cd_node kind) {
     CD_CHECK(is_enum(__func__, "end", end, CD_END_LAST));
     CD_CHECK(is_enum(__func__, "kind", kind, CD_NODE_POSED));
     if (kind == CD_NODE_MATCHED && c.ring)
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "kind is 3, matched: a ring has no end");
+        return fail(CD_ERROR_UNSUPPORTED, __func__, "kind is 3, CD_NODE_MATCHED: a ring has no end");
     const bool posed = kind == CD_NODE_POSED, new_target = posed && !c.target;
     if (posed) CD_CHECK(shared::is_finite(__func__, c)); // the target is the present position
     if (new_target) CD_CHECK(shared::switch_field(__func__, c, CD_TARGET, true));
@@ -195,7 +196,8 @@ cd_status cd_chain_teleport(cd_chain* chain, size_t strand, const double* rotati
     CD_OPEN(chain, c);
     CD_CHECK(is_index(__func__, "strand", strand, c.strands));
     if (rotation && count == 2 && curls(c) && rotation[0] * rotation[3] < rotation[1] * rotation[2])
-        return fail(CD_ERROR_VALUE, __func__, "rotation is a mirror image, must be none with rest angles");
+        return fail(CD_ERROR_VALUE, __func__,
+                    "rotation is a mirror image, which a rope with rest angles does not take");
     CD_CHECK(shared::teleport(__func__, c, {}, rotation, offset, count, 1, [&](auto f) {
         for (size_t i = 0; i < c.nodes; ++i) f(place(c, strand, i, 0));
     }));
@@ -205,6 +207,9 @@ cd_status cd_chain_teleport(cd_chain* chain, size_t strand, const double* rotati
 
 // A node or spring of a strand that has its own, or of all strands.
 static cd_status is_own(const char* function, const Chain& c, size_t strand, const char* item, size_t i, size_t count) {
+    if (strand > 0 && !has_lengths(c))
+        return fail(CD_ERROR_RANGE, function, "strand is %zu, must be 0, for all strands, as the chain is no rope",
+                    strand);
     CD_CHECK(is_index(function, "strand", strand, own_strands(c)));
     return is_index(function, item, i, count);
 }
@@ -249,7 +254,8 @@ cd_status cd_chain_weld(cd_chain* chain, size_t strand, size_t spring) {
     if (!has_lengths(c) && !groups_are_sound(
                                c.nodes, c.ring != 0, [&](size_t i) { return i == spring || welded(c, i); },
                                [&](size_t i) { return held(c, i); }))
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "spring %zu would join two held nodes", spring);
+        return fail(CD_ERROR_UNSUPPORTED, __func__, "spring is %zu, by which two held nodes would be welded together",
+                    spring);
     CD_CHECK(shared::switch_field(__func__, c, CD_STIFFNESS, true));
     c.spring_stiffness[own_place(c, strand, spring)] = double(INFINITY);
     c.prepared_dt = 0;

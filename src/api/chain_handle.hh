@@ -18,7 +18,7 @@ inline bool is_of_ropes(cd_field field) {
 inline bool needs_length(const Chain&, cd_field field) { return is_of_ropes(field); }
 inline cd_status is_field(const char* function, const Chain&, cd_field field) {
     if (is_of_ropes(field) || (field >= 0 && field <= CD_TARGET)) return CD_OK;
-    return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 7, 22 to 26 or 35", int(field));
+    return fail(CD_ERROR_ENUM, function, "field is %d, which no chain has, must be 0 to 7, 22 to 26 or 35", int(field));
 }
 inline bool is_always_on(const Chain&, cd_field field) {
     return field == CD_POSITION || field == CD_VELOCITY || field == CD_PIN || field == CD_TENSION || field == CD_STRAIN;
@@ -55,7 +55,7 @@ inline size_t strands_of(const Chain& c, cd_field field) {
 inline cd_status can_curl(const char* function, const Chain& c) {
     CD_CHECK(is_rope(function, c, "only ropes have rest angles"));
     if (can_curl(c)) return CD_OK;
-    return fail(CD_ERROR_UNSUPPORTED, function, "rest angles need 2 components, not %zu", c.components);
+    return fail(CD_ERROR_UNSUPPORTED, function, "rest angles need 2 components: this chain has %zu", c.components);
 }
 namespace shared {
 inline cd_status enable_field(const char* function, Chain& c, cd_field field) {
@@ -65,7 +65,7 @@ inline cd_status enable_field(const char* function, Chain& c, cd_field field) {
 }
 inline cd_status disable_field(const char* function, Chain& c, cd_field field) {
     const bool breaks = field == CD_STIFFNESS && can_break(c);
-    return breaks ? fail(CD_ERROR_UNSUPPORTED, function, "field 4, CD_STIFFNESS: springs that may break need it")
+    return breaks ? fail(CD_ERROR_UNSUPPORTED, function, "field is 4, CD_STIFFNESS, which springs that may break need")
                   : disable_field<Chain>(function, c, field);
 }
 } // namespace shared

@@ -57,9 +57,13 @@ inline cd_status is_index(const char* function, size_t value, size_t count, cons
 }
 
 // [first, first + n) inside [0, count)
-inline cd_status is_part(const char* function, const char* name, size_t first, size_t n, size_t count) {
-    if (first <= count && n <= count - first) return CD_OK;
-    return fail(CD_ERROR_RANGE, function, "%s %zu and %zu more reach past %zu", name, first, n, count);
+inline bool lies_within(size_t first, size_t n, size_t count) { return first <= count && n <= count - first; }
+// from and many: the names of the arguments; things: what there are `count` of.
+inline cd_status is_part(const char* function, const char* from, size_t first, const char* many, size_t n, size_t count,
+                         const char* things) {
+    if (lies_within(first, n, count)) return CD_OK;
+    return fail(CD_ERROR_RANGE, function, "%s is %zu and %s is %zu, must add up to at most %zu, the number of %s", from,
+                first, many, n, count, things);
 }
 
 // Each of `count` numbers at most `most` in size.

@@ -22,7 +22,9 @@ template <size_t n> cd_status is_layout(const char* function, const VertexAttrib
     if (stride < least) return fail(CD_ERROR_RANGE, function, "stride is %zu, must be at least %zu", stride, least);
     for (const VertexAttribute& a : all) {
         if (!a.on() && &a != all) continue;
-        CD_CHECK(is_part(function, a.name, a.offset, a.bytes, stride));
+        if (!lies_within(a.offset, a.bytes, stride))
+            return fail(CD_ERROR_RANGE, function, "%s is %zu, from which %zu bytes reach past stride, %zu", a.name,
+                        a.offset, a.bytes, stride);
         for (const VertexAttribute* b = all; b != &a; ++b)
             if (b->on() && a.offset < b->offset + b->bytes && b->offset < a.offset + a.bytes)
                 return fail(CD_ERROR_RANGE, function, "%s is %zu, which overlaps with %s %zu", a.name, a.offset,

@@ -63,7 +63,7 @@ inline const char* field_takes(cd_field field) {
     case CD_BEND:
     case CD_STIFFNESS_U:
     case CD_STIFFNESS_V: return "0 to 1e60";
-    case CD_PIN: return "values of cd_node that may stand there";
+    case CD_PIN: return "values of cd_node, CD_NODE_MATCHED only at an end of a chain";
     case CD_MASK:
     case CD_WALL_X:
     case CD_WALL_Y: return "0 and 1";
@@ -80,21 +80,22 @@ inline const char* field_takes(cd_field field) {
 // object: its name in the names of its functions
 inline cd_status must_be_on(const char* function, const char* object, cd_field field, bool on) {
     if (on) return CD_OK;
-    return fail(CD_ERROR_DISABLED, function, "field %d, %s, is off: see cd_%s_enable_field", int(field),
+    return fail(CD_ERROR_DISABLED, function, "field is %d, %s, which is off: see cd_%s_enable_field", int(field),
                 field_name(field), object);
 }
 
 // Fields of springs that have a length: an object says by needs_length which those are.
 template <class X> cd_status has_length(const char* function, const X& x, cd_field field) {
     if (has_lengths(x) || !needs_length(x, field)) return CD_OK;
-    return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s: the rest length is 0", int(field), field_name(field));
+    return fail(CD_ERROR_UNSUPPORTED, function, "field is %d, %s: the rest length is 0, set one first", int(field),
+                field_name(field));
 }
 
 // only: what has it. Where ropes or cloth are left out, `has` is false, and the compiler sees that no CD_OK comes of it:
 // what would follow takes no code.
 inline cd_status must_have_length(const char* function, const char* only, bool has) {
     if (has) return CD_OK;
-    fail(CD_ERROR_UNSUPPORTED, function, "%s: the rest length is 0", only);
+    fail(CD_ERROR_UNSUPPORTED, function, "%s: the rest length is 0, set one first", only);
     return CD_ERROR_UNSUPPORTED;
 }
 
@@ -112,7 +113,8 @@ inline const Array<char>& state_of(const Body& b, cd_field field) {
 
 inline cd_status has_view(const char* function, cd_field field, bool has) {
     if (has) return CD_OK;
-    return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, has no view: read it", int(field), field_name(field));
+    return fail(CD_ERROR_UNSUPPORTED, function, "field is %d, %s, which has no view: read it", int(field),
+                field_name(field));
 }
 inline cd_status has_view(const char* function, cd_field field) {
     return has_view(function, field, is_state(field) && field != CD_WIND);
@@ -138,7 +140,8 @@ inline double nearest(double place, double most) { return place < 0 ? 0 : place 
 
 inline cd_status can_write(const char* function, cd_field field) {
     if (field != CD_STRAIN && (field < CD_TENSION_U || field > CD_STRAIN_V)) return CD_OK;
-    return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, is to be read only", int(field), field_name(field));
+    return fail(CD_ERROR_UNSUPPORTED, function, "field is %d, %s, which is read only", int(field),
+                field_name(field));
 }
 
 // Part: a part of the field part.field of an object, as read and write are given it:

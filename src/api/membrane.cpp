@@ -89,8 +89,8 @@ cd_status cd_membrane_set_pressure(cd_membrane* membrane, double pressure) {
     CD_OPEN(membrane, m);
     CD_CHECK(in_range(__func__, "pressure", pressure, -kMost, kMost));
     if (pressure != 0 && m.components != 3)
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "pressure is %g, but of %zu components, not 3", pressure,
-                    m.components);
+        return fail(CD_ERROR_UNSUPPORTED, __func__, "pressure is %g, which needs 3 components: this membrane has %zu",
+                    pressure, m.components);
     MembraneFeatures wanted = features(m);
     wanted.pressure = pressure != 0;
     CD_CHECK(shared::change_features(__func__, m, wanted));
@@ -103,7 +103,8 @@ cd_status cd_membrane_set_edge(cd_membrane* membrane, cd_edge edge, cd_node kind
     CD_CHECK(is_enum(__func__, "edge", edge, CD_EDGE_V_LAST));
     CD_CHECK(is_enum(__func__, "kind", kind, CD_NODE_POSED));
     if (kind == CD_NODE_MATCHED && m.ring[direction_of(edge)])
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "kind is 3, matched, but edge %d lies across a ring", int(edge));
+        return fail(CD_ERROR_UNSUPPORTED, __func__, "kind is 3, CD_NODE_MATCHED, but edge %d lies across a ring",
+                    int(edge));
     if (kind == CD_NODE_POSED) CD_CHECK(shared::is_finite(__func__, m)); // targets start as the present positions
     return set_edge(m, edge, kind) ? CD_OK : fail(CD_ERROR_MEMORY, __func__, "no memory");
 }
@@ -125,11 +126,11 @@ cd_status cd_membrane_set_ring(cd_membrane* membrane, int32_t along_u, int32_t a
             return fail(CD_ERROR_VALUE, __func__, "%s is %d, must be 0 or 1", names[d], int(wanted[d]));
     for (Direction d : {kU, kV}) {
         if (wanted[d] && nodes_along(m, d) < 3)
-            return fail(CD_ERROR_UNSUPPORTED, __func__, "%s is 1, but of %zu nodes, fewer than 3", names[d],
-                        nodes_along(m, d));
+            return fail(CD_ERROR_UNSUPPORTED, __func__, "%s is 1, which needs 3 nodes: this membrane has %zu there",
+                        names[d], nodes_along(m, d));
         for (bool at_last : {false, true})
             if (wanted[d] && m.edge[edge_of(d, at_last)] == CD_NODE_MATCHED)
-                return fail(CD_ERROR_UNSUPPORTED, __func__, "%s is 1, but edge %d is matched", names[d],
+                return fail(CD_ERROR_UNSUPPORTED, __func__, "%s is 1, but edge %d is CD_NODE_MATCHED", names[d],
                             int(edge_of(d, at_last)));
     }
     MembraneFeatures closed = features(m);
@@ -172,7 +173,8 @@ cd_status cd_membrane_get_volume(const cd_membrane* membrane, double* out_volume
     CD_OPEN(membrane, m);
     CD_NOT_NULL(out_volume);
     if (m.components != 3)
-        return fail(CD_ERROR_UNSUPPORTED, __func__, "out_volume is asked for of %zu components, not 3", m.components);
+        return fail(CD_ERROR_UNSUPPORTED, __func__, "out_volume needs 3 components: this membrane has %zu",
+                    m.components);
     *out_volume = volume(m);
     return CD_OK;
 }

@@ -50,10 +50,10 @@ struct Rectangle {
     cd_status check(const char* function, const Membrane& m, size_t count) const {
         CD_CHECK(is_on(function, m, field));
         const bool along_u = is_along(field, kU), along_v = is_along(field, kV);
-        CD_CHECK(is_part(function, along_u ? "springs along u from" : "nodes along u from", first_u, n_u,
-                         along_u ? springs_along(m, kU) : m.columns));
-        CD_CHECK(is_part(function, along_v ? "springs along v from" : "nodes along v from", first_v, n_v,
-                         along_v ? springs_along(m, kV) : m.rows));
+        CD_CHECK(is_part(function, "first_u", first_u, "n_u", n_u, along_u ? springs_along(m, kU) : m.columns,
+                         along_u ? "springs along u" : "nodes along u"));
+        CD_CHECK(is_part(function, "first_v", first_v, "n_v", n_v, along_v ? springs_along(m, kV) : m.rows,
+                         along_v ? "springs along v" : "nodes along v"));
         return is_count(function, "count", count, n_u * n_v * components(m));
     }
 

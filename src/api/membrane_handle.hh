@@ -26,9 +26,10 @@ inline bool is_along(cd_field field, Direction d) {
 }
 inline cd_status is_field(const char* function, const Membrane&, cd_field field) {
     if (!is_of_cloth(field) && (field < 0 || field > CD_MASK))
-        return fail(CD_ERROR_ENUM, function, "field is %d, must be 0 to 10, 24 or 27 to 34", int(field));
+        return fail(CD_ERROR_ENUM, function, "field is %d, which no membrane has, must be 0 to 10, 24 or 27 to 34",
+                    int(field));
     if (field != CD_STIFFNESS && field != CD_BEND) return CD_OK;
-    return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, is none of a membrane's%s", int(field),
+    return fail(CD_ERROR_UNSUPPORTED, function, "field is %d, %s, which no membrane has%s", int(field),
                 field_name(field), field == CD_STIFFNESS ? ": it has CD_STIFFNESS_U and CD_STIFFNESS_V" : "");
 }
 inline bool is_always_on(const Membrane&, cd_field field) {
@@ -64,7 +65,7 @@ namespace shared {
 inline cd_status disable_field(const char* function, Membrane& m, cd_field field) {
     const bool tears = (field == CD_STIFFNESS_U && can_tear(m, kU)) || (field == CD_STIFFNESS_V && can_tear(m, kV));
     if (!tears) return disable_field<Membrane>(function, m, field);
-    return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s: springs that may tear need it", int(field),
+    return fail(CD_ERROR_UNSUPPORTED, function, "field is %d, %s, which springs that may tear need", int(field),
                 field_name(field));
 }
 // What the extra mass of factored lines depends on beside masses and springs, whose changes are work.

@@ -20,9 +20,9 @@ inline cd_status can_make(const char* function, size_t components, cd_precision 
     if (components < 1 || components > 4)
         return fail(CD_ERROR_VALUE, function, "components is %zu, must be 1 to 4", components);
     if (allocator && (!allocator->allocate || !allocator->release))
-        return fail(CD_ERROR_NULL, function, "allocator has no allocate or no release");
+        return fail(CD_ERROR_NULL, function, "allocator has a null allocate or release");
     if ((precision == CD_FLOAT32 && !CD_WITH_FLOAT32) || (precision == CD_FLOAT64 && !CD_WITH_FLOAT64))
-        return fail(CD_ERROR_UNSUPPORTED, function, "precision %d is left out of this build", int(precision));
+        return fail(CD_ERROR_UNSUPPORTED, function, "precision is %d, which is left out of this build", int(precision));
     return CD_OK;
 }
 
@@ -78,7 +78,7 @@ inline cd_status set_parameter(const char* function, Object& o, const char* name
 }
 
 inline cd_status set_parallel(const char* function, Object& o, const cd_parallel* parallel) {
-    if (parallel && !parallel->run) return fail(CD_ERROR_NULL, function, "parallel has no run");
+    if (parallel && !parallel->run) return fail(CD_ERROR_NULL, function, "parallel->run is null");
     o.parallel = parallel ? *parallel : cd_parallel{};
     return CD_OK;
 }
@@ -154,7 +154,8 @@ inline cd_status get_sleep(const char* function, const Body& b, double* out_spee
 // Whether the state is finite, as it is but after a step that diverged.
 template <class X> cd_status is_finite(const char* function, const X& x) {
     if (!x.diverged || all_finite(x)) return CD_OK;
-    return fail(CD_ERROR_DIVERGED, function, "the state of step %llu is not finite", (unsigned long long)x.clock.steps);
+    return fail(CD_ERROR_DIVERGED, function, "the state after step %llu is not finite: reset, load or write it",
+                (unsigned long long)x.clock.steps);
 }
 
 // ---- fields: an object says by is_field, is_always_on and switch_own what it has ------------------------------------
@@ -185,7 +186,8 @@ template <class X> cd_status enable_field(const char* function, X& x, cd_field f
 template <class X> cd_status disable_field(const char* function, X& x, cd_field field) {
     CD_CHECK(is_field(function, x, field));
     if (is_always_on(x, field))
-        return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, is always on", int(field), field_name(field));
+        return fail(CD_ERROR_UNSUPPORTED, function, "field is %d, %s, which is always on", int(field),
+                    field_name(field));
     CD_CHECK(switch_field(function, x, field, false));
     wake(x);
     return CD_OK;
@@ -240,8 +242,8 @@ inline cd_status is_rotation(const char* function, const double* rotation, size_
             double product = i == j ? -1 : 0;
             for (size_t k = 0; k < n; ++k) product += rotation[i * n + k] * rotation[j * n + k];
             if (!(fabs(product) <= kMostSkew))
-                return fail(CD_ERROR_VALUE, function, "rotation is not orthogonal: rows %zu and %zu are off by %g", j,
-                            i, product);
+                return fail(CD_ERROR_VALUE, function,
+                            "rotation is not orthogonal: the product of rows %zu and %zu is off by %g", j, i, product);
         }
     return CD_OK;
 }
@@ -271,7 +273,7 @@ template <class X, class EachNode> cd_status teleport(const char* function, X& x
     each_array([&](const Array<char>& array, size_t at) {
         for (size_t k = 0; k < count; ++k) fits &= fabs(moved(array, at, k)) <= most_of(x);
     });
-    if (!fits) return fail(CD_ERROR_VALUE, function, "a number would leave the finite range");
+    if (!fits) return fail(CD_ERROR_VALUE, function, "rotation and offset would move a number out of the finite range");
     each_array([&](const Array<char>& array, size_t at) {
         double to[4];
         for (size_t k = 0; k < count; ++k) to[k] = moved(array, at, k);
@@ -302,7 +304,7 @@ inline cd_status takes_all(const char* function, const char* lack) {
 inline cd_status knows_colliders(const char* function, const Body& b) {
     const size_t index = unanswered(b);
     if (index == SIZE_MAX) return CD_OK;
-    return fail(CD_ERROR_UNSUPPORTED, function, "collider %zu has lost its callback: it must be set again", index);
+    return fail(CD_ERROR_UNSUPPORTED, function, "collider %zu has lost its callback: set it again", index);
 }
 inline cd_status was_told_distances(const char* function, const Body& b) {
     const BadAnswer& bad = b.bad_answer;

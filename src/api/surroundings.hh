@@ -196,7 +196,7 @@ template <class X> cd_status set_callback(const char* function, X& x, size_t ind
                                           const double* origin, size_t count, double friction) {
     CD_CHECK(is_collider(function, x, index, origin ? count : x.components));
     CD_CHECK(not_null(function, "distance", distance));
-    if (!distance->distance) return fail(CD_ERROR_NULL, function, "distance has no function");
+    if (!distance->distance) return fail(CD_ERROR_NULL, function, "distance->distance is null");
     if (origin || collider(x, index).shape != CD_SHAPE_CALLBACK) {
         CD_CHECK(is_vector(function, "origin", origin, count));
         CD_CHECK(in_range(function, "friction", friction, 0, kMost));

@@ -13,8 +13,8 @@ cd_status is_disc(const char* function, const Water& w, const Disc& disc) {
 }
 
 cd_status is_rectangle(const char* function, const Water& w, const CellRectangle& part) {
-    CD_CHECK(is_part(function, "cells along x from", part.first_x, part.n_x, w.cells[kX]));
-    return is_part(function, "cells along y from", part.first_y, part.n_y, w.cells[kY]);
+    CD_CHECK(is_part(function, "first_x", part.first_x, "n_x", part.n_x, w.cells[kX], "cells along x"));
+    return is_part(function, "first_y", part.first_y, "n_y", part.n_y, w.cells[kY], "cells along y");
 }
 
 cd_status is_amount(const char* function, const char* name, double value) {

@@ -58,10 +58,10 @@ struct Rectangle {
     cd_status check(const char* function, const Water& w, size_t count) const {
         CD_CHECK(is_on(function, w, field));
         const bool face_x = per(field) == Per::kFaceX, face_y = per(field) == Per::kFaceY;
-        CD_CHECK(is_part(function, face_x ? "x-faces from" : "cells along x from", first_x, n_x,
-                         w.cells[kX] + (face_x ? 1 : 0)));
-        CD_CHECK(is_part(function, face_y ? "y-faces from" : "cells along y from", first_y, n_y,
-                         w.cells[kY] + (face_y ? 1 : 0)));
+        CD_CHECK(is_part(function, "first_x", first_x, "n_x", n_x, w.cells[kX] + (face_x ? 1 : 0),
+                         face_x ? "x-faces of a row" : "cells along x"));
+        CD_CHECK(is_part(function, "first_y", first_y, "n_y", n_y, w.cells[kY] + (face_y ? 1 : 0),
+                         face_y ? "y-faces of a column" : "cells along y"));
         return is_count(function, "count", count, n_x * n_y);
     }
 

@@ -26,7 +26,7 @@ inline Water& behind(cd_water* water) {
 inline cd_status is_field(const char* function, const Water&, cd_field field) {
     CD_CHECK(is_enum(function, "field", field, CD_WALL_Y));
     if (field >= CD_MASK) return CD_OK;
-    return fail(CD_ERROR_UNSUPPORTED, function, "field %d, %s, is none of a water's%s", int(field), field_name(field),
+    return fail(CD_ERROR_UNSUPPORTED, function, "field is %d, %s, which no water has%s", int(field), field_name(field),
                 field == CD_VELOCITY ? ": it has CD_VELOCITY_X and CD_VELOCITY_Y"
                 : field == CD_FORCE  ? ": it has CD_FORCE_X and CD_FORCE_Y"
                                      : "");
@@ -57,14 +57,14 @@ namespace shared {
 inline cd_status set_method(const char* function, Water& w, cd_method method) {
     CD_CHECK(is_enum(function, "method", method, CD_METHOD_STIFF_SECOND));
     if (method == CD_METHOD_STIFF_SECOND)
-        return fail(CD_ERROR_UNSUPPORTED, function, "method is 3, stiff second, which a water has not");
+        return fail(CD_ERROR_UNSUPPORTED, function, "method is 3, CD_METHOD_STIFF_SECOND, which no water has");
     WaterFeatures wanted = features(w);
     wanted.method = method;
     return change_features(function, w, wanted);
 }
 
 inline cd_status set_parallel(const char* function, Water& w, const cd_parallel* parallel) {
-    if (parallel && !parallel->run) return fail(CD_ERROR_NULL, function, "parallel has no run");
+    if (parallel && !parallel->run) return fail(CD_ERROR_NULL, function, "parallel->run is null");
     WaterFeatures wanted = features(w);
     wanted.parallel = parallel != nullptr;
     CD_CHECK(change_features(function, w, wanted));

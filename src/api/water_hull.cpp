@@ -40,7 +40,7 @@ cd_status is_place(const char* function, const Water& w, double x, double y) {
 
 cd_status set_bow(const char* function, const char* name, Hull& h, double x, double y) {
     const double most = fabs(x) > fabs(y) ? fabs(x) : fabs(y);
-    if (!(most > 0)) return fail(CD_ERROR_VALUE, function, "%s is 0: the bow has no direction", name);
+    if (!(most > 0)) return fail(CD_ERROR_VALUE, function, "%s are 0: the bow has no direction", name);
     const double a = x / most, b = y / most, size = sqrt(a * a + b * b);
     h.heading[0] = a / size + 0.0, h.heading[1] = b / size + 0.0;
     return CD_OK;
@@ -51,7 +51,7 @@ double most_size(const Water& w) { return kMostHullCells * cell_size(w.size, w.c
 cd_status is_size(const char* function, const Water& w, const char* name, double size) {
     const double most = most_size(w);
     if (size > 0 && size <= most) return CD_OK;
-    return fail(CD_ERROR_VALUE, function, "%s is %g, must be > 0 and at most %g, %g cells", name, size, most,
+    return fail(CD_ERROR_VALUE, function, "%s is %g, must be > 0 and at most %g, which is %g cells", name, size, most,
                 kMostHullCells);
 }
 
@@ -100,7 +100,7 @@ cd_status cd_water_set_hull(cd_water* water, size_t index, double mass, double l
                             heights[k], kMost);
             any |= heights[k] >= 0;
         }
-        if (!any) return fail(CD_ERROR_VALUE, __func__, "heights has no plate");
+        if (!any) return fail(CD_ERROR_VALUE, __func__, "heights are all -1, but a hull needs a plate");
     }
     set_body(hull(w, index), mass, length, width);
     for (size_t k = 0; k < plates; ++k) plate_heights(w, index)[k] = heights ? heights[k] + 0.0 : 0;
@@ -122,7 +122,6 @@ cd_status cd_water_set_disc(cd_water* water, size_t index, double mass, double r
         }
     };
     each([&](size_t, bool in) { there += in ? 1 : 0; });
-    if (there == 0) return fail(CD_ERROR_VALUE, __func__, "radius: too few plates for a disc");
     const double side = radius * sqrt(3.14159265358979323846 * double(shape.plates()) / double(there));
     if (side > most_size(w))
         return fail(CD_ERROR_VALUE, __func__,
@@ -164,17 +163,20 @@ cd_status cd_water_launch_hull(cd_water* water, size_t index, double x, double y
     CD_CHECK(is_place(__func__, w, x, y));
     CD_CHECK(shared::is_finite(__func__, w));
     Hull &h = hull(w, index), before = h;
-    if (is_off(h)) return fail(CD_ERROR_DISABLED, __func__, "hull %zu has no mass yet", index);
+    if (is_off(h))
+        return fail(CD_ERROR_DISABLED, __func__, "index is %zu, a hull without mass: call cd_water_set_hull first",
+                    index);
     CD_CHECK(in_range(__func__, "ahead_x", ahead_x, -kMost, kMost));
     CD_CHECK(in_range(__func__, "ahead_y", ahead_y, -kMost, kMost));
-    CD_CHECK(set_bow(__func__, "ahead_x", h, ahead_x, ahead_y));
+    CD_CHECK(set_bow(__func__, "ahead_x and ahead_y", h, ahead_x, ahead_y));
     h.x = x + 0.0, h.y = y + 0.0, h.owed = 0;
     for (size_t k = 0; k < kWays; ++k) h.velocity[k] = h.water[k] = 0;
     bool lies = false;
     if constexpr (CD_WITH_HULL) lies = launch(w, index, hull_work(w));
     if (lies) return CD_OK;
     h = before;
-    return fail(CD_ERROR_DISABLED, __func__, w.gravity > 0 ? "no cell is under hull %zu" : "gravity is 0", index);
+    return fail(CD_ERROR_DISABLED, __func__, w.gravity > 0 ? "x and y have no cell under hull %zu" : "gravity is 0",
+                index);
 }
 
 cd_status cd_water_set_hull_pose(cd_water* water, size_t index, const double* pose, size_t count) {
@@ -183,7 +185,7 @@ cd_status cd_water_set_hull_pose(cd_water* water, size_t index, const double* po
     CD_CHECK(is_vector(__func__, "pose", pose, count, kPose, kMostPose));
     for (Axis a : {kX, kY}) CD_CHECK(in_range(__func__, a == kX ? "pose[0]" : "pose[1]", pose[a], 0, length_of(w, a)));
     Hull& h = hull(w, index);
-    CD_CHECK(set_bow(__func__, "pose", h, pose[3], pose[4]));
+    CD_CHECK(set_bow(__func__, "pose[3] and pose[4]", h, pose[3], pose[4]));
     take(&h.x, pose, 3);
     h.pitch = pose[5] + 0.0, h.roll = pose[6] + 0.0;
     h.lies[0] = h.z, h.lies[1] = h.pitch, h.lies[2] = h.roll;

@@ -29,9 +29,10 @@ static cd_status read_number(const char* function, Reader& reader, size_t size, 
     uint32_t format = 0;
     walk(reader, magic), walk(reader, format), walk(reader, number), walk(reader, sum);
     if (!reader.whole || magic != kMagic)
-        return fail(CD_ERROR_FORMAT, function, "these %zu bytes are no saved state", size);
+        return fail(CD_ERROR_FORMAT, function, "bytes are no saved state: %zu of them", size);
     if (format != kFormat)
-        return fail(CD_ERROR_FORMAT, function, "format version is %u, this library reads %u", format, kFormat);
+        return fail(CD_ERROR_FORMAT, function, "bytes have the format version %u, this library reads %u", format,
+                    kFormat);
     if (checksum(reader.from, size - kHeader) != sum)
         return fail(CD_ERROR_FORMAT, function,
                     "the checksum of %zu bytes does not fit: damaged, cut short or followed by others", size);
@@ -42,7 +43,8 @@ cd_status read_header(const char* function, const Kind& kind, Reader& reader, si
     uint32_t number = 0;
     if (const cd_status status = read_number(function, reader, size, number)) return status;
     if (number != kind.number)
-        return fail(CD_ERROR_FORMAT, function, "kind of object is %u, a %s is %u", number, kind.name, kind.number);
+        return fail(CD_ERROR_FORMAT, function, "bytes are of the kind of object %u, a %s is of the kind %u", number,
+                    kind.name, kind.number);
     return CD_OK;
 }
 

@@ -109,8 +109,9 @@ cd_status load_object(const char* function, typename K::Object& x, const unsigne
     Shape shape{};
     typename K::Settings settings{};
     walk_shape(reader, shape);
-    if (!reader.whole) return fail(CD_ERROR_FORMAT, function, "%zu bytes are too few", size);
-    if (!(shape == K::shape_of(x))) return shapes_differ(function, K::kind, "the saved one", shape, K::shape_of(x));
+    if (!reader.whole) return fail(CD_ERROR_FORMAT, function, "size is %zu, too few for a saved state", size);
+    if (!(shape == K::shape_of(x)))
+        return shapes_differ(function, K::kind, "the object in bytes", shape, K::shape_of(x));
     K::walk_settings(reader, settings);
     bool valid = reader.whole && K::valid(x, settings);
     const auto wanted = taken_over(x, K::features_of(settings));
@@ -130,7 +131,7 @@ cd_status load_object(const char* function, typename K::Object& x, const unsigne
 template <class K>
 cd_status copy_object(const char* function, typename K::Object& x, const typename K::Object& source) {
     const Shape from = K::shape_of(source), here = K::shape_of(x);
-    if (!(from == here)) return shapes_differ(function, K::kind, "the source", from, here);
+    if (!(from == here)) return shapes_differ(function, K::kind, "source", from, here);
     if (!set_features(x, taken_over(x, features(source))))
         return fail(CD_ERROR_MEMORY, function, "no memory for the source's fields");
     K::apply(x, K::settings_of(source));

@@ -120,9 +120,9 @@ static void what_has_no_view_or_no_switch_is_unsupported(void** state) {
     refuses(chain, cd_chain_disable_field(chain, CD_PIN), CD_ERROR_UNSUPPORTED, "field");
 }
 
-/* What a range's message holds: "strands from 3 and 1 more reach past 3". */
+/* What a range's message holds: "first is 3 and n is 1, must add up to at most 3, the number of nodes". */
 static const char* part_text(const char* argument, size_t value) {
-    return text_of("~%s|from|past|%zu", argument, value);
+    return text_of("%s|%s is %zu|must add up to at most", argument, argument, value);
 }
 
 static void no_range_beyond_the_end_is_taken(void** state) {

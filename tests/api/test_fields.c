@@ -297,7 +297,7 @@ static void a_ring_deals_the_totals_out_anew(void** state) {
     ok(cd_chain_set_ring(chain, 0));
     for (size_t i = 0; i < SPRINGS; ++i) assert_true(scene_get(chain, CD_STIFFNESS, i) == 6);
     refuses(chain, cd_chain_read_f64(chain, CD_STIFFNESS, 0, 1, SPRINGS, 1, out.number, 1), CD_ERROR_RANGE,
-            text_of("~first|%d", SPRINGS));
+            name_and_size("first", SPRINGS));
     cd_chain_destroy(chain);
 }
 

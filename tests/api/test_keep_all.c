@@ -232,8 +232,9 @@ static void bytes_of_another_kind_are_refused(void** state) {
         FOR_KINDS(to) {
             if (to == from) continue;
             any* object = kept_new(to, from->shape, k % 2 ? CD_FLOAT64 : CD_FLOAT32);
-            kind_refuses(to->kind, object, load, (object, blob.bytes, blob.size), CD_ERROR_FORMAT,
-                         text_of("~|kind|%d|%s|%d", (int)from->kind->number, to->kind->name, (int)to->kind->number));
+            kind_refuses(
+                to->kind, object, load, (object, blob.bytes, blob.size), CD_ERROR_FORMAT,
+                text_of("bytes|kind|%d|%s|%d", (int)from->kind->number, to->kind->name, (int)to->kind->number));
             to->kind->destroy(object);
         }
         free(blob.bytes);
@@ -257,9 +258,9 @@ static void another_shape_or_precision_is_a_mismatch(void** state) {
             any* object = kept_new(kept, s, i == 2 || i == 4 ? CD_FLOAT32 : CD_FLOAT64);
             if (i < WITH_SCENES) kept->build(object, 5);
             const char* const told = text_of("|%s|%zu|%zu|%zu|%zu", kind->name, a, b, s[0], s[1]);
-            kind_refuses(kind, object, load, (object, blob.bytes, blob.size), CD_ERROR_MISMATCH, text_of("~%s", told));
-            kind_refuses(kind, object, copy_state, (object, source), CD_ERROR_MISMATCH,
-                         text_of("~source|source%s", told));
+            kind_refuses(kind, object, load, (object, blob.bytes, blob.size), CD_ERROR_MISMATCH,
+                         text_of("bytes%s", told));
+            kind_refuses(kind, object, copy_state, (object, source), CD_ERROR_MISMATCH, text_of("source%s", told));
             kind->destroy(object);
         }
         free(blob.bytes);

@@ -129,9 +129,9 @@ static void what_has_no_view_or_no_switch_is_unsupported(void** state) {
     refuses(m, cd_membrane_disable_field(m, CD_VELOCITY), CD_ERROR_UNSUPPORTED, "field");
 }
 
-/* What a rectangle's message holds: "nodes along u from 3 and 1 more reach past 3". */
+/* What a message of a rectangle holds: "first_u is 3 and n_u is 1, must add up to at most 3, the number of ...". */
 static const char* part_text(const char* argument, const char* direction, size_t value) {
-    return text_of("~%s|along %s from|past|%zu", argument, direction, value);
+    return text_of("%s|%s is %zu|must add up to at most|along %s", argument, argument, value, direction);
 }
 
 static void no_rectangle_beyond_the_end_is_taken(void** state) {

@@ -87,8 +87,10 @@ static void what_has_no_view_or_no_switch_is_unsupported(void** state) {
     }
 }
 
-/* What a rectangle's message holds: "x-faces from 3 and 1 more reach past 3". */
-static const char* part_text(const char* argument, size_t value) { return text_of("~%s|past|%zu", argument, value); }
+/* What a message of a rectangle holds: "first_x is 3 and n_x is 1, must add up to at most 3, the number of ...". */
+static const char* part_text(const char* argument, size_t value) {
+    return text_of("%s|%s is %zu|must add up to at most", argument, argument, value);
+}
 
 static void no_rectangle_beyond_the_end_is_taken(void** state) {
     (void)state;

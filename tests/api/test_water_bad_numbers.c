@@ -131,7 +131,7 @@ static void no_hull_is_made_or_launched_of_numbers_that_do_not_go_together(void*
     refuses(w, cd_water_set_hull(w, 0, 1, 1, 1, (const double[]){-1, -1}, 2), CD_ERROR_VALUE, "heights");
     refuses(w, cd_water_set_disc(w, 0, 1, 200), CD_ERROR_VALUE, "radius|200|512 cells"); /* its square is wider */
     refuses(w, cd_water_launch_hull(w, 0, 1, 1, 0, 0), CD_ERROR_VALUE, "ahead_x|0");
-    refuses(w, cd_water_launch_hull(w, 1, 1, 1, 1, 0), CD_ERROR_DISABLED, "hull 1");
+    refuses(w, cd_water_launch_hull(w, 1, 1, 1, 1, 0), CD_ERROR_DISABLED, "index|1|cd_water_set_hull");
     ok(cd_water_set_gravity(w, 0));
     refuses(w, cd_water_launch_hull(w, 0, 1, 1, 1, 0), CD_ERROR_DISABLED, "gravity is 0");
     ok(cd_water_set_gravity(w, 9.81));

@@ -38,10 +38,9 @@ OTHERS = {
 }
 # What has to be the same number.
 TOGETHER = {"cd_membrane_set_rest_length": {0: ("along_u", "along_v")}}
-# What messages say of a part that reaches beyond the end.
-ELSEWISE = {"first_strand": "strands from", "strands": "strands from", "first": "nodes from", "n": "nodes from",
-            "first_u": "along u from", "n_u": "along u from", "first_v": "along v from", "n_v": "along v from",
-            "first_x": "along x from", "n_x": "along x from", "first_y": "along y from", "n_y": "along y from"}
+# What says which part of a field is meant, in which a buffer then has as many numbers.
+OF_PARTS = ("first_strand", "strands", "first", "n", "first_u", "n_u", "first_v", "n_v",
+            "first_x", "n_x", "first_y", "n_y")
 
 
 # ---- limits ---------------------------------------------------------------------------------------------------------
@@ -212,7 +211,7 @@ def each_with(calls, p, number):
     others = TOGETHER.get(calls.name, {}).get(number, [p["name"]])
     changes = {**OTHERS.get((calls.name, p["name"]), {}), **{name: number for name in others}}
     arrays = [q for q in calls.function["parameters"] if q["role"] == "length"]
-    if p["name"] in ELSEWISE and arrays:  # as many numbers as the part then has
+    if p["name"] in OF_PARTS and arrays:  # as many numbers as the part then has
         parts = [q["name"] for q in calls.function["parameters"] if q["role"] == "value" and q["base"] == "size_t"
                  and not q["name"].startswith("first")]
         count = math.prod(changes.get(name, calls.value(name)) for name in parts)
@@ -237,7 +236,7 @@ def tries(calls, tried):
             for number in inside:
                 calls.taken(f"{p['name']} {number}", each_with(calls, p, number))
             for number in outside:
-                calls.refused(f"{p['name']} {number}", ELSEWISE.get(p["name"], p["name"]),
+                calls.refused(f"{p['name']} {number}", p["name"],
                               {"CD_ERROR_VALUE", "CD_ERROR_RANGE"}, number, each_with(calls, p, number))
         elif p["role"] == "array" and p["direction"] == "in":
             tried.add((function["name"], p["name"]))

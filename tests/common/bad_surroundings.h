@@ -176,7 +176,7 @@ static void callbacks_are_functions_that_tell_distances(void** state) {
     is_refused(CALL(set_callback)(b, 0, &floor, place, 3, 0), CD_ERROR_RANGE, name_and_size("index", 0));
     ok(CALL(set_colliders)(b, 2));
     is_refused(CALL(set_callback)(b, 1, NULL, place, 3, 0), CD_ERROR_NULL, "distance");
-    is_refused(CALL(set_callback)(b, 1, &none, place, 3, 0), CD_ERROR_NULL, "distance|function");
+    is_refused(CALL(set_callback)(b, 1, &none, place, 3, 0), CD_ERROR_NULL, "distance->distance|null");
     is_refused(CALL(set_callback)(b, 1, &floor, NULL, 3, 0), CD_ERROR_NULL, "origin");
     ok(CALL(set_callback)(b, 1, &floor, place, 3, 0.5));
     ok(CALL(set_lambda)(b, 1));

@@ -1,5 +1,6 @@
 /* Fronts: dams that break onto water (Stoker 1957) and onto dry ground (Ritter 1892), and a front that drag slows down
- * over dry ground; and a bore that a wall throws back. All but the front are solutions with advected momentum only. */
+ * over dry ground; and bores that a wall throws back or that run into water at rest. All but the front are solutions
+ * with advected momentum only. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -186,11 +187,46 @@ static void a_stream_against_a_wall_sends_back_a_bore(void** state) {
     }
 }
 
+/* A bore that a steady inflow sends into water at rest, a metre deep: a part of that high. What water.h tells of it. */
+static void a_bore_into_water_at_rest_runs_as_slowly_as_is_told(void** state) {
+    (void)state;
+    enum { N = 800 };
+    static const double heights[] = {0.1, 0.5, 2}, linear[] = {0.023, 0.091, 0.227};
+    for (size_t k = 0; k < 2 * COUNT(heights); ++k)
+        for (int is_long = 0; is_long < 2; ++is_long) {
+            const int along_y = k & 1, advected = k >= COUNT(heights);
+            const double height = heights[k % COUNT(heights)], deep_behind = 1 + height;
+            const double speed = sqrt(gravity * deep_behind * (1 + deep_behind) / 2), time = 0.35 * N / speed;
+            const size_t steps = (size_t)ceil(time * sqrt(gravity * deep_behind) / (is_long ? 4 : 0.5));
+            double d[N], place[2];
+            cd_water* w = line_basin(along_y, N, 3, 1, CD_FLOAT64);
+            basin_set_way(w, &ways[advected ? ADVECTED : LINEAR]);
+            for (size_t i = 0; i < N; ++i) d[i] = 1;
+            line_write(w, along_y, CD_DEPTH, d);
+            ok(cd_water_set_side(w, line_side(along_y, 0), CD_BORDER_INFLOW, speed * height, 0));
+            for (int half = 0; half < 2; ++half) {
+                basin_step(w, time / (double)steps, steps);
+                line_read(w, along_y, CD_DEPTH, 1e-12, d);
+                const double front = 1 + height / 2;
+                size_t i = N - 1;
+                while (d[i - 1] < front) --i;
+                place[half] = (double)i + (d[i - 1] - front) / (d[i - 1] - d[i]);
+            }
+            const double slow = 1 - (place[1] - place[0]) / (speed * time);
+            print_message("%s bore %g m high, courant %g: %+.2e too slow\n", advected ? "advected" : "linear", height,
+                          is_long ? 4 : 0.5, slow);
+            if (advected) assert_true(fabs(slow) <= (is_long ? 0.06 : 1e-3));
+            else assert_near(slow, linear[k], 0.05, 0);
+            cd_water_destroy(w);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dams_break_as_stoker_and_ritter_say),
         cmocka_unit_test(a_front_runs_over_dry_ground_against_drag),
         cmocka_unit_test(a_stream_against_a_wall_sends_back_a_bore),
+        cmocka_unit_test(a_bore_into_water_at_rest_runs_as_slowly_as_is_told),
     };
     return cmocka_run_group_tests_name("water dams", tests, NULL, NULL);
 }

@@ -50,10 +50,10 @@ namespace Contdyn
         Float64 = 1,
     }
 
-    /// <summary>How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. What is
-    /// bounded, and keeps energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that
-    /// its velocity would carry it, and in a ring or with bend of the way that it would fall in dt, which shows
-    /// where dt is longer than 1e12 times the time of the fastest swing.</summary>
+    /// <summary>How a step advances the state by dt. CD_METHOD_IMPLICIT is the default, with lambda = 1/2. Bounds
+    /// hold, and energy is kept, to rounding: in a step a node's position may be wrong by some 1e-15 of the
+    /// distance that its velocity covers in dt, in a ring or with bend also by 1e-15 of the distance that it would
+    /// fall in dt, which shows where dt is longer than 1e12 times the time of the fastest swing.</summary>
     public enum Method
     {
         /// <summary>Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is backward Euler; for
@@ -89,9 +89,9 @@ namespace Contdyn
         HalfEnds = 1,
     }
 
-    /// <summary>The instructions that steps are made of. All give the same bits, as long as those are of finite
-    /// numbers: how far what is not finite spreads in steps that end with CD_ERROR_DIVERGED may differ. A new
-    /// object has the fastest that its processor runs.</summary>
+    /// <summary>The instructions that steps are made of. All give the same bits as long as all numbers are finite;
+    /// how far infinity and NaN spread in steps that end with CD_ERROR_DIVERGED may differ. A new object has the
+    /// fastest that its processor runs.</summary>
     public enum Kernels
     {
         /// <summary>what every processor of the target has: SSE2 on x86-64, NEON on AArch64, and on WebAssembly SIMD128
@@ -137,9 +137,9 @@ namespace Contdyn
         Nearest = 1,
     }
 
-    /// <summary>Per-node and per-spring data; which object has which is in its own header. One list, since what
-    /// objects share has one meaning; and all are numbers, pins and masks too, so that one read and one write serve
-    /// them.</summary>
+    /// <summary>Per-node and per-spring data; each object's header lists those that it has. They are in one list,
+    /// since a field that several objects have means the same in each. All hold numbers, pins and masks too, for
+    /// one read and one write.</summary>
     public enum Field
     {
         Position = 0,
@@ -337,14 +337,14 @@ namespace Contdyn
         }
     }
 
-    /// <summary>A shape from the caller, of a collider of ropes and cloth. distance tells of `count` positions,
-    /// each of `components` numbers and relative to the collider's origin, how far outside of the shape they are at
-    /// this time [s], as signed distances [m], less than 0 inside, at most 1e60 in size; and the unit vector along
-    /// which that distance grows fastest, of a length within 1e-3 of 1: out_distances[i],
-    /// out_normals[i][component]. It is called from steps, from any thread of cd_parallel and from several at once,
-    /// and has to give the same position the same answer at the same time, whatever it is asked with; it may call
-    /// no function on the object. A shape that moves as a whole should do so by the collider's velocity: one that
-    /// changes with time by itself is met where it was when the step began. Copied when it is set.</summary>
+    /// <summary>A shape from the caller, of a collider of ropes and cloth. distance is given `count` positions,
+    /// each of `components` numbers and relative to the collider's origin, and the time [s]. To out_distances[i] it
+    /// writes how far outside of the shape each is [m], less than 0 inside, at most 1e60 in size; to
+    /// out_normals[i][component] the unit vector along which that distance grows fastest, of a length within 1e-3
+    /// of 1. It is called from steps, from any thread of cd_parallel and from several at once. The same position
+    /// must get the same answer at the same time, whatever others are asked with it, and it may call no function on
+    /// the object. A shape that moves as a whole should do so by the collider's velocity: one that changes with
+    /// time by itself is met where it was when the step began. Copied when it is set.</summary>
     public sealed unsafe class DistanceCallbacks : Callbacks
     {
         public delegate void DistanceFunction(double time, long count, long components, IntPtr positions,
@@ -620,8 +620,8 @@ namespace Contdyn
     /// A chain has `springs` springs and nodes = springs + 1 nodes; spring i joins node i to node i + 1. A ring has
     /// one spring more, number `springs`, from the last node to the first. A node has 1 to 4 components that never
     /// mix. One handle holds one or many strands, each with its own positions, velocities, forces and targets.
-    /// Masses, stiffnesses, pins and attachments, and so one factorization, they share; strands of ropes have their
-    /// own of these too.
+    /// Strands share masses, stiffnesses, pins and attachments, and so one factorization; only ropes' strands have
+    /// their own of these too.
     /// Energy E = 1/2 sum k_i |x_{i+1} - x_i|^2 + 1/2 sum b_i |x_{i+1} - 2 x_i + x_{i-1}|^2 (Kass 1997, eq. 2 and
     /// 5) Motion M x'' + C x' + K x = M g + f, K = the Hessian of E, C = drag M + stiffness_damping K
     /// Rest length is zero, unless cd_chain_set_rest_length makes the chain a rope: a free chain draws together,
@@ -1106,10 +1106,10 @@ namespace Contdyn
         /// rope's step ends by cutting, of each strand, the spring whose tension is most beyond its strength: its
         /// stiffness and tension become 0, and the next step shows what the others bear. Where a step ends short of its
         /// tolerance and leaves springs of fixed length longer than that allows, as between held nodes that are driven
-        /// apart, no tension is enough: then the weakest breaks of those that hold on to the longest one, up to the
-        /// next held nodes. Mend it by writing CD_STIFFNESS, which a finite strength switches on and keeps on. The
-        /// field CD_STRENGTH has one for each spring. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of
-        /// a chain that is no rope.</summary>
+        /// apart, no tension is large enough: then, of the springs between the held nodes on both sides of the longest
+        /// one, the weakest breaks. Mend a spring by writing CD_STIFFNESS, which a finite strength switches on and
+        /// keeps on. The field CD_STRENGTH has one for each spring. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY;
+        /// CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
         public double Strength
         {
             get
@@ -1136,18 +1136,18 @@ namespace Contdyn
         }
 
         /// <summary>The force [N], one number per component, with which the springs of a rope pull at a node, and its
-        /// bend: of a held node, what the rope does to whatever holds it. It is the sum of their tensions, along the
-        /// directions that they have now, 0 of a spring without length, and of what the bend there and at the nodes
-        /// beside it does. After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum of
-        /// what springs did to each node in it: a rope of fixed length with a driven end that the motion would stretch
-        /// has no tension that holds it. To tie a rope to a body of your own, give the last node the body's mass, in
-        /// CD_MASS; or drive the end, and give the rope a finite stiffness. Where tensions are read, or a strength is
-        /// set, take lambda = 1: with 1/2 &lt; lambda &lt; 1 they miss part of the pull of springs that hardly yield,
-        /// up to a third where nodes swing; with 1/2 they can be twice the mean just after a jolt. With lambda &lt; 1
-        /// and infinite stiffness a load m that is reeled in makes them uncertain by 4 m * tolerance * length / dt^2,
-        /// one that is paid out by 9: of 10 kg on 4 m of rope 0.5 N and 1.3 N at dt = 1/60 s, 130 N and 330 N, and
-        /// slack every other step, at 1/960 s: a smaller tolerance mends that. Errors: CD_ERROR_RANGE;
-        /// CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
+        /// bend: of a held node, what the rope does to whatever holds it. It is the sum of the springs' tensions, along
+        /// their directions now (0 of a spring without length), and of the forces of the bend at the node and at the
+        /// nodes beside it. After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum
+        /// of the forces of springs on each node in that step: a rope of fixed length has no tension that holds a
+        /// driven end which would stretch it. To tie a rope to a body of your own, give the last node the body's mass,
+        /// in CD_MASS; or drive the end, and give the rope a finite stiffness. Where tensions are read, or a strength
+        /// is set, take lambda = 1. With 1/2 &lt; lambda &lt; 1 they miss up to a third of the pull of hardly yielding
+        /// springs where nodes swing; with 1/2 they can be twice the mean just after a jolt. With lambda &lt; 1 and
+        /// infinite stiffness they are uncertain by 4 m * tolerance * length / dt^2 where a load of mass m is reeled
+        /// in, by 9 in place of 4 where it is paid out: of 10 kg on 4 m of rope by 0.5 N and 1.3 N at dt = 1/60 s, by
+        /// 130 N and 330 N at 1/960 s, with slack in every other step. A smaller tolerance mends that. Errors:
+        /// CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
         public void GetReaction(long strand, long node, double[] outForce)
         {
             fixed (double* outForcePointer = outForce)
@@ -1156,18 +1156,18 @@ namespace Contdyn
 
 #if CONTDYN_SPANS
         /// <summary>The force [N], one number per component, with which the springs of a rope pull at a node, and its
-        /// bend: of a held node, what the rope does to whatever holds it. It is the sum of their tensions, along the
-        /// directions that they have now, 0 of a spring without length, and of what the bend there and at the nodes
-        /// beside it does. After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum of
-        /// what springs did to each node in it: a rope of fixed length with a driven end that the motion would stretch
-        /// has no tension that holds it. To tie a rope to a body of your own, give the last node the body's mass, in
-        /// CD_MASS; or drive the end, and give the rope a finite stiffness. Where tensions are read, or a strength is
-        /// set, take lambda = 1: with 1/2 &lt; lambda &lt; 1 they miss part of the pull of springs that hardly yield,
-        /// up to a third where nodes swing; with 1/2 they can be twice the mean just after a jolt. With lambda &lt; 1
-        /// and infinite stiffness a load m that is reeled in makes them uncertain by 4 m * tolerance * length / dt^2,
-        /// one that is paid out by 9: of 10 kg on 4 m of rope 0.5 N and 1.3 N at dt = 1/60 s, 130 N and 330 N, and
-        /// slack every other step, at 1/960 s: a smaller tolerance mends that. Errors: CD_ERROR_RANGE;
-        /// CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
+        /// bend: of a held node, what the rope does to whatever holds it. It is the sum of the springs' tensions, along
+        /// their directions now (0 of a spring without length), and of the forces of the bend at the node and at the
+        /// nodes beside it. After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum
+        /// of the forces of springs on each node in that step: a rope of fixed length has no tension that holds a
+        /// driven end which would stretch it. To tie a rope to a body of your own, give the last node the body's mass,
+        /// in CD_MASS; or drive the end, and give the rope a finite stiffness. Where tensions are read, or a strength
+        /// is set, take lambda = 1. With 1/2 &lt; lambda &lt; 1 they miss up to a third of the pull of hardly yielding
+        /// springs where nodes swing; with 1/2 they can be twice the mean just after a jolt. With lambda &lt; 1 and
+        /// infinite stiffness they are uncertain by 4 m * tolerance * length / dt^2 where a load of mass m is reeled
+        /// in, by 9 in place of 4 where it is paid out: of 10 kg on 4 m of rope by 0.5 N and 1.3 N at dt = 1/60 s, by
+        /// 130 N and 330 N at 1/960 s, with slack in every other step. A smaller tolerance mends that. Errors:
+        /// CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
         public void GetReaction(long strand, long node, Span<double> outForce)
         {
             fixed (double* outForcePointer = &MemoryMarshal.GetReference(outForce))
@@ -1264,13 +1264,13 @@ namespace Contdyn
             Check(Native.cd_chain_get_wind(Handle, outVelocity, Native.Size(count, "cd_chain_get_wind", "count")));
         }
 
-        /// <summary>When a step of a rope is content: every spring is as long as its tension makes it, but for
-        /// `tolerance` times its length, and springs gave no more energy than that is worth; a slack one, shorter by a
-        /// part s of its length, may keep a tension of tolerance / s times the mean force on the nodes, or the mean
-        /// tension. In [1e-14, 1/2], default 1e-6. most_iterations, 1 to 10000, default 200, are those that a step may
-        /// take by the slow and sure method, an interior point, after at most 16 by Newton's; where springs push, by
-        /// Newton's too. A tolerance looser than 1e-4 costs more time, not less: what a step leaves wrong, the next one
-        /// must mend. Errors: CD_ERROR_VALUE.</summary>
+        /// <summary>When a step of a rope ends: when every spring is as long as its tension makes it, but for
+        /// `tolerance` times its rest length, and springs gave no more energy than such errors are worth. A slack
+        /// spring that is shorter by the fraction s may keep a tension of tolerance / s times the mean force on the
+        /// nodes, or the mean tension. In [1e-14, 1/2], default 1e-6; above 1e-4 it costs more time, not less, since
+        /// the next step must correct what one leaves. most_iterations, 1 to 10000, default 200, limits the slow and
+        /// sure method, an interior point, which follows on at most 16 iterations of Newton's; where springs push, it
+        /// limits Newton's. Errors: CD_ERROR_VALUE.</summary>
         public void SetTolerance(double tolerance, long mostIterations)
         {
             Changed();
@@ -1278,13 +1278,13 @@ namespace Contdyn
                 "cd_chain_set_tolerance", "most_iterations")));
         }
 
-        /// <summary>When a step of a rope is content: every spring is as long as its tension makes it, but for
-        /// `tolerance` times its length, and springs gave no more energy than that is worth; a slack one, shorter by a
-        /// part s of its length, may keep a tension of tolerance / s times the mean force on the nodes, or the mean
-        /// tension. In [1e-14, 1/2], default 1e-6. most_iterations, 1 to 10000, default 200, are those that a step may
-        /// take by the slow and sure method, an interior point, after at most 16 by Newton's; where springs push, by
-        /// Newton's too. A tolerance looser than 1e-4 costs more time, not less: what a step leaves wrong, the next one
-        /// must mend. Errors: CD_ERROR_VALUE.</summary>
+        /// <summary>When a step of a rope ends: when every spring is as long as its tension makes it, but for
+        /// `tolerance` times its rest length, and springs gave no more energy than such errors are worth. A slack
+        /// spring that is shorter by the fraction s may keep a tension of tolerance / s times the mean force on the
+        /// nodes, or the mean tension. In [1e-14, 1/2], default 1e-6; above 1e-4 it costs more time, not less, since
+        /// the next step must correct what one leaves. most_iterations, 1 to 10000, default 200, limits the slow and
+        /// sure method, an interior point, which follows on at most 16 iterations of Newton's; where springs push, it
+        /// limits Newton's. Errors: CD_ERROR_VALUE.</summary>
         public ChainTolerance GetTolerance()
         {
             double outTolerance;
@@ -2392,44 +2392,44 @@ namespace Contdyn
     /// together, and one stretched evenly is held by its edges. A new membrane lies at the origin, at rest, all
     /// nodes free, mass 1, stiffness 1 both ways, no bend, gravity and damping, CD_METHOD_IMPLICIT with lambda 1/2,
     /// CD_SOLVER_AUTO.
-    /// Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve.
-    /// CD_SOLVER_AUTO one of the two below for each dt: alternating where it makes a motion of half a wave along
-    /// each direction, round a ring of a whole one, with the kinks at held or attached nodes, at most 5% heavier
-    /// (by the mean stiffness and inverse mass), coupled elsewhere, and on uniform sheets once they have been, or
-    /// steps have differed in dt, method, lambda, damping or solver, or moving nodes were pinned, until
-    /// cd_membrane_reset. Short kicks go too far, alternating: at that bound of one node of 33 x 33 31 times, in a
-    /// radius of an eighth of the sheet 3.5, of a quarter 1.4 times as far. It holds memory for either: some 300
-    /// bytes a node, where alternating takes 36 on uniform sheets held by edges. Builds without the coupled one
-    /// alternate. CD_SOLVER_ALTERNATING rows, then columns (Kass 1997, section 9). At a fixed cost it is stable at
-    /// any stiffness and any dt that stays the same. Its price: a motion with the angular frequencies w_u and w_v
-    /// along the two directions moves as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy, h = lambda dt: what is
-    /// fast along both is slowed down. Where it comes to rest does not depend on dt. So it is on uniform sheets
-    /// held by whole rows and columns, closed forms and all, with up to 16 single nodes held or attached (these if
-    /// h (h + damping) (2 k + 16 b) is at most 1e4 times a node's mass). On any other sheet (nodes absent, masses
-    /// or springs of their own, bend with free edges) the factored system would blow up; there, at six times the
-    /// cost and not quite linear, a step is the best, in energy, of the lines' answers, the velocity and common
-    /// motion. CD_SOLVER_COUPLED the system itself, to a tolerance, by conjugate gradients, and as stiff as it
-    /// should be. On uniform sheets without bend and rings, held by whole rows and columns, up to 16 single nodes
-    /// too, it takes one or two iterations of some ten alternating solves each, elsewhere multigrid: tens of times
-    /// the cost. A sheet comes to rest at the same place with either; take this one where stiff sheets must move in
-    /// time, and for stiff parts that move against each other, of which alternating finds the common motion only.
-    /// It needs many iterations where springs or masses vary at random by decades, plates with free edges hardly
-    /// stretch or many nodes are tied. Without rest lengths lambda = 1/2 keeps the energy and lambda &gt; 1/2 never
-    /// adds any, coupled whatever its tolerance; the momentum of a free sheet is kept too, of one torn into parts
-    /// that of each part, however stiff they are (alternating, of uniform free sheets up to a stiffness of 1e19
-    /// mass / h^2, of plates with one ring up to a bend of 1e13). On uniform sheets, alternating, the energy so
-    /// kept counts the extra mass in what moves, which depends on dt, lambda and damping: if these keep changing
-    /// they gain energy without bound, with lambda = 1/2 or CD_METHOD_STIFF_SECOND by up to an eighth a step where
-    /// 16 and 17 ms take turns, with lambda = 1 by a quarter where some steps are twice as long. In CD_FLOAT32 each
-    /// rounding of a velocity is a kick of so many times its energy: where (w_u h) (w_v h) is beyond 1e4, take
-    /// CD_FLOAT64 or the coupled solver. Plates with stiffness damping, alternating, are first order in time, else
-    /// second. CD_METHOD_STIFF_SECOND adds no energy where coupled solves meet the default tolerance; a step that
-    /// ends short of its own has added a third, one that alternates on other sheets a twentieth.
-    /// What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as
-    /// large as 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a
-    /// collider feels. Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of
-    /// another kind; the comments name the other errors. Functions that the chain has too mean the same
-    /// here.</summary>
+    /// Which solver? An implicit step of a sheet without rest lengths has a two-dimensional system to solve, here
+    /// with h = lambda dt. Leave that to CD_SOLVER_AUTO, or take CD_SOLVER_ALTERNATING for a fixed cost and less
+    /// memory. A sheet is uniform here if its masses and stiffnesses are the totals dealt out and no node is
+    /// absent; if nothing holds it but whole rows and columns and at most 16 single nodes, held or attached, these
+    /// while h (h + damping) (2 k + 16 b) is at most 1e4 times a node's mass; and if with bend each direction is
+    /// held at both edges or a ring, not both a ring. CD_SOLVER_ALTERNATING rows, then columns (Kass 1997, section
+    /// 9). Uniform sheets are stable at any stiffness and any dt that stays the same. A motion of the angular
+    /// frequencies w_u and w_v along the two directions is slowed down as if it were 1 + (w_u h)^2 (w_v h)^2 times
+    /// as heavy; where the sheet comes to rest does not depend on dt. Other sheets, a plate that is a ring both
+    /// ways among them, would blow up: their step, not quite linear and at six times the cost, is the best, in
+    /// energy, of sums of the lines' answers, the velocity and common motion. CD_SOLVER_COUPLED the system itself,
+    /// to a tolerance, by conjugate gradients: nothing is slowed down. Uniform sheets without bend and rings take
+    /// one or two iterations of some ten alternating solves each, others multigrid, tens of times the cost. It
+    /// comes to rest where alternating does. Take it where stiff sheets must move in time, or stiff parts against
+    /// each other: alternating finds only their common motion. It needs many iterations where springs or masses
+    /// vary at random by decades, plates with free edges hardly stretch or many nodes are tied. CD_SOLVER_AUTO for
+    /// each dt, alternating where the slowest motion (half a wave along each direction, round a ring a whole one,
+    /// with the kinks at held or attached nodes; by the mean stiffness and inverse mass) is made at most 5%
+    /// heavier. Else coupled; and so, until cd_membrane_reset, uniform sheets that have been coupled once, whose
+    /// steps have differed in dt, method, lambda, damping or solver, or of which moving nodes were pinned. At that
+    /// bound a kick of one of 33 x 33 nodes goes 31 times as far as it should, of a radius of an eighth of the
+    /// sheet 3.5, of a quarter 1.4 times. It holds some 300 bytes a node; alternating takes 36 on uniform sheets
+    /// held by edges. Builds without the coupled solver alternate. Steps are of second order in time, those of
+    /// alternating plates with stiffness damping of first. Without rest lengths: Energy: lambda = 1/2 keeps it, and
+    /// lambda &gt; 1/2 never adds any, whatever the tolerance of coupled solves. Momentum: of a free sheet, and of
+    /// each part of a torn one, it is kept however stiff they are; alternating, up to a stiffness of 1e19 mass /
+    /// h^2 of uniform sheets, and a bend of 1e13 mass / h^2 of plates with one ring. Unlike steps: alternating, the
+    /// energy that a uniform sheet keeps counts the extra mass, which depends on dt, lambda and damping. If these
+    /// keep changing it grows without bound: with lambda = 1/2 or CD_METHOD_STIFF_SECOND by up to an eighth a step
+    /// where 16 and 17 ms take turns, with lambda = 1 by a quarter where some steps are twice as long. CD_FLOAT32:
+    /// alternating, the rounding of a velocity is a kick whose energy is so many times larger as the motion is
+    /// heavier: where (w_u h) (w_v h) is beyond 1e4, take CD_FLOAT64 or the coupled solver. CD_METHOD_STIFF_SECOND:
+    /// adds no energy where coupled solves meet the default tolerance; a step that ended short of its own has added
+    /// a third, one that alternates on a sheet that is not uniform a twentieth. What chain.h says of precision and
+    /// of numbers that are too small holds for sheets too. Parameters may be as large as 1e60, masses as small as
+    /// 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels. Every function
+    /// returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the comments name
+    /// the other errors. Functions that the chain has too mean the same here.</summary>
     public sealed unsafe class Membrane : LibraryObject
     {
         internal new MembraneHandle Handle { get { return (MembraneHandle)base.Handle; } }
@@ -2901,7 +2901,7 @@ namespace Contdyn
         }
 
         /// <summary>Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some
-        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors:
+        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says; the effort wakes nothing. Errors:
         /// CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
         public void SetSleep(double speed, double seconds)
         {
@@ -2910,7 +2910,7 @@ namespace Contdyn
         }
 
         /// <summary>Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some
-        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors:
+        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says; the effort wakes nothing. Errors:
         /// CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
         public MembraneSleep GetSleep()
         {
@@ -2921,7 +2921,7 @@ namespace Contdyn
         }
 
         /// <summary>Lets a sheet sleep, as a whole, once it has been slower than `speed` [m/s], in [0, 1e60], for some
-        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says; nor does the effort wake it. Errors:
+        /// `seconds` [s], in [1e-30, 1e60]: as cd_chain_set_sleep says; the effort wakes nothing. Errors:
         /// CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
         public long GetAwake()
         {
@@ -2995,14 +2995,14 @@ namespace Contdyn
 
         /// <summary>The strain, length over rest length less 1, at which a spring tears, whatever its stiffness: 1e-60
         /// to 1e60, or INFINITY, the default: springs hold. The fields CD_BREAKING_STRAIN_U and _V have one for each
-        /// spring: a seam is a line of springs that tear at less. A step ends by cutting springs that are strained
-        /// beyond it, each row and each column of springs in one place at the most: the spring whose strain is the
-        /// largest multiple of its breaking strain, those that follow beside it, row after row, as long as they are
-        /// beyond theirs too, and so on with the rows that are left. So a tear runs on from its ends, and what is
-        /// jerked parts without falling to pieces. A cut spring's stiffness becomes 0, and no energy comes of it. Mend
-        /// it by writing CD_STIFFNESS_U or _V, which finite breaking strains switch on and keep on. A cell of cloth
-        /// without two of its springs or more is open: it is not drawn, it has no volume, and air and pressure go
-        /// through it. Errors: CD_ERROR_MEMORY too.</summary>
+        /// spring: a seam is a line of springs that tear at less. A step ends by cutting springs beyond their breaking
+        /// strains, in each row and each column of springs at most one. First goes the spring whose strain is the
+        /// largest multiple of its breaking strain; then its neighbour in the next row, and so on from row to row,
+        /// while that is beyond its breaking strain too; then the same in the rows that are left. So tears go on from
+        /// their ends, and jerked cloth parts without falling to pieces. A cut spring's stiffness becomes 0, and adds
+        /// no energy. Mend it by writing CD_STIFFNESS_U or _V, which finite breaking strains switch on and keep on. A
+        /// cell of cloth that lacks two or more springs is open: it is not drawn, it has no volume, and air and
+        /// pressure go through it. Errors: CD_ERROR_MEMORY too.</summary>
         public double BreakingStrain
         {
             get
@@ -3030,9 +3030,9 @@ namespace Contdyn
 
         /// <summary>How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each
         /// those of conjugate gradients, `gradient`, 1 to 10000, or 0, the default: until four bring less than 3% of
-        /// the energy that all have. Up to 4 more of the former are made where little is gained, or, of gradient 0,
-        /// still much. get_convergence tells how many of the latter the last call's dearest step took, and the largest
-        /// gradient left, over the first, or INFINITY.</summary>
+        /// the energy that all brought. Up to 4 more of Newton's are made where it gains little, with gradient 0 also
+        /// where it still gains much. After a step get_convergence tells the most of conjugate gradients that a step
+        /// took, and what gradient was left over the first.</summary>
         public void SetEffort(long newton, long gradient)
         {
             Changed();
@@ -3042,9 +3042,9 @@ namespace Contdyn
 
         /// <summary>How much a step may do: iterations of Newton's method, `newton`, 1 to 1000, default 3, and in each
         /// those of conjugate gradients, `gradient`, 1 to 10000, or 0, the default: until four bring less than 3% of
-        /// the energy that all have. Up to 4 more of the former are made where little is gained, or, of gradient 0,
-        /// still much. get_convergence tells how many of the latter the last call's dearest step took, and the largest
-        /// gradient left, over the first, or INFINITY.</summary>
+        /// the energy that all brought. Up to 4 more of Newton's are made where it gains little, with gradient 0 also
+        /// where it still gains much. After a step get_convergence tells the most of conjugate gradients that a step
+        /// took, and what gradient was left over the first.</summary>
         public MembraneEffort GetEffort()
         {
             UIntPtr outNewton;
@@ -3133,19 +3133,19 @@ namespace Contdyn
 
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
-        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
-        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
-        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
-        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
-        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
-        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
-        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
-        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
-        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
-        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
-        /// cd_chain.</summary>
+        /// node meets the three that it would be deepest in, or nearest to, at its velocity, as the planes that touch
+        /// them where the step begins: it goes through none of them, however fast. Nodes collide; what lies between
+        /// them does not, nor does cloth with itself. Depth: contacts yield by a node's force times dt^2 / (1e4 mass),
+        /// some 1e-3 m where a sheet lands at 50 m/s; with the default effort nodes are now and then deeper, by up to
+        /// 7e-3 m in steps that move them by 0.1 m. What lies inside comes out, and what that lifts or stretches gains
+        /// energy: at 1e9 N/m 1e-3 of it a step. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the
+        /// push that the step's iterations find. With the default effort, what begins to slide is up to a quarter too
+        /// slow in its first half second. What friction holds creeps, at half of the largest force that it can hold by
+        /// 1e-3 m/s. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public long Colliders
         {
             get
@@ -3165,19 +3165,19 @@ namespace Contdyn
 
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
-        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
-        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
-        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
-        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
-        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
-        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
-        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
-        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
-        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
-        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
-        /// cd_chain.</summary>
+        /// node meets the three that it would be deepest in, or nearest to, at its velocity, as the planes that touch
+        /// them where the step begins: it goes through none of them, however fast. Nodes collide; what lies between
+        /// them does not, nor does cloth with itself. Depth: contacts yield by a node's force times dt^2 / (1e4 mass),
+        /// some 1e-3 m where a sheet lands at 50 m/s; with the default effort nodes are now and then deeper, by up to
+        /// 7e-3 m in steps that move them by 0.1 m. What lies inside comes out, and what that lifts or stretches gains
+        /// energy: at 1e9 N/m 1e-3 of it a step. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the
+        /// push that the step's iterations find. With the default effort, what begins to slide is up to a quarter too
+        /// slow in its first half second. What friction holds creeps, at half of the largest force that it can hold by
+        /// 1e-3 m/s. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetPlane(long index, double[] point, double[] normal, double friction)
         {
             fixed (double* pointPointer = point)
@@ -3188,19 +3188,19 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
-        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
-        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
-        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
-        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
-        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
-        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
-        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
-        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
-        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
-        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
-        /// cd_chain.</summary>
+        /// node meets the three that it would be deepest in, or nearest to, at its velocity, as the planes that touch
+        /// them where the step begins: it goes through none of them, however fast. Nodes collide; what lies between
+        /// them does not, nor does cloth with itself. Depth: contacts yield by a node's force times dt^2 / (1e4 mass),
+        /// some 1e-3 m where a sheet lands at 50 m/s; with the default effort nodes are now and then deeper, by up to
+        /// 7e-3 m in steps that move them by 0.1 m. What lies inside comes out, and what that lifts or stretches gains
+        /// energy: at 1e9 N/m 1e-3 of it a step. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the
+        /// push that the step's iterations find. With the default effort, what begins to slide is up to a quarter too
+        /// slow in its first half second. What friction holds creeps, at half of the largest force that it can hold by
+        /// 1e-3 m/s. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetPlane(long index, ReadOnlySpan<double> point, ReadOnlySpan<double> normal, double friction)
         {
             fixed (double* pointPointer = &MemoryMarshal.GetReference(point))
@@ -3222,19 +3222,19 @@ namespace Contdyn
 
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
-        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
-        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
-        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
-        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
-        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
-        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
-        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
-        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
-        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
-        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
-        /// cd_chain.</summary>
+        /// node meets the three that it would be deepest in, or nearest to, at its velocity, as the planes that touch
+        /// them where the step begins: it goes through none of them, however fast. Nodes collide; what lies between
+        /// them does not, nor does cloth with itself. Depth: contacts yield by a node's force times dt^2 / (1e4 mass),
+        /// some 1e-3 m where a sheet lands at 50 m/s; with the default effort nodes are now and then deeper, by up to
+        /// 7e-3 m in steps that move them by 0.1 m. What lies inside comes out, and what that lifts or stretches gains
+        /// energy: at 1e9 N/m 1e-3 of it a step. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the
+        /// push that the step's iterations find. With the default effort, what begins to slide is up to a quarter too
+        /// slow in its first half second. What friction holds creeps, at half of the largest force that it can hold by
+        /// 1e-3 m/s. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetCapsule(long index, double[] first, double[] last, double radius, double friction)
         {
             fixed (double* firstPointer = first)
@@ -3246,19 +3246,19 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
-        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
-        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
-        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
-        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
-        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
-        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
-        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
-        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
-        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
-        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
-        /// cd_chain.</summary>
+        /// node meets the three that it would be deepest in, or nearest to, at its velocity, as the planes that touch
+        /// them where the step begins: it goes through none of them, however fast. Nodes collide; what lies between
+        /// them does not, nor does cloth with itself. Depth: contacts yield by a node's force times dt^2 / (1e4 mass),
+        /// some 1e-3 m where a sheet lands at 50 m/s; with the default effort nodes are now and then deeper, by up to
+        /// 7e-3 m in steps that move them by 0.1 m. What lies inside comes out, and what that lifts or stretches gains
+        /// energy: at 1e9 N/m 1e-3 of it a step. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the
+        /// push that the step's iterations find. With the default effort, what begins to slide is up to a quarter too
+        /// slow in its first half second. What friction holds creeps, at half of the largest force that it can hold by
+        /// 1e-3 m/s. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetCapsule(long index, ReadOnlySpan<double> first, ReadOnlySpan<double> last, double radius,
             double friction)
         {
@@ -3281,19 +3281,19 @@ namespace Contdyn
 
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
-        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
-        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
-        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
-        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
-        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
-        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
-        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
-        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
-        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
-        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
-        /// cd_chain.</summary>
+        /// node meets the three that it would be deepest in, or nearest to, at its velocity, as the planes that touch
+        /// them where the step begins: it goes through none of them, however fast. Nodes collide; what lies between
+        /// them does not, nor does cloth with itself. Depth: contacts yield by a node's force times dt^2 / (1e4 mass),
+        /// some 1e-3 m where a sheet lands at 50 m/s; with the default effort nodes are now and then deeper, by up to
+        /// 7e-3 m in steps that move them by 0.1 m. What lies inside comes out, and what that lifts or stretches gains
+        /// energy: at 1e9 N/m 1e-3 of it a step. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the
+        /// push that the step's iterations find. With the default effort, what begins to slide is up to a quarter too
+        /// slow in its first half second. What friction holds creeps, at half of the largest force that it can hold by
+        /// 1e-3 m/s. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetBed(long index, double[] origin, long columns, long rows, double columnSpacing,
             double rowSpacing, double[] heights, double friction)
         {
@@ -3306,19 +3306,19 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>As ropes do, the nodes of cloth stay outside of colliders, numbered from 0: half spaces and
         /// capsules, spheres among them, beds and callbacks, each with velocity and friction of its own. In a step a
-        /// node heeds the three that it would be deepest in, or nearest to, if it went on as it does, and may not pass
-        /// the planes that touch them where it begins: it goes through none of them, however fast. Contacts yield a
-        /// little: to a node's force times dt^2 / (1e4 mass), which is some 1e-3 m where a sheet lands at 50 m/s. Nodes
-        /// collide; what lies between them does not, nor does cloth with itself. Friction is Coulomb's, times v / (v +
-        /// 1e-3 m/s) at the speed v, of the push that the step's iterations find: with the default effort what begins
-        /// to slide is up to a quarter too slow in its first half second, and nodes are now and then deeper: by up to
-        /// 7e-3 m in steps of 0.1 m. What friction holds creeps: at half of what it bears by 1e-3 m/s. What lies
-        /// inside, or yielded so far, comes out; what that lifts or stretches gains energy: at 1e9 N/m 1e-3 a step.
-        /// Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a node: what
-        /// a hollow rises above that plane a node may end inside of, and the next step takes it out. A callback is
-        /// asked once a step, for all nodes; answers that it may not give make cd_membrane_step say CD_ERROR_CALLBACK,
-        /// and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of the functions of
-        /// cd_chain.</summary>
+        /// node meets the three that it would be deepest in, or nearest to, at its velocity, as the planes that touch
+        /// them where the step begins: it goes through none of them, however fast. Nodes collide; what lies between
+        /// them does not, nor does cloth with itself. Depth: contacts yield by a node's force times dt^2 / (1e4 mass),
+        /// some 1e-3 m where a sheet lands at 50 m/s; with the default effort nodes are now and then deeper, by up to
+        /// 7e-3 m in steps that move them by 0.1 m. What lies inside comes out, and what that lifts or stretches gains
+        /// energy: at 1e9 N/m 1e-3 of it a step. Friction is Coulomb's, times v / (v + 1e-3 m/s) at the speed v, of the
+        /// push that the step's iterations find. With the default effort, what begins to slide is up to a quarter too
+        /// slow in its first half second. What friction holds creeps, at half of the largest force that it can hold by
+        /// 1e-3 m/s. Beds and callbacks are those of cd_chain, met at the plane that touches them where a step finds a
+        /// node: what a hollow rises above that plane a node may end inside of, and the next step takes it out. A
+        /// callback is asked once a step, for all nodes; answers that it may not give make cd_membrane_step say
+        /// CD_ERROR_CALLBACK, and one that is missing after a load CD_ERROR_UNSUPPORTED. Errors and ranges are those of
+        /// the functions of cd_chain.</summary>
         public void SetBed(long index, ReadOnlySpan<double> origin, long columns, long rows, double columnSpacing,
             double rowSpacing, ReadOnlySpan<double> heights, double friction)
         {
@@ -4284,47 +4284,46 @@ namespace Contdyn
     /// Motion d_t + (d u)_x + (d v)_y = source u_t [+ u u_x + v u_y] = -g h_x - p_x / density + force - friction u,
     /// and v likewise friction = drag + g manning^2 |u| / d^(4/3) (Kass 1997, eq. 32-33; the bracket: shallow
     /// water)
-    /// CD_MOMENTUM_LINEAR without the bracket: waves, splashes, tides, floods that creep. Water has no inertia
-    /// beyond its own face: a shore moves with the slope of the surface there, and bores of a tenth, half and twice
-    /// the depth run 1, 5 and 13% too slow. CD_MOMENTUM_ADVECTED with it: moving shores, dam breaks, bores, whirls.
-    /// Momentum goes with the water that leaves a cell, upwind, of second order where depths are even and waves
-    /// cross less than a cell in a step.
-    /// A step sweeps along the rows, then along the columns, in the other order every other step. Along a line the
-    /// fluxes and the surface that they change are solved for at once, by the theta scheme, theta = lambda, in time
-    /// proportional to the cells; a face is as deep as the cells beside it in the mean, nearer to the one that
-    /// gives where they differ a lot; no cell gives more than it has and gets (cd_water_get_limited counts what
-    /// that held back). So depths are never negative, a lake lies still on any bed, and volume changes only by what
-    /// cd_water_get_account tells.
-    /// Waves do not limit the step. Where water runs more than half a cell in a step, a line makes its step in 2,
-    /// 4, ... 64 parts, none of which it begins faster, at so many times the cost. Faster water, of more than 32
-    /// cells a step, is carried less exactly, and ripples on it may grow; on slower streams they do not, but for
-    /// linear momentum with lambda = 1/2 over an uneven bed. Waves that a step lets cross more than a cell are
-    /// slowed down, short ones most. Advected, a bore runs 0.1% too slow in steps in which waves cross half a cell,
-    /// and at most 5%, against a stream 10%, in steps in which they cross 2 to 32, over which it is drawn out to
-    /// eight times as many cells. With lambda = 1/2 waves run behind it, up to 0.7 of its height high (linear 1.6),
-    /// all along its way where the water rests; with 0.6 of 0.3 (1.3).
-    /// lambda = 1/2 is second order in time and keeps the energy of small waves; above it, short ones die out: in
-    /// the linear mode, of which shores are steep, take a little more. With 1/2, linear waves in the plane grow, in
-    /// thousands of steps of 2 cells or more, to a ninth of the depth. Advected water gains no energy in steps in
-    /// which waves cross more than a cell, but for a while 0.05 of its waves', and with 1/2 low waves round a ring
-    /// over an uneven bed eight times theirs; in shorter ones up to 0.005 of all its energy among cliffs, in very
-    /// short ones at shores too, and 0.01 in the first step where velocities are written there. Linear water gains
-    /// h_t u^2 / 2 where it deepens: at random shores some hundredths (and see hulls). Air that presses it dry
-    /// gives it up to 1.4 times what it has to give, advected water half of it, explicit steps any, as does
-    /// rounding from 1e12 cells a step. What pushes off dry land gives the last face a velocity that no water
-    /// follows. In long steps, of uneven depths, no face gains more energy than its water loses by falling.
-    /// Explicit steps (cd_water_set_method) share all of this but the surface that is solved for: half of the slope
-    /// pushes, the water moves, then the other half (velocity Verlet).
-    /// Rows and columns are solved in turn only: in steps in which waves cross many cells, those that run aslant
-    /// are slower than along the axes. Shorter steps serve better than a solve of the whole plane: neither
-    /// symmetric nor definite where streams run, it cost tens of times as much, and gained and lost water.
-    /// Right for waves much longer than the water is deep, and surfaces that do not turn over: no dispersion, no
-    /// ship wakes.
+    /// CD_MOMENTUM_LINEAR without the bracket: waves, splashes, tides, floods that creep. CD_MOMENTUM_ADVECTED with
+    /// it: moving shores, dam breaks, bores, whirls. Momentum goes with the water that leaves a cell, upwind, of
+    /// second order where depths are even and waves cross less than a cell in a step.
+    /// What to set: the momentum by this list; lambda as cd_water_set_momentum sets it; one step a frame, which is
+    /// never too long to be stable, or more where waves must run at their speed (cd_water_get_courant at most 1).
+    /// lambda = 1/2 is of second order in time and keeps the energy of small waves; above 1/2 short waves die out,
+    /// and linear water, whose shores are steep, needs a little more. Right for waves much longer than the water is
+    /// deep and for surfaces that do not turn over: there is no dispersion, and there are no ship wakes.
+    /// A step sweeps along all rows, then along all columns, and the next step the other way round. Along such a
+    /// line the fluxes and the changes of the surface are solved for together, by the theta scheme, theta = lambda,
+    /// in time in proportion to its cells. The depth at a face is the mean of its two cells'; where these differ a
+    /// lot, it is nearer to that of the cell which the water leaves. No cell gives more than it has and gets:
+    /// cd_water_get_limited tells how much that holds back. So no depth is negative, a lake lies still on any bed,
+    /// and cd_water_get_account tells all changes of volume. Explicit methods differ in that no surface is solved
+    /// for: half of the slope pushes, the water moves, then the other half pushes (velocity Verlet).
+    /// What goes wrong, and by how much. "From n cells on" means: in steps in which waves cross n cells or more.
+    /// Long steps: from 1 cell on waves run too slowly, short ones most, and slantwise more than along the axes.
+    /// Make them shorter: to solve for the whole plane, a system that streams make neither symmetric nor definite,
+    /// cost tens of times as much, and gained and lost water. Fast water: a line whose water would run more than
+    /// half a cell makes its step in 2, 4, ... 64 parts, at so many times the cost, none of which begins with
+    /// faster water. Water that runs more than 32 cells is carried less exactly, and ripples on it may grow; on
+    /// slower water only those of linear momentum, lambda 1/2, uneven beds do. Bores, linear: momentum is not
+    /// carried on, so that a shore moves with the slope of the surface there, and a bore a tenth, half and twice as
+    /// high as the depth before it runs some 2, 9 and 22% too slow. Bores, advected: 0.1% too slow at half a cell;
+    /// from 2 to 32 cells up to 6%, against a stream 10%, and spread over 8 times as many. Waves behind a bore:
+    /// with lambda = 1/2 up to 0.7 of its height (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where
+    /// the water behind it rests. Energy, linear: where water deepens it gains h_t u^2 / 2, at random shores some
+    /// hundredths in all (and see hulls). From 2 cells on waves in the plane, with lambda = 1/2, grow in thousands
+    /// of steps to a ninth of the depth. Energy, advected: from 1 cell on it may rise for a while by 0.05 of that
+    /// of the waves; low waves round a ring over an uneven bed, with lambda = 1/2, come to 8 times theirs. Below 1
+    /// cell up to 0.005 of it all is won among cliffs, far below also at shores, and 0.01 in the first step after
+    /// velocities are written there. Energy, both: from 1 cell on, over uneven depths, no face gains more than its
+    /// water loses by falling; from 1e12 on rounding may add any amount. Air that presses water dry adds up to 1.4
+    /// times what it has to give where momentum is linear, half of it where advected, and any amount in explicit
+    /// methods. Dry land: what pushes water away from it gives the face at the water's edge a velocity that no
+    /// water follows.
     /// A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag,
-    /// CD_MOMENTUM_LINEAR, CD_METHOD_IMPLICIT with lambda 0.55. All computing is done in double precision;
-    /// CD_FLOAT32 is what depth, bed, velocities and the fields are stored in. Depths below 2^-80 m are taken for 0
-    /// where a step stores them, and velocities below 2^-80 (float32) or 2^-500 m/s. Parameters may be as large as
-    /// 1e60.
+    /// CD_MOMENTUM_LINEAR, CD_METHOD_IMPLICIT with lambda 0.55. All computing is in double precision; CD_FLOAT32 is
+    /// what depth, bed, velocities and the fields are stored in. Steps store 0 for depths below 2^-80 m and
+    /// velocities below 2^-80 (float32), 2^-500 m/s. Parameters may be as large as 1e60.
     /// Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind;
     /// the comments name the other errors. Functions that chain and membrane have too mean the same here.</summary>
     public sealed unsafe class Water : LibraryObject
@@ -4592,19 +4591,20 @@ namespace Contdyn
         }
 
         /// <summary>What is at a side. `value` now, and how fast it changes, `rate` per second, from now on, both at
-        /// most 1e60 in size, in CD_FLOAT32 1e30: CD_BORDER_OPEN level of the water outside [m], which is at rest: a
-        /// tide is its level and rate, set anew as it goes. Low waves leave without an echo, and some hundredths of
-        /// high ones come back, by u = 2 (sqrt(g d) - sqrt(g D)), d the depth in the cell at the side and D that of the
-        /// level over the same bed; linear, u = sqrt(g d) (1 - D / d). The discharge is u d. Where that is faster than
-        /// the waves, as over a side that lies higher than the level, water falls off: a stream slower than its waves
-        /// leaves at critical depth, u = sqrt(g d), a faster one as it comes. CD_BORDER_LEVEL level [m] that is held at
-        /// the side itself, whatever flows out: of depth D there water crosses it with U = u + 2 (sqrt(g d) - sqrt(g
-        /// D)), u its velocity one face inside, and discharge U D. Waves are thrown back. What is faster than its waves
-        /// falls off as above. CD_BORDER_INFLOW discharge per metre of the side [m^2/s] into the water, velocity times
-        /// depth, whatever the depth is; it comes in at critical depth where the cell is shallower. If negative it
-        /// leaves, as far as there is water CD_BORDER_WALL, CD_BORDER_PERIODIC value and rate mean nothing Both sides
-        /// of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the
-        /// opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.</summary>
+        /// most 1e60 in size, in CD_FLOAT32 1e30: CD_BORDER_OPEN level of the water outside [m], which is at rest: for
+        /// a tide set level and rate anew as it goes. Low waves leave without an echo; some hundredths of high ones
+        /// come back. With d the depth in the cell at the side, D the level's depth over the same bed, water leaves by
+        /// u = 2 (sqrt(g d) - sqrt(g D)), linear by u = sqrt(g d) (1 - D / d), and the discharge is u d. Where u is
+        /// faster than waves, as over a side that lies higher than the level, water falls off: a stream slower than its
+        /// waves leaves at critical depth, u = sqrt(g d), a faster one as it comes. CD_BORDER_LEVEL level [m] that is
+        /// held at the side itself, whatever flows out: with D the depth there and u the velocity one face inside,
+        /// water crosses it by U = u + 2 (sqrt(g d) - sqrt(g D)), and the discharge is U D. Waves are thrown back. What
+        /// is faster than its waves falls off as above. CD_BORDER_INFLOW discharge per metre of the side [m^2/s] into
+        /// the water, velocity times depth, whatever the depth is; where the cell is shallower than the critical depth,
+        /// it comes in at that. If negative it leaves, as far as there is water. CD_BORDER_WALL, CD_BORDER_PERIODIC
+        /// value and rate mean nothing Both sides of a direction are periodic or neither is: setting one sets the
+        /// other, and leaving it leaves both, the opposite one as a wall. Errors: CD_ERROR_ENUM;
+        /// CD_ERROR_VALUE.</summary>
         public void SetSide(Side side, Border kind, double value, double rate)
         {
             Changed();

@@ -50,10 +50,10 @@ class Precision(IntEnum):
 
 
 class Method(IntEnum):
-    """How a step advances the state by dt. Method.IMPLICIT is the default, with lambda = 1/2. What is bounded, and
-    keeps energy, does so to rounding: a step may move a node wrongly by some 1e-15 of the way that its velocity would
-    carry it, and in a ring or with bend of the way that it would fall in dt, which shows where dt is longer than 1e12
-    times the time of the fastest swing."""
+    """How a step advances the state by dt. Method.IMPLICIT is the default, with lambda = 1/2. Bounds hold, and energy
+    is kept, to rounding: in a step a node's position may be wrong by some 1e-15 of the distance that its velocity
+    covers in dt, in a ring or with bend also by 1e-15 of the distance that it would fall in dt, which shows where dt is
+    longer than 1e12 times the time of the fastest swing."""
 
     #: Kass 1997, eq. 21: lambda = 1/2 keeps energy and is second order, lambda = 1 is backward Euler; for lambda >= 1/2
     #: bounded at every dt
@@ -88,9 +88,9 @@ class MassRule(IntEnum):
 
 
 class Kernels(IntEnum):
-    """The instructions that steps are made of. All give the same bits, as long as those are of finite numbers: how far
-    what is not finite spreads in steps that end with CD_ERROR_DIVERGED may differ. A new object has the fastest that
-    its processor runs."""
+    """The instructions that steps are made of. All give the same bits as long as all numbers are finite; how far
+    infinity and NaN spread in steps that end with CD_ERROR_DIVERGED may differ. A new object has the fastest that its
+    processor runs."""
 
     #: what every processor of the target has: SSE2 on x86-64, NEON on AArch64, and on WebAssembly SIMD128 where that
     #: was built with -msimd128
@@ -135,8 +135,9 @@ class Outside(IntEnum):
 
 
 class Field(IntEnum):
-    """Per-node and per-spring data; which object has which is in its own header. One list, since what objects share has
-    one meaning; and all are numbers, pins and masks too, so that one read and one write serve them."""
+    """Per-node and per-spring data; each object's header lists those that it has. They are in one list, since a field
+    that several objects have means the same in each. All hold numbers, pins and masks too, for one read and one
+    write."""
 
     POSITION = 0
     VELOCITY = 1

@@ -376,7 +376,7 @@ def rest(first: int, n: Optional[int], extent: int, what: str) -> int:
         raise TypeError(f"{what} from {first!r} on, {n!r} of them: must be integers")
     count = n if n is not None else max(extent - first, 0)
     if first < 0 or count < 0 or first + count > extent:
-        raise RangeError(f"{what} [{first}, {first + count}) of {extent}")
+        raise RangeError(f"{what} [{first}, {first + count}) of {extent}, must lie in [0, {extent})")
     return count
 
 

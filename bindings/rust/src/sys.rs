@@ -176,14 +176,14 @@ pub struct cd_parallel {
         task: Option<unsafe extern "C" fn(context: *mut c_void, index: usize)>, context: *mut c_void)>,
 }
 
-/// A shape from the caller, of a collider of ropes and cloth. distance tells of `count` positions, each of
-/// `components` numbers and relative to the collider's origin, how far outside of the shape they are at this time
-/// \[s\], as signed distances \[m\], less than 0 inside, at most 1e60 in size; and the unit vector along which that
-/// distance grows fastest, of a length within 1e-3 of 1: out_distances\[i\], out_normals\[i\]\[component\]. It is
-/// called from steps, from any thread of cd_parallel and from several at once, and has to give the same position
-/// the same answer at the same time, whatever it is asked with; it may call no function on the object. A shape that
-/// moves as a whole should do so by the collider's velocity: one that changes with time by itself is met where it
-/// was when the step began. Copied when it is set.
+/// A shape from the caller, of a collider of ropes and cloth. distance is given `count` positions, each of
+/// `components` numbers and relative to the collider's origin, and the time \[s\]. To out_distances\[i\] it writes
+/// how far outside of the shape each is \[m\], less than 0 inside, at most 1e60 in size; to
+/// out_normals\[i\]\[component\] the unit vector along which that distance grows fastest, of a length within 1e-3
+/// of 1. It is called from steps, from any thread of cd_parallel and from several at once. The same position must
+/// get the same answer at the same time, whatever others are asked with it, and it may call no function on the
+/// object. A shape that moves as a whole should do so by the collider's velocity: one that changes with time by
+/// itself is met where it was when the step began. Copied when it is set.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct cd_distance {
