@@ -66,7 +66,7 @@ void sink(Water& w, size_t index, const HullWork& work) {
     memset(work.load, 0, w.plane * sizeof(double));
     for (int k = 0; k < kLaunchings; ++k) {
         CellBox box;
-        press(w, index, depth, 0, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
+        press(w, index, w.depth.data, 0, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
         box.each([&](size_t i, size_t j) {
             const size_t at = place(w, i, j);
             const double all = before[at], more = (work.own[0][at] - work.load[at]) / (1 + kStiff);

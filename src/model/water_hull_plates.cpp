@@ -6,16 +6,15 @@ namespace cd {
 namespace {
 
 // The water over the cells that bear a plate. depth: a plane of the state's numbers.
-void look_at_water(const Water& w, const StateNumbers& depth, Plate& p) {
-    const StateNumbers heights = state_of(w, w.bed);
+template <class T> void look_at_water(const Water& w, const T* depth, Plate& p) {
     double beds = 0, depths = 0;
     for (int row = 0; row < 3; ++row) { // sums of rows need not wait for each other
         const double* const weight = p.cells.weight + 3 * row;
         double bed = 0, water = 0;
         for (int k = 0; k < 3; ++k) {
             const size_t at = place(w, p.cells.i[k], p.cells.j[row]);
-            bed += weight[k] * heights[at];
-            water += weight[k] * depth[at];
+            bed += weight[k] * double(numbers<T>(w.bed)[at]);
+            water += weight[k] * double(depth[at]);
         }
         beds += bed, depths += water;
     }
@@ -24,7 +23,7 @@ void look_at_water(const Water& w, const StateNumbers& depth, Plate& p) {
 
 } // namespace
 
-void walk_plates(const Water& w, size_t index, const HullPose& pose, StateNumbers depth,
+void walk_plates(const Water& w, size_t index, const HullPose& pose, const void* depth,
                  void (*see)(void* to, const Plate& p), void* to) {
     const Hull& h = hull(w, index);
     const HullShape& shape = w.hull_shape;
@@ -48,7 +47,7 @@ void walk_plates(const Water& w, size_t index, const HullPose& pose, StateNumber
         p.z = pose.z + ((pose.pitch * p.ahead + pose.roll * p.port) + p.height * (1 + 1 / kStiff));
         find_cells(w, p.x, p.y, p.cells);
         if (!p.cells.any) p.cells = middle;
-        look_at_water(w, depth, p);
+        by_precision(w, [&](auto zero) { look_at_water(w, static_cast<const decltype(zero)*>(depth), p); });
         see(to, p);
     };
     for (size_t j = 0; j < shape.across; ++j)

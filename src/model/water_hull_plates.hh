@@ -174,15 +174,15 @@ struct Plate {
 
 // see(to, plate) for each part; those over cells that are not there are borne by those under the hull's middle. None
 // where the middle has none. depth: a plane of the state's numbers.
-void walk_plates(const Water& w, size_t index, const HullPose& pose, StateNumbers depth,
+void walk_plates(const Water& w, size_t index, const HullPose& pose, const void* depth,
                  void (*see)(void* to, const Plate& p), void* to);
 
 // f(plate), likewise. Its code is there once, whatever is done with plates.
-template <class F> void each_plate(const Water& w, size_t index, const HullPose& pose, StateNumbers depth, F f) {
+template <class F> void each_plate(const Water& w, size_t index, const HullPose& pose, const void* depth, F f) {
     walk_plates(w, index, pose, depth, [](void* to, const Plate& p) { (*static_cast<F*>(to))(p); }, &f);
 }
 template <class F> void each_plate(const Water& w, size_t index, const HullPose& pose, F f) {
-    each_plate(w, index, pose, state_of(w, w.depth), f);
+    each_plate(w, index, pose, w.depth.data, f);
 }
 
 // Whether a plate's cells shall answer as if it touched them: also where a sweep may lift the water to it. In a long
@@ -195,7 +195,7 @@ inline bool near_water(const Plate& p, double draft, double run) {
 
 // Adds what a hull presses with, as heads in cells, and how that answers to their depths; see(i, j) for those cells.
 template <class F>
-void press(const Water& w, size_t index, StateNumbers depth, double run, double* heads, double* stiff, F see) {
+void press(const Water& w, size_t index, const void* depth, double run, double* heads, double* stiff, F see) {
     const double draft = draft_of(w, index), per_cell = 1 / cell_area(w);
     each_plate(w, index, HullPose(hull(w, index)), depth, [&](const Plate& p) {
         if (!near_water(p, draft, run)) return;

@@ -21,15 +21,15 @@ template <class F> void each_hull(const Water& w, F f) {
 
 // By how much the water's surface rises across a face, in the mean of before and after a sweep. Closed ones, and the
 // scene's sides, have the same surface on both sides.
-double rise_across(const Water& w, const StateNumbers& before, Axis a, size_t i, size_t j) {
+template <class T> double rise_across(const Water& w, const T* before, Axis a, size_t i, size_t j) {
     const size_t k = a == kX ? i : j, n = w.cells[a];
     if (!periodic(w, a) && (k == 0 || k == n)) return 0;
     if (!crossable(w, a, i, j)) return 0;
     const size_t behind = k > 0 ? k - 1 : n - 1, ahead = k < n ? k : 0;
-    const StateNumbers after = state_of(w, w.depth), bed = state_of(w, w.bed);
+    const T *const after = numbers<T>(w.depth), *const bed = numbers<T>(w.bed);
     const auto surface = [&](size_t cell) {
         const size_t at = a == kX ? place(w, cell, j) : place(w, i, cell);
-        return bed[at] + 0.5 * (before[at] + after[at]);
+        return double(bed[at]) + 0.5 * (double(before[at]) + double(after[at]));
     };
     return surface(ahead) - surface(behind);
 }
@@ -48,7 +48,7 @@ void load_hulls(const Water& w, HullWork& work, bool first) {
     const StateNumbers depth = state_of(w, w.depth);
     CellBox box;
     each_hull(w, [&](size_t k) {
-        press(w, k, depth, work.run, work.load, work.stiff, [&](size_t i, size_t j) { box.see(i, j); });
+        press(w, k, w.depth.data, work.run, work.load, work.stiff, [&](size_t i, size_t j) { box.see(i, j); });
     });
     box.each([&](size_t i, size_t j) {
         const size_t at = place(w, i, j);
@@ -57,19 +57,23 @@ void load_hulls(const Water& w, HullWork& work, bool first) {
 }
 
 void feel_water(const Water& w, HullWork& work, Axis a, double theta, double dt) {
-    const StateNumbers before{work.before, is_wide(w)}, after = state_of(w, w.depth);
+    const StateNumbers before{work.before, is_wide(w)};
     each_hull(w, [&](size_t k) {
         const HullPose pose(hull(w, k));
         const double draft = draft_of(w, k);
         double* const impulse = work.impulse + 3 * k;
-        each_plate(w, k, pose, before, [&](const Plate& p) {
+        each_plate(w, k, pose, work.before, [&](const Plate& p) {
             if (!near_water(p, draft, work.run)) return;
             double rise = 0, slope = 0;
-            p.cells.each([&](size_t i, size_t j, double weight) {
-                rise += weight * (after[place(w, i, j)] - before[place(w, i, j)]);
+            before.stored_state([&](const auto* was) {
+                const auto* const is = static_cast<decltype(was)>(state_of(w, w.depth).data);
+                p.cells.each([&](size_t i, size_t j, double weight) {
+                    rise += weight * (double(is[place(w, i, j)]) - double(was[place(w, i, j)]));
+                });
             });
             each_difference(w, a, p.x, p.y, [&](size_t i, size_t j, double weight) {
-                slope += weight * rise_across(w, before, a, i, j) / w.size[a];
+                const double here = before.stored_state([&](const auto* was) { return rise_across(w, was, a, i, j); });
+                slope += weight * here / w.size[a];
             });
             const double head = p.head() + theta * (kStiff * rise);
             const double push = -(w.density * w.gravity * dt) * (p.area * head * slope);
@@ -398,13 +402,13 @@ struct Mover {
 
 constexpr double kLeastSpread = 1e-9; // of plates along and across, of what their sums are, to have a slope
 
-void lie(Water& w, size_t index, const StateNumbers& depth, const double* heads) {
+void lie(Water& w, size_t index, const double* heads) {
     Hull& h = hull(w, index);
     const HullPose pose(h);
     h.lies[0] = h.z, h.lies[1] = h.pitch, h.lies[2] = h.roll;
     // The plane of least squares: sums over the plates, by area, of the unit, ahead and port times each other.
     double area = 0, height_sum = 0, first[2] = {}, second[3] = {}, products[2] = {};
-    each_plate(w, index, pose, depth, [&](const Plate& p) {
+    each_plate(w, index, pose, [&](const Plate& p) {
         if (!(p.sunk() > 0)) return;
         double height = (p.surface - p.height) - pose.z; // above the body's keel, so that the sums do not cancel
         if (p.bed < p.z) { // not on the bed, which does not give way
@@ -437,12 +441,11 @@ bool move_hulls(Water& w, HullWork& work, double dt) {
 }
 
 void settle_hulls(Water& w, const HullWork& work) {
-    const StateNumbers depth = state_of(w, w.depth);
     CellBox box;
     each_hull(w, [&](size_t k) {
-        press(w, k, depth, 0, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
+        press(w, k, w.depth.data, 0, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
     });
-    each_hull(w, [&](size_t k) { lie(w, k, depth, work.own[0]); });
+    each_hull(w, [&](size_t k) { lie(w, k, work.own[0]); });
     box.each([&](size_t i, size_t j) { work.own[0][place(w, i, j)] = work.own[1][place(w, i, j)] = 0; });
 }
 
