@@ -29,17 +29,7 @@ template <class F> void each_number(const Object& o, const Block& b, F f) {
 
 template <class T, class S> void assign(T& number, S value) { number = T(value); }
 
-} // namespace
-
-template <class S> void read_block(const Object& o, const Block& block, S* values) {
-    each_number(o, block, [&](size_t at, auto number) { values[at] = S(number); });
-}
-
-template <class S> void write_block(const Object& o, const Block& block, const S* values) {
-    each_number(o, block, [&](size_t at, auto& number) { assign(number, values[at]); });
-}
-
-template <class S> size_t find_beyond(const Object& o, const S* values, size_t count) {
+template <class S> size_t find_in_buffer(const Object& o, const S* values, size_t count) {
     const S most = sizeof(S) < sizeof(double) ? FLT_MAX : S(most_of(o));
     // any of them at first, as wide as the numbers, in a loop that compilers turn into vector instructions
     std::conditional_t<sizeof(S) == sizeof(double), int64_t, int32_t> bad = 0;
@@ -49,11 +39,20 @@ template <class S> size_t find_beyond(const Object& o, const S* values, size_t c
     return SIZE_MAX;
 }
 
-template void read_block(const Object&, const Block&, float*);
-template void read_block(const Object&, const Block&, double*);
-template void write_block(const Object&, const Block&, const float*);
-template void write_block(const Object&, const Block&, const double*);
-template size_t find_beyond(const Object&, const float*, size_t);
-template size_t find_beyond(const Object&, const double*, size_t);
+} // namespace
+
+void read_block(const Object& o, const Block& block, const Values& values) {
+    values.stored([&](auto* to) { each_number(o, block, [to](size_t at, auto number) { assign(to[at], number); }); });
+}
+
+void write_block(const Object& o, const Block& block, const Values& values) {
+    values.stored([&](const auto* from) {
+        each_number(o, block, [from](size_t at, auto& number) { assign(number, from[at]); });
+    });
+}
+
+size_t find_beyond(const Object& o, const Values& values, size_t count) {
+    return values.stored([&](const auto* buffer) { return find_in_buffer(o, buffer, count); });
+}
 
 } // namespace cd

@@ -12,11 +12,34 @@ struct Block {
     size_t first, count[3], stride[3];
 };
 
-// S: float or double
-template <class S> void read_block(const Object& o, const Block& block, S* values);
-template <class S> void write_block(const Object& o, const Block& block, const S* values);
+// A caller's buffer, in either precision. Only what is read is put there.
+class Values {
+public:
+    explicit Values(const float* values) : data(const_cast<float*>(values)), wide(false) {}
+    explicit Values(const double* values) : data(const_cast<double*>(values)), wide(true) {}
+
+    const void* address() const { return data; }
+    // f of them as they lie there.
+    template <class F> auto stored(F f) const {
+        return wide ? f(static_cast<double*>(data)) : f(static_cast<float*>(data));
+    }
+    double operator[](size_t at) const {
+        return stored([at](const auto* values) { return double(values[at]); });
+    }
+    void put(size_t at, double value) const {
+        if (wide) static_cast<double*>(data)[at] = value;
+        else static_cast<float*>(data)[at] = float(value);
+    }
+
+private:
+    void* data;
+    bool wide;
+};
+
+void read_block(const Object& o, const Block& block, const Values& values);
+void write_block(const Object& o, const Block& block, const Values& values);
 
 // The first that is not finite, or larger than the object's precision holds; SIZE_MAX if there is none.
-template <class S> size_t find_beyond(const Object& o, const S* values, size_t count);
+size_t find_beyond(const Object& o, const Values& values, size_t count);
 
 } // namespace cd

@@ -54,11 +54,11 @@ struct Part {
         return valid_number(c, field, p.strand, p.item, value);
     }
 
-    template <class S> cd_status check_all(const char* function, const Chain& c, const S* values) const {
+    cd_status check_all(const char* function, const Chain& c, const Values& values) const {
         if ((field != CD_STIFFNESS && field != CD_PIN) || has_lengths(c)) return CD_OK;
         const auto new_value = [&](cd_field asked, size_t i, double old) {
             const bool holds = field == asked && strands > 0 && i >= first && i - first < n;
-            return holds ? double(values[i - first]) : old;
+            return holds ? values[i - first] : old;
         };
         const bool sound = groups_are_sound(
             c.nodes, c.ring != 0, [&](size_t i) { return isinf(new_value(CD_STIFFNESS, i, stiffness_of(c, i))); },
@@ -102,25 +102,25 @@ struct Part {
 cd_status cd_chain_write_f32(cd_chain* chain, cd_field field, size_t first_strand, size_t strands, size_t first,
                              size_t n, const float* values, size_t count) {
     CD_OPEN(chain, c);
-    return write_part(__func__, c, Part{field, first_strand, strands, first, n}, values, count);
+    return write_part(__func__, c, Part{field, first_strand, strands, first, n}, Values(values), count);
 }
 
 cd_status cd_chain_write_f64(cd_chain* chain, cd_field field, size_t first_strand, size_t strands, size_t first,
                              size_t n, const double* values, size_t count) {
     CD_OPEN(chain, c);
-    return write_part(__func__, c, Part{field, first_strand, strands, first, n}, values, count);
+    return write_part(__func__, c, Part{field, first_strand, strands, first, n}, Values(values), count);
 }
 
 cd_status cd_chain_read_f32(const cd_chain* chain, cd_field field, size_t first_strand, size_t strands, size_t first,
                             size_t n, float* out_values, size_t count) {
     CD_OPEN(chain, c);
-    return read_part(__func__, c, Part{field, first_strand, strands, first, n}, out_values, count);
+    return read_part(__func__, c, Part{field, first_strand, strands, first, n}, Values(out_values), count);
 }
 
 cd_status cd_chain_read_f64(const cd_chain* chain, cd_field field, size_t first_strand, size_t strands, size_t first,
                             size_t n, double* out_values, size_t count) {
     CD_OPEN(chain, c);
-    return read_part(__func__, c, Part{field, first_strand, strands, first, n}, out_values, count);
+    return read_part(__func__, c, Part{field, first_strand, strands, first, n}, Values(out_values), count);
 }
 
 cd_status cd_chain_view(const cd_chain* chain, cd_field field, const void** out_data, size_t* out_strand_stride,
@@ -181,7 +181,7 @@ cd_status cd_chain_set_end(cd_chain* chain, cd_end end, cd_node kind) {
     const double value = kind;
     cd_status status = CD_OK;
     for (size_t strand = 0; strand < own_strands(c) && status == CD_OK; ++strand)
-        status = write_part(__func__, c, Part{CD_PIN, strand, 1, node, 1}, &value, 1);
+        status = write_part(__func__, c, Part{CD_PIN, strand, 1, node, 1}, Values(&value), 1);
     if (status != CD_OK && new_target) shared::switch_field(__func__, c, CD_TARGET, false);
     for (size_t strand = 0; strand < c.strands && posed && status == CD_OK; ++strand)
         for (size_t k = 0; k < c.components; ++k) {

@@ -155,35 +155,35 @@ inline cd_status can_write(const char* function, cd_field field) {
 //   block(x)                         where its numbers lie, if they are to be read as they lie there
 //   takes_any(x)                     whether any finite number may stand there, and set only stores it
 
-template <class X, class Part, class S>
-cd_status write_part(const char* function, X& x, const Part& part, const S* values, size_t count) {
+template <class X, class Part>
+cd_status write_part(const char* function, X& x, const Part& part, const Values& values, size_t count) {
     CD_CHECK(part.check(function, x, count));
     CD_CHECK(can_write(function, part.field));
-    if (count > 0) CD_CHECK(not_null(function, "values", values));
+    if (count > 0) CD_CHECK(not_null(function, "values", values.address()));
     const Block block = part.takes_any(x) ? part.block(x) : Block{};
     size_t bad = SIZE_MAX;
     if (block.array) bad = find_beyond(x, values, count);
     else
         part.each(x, [&](size_t at, const auto& place) {
-            if (bad == SIZE_MAX && !part.valid(x, place, double(values[at]))) bad = at;
+            if (bad == SIZE_MAX && !part.valid(x, place, values[at])) bad = at;
         });
     if (bad != SIZE_MAX)
-        return fail(CD_ERROR_VALUE, function, "values[%zu] is %g: %s takes %s", bad, double(values[bad]),
+        return fail(CD_ERROR_VALUE, function, "values[%zu] is %g: %s takes %s", bad, values[bad],
                     field_name(part.field), field_takes(part.field));
     CD_CHECK(part.check_all(function, x, values));
     if (block.array) write_block(x, block, values);
-    else part.each(x, [&](size_t at, const auto& place) { part.set(x, place, double(values[at])); });
+    else part.each(x, [&](size_t at, const auto& place) { part.set(x, place, values[at]); });
     part.written(x);
     return CD_OK;
 }
 
-template <class X, class Part, class S>
-cd_status read_part(const char* function, const X& x, const Part& part, S* values, size_t count) {
+template <class X, class Part>
+cd_status read_part(const char* function, const X& x, const Part& part, const Values& values, size_t count) {
     CD_CHECK(part.check(function, x, count));
-    if (count > 0) CD_CHECK(not_null(function, "out_values", values));
+    if (count > 0) CD_CHECK(not_null(function, "out_values", values.address()));
     const Block block = part.block(x);
     if (block.array) read_block(x, block, values);
-    else part.each(x, [&](size_t at, const auto& place) { values[at] = S(part.get(x, place)); });
+    else part.each(x, [&](size_t at, const auto& place) { values.put(at, part.get(x, place)); });
     return CD_OK;
 }
 

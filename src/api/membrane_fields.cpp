@@ -67,7 +67,7 @@ struct Rectangle {
     bool valid(const Membrane& m, const Place& p, double value) const {
         return valid_number(m, field, p.u, p.v, value);
     }
-    template <class S> cd_status check_all(const char*, const Membrane&, const S*) const { return CD_OK; }
+    cd_status check_all(const char*, const Membrane&, const Values&) const { return CD_OK; }
 
     Block block(const Membrane& m) const {
         if (!is_state(field)) return {};
@@ -104,25 +104,25 @@ cd_status is_node(const char* function, const Membrane& m, size_t u, size_t v) {
 cd_status cd_membrane_write_f32(cd_membrane* membrane, cd_field field, size_t first_u, size_t first_v, size_t n_u,
                                 size_t n_v, const float* values, size_t count) {
     CD_OPEN(membrane, m);
-    return write_part(__func__, m, Rectangle{field, first_u, first_v, n_u, n_v}, values, count);
+    return write_part(__func__, m, Rectangle{field, first_u, first_v, n_u, n_v}, Values(values), count);
 }
 
 cd_status cd_membrane_write_f64(cd_membrane* membrane, cd_field field, size_t first_u, size_t first_v, size_t n_u,
                                 size_t n_v, const double* values, size_t count) {
     CD_OPEN(membrane, m);
-    return write_part(__func__, m, Rectangle{field, first_u, first_v, n_u, n_v}, values, count);
+    return write_part(__func__, m, Rectangle{field, first_u, first_v, n_u, n_v}, Values(values), count);
 }
 
 cd_status cd_membrane_read_f32(const cd_membrane* membrane, cd_field field, size_t first_u, size_t first_v, size_t n_u,
                                size_t n_v, float* out_values, size_t count) {
     CD_OPEN(membrane, m);
-    return read_part(__func__, m, Rectangle{field, first_u, first_v, n_u, n_v}, out_values, count);
+    return read_part(__func__, m, Rectangle{field, first_u, first_v, n_u, n_v}, Values(out_values), count);
 }
 
 cd_status cd_membrane_read_f64(const cd_membrane* membrane, cd_field field, size_t first_u, size_t first_v, size_t n_u,
                                size_t n_v, double* out_values, size_t count) {
     CD_OPEN(membrane, m);
-    return read_part(__func__, m, Rectangle{field, first_u, first_v, n_u, n_v}, out_values, count);
+    return read_part(__func__, m, Rectangle{field, first_u, first_v, n_u, n_v}, Values(out_values), count);
 }
 
 cd_status cd_membrane_view(const cd_membrane* membrane, cd_field field, const void** out_data, size_t* out_u_stride,

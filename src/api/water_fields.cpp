@@ -94,7 +94,7 @@ struct Rectangle {
         default: return fabs(value) <= most;
         }
     }
-    template <class S> cd_status check_all(const char*, const Water&, const S*) const { return CD_OK; }
+    cd_status check_all(const char*, const Water&, const Values&) const { return CD_OK; }
 
     Block block(const Water& w) const {
         if (is_bytes(field) || is_made(field)) return {};
@@ -145,25 +145,25 @@ struct Rectangle {
 cd_status cd_water_write_f32(cd_water* water, cd_field field, size_t first_x, size_t first_y, size_t n_x, size_t n_y,
                              const float* values, size_t count) {
     CD_OPEN_QUIETLY(water, w);
-    return write_part(__func__, w, Rectangle{field, first_x, first_y, n_x, n_y}, values, count);
+    return write_part(__func__, w, Rectangle{field, first_x, first_y, n_x, n_y}, Values(values), count);
 }
 
 cd_status cd_water_write_f64(cd_water* water, cd_field field, size_t first_x, size_t first_y, size_t n_x, size_t n_y,
                              const double* values, size_t count) {
     CD_OPEN_QUIETLY(water, w);
-    return write_part(__func__, w, Rectangle{field, first_x, first_y, n_x, n_y}, values, count);
+    return write_part(__func__, w, Rectangle{field, first_x, first_y, n_x, n_y}, Values(values), count);
 }
 
 cd_status cd_water_read_f32(const cd_water* water, cd_field field, size_t first_x, size_t first_y, size_t n_x,
                             size_t n_y, float* out_values, size_t count) {
     CD_OPEN(water, w);
-    return read_part(__func__, w, Rectangle{field, first_x, first_y, n_x, n_y}, out_values, count);
+    return read_part(__func__, w, Rectangle{field, first_x, first_y, n_x, n_y}, Values(out_values), count);
 }
 
 cd_status cd_water_read_f64(const cd_water* water, cd_field field, size_t first_x, size_t first_y, size_t n_x,
                             size_t n_y, double* out_values, size_t count) {
     CD_OPEN(water, w);
-    return read_part(__func__, w, Rectangle{field, first_x, first_y, n_x, n_y}, out_values, count);
+    return read_part(__func__, w, Rectangle{field, first_x, first_y, n_x, n_y}, Values(out_values), count);
 }
 
 cd_status cd_water_view(const cd_water* water, cd_field field, const void** out_data, size_t* out_x_stride,

@@ -3,9 +3,9 @@
 #include "kernel/line_lanes.hh"
 
 namespace cd {
-namespace plain {
+namespace CD_NARROWER {
 decltype(CD_ISA::advance) advance;
-} // namespace plain
+} // namespace CD_NARROWER
 namespace CD_ISA {
 
 namespace {
@@ -51,8 +51,9 @@ struct Mover {
 bool advance(const Lines& lines, const Stage& stage, const Start& start, const RingClosure& ring, double* answer,
              bool keep, size_t first, size_t count) {
     Mover bundles{lines, stage, start, ring, answer, keep ? answer : nullptr};
-    for_each_bundle(first, count, bundles,
-                    [&](size_t line) { return plain::advance(lines, stage, start, ring, answer, keep, line, 1); });
+    for_each_bundle(first, count, bundles, [&](size_t line, size_t left) {
+        return CD_NARROWER::advance(lines, stage, start, ring, answer, keep, line, left);
+    });
     return bundles.finite;
 }
 

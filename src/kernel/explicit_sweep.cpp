@@ -6,10 +6,10 @@
 #include "kernel/plain_lines.hh"
 
 namespace cd {
-namespace plain {
+namespace CD_NARROWER {
 decltype(CD_ISA::explicit_sweep) explicit_sweep;
 decltype(CD_ISA::drift) drift;
-} // namespace plain
+} // namespace CD_NARROWER
 namespace CD_ISA {
 
 namespace {
@@ -179,15 +179,16 @@ bool explicit_sweep(const Lines& lines, const ExplicitCoefficients& c, double dt
         }
     }
     Sweep bundles{lines, c, dt, gravity, carrier};
-    for_each_bundle<kLinesAtOnce>(first, count, bundles, [&](size_t line) {
-        return plain::explicit_sweep(lines, c, dt, gravity, carrier, line, 1);
+    for_each_bundle<kLinesAtOnce>(first, count, bundles, [&](size_t line, size_t left) {
+        return CD_NARROWER::explicit_sweep(lines, c, dt, gravity, carrier, line, left);
     });
     return bundles.finite;
 }
 
 bool drift(const Lines& lines, double dt, size_t first, size_t count) {
     Drift bundles{lines, dt};
-    for_each_bundle(first, count, bundles, [&](size_t line) { return plain::drift(lines, dt, line, 1); });
+    for_each_bundle(first, count, bundles,
+                    [&](size_t line, size_t left) { return CD_NARROWER::drift(lines, dt, line, left); });
     return bundles.finite;
 }
 

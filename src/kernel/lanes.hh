@@ -36,6 +36,16 @@ constexpr bool kIsPlain = true;
 constexpr bool kIsPlain = false;
 #endif
 
+// The set whose registers fewer lines fill than this one's; and how few it takes over. One line no set makes faster, and
+// with fewer than AVX-512 holds the compiler makes of AVX-512 what it makes of AVX2.
+#if !defined(CD_ISA_IS_PLAIN) && defined(__AVX512F__) && CD_WITH_AVX2
+#define CD_NARROWER avx2
+constexpr size_t kFewest = 8;
+#else
+#define CD_NARROWER plain
+constexpr size_t kFewest = kIsPlain ? 1 : 2;
+#endif
+
 // Doubles in a register.
 #if defined(__AVX512F__)
 constexpr int kNative = 8;
@@ -290,11 +300,15 @@ constexpr int kWidest = kNative < 4 ? 4 : 8;
 
 // Calls f.template bundle<N>(first) for bundles of lanes that together cover [first, first + count): the widest while
 // they last, then narrower ones; three stay together, for the three components of a single strand. kMost: wider still.
-// alone: what the plain kernels do with a line that is left, which no set makes faster.
-template <int kMost = kWidest, class F, class Alone>
-void for_each_bundle(size_t first, size_t count, F& f, [[maybe_unused]] const Alone& alone) {
+// narrower(first, count): what the narrower set does with those that are left for it.
+template <int kMost = kWidest, class F, class Narrower>
+void for_each_bundle(size_t first, size_t count, F& f, const Narrower& narrower) {
     while (count > 0) {
         int n;
+        if (count < kFewest) {
+            f.finite &= narrower(first, count);
+            return;
+        }
         if constexpr (kMost > kWidest) {
             if (count >= size_t(kMost)) {
                 f.template bundle<kMost>(first);
@@ -303,12 +317,11 @@ void for_each_bundle(size_t first, size_t count, F& f, [[maybe_unused]] const Al
                 continue;
             }
         }
-        if (count >= size_t(kWidest)) f.template bundle<kWidest>(first), n = kWidest;
+        if (kFewest == size_t(kWidest) || count >= size_t(kWidest)) f.template bundle<kWidest>(first), n = kWidest;
         else if (count >= 4) f.template bundle<4>(first), n = 4;
         else if (count == 3) f.template bundle<3>(first), n = 3;
-        else if (count == 2) f.template bundle<2>(first), n = 2;
-        else if constexpr (kIsPlain) f.template bundle<1>(first), n = 1;
-        else f.finite &= alone(first), n = 1;
+        else if (!kIsPlain || count == 2) f.template bundle<2>(first), n = 2;
+        else f.template bundle<1>(first), n = 1;
         first += size_t(n);
         count -= size_t(n);
     }

@@ -4,10 +4,10 @@
 #include "kernel/line_lanes.hh"
 
 namespace cd {
-namespace plain {
+namespace CD_NARROWER {
 decltype(CD_ISA::rod_step) rod_step;
 decltype(CD_ISA::rod_sweep) rod_sweep;
-} // namespace plain
+} // namespace CD_NARROWER
 namespace CD_ISA {
 
 namespace {
@@ -103,10 +103,10 @@ struct Sweep {
 };
 
 bool sweep(Sweep bundles, size_t first, size_t count) {
-    for_each_bundle<kLinesAtOnce>(first, count, bundles, [&](size_t line) {
+    for_each_bundle<kLinesAtOnce>(first, count, bundles, [&](size_t line, size_t left) {
         const auto& [lines, c, stage, start, value, slope, ends, keep, finite] = bundles;
-        if (ends) return plain::rod_step(lines, c, stage, start, value, slope, keep, line, 1);
-        plain::rod_sweep(lines, c, stage, start, value, slope, line, 1);
+        if (ends) return CD_NARROWER::rod_step(lines, c, stage, start, value, slope, keep, line, left);
+        CD_NARROWER::rod_sweep(lines, c, stage, start, value, slope, line, left);
         return true;
     });
     return bundles.finite;

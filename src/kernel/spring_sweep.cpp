@@ -3,9 +3,9 @@
 #include "kernel/line_lanes.hh"
 
 namespace cd {
-namespace plain {
+namespace CD_NARROWER {
 decltype(CD_ISA::spring_sweep) spring_sweep;
-} // namespace plain
+} // namespace CD_NARROWER
 namespace CD_ISA {
 
 namespace {
@@ -80,17 +80,19 @@ template <bool kPlain> struct Sweep {
 
 bool spring_sweep(const Lines& lines, const SpringCoefficients& c, const Stage& stage, const Start& start, double* y,
                   bool keep, size_t first, size_t count) {
-    const auto alone = [&](size_t line) { return plain::spring_sweep(lines, c, stage, start, y, keep, line, 1); };
-    if (!kIsPlain && count == 1) return alone(first);
+    const auto narrower = [&](size_t line, size_t left) {
+        return CD_NARROWER::spring_sweep(lines, c, stage, start, y, keep, line, left);
+    };
+    if (count < kFewest) return narrower(first, count);
     const bool plain =
         !c.gains.force && !c.gains.drag && !c.gains.attach && !c.closing && !start.w && !keep && stage.of_change == 0;
     if (plain) {
         Sweep<true> bundles{lines, c, stage, start, y, nullptr};
-        for_each_bundle<kLinesAtOnce>(first, count, bundles, alone);
+        for_each_bundle<kLinesAtOnce>(first, count, bundles, narrower);
         return bundles.finite;
     }
     Sweep<false> bundles{lines, c, stage, start, y, keep ? y : nullptr};
-    for_each_bundle<kLinesAtOnce>(first, count, bundles, alone);
+    for_each_bundle<kLinesAtOnce>(first, count, bundles, narrower);
     return bundles.finite;
 }
 

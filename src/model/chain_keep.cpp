@@ -113,27 +113,28 @@ struct ChainKeep {
 
     static bool check_fields(Reader reader, const Chain& c, const Settings& s) {
         FieldCheck check{reader};
-        const SavedNumbers pin = check.here<uint8_t>();
+        const SavedNumbers pin = check.here(sizeof(uint8_t));
         const bool rope = CD_WITH_ROPE && s.own.rope.length > 0; // what is left out has been refused
         const size_t own = rope ? c.strands : 1, nodes = c.nodes * own,
                      springs = (c.springs + size_t(s.own.ring)) * own;
-        check.numbers<uint8_t>(nodes, [&](double value, size_t i) {
+        check.numbers(sizeof(uint8_t), nodes, [&](double value, size_t i) {
             const bool end = !s.own.ring && (i < own || i >= nodes - own);
             return is_kind(value) || (end && value == CD_NODE_MATCHED);
         });
-        if (s.on(CD_MASS)) check.numbers<double>(nodes, valid_shared_mass);
-        const SavedNumbers stiffness = s.on(CD_STIFFNESS) ? check.here<double>() : SavedNumbers{};
+        if (s.on(CD_MASS)) check.numbers(sizeof(double), nodes, valid_shared_mass);
+        const SavedNumbers stiffness = s.on(CD_STIFFNESS) ? check.here(sizeof(double)) : SavedNumbers{};
         if (s.on(CD_STIFFNESS))
-            check.numbers<double>(springs,
-                                  [](double k, size_t i) { return valid_shared(k, i) || (isinf(k) && k > 0); });
-        if (CD_WITH_BEND && s.on(CD_BEND)) check.numbers<double>(nodes, valid_shared);
-        if (rope && s.on(CD_REST_LENGTH)) check.numbers<double>(springs, valid_shared_mass);
+            check.numbers(sizeof(double), springs,
+                          [](double k, size_t i) { return valid_shared(k, i) || (isinf(k) && k > 0); });
+        if (CD_WITH_BEND && s.on(CD_BEND)) check.numbers(sizeof(double), nodes, valid_shared);
+        if (rope && s.on(CD_REST_LENGTH)) check.numbers(sizeof(double), springs, valid_shared_mass);
         if (rope && s.on(CD_STRENGTH))
-            check.numbers<double>(springs, [](double t, size_t) { return valid_mass(t) || (isinf(t) && t > 0); });
+            check.numbers(sizeof(double), springs,
+                          [](double t, size_t) { return valid_mass(t) || (isinf(t) && t > 0); });
         if (rope && (s.fields & kAngles))
-            check.numbers<double>(nodes, [](double angle, size_t) { return fabs(angle) <= kHalfTurn; });
+            check.numbers(sizeof(double), nodes, [](double angle, size_t) { return fabs(angle) <= kHalfTurn; });
         const SavedNumbers velocity = check_ties_and_state(check, c, layout_of(c), s, nodes);
-        if (rope) check.numbers<double>(springs, [](double t, size_t) { return isfinite(t) != 0; });
+        if (rope) check.numbers(sizeof(double), springs, [](double t, size_t) { return isfinite(t) != 0; });
         if (!check_surroundings(check, c, layout_of(c), s, own)) return false;
         return rope ? pinned_rest(c, pin, velocity) : nodes_are_held(c, s.own.ring != 0, pin, stiffness, velocity);
     }

@@ -67,6 +67,15 @@ cd_status shapes_differ(const char* function, const Kind& kind, const char* sour
                 int(here.precision));
 }
 
+double read_number(Reader& reader, size_t size) {
+    const auto read = [&](auto number) {
+        walk(reader, number);
+        return double(number);
+    };
+    if (size == sizeof(float)) return read(0.0f);
+    return size == sizeof(double) ? read(0.0) : read(uint8_t(0));
+}
+
 // ---- what is the same for every body --------------------------------------------------------------------------------
 
 KeptBody keep_body(const Body& b) {
@@ -104,20 +113,18 @@ bool valid_contacts(const KeptBody& s, double thickness) {
     return s.colliders <= kMostColliders && s.callbacks <= s.colliders && valid_parameter(thickness);
 }
 
+static bool is_finite(double number, size_t) { return isfinite(number) != 0; }
+
 SavedNumbers check_ties_and_state(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s,
                                   size_t ties) {
     const size_t state = layout.rows * layout.width;
-    if (s.on(CD_TARGET)) check.numbers<double>(2 * ties, [](double tie, size_t) { return valid_parameter(tie); });
-    SavedNumbers velocity{};
-    by_precision(b, [&](auto zero) {
-        using T = decltype(zero);
-        const auto any = [](double, size_t) { return true; }; // a state that diverged can be saved too
-        check.numbers<T>(state, any);
-        velocity = check.here<T>();
-        check.numbers<T>(state, any);
-        check.numbers<T>((s.on(CD_FORCE) + s.on(CD_TARGET)) * state,
-                         [](double value, size_t) { return isfinite(value) != 0; });
-    });
+    if (s.on(CD_TARGET))
+        check.numbers(sizeof(double), 2 * ties, [](double tie, size_t) { return valid_parameter(tie); });
+    const auto any = [](double, size_t) { return true; }; // a state that diverged can be saved too
+    check.numbers(number_size(b), state, any);
+    const SavedNumbers velocity = check.here(number_size(b));
+    check.numbers(number_size(b), state, any);
+    check.numbers(number_size(b), (s.on(CD_FORCE) + s.on(CD_TARGET)) * state, is_finite);
     return velocity;
 }
 
@@ -176,21 +183,17 @@ static bool colliders_are_shaped(const Body& b, const KeptBody& s, SavedNumbers 
 
 bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, const KeptBody& s, size_t parts) {
     constexpr bool air = CD_WITH_ROPE || CD_WITH_CLOTH; // what is left out has been refused
-    by_precision(b, [&](auto zero) {
-        if (air && s.on(CD_WIND))
-            check.numbers<decltype(zero)>(layout.rows * layout.width,
-                                          [](double v, size_t) { return isfinite(v) != 0; });
-    });
-    const SavedNumbers colliders = check.here<double>();
+    if (air && s.on(CD_WIND)) check.numbers(number_size(b), layout.rows * layout.width, is_finite);
+    const SavedNumbers colliders = check.here(sizeof(double));
     SavedNumbers beds = colliders;
     if (air && CD_WITH_CONTACT) {
-        check.numbers<double>(size_t(s.colliders) * kColliderNumbers, valid_collider_number);
-        beds = check.here<double>();
+        check.numbers(sizeof(double), size_t(s.colliders) * kColliderNumbers, valid_collider_number);
+        beds = check.here(sizeof(double));
         if (s.beds > size_t(check.reader.end - check.reader.from) / sizeof(double)) return false;
-        check.numbers<double>(size_t(s.beds), [](double, size_t) { return true; });
+        check.numbers(sizeof(double), size_t(s.beds), [](double, size_t) { return true; });
     }
     if (CD_WITH_SLEEP && s.sleeps())
-        check.numbers<double>(parts, [&](double calm, size_t) {
+        check.numbers(sizeof(double), parts, [&](double calm, size_t) {
             return calm == kStirred || (calm >= 0 && calm <= s.body.sleep_seconds);
         });
     return check.all_good() && (!(air && CD_WITH_CONTACT) || colliders_are_shaped(b, s, colliders, beds));

@@ -145,22 +145,17 @@ cd_status copy_object(const char* function, typename K::Object& x, const typenam
     return CD_OK;
 }
 
+// Reads one number of so many bytes: an unsigned byte, a float or a double.
+double read_number(Reader& reader, size_t size);
+
 // Numbers that lie one after the other in saved bytes, all of which are there.
 struct SavedNumbers {
     const unsigned char* from = nullptr; // null: none are saved
-    size_t size = 1;                     // bytes of one: of an unsigned byte, a float or a double
+    size_t size = 1;                     // bytes of one
 
     double operator[](size_t i) const {
-        if (size == sizeof(float)) return number<float>(i);
-        return size == sizeof(double) ? number<double>(i) : number<uint8_t>(i);
-    }
-
-private:
-    template <class Number> double number(size_t i) const {
-        Number read;
-        Reader reader{from + i * sizeof read, from + (i + 1) * sizeof read};
-        walk(reader, read);
-        return double(read);
+        Reader reader{from + i * size, from + (i + 1) * size};
+        return read_number(reader, size);
     }
 };
 
@@ -169,15 +164,11 @@ struct FieldCheck {
     Reader reader;
     bool good = true;
 
-    // Those that come next.
-    template <class Number> SavedNumbers here() const { return {reader.from, sizeof(Number)}; }
+    // Those that come next. size: of one.
+    SavedNumbers here(size_t size) const { return {reader.from, size}; }
 
-    template <class Number, class Valid> void numbers(size_t count, Valid valid) {
-        for (size_t i = 0; i < count; ++i) {
-            Number number;
-            walk(reader, number);
-            good &= valid(double(number), i);
-        }
+    template <class Valid> void numbers(size_t size, size_t count, Valid valid) {
+        for (size_t i = 0; i < count; ++i) good &= valid(read_number(reader, size), i);
     }
     bool all_good() const { return good && reader.whole && reader.from == reader.end; }
 };

@@ -127,23 +127,21 @@ struct MembraneKeep {
         if (size_t(reader.end - reader.from) < bytes) return false;
         reader.end -= bytes;
         FieldCheck check{{reader.end, reader.end + bytes}};
-        by_precision(m, [&](auto zero) {
-            check.numbers<decltype(zero)>(m.components * m.nodes, [](double v, size_t) { return isfinite(v) != 0; });
-        });
+        check.numbers(number_size(m), m.components * m.nodes, [](double v, size_t) { return isfinite(v) != 0; });
         return check.good;
     }
     static bool check_fields(Reader reader, const Membrane& m, const Settings& s) {
         FieldCheck check{reader};
         const size_t n = m.nodes;
         if ((s.fields & kOfChange) != 0 && !check_change(check.reader, m)) return false;
-        const SavedNumbers pin = s.on(CD_PIN) ? check.here<uint8_t>() : SavedNumbers{};
-        if (s.on(CD_PIN)) check.numbers<uint8_t>(n, [](double kind, size_t) { return is_kind(kind); });
-        const SavedNumbers mask = s.on(CD_MASK) ? check.here<uint8_t>() : SavedNumbers{};
-        if (s.on(CD_MASK)) check.numbers<uint8_t>(n, [](double there, size_t) { return there <= 1; });
-        if (s.on(CD_MASS)) check.numbers<double>(n, valid_shared_mass);
+        const SavedNumbers pin = s.on(CD_PIN) ? check.here(sizeof(uint8_t)) : SavedNumbers{};
+        if (s.on(CD_PIN)) check.numbers(sizeof(uint8_t), n, [](double kind, size_t) { return is_kind(kind); });
+        const SavedNumbers mask = s.on(CD_MASK) ? check.here(sizeof(uint8_t)) : SavedNumbers{};
+        if (s.on(CD_MASK)) check.numbers(sizeof(uint8_t), n, [](double there, size_t) { return there <= 1; });
+        if (s.on(CD_MASS)) check.numbers(sizeof(double), n, valid_shared_mass);
         const auto of_springs = [&](bool on, Direction d, auto is_valid) {
             if (!on) return;
-            check.numbers<double>(n, [&](double k, size_t i) {
+            check.numbers(sizeof(double), n, [&](double k, size_t i) {
                 const size_t along = d == kU ? i % m.columns : i / m.columns;
                 return along < m.springs[d] + size_t(s.own.ring[d]) ? is_valid(k, i) : k == 0;
             });

@@ -61,19 +61,18 @@ constexpr int kLaunchings = 32; // of which each leaves at most kStiff / (1 + kS
 
 // Lets a hull press the water down as it does in time, from the depths in work.before. work.load: by how much less
 // there is now.
-template <class T> void sink(Water& w, size_t index, const HullWork& work) {
-    T* const depth = numbers<T>(w.depth);
-    const T* const before = reinterpret_cast<const T*>(work.before);
+void sink(Water& w, size_t index, const HullWork& work) {
+    const StateNumbers depth = state_of(w, w.depth), before{work.before, is_wide(w)};
     memset(work.load, 0, w.plane * sizeof(double));
     for (int k = 0; k < kLaunchings; ++k) {
         CellBox box;
-        press(w, index, depth, 0, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
+        press(w, index, w.depth.data, 0, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
         box.each([&](size_t i, size_t j) {
             const size_t at = place(w, i, j);
-            const double all = double(before[at]), more = (work.own[0][at] - work.load[at]) / (1 + kStiff);
+            const double all = before[at], more = (work.own[0][at] - work.load[at]) / (1 + kStiff);
             const double less = work.load[at] + more;
             work.load[at] = less < all ? less : all;
-            depth[at] = T(all - work.load[at]);
+            depth.put(at, all - work.load[at]);
             work.own[0][at] = work.own[1][at] = 0;
         });
         lay_on_water(w, index);
@@ -82,29 +81,28 @@ template <class T> void sink(Water& w, size_t index, const HullWork& work) {
 
 // Hands what the water has lost since `before` to all that stood within a height of a level. False where that leaves
 // the range of depths.
-template <class T> bool hand_on(Water& w, double level, double height, const HullWork& work) {
-    T* const depth = numbers<T>(w.depth);
-    const T *const before = reinterpret_cast<const T*>(work.before), *const bed = numbers<T>(w.bed);
+bool hand_on(Water& w, double level, double height, const HullWork& work) {
+    const StateNumbers depth = state_of(w, w.depth), before{work.before, is_wide(w)}, bed = state_of(w, w.bed);
     const auto each_that_takes = [&](auto f) {
         each_cell(w, [&](size_t i, size_t j) {
             const size_t at = place(w, i, j);
-            if (before[at] > 0 && fabs(double(bed[at]) + double(before[at]) - level) <= height) f(at);
+            if (before[at] > 0 && fabs(bed[at] + before[at] - level) <= height) f(at);
         });
     };
     Sum lost;
     double count = 0;
-    each_cell(w, [&](size_t i, size_t j) { lost.add(double(before[place(w, i, j)]) - double(depth[place(w, i, j)])); });
+    each_cell(w, [&](size_t i, size_t j) { lost.add(before[place(w, i, j)] - depth[place(w, i, j)]); });
     each_that_takes([&](size_t) { count += 1; });
     if (!(lost.value() > 0)) return true;
     const double more = lost.value() / count;
     bool good = count > 0;
-    each_that_takes([&](size_t at) { good &= double(depth[at]) + more <= most_of(w); });
+    each_that_takes([&](size_t at) { good &= depth[at] + more <= most_of(w); });
     if (!good) return false;
     double left = 0; // of what goes to one cell rounding leaves to the next, or takes from it as far as there is water
     each_that_takes([&](size_t at) {
-        const double had = double(depth[at]), has = had + (more + left);
-        depth[at] = T(has > 0 ? has : 0);
-        left -= double(depth[at]) - (had + more);
+        const double had = depth[at], has = had + (more + left);
+        depth.put(at, has > 0 ? has : 0);
+        left -= depth[at] - (had + more);
     });
     w.account.add(-left * cell_area(w));
     return true;
@@ -119,11 +117,8 @@ bool launch(Water& w, size_t index, const HullWork& work) {
     double level = 0;
     each_plate(w, index, HullPose(hull(w, index)), [&](const Plate& p) { level += p.area * p.surface; });
     level /= hull_area(w, index);
-    by_precision(w, [&](auto zero) {
-        using T = decltype(zero);
-        sink<T>(w, index, work);
-        if (!hand_on<T>(w, level, draft_of(w, index), work)) memcpy(w.depth.data, work.before, w.depth.bytes());
-    });
+    sink(w, index, work);
+    if (!hand_on(w, level, draft_of(w, index), work)) memcpy(w.depth.data, work.before, w.depth.bytes());
     lay_on_water(w, index);
     settle_hulls(w, work);
     return true;

@@ -194,8 +194,8 @@ inline bool near_water(const Plate& p, double draft, double run) {
 }
 
 // Adds what a hull presses with, as heads in cells, and how that answers to their depths; see(i, j) for those cells.
-template <class T, class F>
-void press(const Water& w, size_t index, const T* depth, double run, double* heads, double* stiff, F see) {
+template <class F>
+void press(const Water& w, size_t index, const void* depth, double run, double* heads, double* stiff, F see) {
     const double draft = draft_of(w, index), per_cell = 1 / cell_area(w);
     each_plate(w, index, HullPose(hull(w, index)), depth, [&](const Plate& p) {
         if (!near_water(p, draft, run)) return;

@@ -45,42 +45,40 @@ void load_hulls(const Water& w, HullWork& work, bool first) {
         memset(work.impulse, 0, w.hull_shape.count * 3 * sizeof(double));
     }
     memcpy(work.before, w.depth.data, w.depth.bytes());
-    by_precision(w, [&](auto zero) {
-        using T = decltype(zero);
-        const T* const depth = numbers<T>(w.depth);
-        CellBox box;
-        each_hull(w, [&](size_t k) {
-            press(w, k, depth, work.run, work.load, work.stiff, [&](size_t i, size_t j) { box.see(i, j); });
-        });
-        box.each([&](size_t i, size_t j) {
-            const size_t at = place(w, i, j);
-            work.load[at] -= work.stiff[at] * double(depth[at]);
-        });
+    const StateNumbers depth = state_of(w, w.depth);
+    CellBox box;
+    each_hull(w, [&](size_t k) {
+        press(w, k, w.depth.data, work.run, work.load, work.stiff, [&](size_t i, size_t j) { box.see(i, j); });
+    });
+    box.each([&](size_t i, size_t j) {
+        const size_t at = place(w, i, j);
+        work.load[at] -= work.stiff[at] * depth[at];
     });
 }
 
 void feel_water(const Water& w, HullWork& work, Axis a, double theta, double dt) {
-    by_precision(w, [&](auto zero) {
-        using T = decltype(zero);
-        const T *const before = reinterpret_cast<const T*>(work.before), *const after = numbers<T>(w.depth);
-        each_hull(w, [&](size_t k) {
-            const HullPose pose(hull(w, k));
-            const double draft = draft_of(w, k);
-            double* const impulse = work.impulse + 3 * k;
-            each_plate(w, k, pose, before, [&](const Plate& p) {
-                if (!near_water(p, draft, work.run)) return;
-                double rise = 0, slope = 0;
+    const StateNumbers before{work.before, is_wide(w)};
+    each_hull(w, [&](size_t k) {
+        const HullPose pose(hull(w, k));
+        const double draft = draft_of(w, k);
+        double* const impulse = work.impulse + 3 * k;
+        each_plate(w, k, pose, work.before, [&](const Plate& p) {
+            if (!near_water(p, draft, work.run)) return;
+            double rise = 0, slope = 0;
+            before.stored_state([&](const auto* was) {
+                const auto* const is = static_cast<decltype(was)>(state_of(w, w.depth).data);
                 p.cells.each([&](size_t i, size_t j, double weight) {
-                    rise += weight * (double(after[place(w, i, j)]) - double(before[place(w, i, j)]));
+                    rise += weight * (double(is[place(w, i, j)]) - double(was[place(w, i, j)]));
                 });
-                each_difference(w, a, p.x, p.y, [&](size_t i, size_t j, double weight) {
-                    slope += weight * rise_across(w, before, a, i, j) / w.size[a];
-                });
-                const double head = p.head() + theta * (kStiff * rise);
-                const double push = -(w.density * w.gravity * dt) * (p.area * head * slope);
-                impulse[a] += push;
-                impulse[2] += (a == kX ? pose.y - p.y : p.x - pose.x) * push;
             });
+            each_difference(w, a, p.x, p.y, [&](size_t i, size_t j, double weight) {
+                const double here = before.stored_state([&](const auto* was) { return rise_across(w, was, a, i, j); });
+                slope += weight * here / w.size[a];
+            });
+            const double head = p.head() + theta * (kStiff * rise);
+            const double push = -(w.density * w.gravity * dt) * (p.area * head * slope);
+            impulse[a] += push;
+            impulse[2] += (a == kX ? pose.y - p.y : p.x - pose.x) * push;
         });
     });
 }
@@ -404,13 +402,13 @@ struct Mover {
 
 constexpr double kLeastSpread = 1e-9; // of plates along and across, of what their sums are, to have a slope
 
-template <class T> void lie(Water& w, size_t index, const T* depth, const double* heads) {
+void lie(Water& w, size_t index, const double* heads) {
     Hull& h = hull(w, index);
     const HullPose pose(h);
     h.lies[0] = h.z, h.lies[1] = h.pitch, h.lies[2] = h.roll;
     // The plane of least squares: sums over the plates, by area, of the unit, ahead and port times each other.
     double area = 0, height_sum = 0, first[2] = {}, second[3] = {}, products[2] = {};
-    each_plate(w, index, pose, depth, [&](const Plate& p) {
+    each_plate(w, index, pose, [&](const Plate& p) {
         if (!(p.sunk() > 0)) return;
         double height = (p.surface - p.height) - pose.z; // above the body's keel, so that the sums do not cancel
         if (p.bed < p.z) { // not on the bed, which does not give way
@@ -443,16 +441,12 @@ bool move_hulls(Water& w, HullWork& work, double dt) {
 }
 
 void settle_hulls(Water& w, const HullWork& work) {
-    by_precision(w, [&](auto zero) {
-        using T = decltype(zero);
-        const T* const depth = numbers<T>(w.depth);
-        CellBox box;
-        each_hull(w, [&](size_t k) {
-            press(w, k, depth, 0, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
-        });
-        each_hull(w, [&](size_t k) { lie(w, k, depth, work.own[0]); });
-        box.each([&](size_t i, size_t j) { work.own[0][place(w, i, j)] = work.own[1][place(w, i, j)] = 0; });
+    CellBox box;
+    each_hull(w, [&](size_t k) {
+        press(w, k, w.depth.data, 0, work.own[0], work.own[1], [&](size_t i, size_t j) { box.see(i, j); });
     });
+    each_hull(w, [&](size_t k) { lie(w, k, work.own[0]); });
+    box.each([&](size_t i, size_t j) { work.own[0][place(w, i, j)] = work.own[1][place(w, i, j)] = 0; });
 }
 
 } // namespace cd

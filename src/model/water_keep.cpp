@@ -26,35 +26,34 @@ struct KeptWater {
 };
 
 // Goes through the fields in the bytes, in their order, number by number.
-template <class T> struct WaterCheck {
+struct WaterCheck {
     const Water& w;
     const KeptWater& s;
     FieldCheck check;
     const unsigned char *mask = nullptr, *wall[2] = {};
 
-    // Every number, those of the spare row and column too: valid(i, j, value).
-    template <class Number, class Valid> void numbers(Valid valid) {
+    // Every number, of so many bytes, those of the spare row and column too: valid(i, j, value).
+    template <class Valid> void numbers(size_t size, Valid valid) {
         const size_t columns = w.cells[kX] + 1;
-        check.numbers<Number>(columns * (w.cells[kY] + 1),
-                              [&](double value, size_t at) { return valid(at % columns, at / columns, value); });
+        check.numbers(size, columns * (w.cells[kY] + 1),
+                      [&](double value, size_t at) { return valid(at % columns, at / columns, value); });
     }
-    template <class Number, class Valid> void cells(double spare, Valid valid) {
-        numbers<Number>([&](size_t i, size_t j, double value) {
+    template <class Valid> void cells(size_t size, double spare, Valid valid) {
+        numbers(size, [&](size_t i, size_t j, double value) {
             return i < w.cells[kX] && j < w.cells[kY] ? valid(i, j, value) : value == spare;
         });
     }
     // Along a periodic direction the last face of a line is the first.
-    template <class Number, class Valid> void faces(Axis a, Valid valid) {
+    template <class Valid> void faces(size_t size, Axis a, Valid valid) {
         const size_t columns = w.cells[kX] + 1;
         const unsigned char* const start = check.reader.from;
-        numbers<Number>([&](size_t i, size_t j, double value) {
+        numbers(size, [&](size_t i, size_t j, double value) {
             if (i >= faces_along(w, a, kX) || j >= faces_along(w, a, kY)) return value == 0;
             if (!valid(i, j, value)) return false;
             if (!s.periodic(a) || (a == kX ? i : j) < w.cells[a]) return true;
-            Reader first{start + (a == kX ? j * columns : i) * sizeof(Number), check.reader.end};
-            Number same;
-            walk(first, same);
-            return double(same) == value || (isnan(double(same)) && isnan(value));
+            Reader first{start + (a == kX ? j * columns : i) * size, check.reader.end};
+            const double same = read_number(first, size);
+            return same == value || (isnan(same) && isnan(value));
         });
     }
     // One that diverged need not be finite where steps have written.
@@ -63,7 +62,7 @@ template <class T> struct WaterCheck {
         const size_t all = s.hulls.numbers();
         Hull h{};
         size_t plates = 0;
-        check.numbers<double>(s.hulls.count * all, [&](double value, size_t at) {
+        check.numbers(sizeof(double), s.hulls.count * all, [&](double value, size_t at) {
             const size_t k = at % all;
             if (k >= kHullNumbers) {
                 plates += value >= 0 ? 1 : 0;
@@ -88,17 +87,19 @@ template <class T> struct WaterCheck {
     bool all_good() {
         const auto finite = [](size_t, size_t, double value) { return isfinite(value) != 0; };
         const auto is_bit = [](size_t, size_t, double value) { return value <= 1; };
-        if (s.on(CD_MASK)) mask = check.reader.from, cells<uint8_t>(1, is_bit);
+        if (s.on(CD_MASK)) mask = check.reader.from, cells(1, 1, is_bit);
         for (Axis a : {kX, kY})
-            if (s.on(a == kX ? CD_WALL_X : CD_WALL_Y)) wall[a] = check.reader.from, faces<uint8_t>(a, is_bit);
+            if (s.on(a == kX ? CD_WALL_X : CD_WALL_Y)) wall[a] = check.reader.from, faces(1, a, is_bit);
         if (!check.reader.whole) return false; // below, mask and walls are read
-        cells<T>(0, [&](size_t i, size_t j, double d) { return there(i, j) ? !(d < 0) : d == 0; });
-        cells<T>(0, finite);
-        for (Axis a : {kX, kY}) faces<T>(a, [&](size_t i, size_t j, double u) { return u == 0 || can_cross(a, i, j); });
-        if (s.on(CD_SOURCE)) cells<T>(0, finite);
-        if (s.on(CD_PRESSURE)) cells<T>(0, finite);
+        const size_t size = number_size(w);
+        cells(size, 0, [&](size_t i, size_t j, double d) { return there(i, j) ? !(d < 0) : d == 0; });
+        cells(size, 0, finite);
         for (Axis a : {kX, kY})
-            if (s.on(a == kX ? CD_FORCE_X : CD_FORCE_Y)) faces<T>(a, finite);
+            faces(size, a, [&](size_t i, size_t j, double u) { return u == 0 || can_cross(a, i, j); });
+        if (s.on(CD_SOURCE)) cells(size, 0, finite);
+        if (s.on(CD_PRESSURE)) cells(size, 0, finite);
+        for (Axis a : {kX, kY})
+            if (s.on(a == kX ? CD_FORCE_X : CD_FORCE_Y)) faces(size, a, finite);
         if (s.fields & kHullBit) hulls();
         return check.all_good();
     }
@@ -190,7 +191,7 @@ struct WaterKeep {
     }
 
     static bool check_fields(Reader reader, const Water& w, const Settings& s) {
-        return by_precision(w, [&](auto zero) { return WaterCheck<decltype(zero)>{w, s, {reader}}.all_good(); });
+        return WaterCheck{w, s, {reader}}.all_good();
     }
 };
 
