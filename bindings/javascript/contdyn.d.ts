@@ -1383,9 +1383,9 @@ export class Membrane extends Handle {
   // /
   // dt^2 a tenth too slowly, of 1000 28%, far beyond as through syrup, and lags behind a held edge that moves: make
   // a long frame several steps. lambda = 1 damps motion that a step does not resolve, lambda nearer 1/2 less, for more
-  // effort; steps are first order in time. Free sheets keep their momentum. Cloth needs "implicit" with lambda in
-  // [1/2, 1], no matched edge and no stiffness damping, or step says "errorUnsupported"; set_solver and
-  // set_tolerance do not matter to it.
+  // effort; steps are first order in time. Free sheets keep their momentum, as does each free part of a torn one. Cloth
+  // needs "implicit" with lambda in [1/2, 1], no matched edge and no stiffness damping, or step says
+  // "errorUnsupported"; set_solver and set_tolerance do not matter to it.
 
   /**
    * Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or

@@ -211,9 +211,9 @@ CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_
  * 10 mass / dt^2 [N/m] falls to 2% as it should, and stretches by some 2% where it hangs by two corners; of 100 mass /
  * dt^2 a tenth too slowly, of 1000 28%, far beyond as through syrup, and lags behind a held edge that moves: make
  * a long frame several steps. lambda = 1 damps motion that a step does not resolve, lambda nearer 1/2 less, for more
- * effort; steps are first order in time. Free sheets keep their momentum. Cloth needs CD_METHOD_IMPLICIT with lambda in
- * [1/2, 1], no matched edge and no stiffness damping, or cd_membrane_step says CD_ERROR_UNSUPPORTED; set_solver and
- * set_tolerance do not matter to it. */
+ * effort; steps are first order in time. Free sheets keep their momentum, as does each free part of a torn one. Cloth
+ * needs CD_METHOD_IMPLICIT with lambda in [1/2, 1], no matched edge and no stiffness damping, or cd_membrane_step says
+ * CD_ERROR_UNSUPPORTED; set_solver and set_tolerance do not matter to it. */
 
 /* Rest lengths of the sheet along u and along v [m], 0 or in [1e-60, 1e60]; default 0: no cloth. Both are 0 or neither
  * is. Per spring: length / springs, in a ring as well; nodes stay where they are. Making cloth of a membrane sets

@@ -236,9 +236,12 @@ void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* 
 }
 
 bool touches(const ClothWork& w, size_t contacts, double dt) {
-    for (size_t i = 0; i < contacts; ++i)
-        if (push_of(w.contacts[i], vector_at(w.w, size_t(w.contacts[i].at)), 1 / dt) > 0) return true;
-    return false;
+    bool any = false;
+    for (size_t i = 0; i < contacts; ++i) {
+        const size_t at = size_t(w.contacts[i].at);
+        if (push_of(w.contacts[i], vector_at(w.w, at), 1 / dt) > 0) w.bound[w.part[at]] = 1, any = true;
+    }
+    return any;
 }
 
 void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* residual,
