@@ -244,6 +244,18 @@ bool touches(const ClothWork& w, size_t contacts, double dt) {
     return any;
 }
 
+void widen_by_contacts(const ClothWork& w, size_t contacts, double dt, double* const* least, double* const* most) {
+    for (size_t i = 0; i < contacts; ++i) {
+        const ClothContact& c = w.contacts[i];
+        const size_t at = size_t(c.at), part = w.part[at];
+        if (!(w.bound[part] > 0) || (!(c.push > 0) && !(push_of(c, vector_at(w.w, at), 1 / dt) > 0))) continue;
+        for (int k = 0; k < 3; ++k) {
+            least[k][part] = fmin(least[k][part], c.velocity[k]);
+            most[k][part] = fmax(most[k][part], c.velocity[k]);
+        }
+    }
+}
+
 void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* residual,
                   double* const* ground) {
     const double inverse_dt = 1 / dt;

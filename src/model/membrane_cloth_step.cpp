@@ -278,19 +278,29 @@ struct ClothStep {
     }
 
     // Shifts w so that every part of the sheet that is free has the momentum that it should, and puts the velocity that such
-    // a part has as a whole into `error`, at the part's first node. Springs cancel in its balance. False if there is none.
+    // a part has as a whole into `error`, at the part's first node: springs cancel in its balance. Of any other part that is,
+    // along each axis, the least that all that holds or pushes it moves by. False if none is free.
     bool share_momentum() const {
         double *const *const force = w.error, *const *const missing = w.image;
         double* const matrix[6] = {w.conjugate[0], w.conjugate[1], w.conjugate[2],
                                    w.answer[0],    w.answer[1],    w.answer[2]};
         each_place([&](size_t at) {
-            for (int k = 0; k < 3 && w.part[at] == at; ++k)
-                force[k][at] = missing[k][at] = matrix[k][at] = matrix[k + 3][at] = 0;
+            for (int k = 0; k < 3 && w.part[at] == at; ++k) {
+                matrix[k][at] = matrix[k + 3][at] = 0;
+                missing[k][at] = w.bound[at] > 0 ? HUGE_VAL : 0;
+                force[k][at] = -missing[k][at];
+            }
         });
         const int blocks = w.has_blocks() ? 6 : 3;
         each_place([&](size_t at) {
             const size_t part = w.part[at];
-            if (w.bound[part] > 0) return;
+            if (w.bound[part] > 0) {
+                for (int k = 0; k < 3 && !(w.moves[at] > 0); ++k) {
+                    missing[k][part] = fmin(missing[k][part], w.w[k][at]);
+                    force[k][part] = fmax(force[k][part], w.w[k][at]);
+                }
+                return;
+            }
             double own[6] = {}, kept[3];
             for (int k = 0; k < blocks; ++k) own[k] = w.own[k][at], matrix[k][part] += own[k];
             const double x = w.w[0][at], y = w.w[1][at], z = w.w[2][at];
@@ -299,9 +309,16 @@ struct ClothStep {
             kept[2] = own[4] * x + own[5] * y + own[2] * z;
             for (int k = 0; k < 3; ++k) force[k][part] += w.rhs[k][at], missing[k][part] += w.rhs[k][at] - kept[k];
         });
+        if (CD_WITH_CONTACT) widen_by_contacts(w, contacts, dt, missing, force);
         bool any = false;
         each_place([&](size_t at) {
-            if (w.part[at] != at || w.bound[at] > 0) return;
+            if (w.part[at] != at) return;
+            for (int k = 0; k < 3 && w.bound[at] > 0; ++k) {
+                const double least = missing[k][at], most = force[k][at];
+                force[k][at] = least > most ? 0 : fmax(least, 0) + fmin(most, 0);
+                missing[k][at] = 0;
+            }
+            if (w.bound[at] > 0) return;
             double sum[6], mean[3] = {}, shift[3] = {};
             const auto solve = [&](double* const* right, double* x) {
                 const double of[3] = {right[0][at], right[1][at], right[2][at]};
@@ -321,14 +338,14 @@ struct ClothStep {
             for (size_t u = 0; u < m.columns; ++u) f(w.place(u, v));
     }
 
-    // Scales what w has beside the velocities of whole parts, or all of it, so that Phi does not rise along it. Those
-    // velocities, which may be as good as nothing beside the rest, are what all of it is added to. `found`: the residual is
-    // that of w.
-    void scale(bool parts, bool found) const {
+    // Scales what w has beside the velocities of whole parts, or all that free ones have, so that Phi does not rise along
+    // it. Those velocities, which may be as good as nothing beside the rest, are what all of it is added to. `found`: the
+    // residual is that of w.
+    void scale(bool free, bool found) const {
         double* const* const way = w.direction;
         for (int k = 0; k < 3; ++k)
             each_place([&](size_t at) {
-                const double mean = parts ? w.error[k][w.part[at]] : 0;
+                const double mean = free || w.bound[w.part[at]] > 0 ? w.error[k][w.part[at]] : 0;
                 way[k][at] = w.moves[at] * (w.w[k][at] - mean);
                 if (w.moves[at] > 0) w.w[k][at] = mean;
             });
@@ -346,9 +363,10 @@ struct ClothStep {
 
     // A part of the sheet that nothing holds and that touches nothing keeps its momentum, however little of its step was found,
     // also in air. Should it touch something after all, or air be so thick that rounding counts, the last scaling sees to it.
+    // Any other goes along with what holds or pushes it, as if that stood still.
     void bound() const {
         const bool free = share_momentum();
-        scale(free, !free);
+        scale(true, !free);
         if (free && w.has_blocks()) scale(false, false);
     }
 
