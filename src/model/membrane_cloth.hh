@@ -17,6 +17,7 @@ struct ClothContact {
     double friction;    // the coefficient
     double velocity[3]; // of the collider
     double push;        // the impulse by the last iteration, which friction goes by
+    double met;         // 1 once an iteration has led into the collider
 };
 
 constexpr size_t kBefore = 8; // numbers of room before each row of a plane
@@ -78,8 +79,8 @@ size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt);
 void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* rest);
 // Whether the velocities w lead into a collider; the parts that touch one are bound from here on.
 bool touches(const ClothWork& w, size_t contacts, double dt);
-// Widens the ranges of velocities at the first nodes of bound parts by those of the colliders that push these.
-void widen_by_contacts(const ClothWork& w, size_t contacts, double dt, double* const* least, double* const* most);
+// Widens the ranges of velocities at the first nodes of bound parts by those of the colliders that these have met.
+void widen_by_contacts(const ClothWork& w, size_t contacts, double* const* least, double* const* most);
 // residual += the contacts' impulses at `velocity`; ground, if not null, gets their stiffness.
 void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* residual,
                   double* const* ground);

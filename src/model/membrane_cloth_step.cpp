@@ -309,7 +309,7 @@ struct ClothStep {
             kept[2] = own[4] * x + own[5] * y + own[2] * z;
             for (int k = 0; k < 3; ++k) force[k][part] += w.rhs[k][at], missing[k][part] += w.rhs[k][at] - kept[k];
         });
-        if (CD_WITH_CONTACT) widen_by_contacts(w, contacts, dt, missing, force);
+        if (CD_WITH_CONTACT) widen_by_contacts(w, contacts, missing, force);
         bool any = false;
         each_place([&](size_t at) {
             if (w.part[at] != at) return;
@@ -367,7 +367,12 @@ struct ClothStep {
     void bound() const {
         const bool free = share_momentum();
         scale(true, !free);
-        if (free && w.has_blocks()) scale(false, false);
+        if (!free || !w.has_blocks()) return;
+        if (CD_WITH_CONTACT && touches(w, contacts, dt)) {
+            share_momentum();
+            scale(true, false);
+        }
+        scale(false, false);
     }
 
     // Positions, velocities, what a node would do by itself, and what resists it.
