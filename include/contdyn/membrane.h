@@ -209,7 +209,7 @@ CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_
  * that cd_membrane_get_energy tells never rises but by the work of what is driven, of forces, pressure, wind and
  * colliders that move. What a step does not reach slows the sheet down: with the default effort one of a stiffness of
  * 10 mass / dt^2 [N/m] falls to 2% as it should, and stretches by some 2% where it hangs by two corners; of 100 mass /
- * dt^2 a tenth too slowly, of 1000 28%, far beyond as through syrup, and lags behind a held edge that moves: make
+ * dt^2 a tenth too slowly, of 1000 28%, far beyond as through syrup that goes along with what holds or pushes it: make
  * a long frame several steps. lambda = 1 damps motion that a step does not resolve, lambda nearer 1/2 less, for more
  * effort; steps are first order in time. Free sheets keep their momentum, as does each free part of a torn one. Cloth
  * needs CD_METHOD_IMPLICIT with lambda in [1/2, 1], no matched edge and no stiffness damping, or cd_membrane_step says

@@ -307,6 +307,8 @@ RULES = {
         CLOTH_STEP, "free = share_momentum();", "free = !w.has_blocks() && share_momentum();", ["physics_cloth_motion"]),
     "and each free part of a torn one": (
         CLOTH, "w.part[at] = joiner.first_of(at) + 1;", "w.part[at] = 1;", ["physics_cloth_motion"]),
+    "and beside what moves, that goes along": (
+        CLOTH_STEP, "fmax(least, 0) + fmin(most, 0)", "0", ["physics_cloth_contact"]),
     "what rises by rounding only is gone all the way": (
         CLOTH_STEP, "            if (!(middle < most)) return most; // where it rises by rounding only\n",
         "            if (!(middle < most)) break;\n", ["physics_cloth_contact"]),
