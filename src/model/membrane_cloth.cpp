@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "model/joiner.hh"
+
 namespace cd {
 
 namespace {
@@ -67,11 +69,13 @@ ClothWork::ClothWork(const Membrane& m, const MembraneFeatures& f, Carver& coeff
     mass = plane();
     moves = plane();
     turned_moves = coefficients.plane(turned);
+    part = reinterpret_cast<size_t*>(coefficients.plane(grid));
 
     for (double** planes : {from, to, w, trial, rhs, residual, direction, error, conjugate, image, answer})
         vector(planes, grid);
     for (double** planes : recycled) vector(planes, grid);
     vector(turned_z, turned);
+    bound = scratch.plane(grid);
     inertia = scratch.plane(grid);
     const bool blocks = f.air || f.colliders.count > 0;
     for (int k = 0; k < 6; ++k) {
@@ -124,6 +128,25 @@ const char* what_cloth_lacks(const Membrane& m) {
     return nullptr;
 }
 
+namespace {
+
+void find_parts(const Membrane& m, ClothWork& w) {
+    const Joiner joiner{w.part};
+    const auto each_node = [&](auto f) {
+        for (size_t v = 0; v < m.rows; ++v)
+            for (size_t u = 0; u < m.columns; ++u) f(u, v, w.place(u, v));
+    };
+    each_node([&](size_t, size_t, size_t at) { w.part[at] = at + 1; });
+    each_node([&](size_t u, size_t v, size_t at) {
+        if (w.stiffness[kAlongU][at] > 0) joiner.join(at, w.place(after(m, kU, u), v));
+        if (w.stiffness[kAlongV][at] > 0) joiner.join(at, w.place(u, after(m, kV, v)));
+    });
+    each_node([&](size_t, size_t, size_t at) { w.part[at] = joiner.first_of(at) + 1; });
+    each_node([&](size_t, size_t, size_t at) { --w.part[at]; });
+}
+
+} // namespace
+
 void prepare(const Membrane& m, ClothWork& w, double h, double dt) {
     for (double* length : {w.length[kAlongU], w.length[kAlongV], w.length[kDiagonal]})
         for (size_t i = 0; i < w.grid.pitch * w.grid.rows + 2 * kBefore; ++i) length[ptrdiff_t(i - kBefore)] = 1;
@@ -145,6 +168,7 @@ void prepare(const Membrane& m, ClothWork& w, double h, double dt) {
             w.stiffness[kDiagonal][at] = w.stiffness[kCounterDiagonal][at] = shear;
             if (shear > 0) w.length[kDiagonal][at] = diagonal_length(m, u, v);
         }
+    find_parts(m, w);
     if (!m.ring[kU]) return;
     const auto wrap = [&](double* plane) { m.kernels->sheet.wrap(w.grid, plane, 0, w.grid.rows); };
     for (double* plane : w.stiffness) wrap(plane);

@@ -17,6 +17,7 @@ struct ClothContact {
     double friction;    // the coefficient
     double velocity[3]; // of the collider
     double push;        // the impulse by the last iteration, which friction goes by
+    double met;         // 1 once an iteration has led into the collider
 };
 
 constexpr size_t kBefore = 8; // numbers of room before each row of a plane
@@ -28,6 +29,7 @@ struct ClothWork {
     // coefficients: planes
     double *stiffness[kClothSprings], *length[kClothSprings], *compression[2], *bend[2], *twist;
     double *mass, *moves, *turned_moves;
+    size_t* part; // of nodes that springs join, held ones among them: the place of the part's first node
 
     // scratch: planes, three for a vector
     double *from[3], *to[3];         // positions before and after the step
@@ -37,6 +39,7 @@ struct ClothWork {
     double *conjugate[3], *image[3]; // a conjugate direction and the matrix times it
     double *answer[3], *turned_z[3]; // of lines along v and along u
     double* recycled[2][3];          // what the last step changed, and Newton's last direction
+    double* bound;                   // at a part's first node: 1 if it is held or has touched a collider
     double *inertia, *own[6];        // ground without contacts: all three the same, or with air symmetric blocks
     double* ground[6];               // with contacts
     double *curvature[kClothSprings][4], *turned_curvature[4], *block[6], *turned_block[6];
@@ -74,8 +77,10 @@ inline size_t most_contacts(size_t colliders) { return colliders < kMostTouched 
 size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt);
 // Friction goes by the pushes at `velocity` from here on, where the residual without contacts is `rest`.
 void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* rest);
-// Whether the velocities w lead into a collider.
+// Whether the velocities w lead into a collider; the parts that touch one are bound from here on.
 bool touches(const ClothWork& w, size_t contacts, double dt);
+// Widens the ranges of velocities at the first nodes of bound parts by those of the colliders that these have met.
+void widen_by_contacts(const ClothWork& w, size_t contacts, double* const* least, double* const* most);
 // residual += the contacts' impulses at `velocity`; ground, if not null, gets their stiffness.
 void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* residual,
                   double* const* ground);

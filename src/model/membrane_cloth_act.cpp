@@ -174,6 +174,7 @@ size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt) {
                                            kContactStiffness * w.mass[at],
                                            to.friction,
                                            {velocity[0], velocity[1], velocity[2]},
+                                           0,
                                            0};
                 keep_deepest(w.contacts + node * most, most, contact, dt * vector_at(w.w, at));
             }
@@ -236,9 +237,24 @@ void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* 
 }
 
 bool touches(const ClothWork& w, size_t contacts, double dt) {
-    for (size_t i = 0; i < contacts; ++i)
-        if (push_of(w.contacts[i], vector_at(w.w, size_t(w.contacts[i].at)), 1 / dt) > 0) return true;
-    return false;
+    bool any = false;
+    for (size_t i = 0; i < contacts; ++i) {
+        const size_t at = size_t(w.contacts[i].at);
+        if (push_of(w.contacts[i], vector_at(w.w, at), 1 / dt) > 0)
+            w.contacts[i].met = w.bound[w.part[at]] = 1, any = true;
+    }
+    return any;
+}
+
+void widen_by_contacts(const ClothWork& w, size_t contacts, double* const* least, double* const* most) {
+    for (size_t i = 0; i < contacts; ++i) {
+        const ClothContact& c = w.contacts[i];
+        const size_t part = w.part[size_t(c.at)];
+        for (int k = 0; k < 3 && c.met > 0; ++k) {
+            least[k][part] = fmin(least[k][part], c.velocity[k]);
+            most[k][part] = fmax(most[k][part], c.velocity[k]);
+        }
+    }
 }
 
 void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* residual,

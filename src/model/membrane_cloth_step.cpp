@@ -277,43 +277,77 @@ struct ClothStep {
         }
     }
 
-    bool is_held() const {
-        for (size_t v = 0; v < m.rows; ++v)
-            for (size_t u = 0; u < m.columns; ++u)
-                if (!(w.moves[w.place(u, v)] > 0) && present(m, u, v)) return true;
-        return false;
-    }
-
-    // The velocity that a free sheet has as a whole, after w has been shifted to it. Springs cancel in its balance.
-    void share_momentum(double* mean) const {
-        double force[3] = {}, missing[3] = {}, matrix[6] = {}, shift[3] = {};
+    // Shifts w so that every part of the sheet that is free has the momentum that it should, and puts the velocity that such
+    // a part has as a whole into `error`, at the part's first node: springs cancel in its balance. Of any other part that is,
+    // along each axis, the least that all that holds or pushes it moves by. False if none is free.
+    bool share_momentum() const {
+        double *const *const force = w.error, *const *const missing = w.image;
+        double* const matrix[6] = {w.conjugate[0], w.conjugate[1], w.conjugate[2],
+                                   w.answer[0],    w.answer[1],    w.answer[2]};
+        each_place([&](size_t at) {
+            for (int k = 0; k < 3 && w.part[at] == at; ++k) {
+                matrix[k][at] = matrix[k + 3][at] = 0;
+                missing[k][at] = w.bound[at] > 0 ? HUGE_VAL : 0;
+                force[k][at] = -missing[k][at];
+            }
+        });
         const int blocks = w.has_blocks() ? 6 : 3;
         each_place([&](size_t at) {
-            if (!(w.moves[at] > 0)) return;
+            const size_t part = w.part[at];
+            if (w.bound[part] > 0) {
+                for (int k = 0; k < 3 && !(w.moves[at] > 0); ++k) {
+                    missing[k][part] = fmin(missing[k][part], w.w[k][at]);
+                    force[k][part] = fmax(force[k][part], w.w[k][at]);
+                }
+                return;
+            }
             double own[6] = {}, kept[3];
-            for (int k = 0; k < blocks; ++k) own[k] = w.own[k][at], matrix[k] += own[k];
+            for (int k = 0; k < blocks; ++k) own[k] = w.own[k][at], matrix[k][part] += own[k];
             const double x = w.w[0][at], y = w.w[1][at], z = w.w[2][at];
             kept[0] = own[0] * x + own[3] * y + own[4] * z;
             kept[1] = own[3] * x + own[1] * y + own[5] * z;
             kept[2] = own[4] * x + own[5] * y + own[2] * z;
-            for (int k = 0; k < 3; ++k) force[k] += w.rhs[k][at], missing[k] += w.rhs[k][at] - kept[k];
+            for (int k = 0; k < 3; ++k) force[k][part] += w.rhs[k][at], missing[k][part] += w.rhs[k][at] - kept[k];
         });
-        if (!solve_block(matrix, force, mean) || !solve_block(matrix, missing, shift)) return;
-        for (int k = 0; k < 3; ++k) each_place([&](size_t at) { w.w[k][at] += w.moves[at] * shift[k]; });
+        if (CD_WITH_CONTACT) widen_by_contacts(w, contacts, missing, force);
+        bool any = false;
+        each_place([&](size_t at) {
+            if (w.part[at] != at) return;
+            for (int k = 0; k < 3 && w.bound[at] > 0; ++k) {
+                const double least = missing[k][at], most = force[k][at];
+                force[k][at] = least > most ? 0 : fmax(least, 0) + fmin(most, 0);
+                missing[k][at] = 0;
+            }
+            if (w.bound[at] > 0) return;
+            double sum[6], mean[3] = {}, shift[3] = {};
+            const auto solve = [&](double* const* right, double* x) {
+                const double of[3] = {right[0][at], right[1][at], right[2][at]};
+                return solve_block(sum, of, x);
+            };
+            for (int k = 0; k < 6; ++k) sum[k] = matrix[k][at];
+            any = true;
+            if (!solve(force, mean) || !solve(missing, shift)) shift[0] = shift[1] = shift[2] = 0;
+            for (int k = 0; k < 3; ++k) force[k][at] = mean[k], missing[k][at] = shift[k];
+        });
+        for (int k = 0; any && k < 3; ++k)
+            each_place([&](size_t at) { w.w[k][at] += w.moves[at] * missing[k][w.part[at]]; });
+        return any;
     }
     template <class F> void each_place(F f) const {
         for (size_t v = 0; v < m.rows; ++v)
             for (size_t u = 0; u < m.columns; ++u) f(w.place(u, v));
     }
 
-    // Scales what w has beside this velocity of the whole sheet, so that Phi does not rise along it. That velocity, which
-    // may be as good as nothing beside the rest, is what all of it is added to. `found`: the residual is that of w.
-    void scale(const double* mean, bool found) const {
+    // Scales what w has beside the velocities of whole parts, or all that free ones have, so that Phi does not rise along
+    // it. Those velocities, which may be as good as nothing beside the rest, are what all of it is added to. `found`: the
+    // residual is that of w.
+    void scale(bool free, bool found) const {
         double* const* const way = w.direction;
         for (int k = 0; k < 3; ++k)
             each_place([&](size_t at) {
-                way[k][at] = w.moves[at] * (w.w[k][at] - mean[k]);
-                if (w.moves[at] > 0) w.w[k][at] = mean[k];
+                const double mean = free || w.bound[w.part[at]] > 0 ? w.error[k][w.part[at]] : 0;
+                way[k][at] = w.moves[at] * (w.w[k][at] - mean);
+                if (w.moves[at] > 0) w.w[k][at] = mean;
             });
         const double end = found ? -dot(w.residual, way) : slope(w.w, 1, way);
         double share = 1;
@@ -327,15 +361,18 @@ struct ClothStep {
         add(share, way, w.w);
     }
 
-    // A sheet that nothing holds and that touches nothing keeps its momentum, however little of its step was found, also in
-    // air. Should it touch something after all, or air be so thick that rounding counts, the last scaling sees to it.
+    // A part of the sheet that nothing holds and that touches nothing keeps its momentum, however little of its step was found,
+    // also in air. Should it touch something after all, or air be so thick that rounding counts, the last scaling sees to it.
+    // Any other goes along with what holds or pushes it, as if that stood still.
     void bound() const {
-        double mean[3] = {};
-        const bool alone = !is_held() && !touched;
-        if (alone) share_momentum(mean);
-        scale(mean, !alone);
-        static constexpr double kRest[3] = {};
-        if (alone && w.has_blocks()) scale(kRest, false);
+        const bool free = share_momentum();
+        scale(true, !free);
+        if (!free || !w.has_blocks()) return;
+        if (CD_WITH_CONTACT && touches(w, contacts, dt)) {
+            share_momentum();
+            scale(true, false);
+        }
+        scale(false, false);
     }
 
     // Positions, velocities, what a node would do by itself, and what resists it.
@@ -346,6 +383,7 @@ struct ClothStep {
             for (size_t u = 0; u < m.columns; ++u) {
                 const size_t at = w.place(u, v);
                 const double tie = tie_of(m, u, v), mass = w.mass[at], moves = w.moves[at];
+                if (!(moves > 0)) w.bound[w.part[at]] = 1;
                 w.inertia[at] =
                     moves * (mass * (1 + h * m.drag) + h * (tie_damping_of(m, node_at(m, u, v)) + dt * tie));
                 for (size_t k = 0; k < 3; ++k) {

@@ -8,8 +8,7 @@
 // alone among the planes only the momentum of that part would be kept.
 #include <string.h>
 
-#include <initializer_list>
-
+#include "model/joiner.hh"
 #include "model/membrane_work.hh"
 
 namespace cd {
@@ -21,35 +20,6 @@ template <class F> void each_place(const Work& w, F f) {
     for (size_t v = 0; v < w.grid.rows; ++v)
         for (size_t u = 0; u < w.grid.columns; ++u) f(v * w.grid.pitch + u);
 }
-
-// While parts are sought every node that moves points to one of its part, in the end to the part's first one, which
-// points to itself; pointers are places + 1.
-struct Joiner {
-    size_t* points;
-
-    size_t first_of(size_t at) const {
-        while (points[at] - 1 != at) {
-            const size_t next = points[at] - 1;
-            points[at] = points[next];
-            at = next;
-        }
-        return at;
-    }
-    void join(size_t a, size_t b) const {
-        a = first_of(a), b = first_of(b);
-        if (a < b) points[b] = a + 1;
-        else points[a] = b + 1;
-    }
-    // those of them that move
-    void join_all(std::initializer_list<size_t> places) const {
-        size_t last = 0;
-        for (size_t at : places) {
-            if (points[at] == 0) continue;
-            if (last > 0) join(last - 1, at);
-            last = at + 1;
-        }
-    }
-};
 
 void join_neighbours(const Membrane& m, const Work& w, const Joiner& joiner) {
     for (size_t v = 0; v < m.rows; ++v)

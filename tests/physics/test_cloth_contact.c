@@ -1,5 +1,6 @@
 /* Cloth that touches planes, spheres and capsules: at rest, on slopes, thrown, swept along, over bodies that move. */
 #include <math.h>
+#include <string.h>
 
 #include "check.h"
 #include "cloth.h"
@@ -281,6 +282,42 @@ static void a_bar_that_moves_sweeps_the_sheet_along(void** state) {
     }
 }
 
+/* However stiff, and however few iterations a step takes: what moves into a sheet takes it along, and so does a held edge. */
+static void a_stiff_sheet_goes_along(void** state) {
+    (void)state;
+    static const double stiffnesses[] = {1e4, 1e6, 1e8}, normal[3] = {0.6, 0.64, 0.48}, dt = 1 / 60.0, speed = 8;
+    double deepest = 0, slowest = speed, fastest_one = 0;
+    for (size_t s = 0; s < COUNT(stiffnesses); ++s)
+        for (size_t newton = 1; newton < 6; ++newton) {
+            const double velocity[3] = {speed * normal[0], speed * normal[1], speed * normal[2]};
+            cd_membrane *pushed = level(12, 0, 1), *held = level(12, 0, 0);
+            double v[3], all[MOST][3] = {{0}};
+            ok(cd_membrane_set_plane(pushed, 0, (double[3]){-0.6, -0.64, -0.48}, normal, 3, 0.5));
+            ok(cd_membrane_set_collider_velocity(pushed, 0, velocity, 3));
+            ok(cd_membrane_set_edge(held, CD_EDGE_V_FIRST, CD_NODE_DRIVEN));
+            for (size_t i = 0; i < 13; ++i) memcpy(all[i], velocity, sizeof velocity);
+            cloth_write(held, CD_VELOCITY, all[0]);
+            for (int k = 0; k < 2; ++k) {
+                cd_membrane* m = k ? held : pushed;
+                ok(cd_membrane_set_gravity(m, nowhere, 3));
+                ok(cd_membrane_set_stiffness(m, stiffnesses[s], stiffnesses[s]));
+                ok(cd_membrane_set_effort(m, newton, newton % 2));
+                for (int n = 0; n < 60; ++n) {
+                    ok(cd_membrane_step(m, dt, 1));
+                    if (!k) deepest = fmax(deepest, -least_gap(m));
+                }
+                middle_of(m, CD_VELOCITY, v);
+                const double along = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
+                slowest = fmin(slowest, along), fastest_one = fmax(fastest_one, along);
+                cd_membrane_destroy(m);
+            }
+        }
+    print_message("taken along at 8 m/s: by %.2f to %.2f m/s, at most %.3f of a step's way deep\n", slowest,
+                  fastest_one, deepest / (speed * dt));
+    assert_true(deepest < 0.1 * speed * dt);
+    assert_true(slowest > 0.9 * speed && fastest_one < 1.25 * speed);
+}
+
 static void what_starts_inside_comes_out_and_is_not_thrown(void** state) {
     (void)state;
     for (int way = 0; way < 4; ++way) {
@@ -430,6 +467,7 @@ int main(void) {
         cmocka_unit_test(what_lies_on_an_axis_comes_out),
         cmocka_unit_test(nothing_goes_through_however_fast),
         cmocka_unit_test(what_lies_ahead_counts_before_what_is_near),
+        cmocka_unit_test(a_stiff_sheet_goes_along),
         cmocka_unit_test(a_bar_that_moves_sweeps_the_sheet_along),
         cmocka_unit_test(what_starts_inside_comes_out_and_is_not_thrown),
         cmocka_unit_test(a_sheet_in_a_gutter_enters_neither_side),

@@ -302,10 +302,13 @@ RULES = {
     "a step of cloth ends where it has made no energy": (
         CLOTH_STEP, "        add(share, way, w.w);\n", "", ["stability_cloth"]),
     "with the momentum that a free sheet has": (
-        CLOTH_STEP, "        if (alone) share_momentum(mean);\n", "", ["physics_cloth"]),
+        CLOTH_STEP, "free = share_momentum();", "free = false;", ["physics_cloth"]),
     "and in air and beside colliders": (
-        CLOTH_STEP, "alone = !is_held() && !touched;", "alone = !is_held() && !touched && !w.has_blocks();",
-        ["physics_cloth_motion"]),
+        CLOTH_STEP, "free = share_momentum();", "free = !w.has_blocks() && share_momentum();", ["physics_cloth_motion"]),
+    "and each free part of a torn one": (
+        CLOTH, "w.part[at] = joiner.first_of(at) + 1;", "w.part[at] = 1;", ["physics_cloth_motion"]),
+    "and beside what moves, that goes along": (
+        CLOTH_STEP, "fmax(least, 0) + fmin(most, 0)", "0", ["physics_cloth_contact"]),
     "what rises by rounding only is gone all the way": (
         CLOTH_STEP, "            if (!(middle < most)) return most; // where it rises by rounding only\n",
         "            if (!(middle < most)) break;\n", ["physics_cloth_contact"]),

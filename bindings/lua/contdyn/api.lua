@@ -2340,8 +2340,8 @@ function Membrane:get_shear()
 end
 
 -- What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
--- ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default 10: springs of a flag
--- are 0.87 to 0.98 of L in the mean; of 100 0.97. It damps turning a little.
+-- ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10: springs of a flag are
+-- 0.87 to 0.98 of L; of 100 0.97. It damps turning: each second a free square loses some 12 rate dt of its spin.
 function Membrane:set_compression(rate)
   local where = "cd_membrane_set_compression"
   rate = number_in(rate, where, "rate")
@@ -2350,8 +2350,8 @@ function Membrane:set_compression(rate)
 end
 
 -- What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
--- ones pull by as much, c dealt out as a stiffness of mass * rate is. rate [1/s^2] >= 0, default 10: springs of a flag
--- are 0.87 to 0.98 of L in the mean; of 100 0.97. It damps turning a little.
+-- ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10: springs of a flag are
+-- 0.87 to 0.98 of L; of 100 0.97. It damps turning: each second a free square loses some 12 rate dt of its spin.
 function Membrane:get_compression()
   local where = "cd_membrane_get_compression"
   local out_rate = double_1()
