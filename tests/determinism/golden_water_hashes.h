@@ -9,11 +9,11 @@
 {1, 17, 1, {0x4e1012f6bbf60050, 0xd0122e4e9f7d35e8}}, /* dam */
 {1, 16, 7, {0xfec89a945dd3401f, 0x3e27cb263038cd5e}}, /* dam */
 {1, 2, 16, {0xaac7a9ed8ad40df8, 0xec058aefd8c5866f}}, /* dam */
-{2, 13, 9, {0xfc10fd94613432ef, 0x069f58c33ba89201}}, /* flood */
-{2, 1, 17, {0x9aa0df63a08ec08d, 0x1a37b40ae5d5994b}}, /* flood */
-{2, 17, 1, {0x8ebaed559a660805, 0xda3aaa32e37ab772}}, /* flood */
-{2, 16, 7, {0xcb7f997d7469d4c3, 0xec7ec3e70c3d690d}}, /* flood */
-{2, 2, 16, {0xabecf45a6f5270c0, 0xf0558e57964f0e83}}, /* flood */
+{2, 13, 9, {0x21f6d54e0e23a208, 0x582e9a76c89a605c}}, /* flood */
+{2, 1, 17, {0xbd361e9c46ee00eb, 0x265a785146c51cd7}}, /* flood */
+{2, 17, 1, {0x083857beba879114, 0xaa1597a28b65aca6}}, /* flood */
+{2, 16, 7, {0xa30b6cd942979e71, 0x8913cd1bcaf5c09d}}, /* flood */
+{2, 2, 16, {0x2bf5fc22052889bd, 0x0537e68282831209}}, /* flood */
 {3, 13, 9, {0x319c9cc64f8c5cd1, 0xa1f75ec792f2a084}}, /* weir */
 {3, 1, 17, {0xd351782585df80f0, 0x2171a3b801f6d216}}, /* weir */
 {3, 17, 1, {0x3c200cb15850ac64, 0x6b2d02fe5fa20569}}, /* weir */
@@ -49,28 +49,28 @@
 {9, 17, 1, {0x1d326e3ce732cdfa, 0x33f3c06b72c03e8c}}, /* masked */
 {9, 16, 7, {0x007e077e8746bddd, 0x1ea4b528ac880f49}}, /* masked */
 {9, 2, 16, {0xc84b6b1dd312aefd, 0x0024e715f5ab37de}}, /* masked */
-{10, 13, 9, {0xf19a57cefcd2a8d1, 0x912c377585468169}}, /* fed */
+{10, 13, 9, {0x43078aa77ddfcc09, 0xbc4c33d733a3565a}}, /* fed */
 {10, 1, 17, {0xe73caee1ae846efd, 0x02da07916b1f6a97}}, /* fed */
 {10, 17, 1, {0xd4a224799f0e354a, 0x2b043cfe74ab4e5d}}, /* fed */
-{10, 16, 7, {0xe32f35cf69faf0cd, 0x68fcd781d11b844f}}, /* fed */
-{10, 2, 16, {0x9b392b51daa17a1a, 0xf34d4a3c387c2898}}, /* fed */
-{11, 13, 9, {0xedef21817f6b8c2c, 0xa3505ec00e94dd70}}, /* everything */
-{11, 1, 17, {0x5b2566d68f791db5, 0xda40f4492fee7fe3}}, /* everything */
+{10, 16, 7, {0x021f3d55f045520b, 0x98fbd59f511472e9}}, /* fed */
+{10, 2, 16, {0xeb8fd1958aaf556d, 0x5fb98a50514e2271}}, /* fed */
+{11, 13, 9, {0xb147b84a488af5ca, 0xc0aaffacdfa18d82}}, /* everything */
+{11, 1, 17, {0x9216a6ce04af541d, 0xb5691a8801087b2f}}, /* everything */
 {11, 17, 1, {0xc64e1a8c725c67a2, 0xa2a5ded7d45497fc}}, /* everything */
-{11, 16, 7, {0x5ab0ac9cf69ad246, 0x3f7d2ced7b8d9d30}}, /* everything */
-{11, 2, 16, {0x12384ade7dd0ff1b, 0xac853b0ff7ae9525}}, /* everything */
-{12, 13, 9, {0xf7a7cf210b83749e, 0xfffd63053a18b296}}, /* everything, long steps */
-{12, 1, 17, {0x217e71366cf9dc2f, 0x11e58a9fa97386a1}}, /* everything, long steps */
-{12, 17, 1, {0x3f7e127be77e33af, 0x292f03f0a4a09772}}, /* everything, long steps */
-{12, 16, 7, {0xcc6489d966b93845, 0x2afbbcac71b64bec}}, /* everything, long steps */
-{12, 2, 16, {0x79a4e9122c15a0ba, 0xdb41ef62b2439b8d}}, /* everything, long steps */
+{11, 16, 7, {0x2c0c31f61080988e, 0x077fc6425e62188e}}, /* everything */
+{11, 2, 16, {0xcc1cf9daaceeeed2, 0x7d48bcd47793a1d4}}, /* everything */
+{12, 13, 9, {0x3cdc95c0158fec04, 0x65757a0e4073e561}}, /* everything, long steps */
+{12, 1, 17, {0xc48b7fe5fae5073c, 0x82efc1d56b6474ed}}, /* everything, long steps */
+{12, 17, 1, {0x380bb0016719faa8, 0xd0af33f5cb9a59f0}}, /* everything, long steps */
+{12, 16, 7, {0x9fbe92761a6973d0, 0x99bb1babf7ba61ac}}, /* everything, long steps */
+{12, 2, 16, {0x12de93b1d49862f7, 0x06b0fa52d6972288}}, /* everything, long steps */
 {13, 13, 9, {0xb90cecafcf7391b9, 0x85930df45eeb4c5a}}, /* hulls */
 {13, 1, 17, {0xefc6e6dfd02ac6c0, 0x2c836ce9d7cf0f75}}, /* hulls */
 {13, 17, 1, {0x89dc749364423a7b, 0x482c7da828a2f3be}}, /* hulls */
 {13, 16, 7, {0x1ae81492f3b14a89, 0x31cf8fa74ef2132e}}, /* hulls */
 {13, 2, 16, {0x4bf630ac44bf6a77, 0x6d917b54b6a5f657}}, /* hulls */
-{14, 13, 9, {0x1b9785429e5cc782, 0x560beb53a2412e1e}}, /* hulls, long steps */
-{14, 1, 17, {0x41cf065c6cce0414, 0x499786f4e5776a52}}, /* hulls, long steps */
-{14, 17, 1, {0xcf9d3134b582bb0f, 0xd7239e83c19e5993}}, /* hulls, long steps */
-{14, 16, 7, {0x0e960205df9f7410, 0xaf4c8b51deaf60df}}, /* hulls, long steps */
-{14, 2, 16, {0x711fe798891f3a2d, 0xba13d1f709b1f8b8}}, /* hulls, long steps */
+{14, 13, 9, {0x982ff393c2ab6b41, 0xfc5ce39d1f611539}}, /* hulls, long steps */
+{14, 1, 17, {0x9b0cc8f0d383573c, 0xe678716aac6eb946}}, /* hulls, long steps */
+{14, 17, 1, {0x6d2482829c81ffef, 0xaeaf8099670629ba}}, /* hulls, long steps */
+{14, 16, 7, {0x299331408cceb0ce, 0xcd7e905df7f2e753}}, /* hulls, long steps */
+{14, 2, 16, {0x9c6605c556e3931e, 0x09de170701376c24}}, /* hulls, long steps */

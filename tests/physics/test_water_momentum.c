@@ -22,28 +22,32 @@ static double momentum_x(const cd_water* w, size_t nx, size_t ny) {
 
 static const int advected[] = {ADVECTED, EXPLICIT_ADVECTED};
 
-/* Over a flat bed, to rounding, however high the waves: what carries takes from one face what it gives the next, and
- * the pushes of the surface, half (d_r + d_l) (d_r - d_l), add up to 0. */
+/* Over a flat bed, to rounding: what carries takes from one face what it gives the next, and the pushes of the surface,
+ * half (d_r + d_l) (d_r - d_l), add up to 0, of high waves and of low ones that cross up to 100 cells in a step. */
 static void a_stream_that_goes_round_keeps_its_momentum(void** state) {
     (void)state;
+    static const double height_and_dt[][2] = {{0.3, 0.1}, {1e-3, 0.1}, {1e-3, 3}, {0.02, 3}, {0.02, 30}};
     for (size_t k = 0; k < COUNT(advected); ++k)
-        for (int small = 0; small < 2; ++small) {
+        for (size_t c = 0; c < COUNT(height_and_dt); ++c) {
+            const double height = height_and_dt[c][0], dt = height_and_dt[c][1];
+            if (basin_is_explicit(&ways[advected[k]]) && dt > 0.1) continue;
             double worst = 0;
             cd_water* w = basin(60, 1, 1, 1, CD_FLOAT64);
             basin_set_way(w, &ways[advected[k]]);
+            if (dt > 0.1) ok(cd_water_set_lambda(w, 0.5)); /* or the waves have died out soon */
             ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
             for (size_t i = 0; i < 60; ++i) {
-                basin_set(w, CD_DEPTH, i, 0, 1 + (small ? 1e-3 : 0.3) * sin(2 * (double)PI * (double)i / 60));
+                basin_set(w, CD_DEPTH, i, 0, 1 + height * sin(2 * (double)PI * (double)i / 60));
                 basin_set(w, CD_VELOCITY_X, i, 0, 1);
             }
             const double start = momentum_x(w, 60, 1);
             for (int s = 0; s < 2000; ++s) {
-                basin_step(w, 0.1, 1);
+                basin_step(w, dt, 1);
                 worst = fmax(worst, fabs(momentum_x(w, 60, 1) / start - 1));
             }
-            print_message("%-17s waves of %g of the depth: momentum off by %.1e\n", ways[advected[k]].name,
-                          small ? 1e-3 : 0.3, worst);
-            assert_true(worst < 1e-13);
+            print_message("%-17s waves of %g of the depth, steps of %g s: momentum off by %.1e\n",
+                          ways[advected[k]].name, height, dt, worst);
+            assert_true(worst < (dt > 3 ? 1e-10 : 1e-13)); /* a step of 64 parts rounds more */
             cd_water_destroy(w);
         }
 }
@@ -203,7 +207,7 @@ static void a_stream_round_a_ring_stays_smooth_at_any_speed(void** state) {
         print_message("%-17s streams round a ring: neighbours differ by at most %.1e, speed off by %.1e\n",
                       ways[k].name, worst, slower);
         assert_true(worst <= 2e-6);  /* as they did at first */
-        assert_true(slower <= 1e-8); /* ripples carry some */
+        assert_true(slower <= 1e-12);
     }
 }
 

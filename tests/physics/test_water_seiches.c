@@ -68,9 +68,10 @@ static double part_of(const cd_water* w, const struct seiche* m, double* out_res
 }
 
 /* The largest difference from the closed form over some steps, as a part of the amplitude. The waves are a 1e-7th of
- * the depth: what they do to the faces' depths shows at 1e-7, and rounding of the depth at 1e-9. */
+ * the depth: what they do to the faces' depths shows at 1e-7, and rounding of the depth at 1e-9. Those that are carried
+ * along are half as high: what carries them goes with their height and with the way that they have run. */
 static double off_by(const struct way* way, const struct seiche* m, size_t steps) {
-    const double height = 1e-7 * deep;
+    const double height = (way->momentum == CD_MOMENTUM_ADVECTED ? 5e-8 : 1e-7) * deep;
     cd_water* w = basin(m->n[0], m->n[1], m->size[0], m->size[1], CD_FLOAT64);
     basin_set_way(w, way);
     for (int axis = 0; axis < 2; ++axis)

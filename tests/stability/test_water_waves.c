@@ -36,13 +36,12 @@ static void a_seiche_from_rest_gains_no_energy(void** state) {
             for (size_t c = 0; c < COUNT(courants); ++c)
                 most = fmax(most, swing(which[k], heights[h], courants[c], 2000));
         print_message("%-17s seiches: at most %.4f of their energy\n", which[k]->name, most);
-        assert_true(most <= (which[k] == &ways[LINEAR_HALF] ? 1.2 : 1.02));
+        assert_true(most <= (which[k] == &ways[LINEAR_HALF] ? 1.2 : which[k] == &ways[ADVECTED] ? 1 + 1e-7 : 1.02));
     }
 }
 
-/* A hump spreads over a flat bed, along a line and in the plane: no more than a small part of its energy comes back, for
- * a while, of what steps took from it before. */
-static void a_hump_gains_no_more_energy_than_the_header_says(void** state) {
+/* A hump spreads over a flat bed, along a line and in the plane: nothing comes back of the energy that steps took. */
+static void a_hump_gains_no_energy(void** state) {
     (void)state;
     static const double courants[] = {0.5, 1, 4, 10, 40, 200};
     enum { CELLS_LONG = 96 };
@@ -70,12 +69,12 @@ static void a_hump_gains_no_more_energy_than_the_header_says(void** state) {
                 cd_water_destroy(w);
             }
     print_message("humps: %.1e of their energy comes back, %.1e above the start\n", back, above);
-    assert_true(back <= 0.03 && above <= 5e-3);
+    assert_true(back <= 1e-9 && above <= 1e-12);
 }
 
-/* Low waves round a ring over an uneven bed become a current in steps of many cells with lambda = 1/2: the more that
- * lambda is, the less, and with 0.55 they gain nothing. The bed has two hollows. */
-static void waves_round_a_ring_gain_no_more_energy_than_the_header_says(void** state) {
+/* Nor do low waves round a ring over an uneven bed, of which a step that lost momentum made a current. The bed has two
+ * hollows. */
+static void waves_round_a_ring_gain_no_energy(void** state) {
     (void)state;
     enum { ROUND = 64 };
     static const double lambdas[] = {0.5, 0.55}, courants[] = {20, 45, 270};
@@ -102,15 +101,15 @@ static void waves_round_a_ring_gain_no_more_energy_than_the_header_says(void** s
             }
             cd_water_destroy(w);
         }
-    print_message("waves round a ring: %.2g times their energy gained, with lambda 0.55 %.1e\n", gain[0], gain[1]);
-    assert_true(gain[0] > 0.05 && gain[0] <= 8 && gain[1] <= 1e-12);
+    print_message("waves round a ring: %.1e of their energy gained, with lambda 0.55 %.1e\n", gain[0], gain[1]);
+    assert_true(gain[0] <= 1e-12 && gain[1] <= 1e-12);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_seiche_from_rest_gains_no_energy),
-        cmocka_unit_test(a_hump_gains_no_more_energy_than_the_header_says),
-        cmocka_unit_test(waves_round_a_ring_gain_no_more_energy_than_the_header_says),
+        cmocka_unit_test(a_hump_gains_no_energy),
+        cmocka_unit_test(waves_round_a_ring_gain_no_energy),
     };
     return cmocka_run_group_tests_name("water waves", tests, NULL, NULL);
 }

@@ -3077,7 +3077,7 @@ pub struct WaterEnergy {
 /// and v likewise friction = drag + g manning^2 |u| / d^(4/3) (Kass 1997, eq. 32-33; the bracket: shallow water)
 /// CD_MOMENTUM_LINEAR without the bracket: waves, splashes, tides, floods that creep. CD_MOMENTUM_ADVECTED with it:
 /// moving shores, dam breaks, bores, whirls. Momentum goes with the water that leaves a cell, upwind, of second
-/// order where depths are even and waves cross less than a cell in a step.
+/// order where depths are even.
 /// What to set: the momentum by this list; lambda as cd_water_set_momentum sets it; one step a frame, which is
 /// never too long to be stable, or more where waves must run at their speed (cd_water_get_courant at most 1).
 /// lambda = 1/2 is of second order in time and keeps the energy of small waves; above 1/2 short waves die out, and
@@ -3098,18 +3098,17 @@ pub struct WaterEnergy {
 /// runs more than 32 cells is carried less exactly, and ripples on it may grow; on slower water only those of
 /// linear momentum, lambda 1/2, uneven beds do. Bores, linear: momentum is not carried on, so that a shore moves
 /// with the slope of the surface there, and a bore a tenth, half and twice as high as the depth before it runs some
-/// 2, 9 and 22% too slow. Bores, advected: 0.1% too slow at half a cell; from 2 to 32 cells up to 6%, against a
-/// stream 10%, and spread over 8 times as many. Waves behind a bore: with lambda = 1/2 up to 0.7 of its height
-/// (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where the water behind it rests. Energy, linear:
-/// where water deepens it gains h_t u^2 / 2, at random shores some hundredths in all (and see hulls). From 2 cells
-/// on waves in the plane, with lambda = 1/2, grow in thousands of steps to a ninth of the depth. Energy, advected:
-/// from 1 cell on it may rise for a while by 0.05 of that of the waves; low waves round a ring over an uneven bed,
-/// with lambda = 1/2, come to 8 times theirs. Below 1 cell up to 0.005 of it all is won among cliffs, far below
-/// also at shores, and 0.01 in the first step after velocities are written there. Energy, both: from 1 cell on,
-/// over uneven depths, no face gains more than its water loses by falling; from 1e12 on rounding may add any
-/// amount. Air that presses water dry adds up to 1.4 times what it has to give where momentum is linear, half of it
-/// where advected, and any amount in explicit methods. Dry land: what pushes water away from it gives the face at
-/// the water's edge a velocity that no water follows.
+/// 2, 9 and 22% too slow. Bores, advected: 0.1% too slow at half a cell; from 2 to 32 cells 1% too fast at most,
+/// against a stream up to 8% too slow, and spread over 8 times as many. Waves behind a bore: with lambda = 1/2 up
+/// to 0.9 of its height (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where the water behind it rests.
+/// Energy, linear: where water deepens it gains h_t u^2 / 2, at random shores some hundredths in all (and see
+/// hulls). From 2 cells on waves in the plane, with lambda = 1/2, grow in thousands of steps to a ninth of the
+/// depth. Energy, advected: from 1 cell on it never rises by itself. Below 1 cell up to 0.005 of it is won among
+/// cliffs, far below also at shores, and 0.01 in the first step after velocities are written there. Energy, both:
+/// from 1 cell on, over uneven depths, no face gains more than its water loses by falling; from 1e12 on rounding
+/// may add any amount. Air that presses water dry adds up to 1.4 times what it has to give where momentum is
+/// linear, half of it where advected, and any amount in explicit methods. Dry land: what pushes water away from it
+/// gives the face at the water's edge a velocity that no water follows.
 /// A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag,
 /// CD_MOMENTUM_LINEAR, CD_METHOD_IMPLICIT with lambda 0.55. All computing is in double precision; CD_FLOAT32 is
 /// what depth, bed, velocities and the fields are stored in. Steps store 0 for depths below 2^-80 m and velocities

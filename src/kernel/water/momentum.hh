@@ -1,9 +1,9 @@
 // Advected momentum.
 //
 // In step 3 velocities of the step's beginning tell what a stream will do to the velocity of a face: it takes that of
-// the face that it comes from through the cell to the one that it reaches, and in steps that resolve waves, where
-// depths are even, half of the limited slope of velocities too (second order; minmod, van Leer 1979). Fluxes have a
-// steady stream's discharge only if this acceleration counts in them as the push does.
+// the face that it comes from through the cell to the one that it reaches, and where depths are even, half of the
+// limited slope of velocities too (second order; minmod, van Leer 1979). Fluxes have a steady stream's discharge only if
+// this acceleration counts in them as the push does.
 //
 // In step 6 momentum goes with the fluxes. What runs through a cell takes the velocity of the face that it leaves to
 // the one that it reaches: half of it, but no more than half of what the giver holds, the velocity of the step's
@@ -13,8 +13,11 @@
 //
 // is a system in which everything runs one way between two faces: one pass each way solves it, whatever the step. Every
 // velocity is a mean of loads and of velocities carried there, with weights that are masses: momentum is kept, and no
-// energy is made but by slopes, which short steps take along. The same carries the velocities of the other axis, which
-// lie between lines (across.cpp).
+// energy is made but by slopes. The same carries the velocities of the other axis, which lie between lines (across.cpp).
+//
+// The surface pushes the water that there is: in short steps what there was by the slope before and what there is after
+// by the slope after, in long ones what there is at theta by the slope at theta, as the two slopes are then large and
+// opposite. Over a flat bed either adds up to 0 round a ring, so that waves make no current.
 #pragma once
 
 #include "kernel/water/line.hh"
@@ -161,7 +164,7 @@ struct FaceCarriers {
             const double theta = line.sweep.theta;
             const L early = ((1 - theta) / theta) * (line.push_of(i) * line.pushing_rise(i, line.beside(i)));
             const L pushed = base - late, w = any_bounded ? line.bounded(i, pushed) : pushed;
-            const L comes = smaller(v1 - v0, v0);
+            const L comes = smaller(v1 - v0, v0); // of a film that fills only as much as there was
             out.load = select(line.is_long, v0 * w + theta * comes * (w - (pushed + (early + late))), out.load);
         }
         if (!line.opening) return out;

@@ -14,13 +14,9 @@ namespace {
 // takes no more than the most.
 constexpr double kPartRun = 0.5;
 constexpr int kMostParts = 64;
-// In a part in which waves cross more than a cell, a long one, velocities are pushed before they are carried, and no
-// face gains more energy than its water loses by falling. What resolves waves, the acceleration of a stream along its
-// line in its fluxes and the slope of velocities within cells, counts in full up to this square of cells, and fades out
-// to none at 1.
 
-// Begins a part of a step from water that is at most so deep. Lines are
-// bound in their energy as in a long step, too, in which hulls, or what pushes from outside by more than the water
+// Begins a part of a step from water that is at most so deep. In a long one waves cross more than a cell, and energy is
+// bounded (velocity.hh). Lines are bound as in a long step, too, in which hulls, or what pushes from outside by more than the water
 // beside stands over its bed, may press a cell dry; winds on films do not count.
 void begin_part(WaterLine& line, L deepest) {
     const WaterSweep& sweep = line.sweep;

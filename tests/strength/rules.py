@@ -1,0 +1,431 @@
+"""The rules that take_out.py takes out."""
+
+CLOTH = "../model/membrane_cloth.cpp"
+CLOTH_STEP = "../model/membrane_cloth_step.cpp"
+CLOTH_ACT = "../model/membrane_cloth_act.cpp"
+CLOTH_TEAR = "../model/membrane_cloth_tear.cpp"
+SLEEP = "../model/water_sleep.cpp"
+SURVEY = "../model/water_survey.cpp"
+SLEEPS = ["physics_water_sleep"]
+BODIES = ["physics_sleep", "physics_sleep_colliders"]
+HULL = "../model/water_hull.hh"
+HULL_PLATES = "../model/water_hull_plates.hh"
+HULL_STEP = "../model/water_hull_step.cpp"
+
+# Name: file, what is there, what takes its place, tests to run (the first one that fails ends a rule).
+RULES = {
+    "a dry bed pushes nothing": (
+        "water/line.hh", "return select(rise, select(c.r.depth, rise, none), select(c.l.depth, rise, none));", "return rise;",
+        ["physics_water_lake"]),
+    "a face shallower than the mean beside a shallow giver": (
+        "water/face.hh", "const L shallower = smaller(mean, most),", "const L shallower = mean,",
+        ["physics_water_dams", "physics_water_thacker", "stability_water_energy"]),
+    "a face deeper than the mean where water falls": (
+        "water/face.hh", "deeper = larger(mean, smaller(fall, over));", "deeper = mean;",
+        ["physics_water_dams", "physics_water_sides", "physics_water_thacker", "stability_water_energy"]),
+    "water climbs as far as its speed lifts it": (
+        "water/face.hh", "over + kClimbedHeads * head", "L::splat(1e300)", ["physics_water_symmetry"]),
+    "what runs dry keeps more than rounding": (
+        "water/face.hh", "constexpr double kGives = 1 - 0x1p-40;", "constexpr double kGives = 1 - 0x1p-53;",
+        ["physics_water_symmetry"]),
+    "a stream carries changes of depth along": (
+        "water/surface.hh", "k = theta * cells,", "k = 0.0 * cells,",
+        ["stability_water_currents"]),
+    "the stream's acceleration counts in fluxes": (
+        "water/surface.hh", "advected = theta * stream;", "advected = 0.0 * stream;",
+        ["physics_water_sides"]),
+    "no cell gives more than it has and gets": (
+        "water/line.hh", "if (any_positive(-least)) limit(-least);", "", ["stability_water_volume"]),
+    "no more comes in at a side than to an empty cell": (
+        "water/limiter.hh", "    if (!ring) { //", "    if (false) { //", ["stability_water_extremes"]),
+    "what fills a cell at a side ends at the level outside": (
+        "water/side.hh", "d_out > d ? most / (d_out - d) : 0", "0", ["physics_water_sides", "stability_water_extremes"]),
+    "as does what comes in at an open side": (
+        "water/side.hh", "secant > tangent ? secant : tangent", "tangent", ["stability_water_extremes"]),
+    "of linear momentum too": (
+        "water/side.hh", "c > tangent ? c : tangent", "tangent", ["stability_water_extremes"]),
+    "and at a level's critical depth": (
+        "water/side.hh", "if (wave < -c_out && d < d_out) return fills(d, d_out, c_out * d_out, d_out);", "",
+        ["stability_water_extremes"]),
+    "velocities follow what the limiter lets through": (
+        "water/velocity.hh", "if (any_limited)", "if (false)", ["stability_water_energy"]),
+    "and what does not go through gains nothing": (
+        "water/momentum.hh", "        if (any_limited) {", "        if (false) {", ["stability_water_energy"]),
+    "the energy bound of long steps": (
+        "water/line.hh", "if (any_long) balance();", "", ["stability_water_energy"]),
+    "a long step is rough from a change of 5% on": (
+        "water/velocity.hh", "constexpr double kRoughChange = 0.05;", "constexpr double kRoughChange = 1;",
+        ["stability_water_energy"]),
+    "and at shores": (
+        "water/surface.hh", "select(shallower, uneven, mean)", "uneven", ["stability_water_energy"]),
+    "what pushes from outside does work": (
+        "water/velocity.hh", "if (acceleration) lift = lift", "if (false) lift = lift",
+        ["physics_water_forces"]),
+    "parts of half a cell": (
+        "water/sweep.cpp", "constexpr double kPartRun = 0.5;", "constexpr double kPartRun = 1e9;", ["stability_water_currents"]),
+    "each half of a longer one": (
+        "water/sweep.cpp", "speeds.see(line.velocity[i])", "speeds.see(0.0 * line.velocity[i])", ["stability_water_energy"]),
+    "which count what comes in": (
+        "water/sweep.cpp", "-speeds.least), coming_in(line))", "-speeds.least), 0.0 * coming_in(line))",
+        ["stability_water_extremes"]),
+    "what comes in a long step is pushed, too": (
+        "water/momentum.hh", "theta * comes * (", "0.0 * comes * (", ["physics_water_momentum"]),
+    "but no more of it than there was": (
+        "water/momentum.hh", "comes = smaller(v1 - v0, v0);", "comes = v1 - v0;", ["stability_water_extremes"]),
+    "no line gains energy in a long step": (
+        "water/momentum.hh", "if (any_long) keep_energy();", "", ["stability_water_waves"]),
+    "nor takes it from the momentum of a ring": (
+        "water/velocity.hh", "ring ? select(gap, none, momentum / mass) : none;", "none;", ["physics_water_momentum"]),
+    "what comes in at an end brings energy": (
+        "water/velocity.hh", "if (!ring) most =", "if (false) most =", ["physics_water_sides", "stability_water_extremes"]),
+    "slopes of velocities within cells": (
+        "water/momentum.hh", "const L part = smaller(run, positive(L::splat(1) - run)) * even_depth(cell);", "const L part = 0.0 * run;",
+        ["physics_water_sides"]),
+    "slopes only where depths are even": (
+        "water/momentum.hh", "return positive(smaller(least,", "return least; return positive(smaller(least,",
+        ["stability_water_currents", "stability_water_energy", "physics_water_thacker"]),
+    "slopes add no more than goes through": (
+        "water/momentum.hh", "smaller(part, size_of(through))", "part", ["physics_water_symmetry"]),
+    "half of the momentum goes with old velocities": (
+        "water/momentum.hh", "const L half = 0.5 *", "const L half = 0.0 *", ["physics_water_dams", "physics_water_thacker"]),
+    "dry faces take the speed of what comes": (
+        "water/velocity.hh", "sweep.advected() ? led : none", "none", ["physics_water_thacker", "physics_water_dams"]),
+    "but not at a cliff": (
+        "water/velocity.hh", "within(falls / (kBeach * step), 0, 1)", "L::splat(1)", ["stability_water_energy"]),
+    "which energies count": (
+        "../model/water_measure.cpp", "return part > 0 ? (part < 1 ? part : 1) * number(w.velocity[a], other) : 0;", "return 0 * part;",
+        ["stability_water_energy"]),
+    "slopes across": (
+        "water/across.cpp", "return smaller(q, positive(given - q)) * half_slope(through, velocity, places, l, r);", "return 0.0 * q;",
+        ["physics_water_thacker", "physics_water_momentum"]),
+    "between dry lines nothing moves": (
+        "water/across.cpp", "select(water[i], select(passes, u, velocity[i]), L{})", "select(passes, u, velocity[i])", ["api_water_diverge"]),
+    "a side's depth is that of half a cell before": (
+        "water/surface.hh", "- L::load(half_cell))", "- 0.0 * L::load(half_cell))", ["physics_water_sides"]),
+    "what leaves runs no faster than it came": (
+        "water/velocity.hh", "larger(-most, smaller(most, u))", "u", ["physics_water_symmetry"]),
+    "what rounding takes is handed on": (
+        "water/sweep.cpp", "rest.owed = rest.owed + one.owed;", "(void)one;", ["physics_water_lake"]),
+    "whole steps count before a part of one": (
+        "../model/water_step.cpp", "((double(w.clock.counted) + done) + part)",
+        "(double(w.clock.counted) + (done + part))", ["determinism_water_parallel"]),
+    "a ring of one line carries velocities across it": (
+        "../model/water_step.cpp", "(w.cells[other(a)] > 1 || periodic(w, other(a)))", "w.cells[other(a)] > 1",
+        ["physics_water_momentum"]),
+    "waves wake what a step carries them into": (
+        SLEEP, "left > weakest && ", "left > 1e300 * weakest && ", SLEEPS),
+    "what acts may raise waves at once": ("../model/water_sleep.hh", "kStrong = 1024;", "kStrong = 1;", SLEEPS),
+    "a face belongs to the part behind it": (
+        SURVEY, "return marked(x, y) || marked(x_before, y) || marked(x, y_before);",
+        "return marked(x, y) || (x_before > x && y_before > y);", SLEEPS),
+    "what falls asleep is still": (SLEEP, "chooser.put_to_sleep(x, y, moved), ", "", SLEEPS),
+    "on the last side too, which may be the first": (
+        SLEEP, "kTile : w.cells[kX] + 1 - first;", "kTile : w.cells[kX] - first;", SLEEPS),
+    "what changes is looked at": ("../model/water_act.cpp", "depth : 0);\n    disturb(w, {i, j, 1, 1});", "depth : 0);", SLEEPS),
+    "sources and forces keep awake": (SURVEY, "acts |= ", "acts = false && ", SLEEPS),
+    "and sides": (SLEEP, "    chooser.mark_sides();\n", "", SLEEPS),
+    "and hulls": (SLEEP, "    chooser.mark_hulls();\n", "", SLEEPS),
+    "runs do not go round": (SLEEP, "        if (meets_seam()) wake_all();\n", "", SLEEPS),
+    "what pressure holds up is at rest": (SURVEY, " += by_pressure * pressure[at + c];", " += 0 * pressure[at + c];", SLEEPS),
+    "what is shallower than the height lies still": (SURVEY, "select((deep - least)", "select(deep", SLEEPS),
+    "a step of cloth begins where the last one went": (
+        "../model/membrane_cloth_step.cpp", "w.moves[at] * double(number)", "0 * double(number)", ["physics_cloth_size"]),
+    "and the preconditioner knows that direction": (
+        "../model/membrane_cloth_step.cpp", "            if (recycles[i]) add", "            if (i > 0 && recycles[i]) add",
+        ["physics_cloth_size"]),
+    "and Newton's last one": (
+        "../model/membrane_cloth_step.cpp", "recycle(first ? 0 : 1)", "first && recycle(0)", ["physics_cloth_size"]),
+    "what is recycled counts where conjugate gradients are content": (
+        "../model/membrane_cloth_step.cpp", "(known + size)", "size", ["physics_cloth_size"]),
+    "conjugate gradients end where they bring little": (
+        "../model/membrane_cloth_step.cpp", "lately < kLittle * brought", "false", ["physics_cloth_size"]),
+    "and Newton's method goes on where it brings much": (
+        "../model/membrane_cloth_step.cpp", "brings > kMuch * brought", "false", ["physics_cloth_size"]),
+    "a search ends where rounding is all that is left": (
+        CLOTH_STEP, "return end <= -kFlat * falls ?", "return false ?", ["physics_cloth_motion"]),
+    "unless that met a collider": (
+        "../model/membrane_cloth_step.cpp", "if (touched || ", "if (", ["physics_cloth_contact"]),
+    "sheets whose steps differ are solved coupled": (
+        "../model/membrane_limit.cpp", "!m.clock.all_alike(dt)", "false", ["stability_membrane_uneven"]),
+    "in other things than their length too": (
+        "../model/object.hh", " && !signbit(start)", "", ["stability_membrane_uneven"]),
+    "a plate's two V-cycles go both ways where one way leads astray": (
+        "../solve/conjugate_gradients.cpp", "const bool astray = ", "const bool astray = false && ",
+        ["stability_membrane_convergence"]),
+    "what is held must not move": ("../model/sleep.hh", "part.held(i) ? 0 : most", "most", BODIES),
+    "what moves wakes what it comes near": ("../model/sleep.hh", "touched = may_touch(it, x);", "(void)x;", BODIES),
+    "a step before it touches": ("../model/sleep.cpp", "> sqrt(speed) * dt", "> 0 * speed", BODIES),
+    "beds that move wake all": ("../model/sleep.cpp", "!it.is_convex()", "it.callback", BODIES),
+    "and callbacks": ("../model/sleep.hh", "return it.callback || ", "return ", BODIES),
+    "time counts from the first step that ends slow": (
+        "../model/sleep.hh", "calm < 0 ? 0 : fmin", "fmin", BODIES),
+    "what sleeps has stopped": (
+        "../model/sleep.hh", "part.nodes && sleeps(b, part.number)", "part.nodes && false", BODIES),
+    "what breaks wakes": ("../model/chain_rope.cpp", "    wake(c, strand, 1);\n", "", BODIES),
+    "and what tears": ("../model/membrane_step.cpp", "        if (m.broken > broken) wake(m);\n", "", BODIES),
+    "nor does what a part of its way leaves out": (
+        "rope_step.cpp", "seen.gained = seen.gained - nodes[i].ground", "seen.gained = seen.gained - 0.0 * nodes[i].ground",
+        ["physics_rope_contact"]),
+    "the interior point's barrier rises where an iteration is stuck": (
+        "rope_step.cpp", "L::splat(1 / kBarrierFall)", "L::splat(kBarrierFall)", ["physics_bed"]),
+    "but not beyond what it was to begin with": (
+        "rope_step.cpp", "barrier = smaller(wanted, highest)", "barrier = wanted", ["stability_ropes"]),
+    "and stiff joints count for it": ("rope_step.cpp", "* bent() : L{}", "* L{} : L{}", ["stability_ropes"]),
+    "the push on a rod's first node is found as others are": (
+        "rope_rod.hh", "        if (has_contacts()) pressed(i, left);\n        if (i == 0) return;\n",
+        "        if (i == 0) return;\n        if (has_contacts()) pressed(i, left);\n", ["physics_rope_contact"]),
+    "where links push Newton's method goes on": (
+        "rope_step.cpp", "stage.push ? stage.most_iterations : 0", "0", ["physics_rope_contact"]),
+    "what a failed solve touches is looked at again": (
+        "rope_step.cpp", "at < node_count * stage.collider_count && has_contacts()", "false", ["physics_rope_contact"]),
+    "a curl turns with its rod": ("rope_rod.hh", "stage.curls ? joint.turn * along : along", "along", ["physics_rope_curl"]),
+    "to the other side where it is solved from its end": (
+        "rope_rod.hh", "comes_back[j] ? -1 : 1", "1", ["physics_rope_ends"]),
+    "a rope's step makes no energy": (
+        "rope_step.cpp", "share(seen.gained, worth + seen.rounding)", "L{}", ["stability_ropes"]),
+    "the work of a winch is no energy made": (
+        "rope_bundle.hh", "here.gained = here.gained - by_winch(s, stretch, dw)", "here.gained = here.gained",
+        ["physics_rope_winch"]),
+    "but errors of length are no winch": (
+        "rope_step.cpp", "over - smaller(larger(over, L{} - error), error)", "over", ["physics_rope_winch"]),
+    "no tension is more than springs did to nodes": (
+        "rope_step.cpp", "larger(smaller(t, most), L{} - most)", "t", ["physics_rope_breaks"]),
+    "what no tension holds breaks": (
+        "../model/chain_rope.cpp", "i < c.springs && !solved; ++i", "i < c.springs && false; ++i", ["physics_rope_breaks"]),
+    "at the weakest of the springs that pass it on": (
+        "../model/chain_rope.cpp", "goes_on(first, first - 1)", "false", ["physics_rope_breaks"]),
+    "beyond what rounding explains": (
+        "../model/chain_rope.cpp", "c.rope.tolerance - rounded;", "c.rope.tolerance;", ["physics_rope_breaks"]),
+    "springs that only pull push nothing": (
+        "rope_step.cpp", "larger(seen.pushed, seen.slack * seen.lengths)", "seen.slack * seen.lengths",
+        ["stability_ropes"]),
+    "colliders that a node is not near do not push by the first guess": (
+        "rope_contact.hh", "kNear = 1e-3;", "kNear = 1;", ["physics_rope_contact"]),
+    "slack springs of the interior point bear no tension": (
+        "rope_step.cpp", "larger(seen.pushed, seen.slack * seen.lengths)", "seen.pushed", ["stability_ropes"]),
+    "what fails is tried with lambda = 1": (
+        "rope_step.cpp", "    if (stage.lambda < 1) {\n        lambda = select", "    if (false) {\n        lambda = select",
+        ["stability_ropes"]),
+    "and by the interior point": (
+        "rope_step.cpp", "    if (!stage.push) {\n        interior", "    if (false) {\n        interior", ["stability_ropes"]),
+    "halves of a rope meet": (
+        "rope_elimination.hh", "if (halved)", "if (false)", ["physics_rope_ends"]),
+    "they have one sum of what is wrong": (
+        "rope_bundle.hh", "L sum(L a) const { return halved ? a + pairs_exchanged(a) : a; }",
+        "L sum(L a) const { return a; }", ["physics_rope_ends"]),
+    "in which a spring in the middle counts once": (
+        "rope_bundle.hh", "is_middle(i) ? here.half() : here", "here", ["physics_rope_ends"]),
+    "what goes one way goes from the end that is held": (
+        "rope_bundle.hh", "ends_held(last, j) && !ends_held(0, j)", "false", ["physics_rope_air"]),
+    "which begins from the common motion": (
+        "rope_step.cpp", "    start_together();\n", "", ["stability_ropes"]),
+    "with the force that held nodes bring": (
+        "rope_step.cpp", "driven = driven + select(held(i), root(dot(n.b, n.b)), L{});", "",
+        ["stability_ropes"]),
+    "and that long springs pull with": ("rope_step.cpp", " + each * sum(pulled);", ";", ["stability_ropes"]),
+    "the best that was found is kept": (
+        "rope_step.cpp", "    const L better = best - reached;", "    const L better = one();", ["stability_ropes", "api_rope"]),
+    "with no more energy than nodes have alone": (
+        "rope_step.cpp", "    calm();\n}", "}", ["stability_ropes"]),
+    "held nodes move as they are told whatever goes wrong": (
+        "rope_step.cpp", "part * opposite(held(i));", "part;", ["stability_ropes"]),
+    "no number, no solution": (
+        "rope_bundle.hh", "here.probe = 0.0 * missing;", "", ["api_rope"]),
+    "springs at their length count as taut at first": (
+        "rope_step.cpp", "k < kFirstIterations ? kAsLong * stage.tolerance : 0", "0", ["physics_rope"]),
+    "but those that push": ("rope_bundle.hh", "opposite(s.pushed), shorter", "one(), shorter", ["physics_rope"]),
+    "velocities settle along taut springs": (
+        "rope_step.cpp", "    if (stage.lambda < 1) { // what is caught", "    if (false) { // what is caught", ["physics_rope"]),
+    "on the rate at which they lengthened": (
+        "rope_step.cpp", "nodes[i].next) - wanted, none);", "nodes[i].next) - 0.0 * wanted, none);", ["physics_rope"]),
+    "beyond what the tolerance explains": (
+        "rope_step.cpp", "(moved - smaller(larger(moved, none - error), error))", "(moved - 0.0 * error)",
+        ["stability_ropes"]),
+    "also of springs that were slack": ("rope_step.cpp", "settle(one())", "settle(L{})", ["physics_rope_winch"]),
+    "unless that makes energy": ("rope_step.cpp", "opposite(settle(one()))", "(settle(one()), one())", ["stability_ropes"]),
+    "or as they are reeled in": ("rope_step.cpp", "none - positive(s.reeled)", "none", ["physics_rope_winch"]),
+    "and softly, lest one settles by the others": (
+        "rope_step.cpp", "constexpr double kSettleSoftly = 1e-12;", "constexpr double kSettleSoftly = 0;", ["stability_ropes"]),
+    "springs that push do so midway": (
+        "rope_bundle.hh", "by_sign(t, L::splat(0.5), lambda)", "lambda", ["stability_ropes"]),
+    "tensions of rounding may be wrong": (
+        "rope_step.cpp", "larger(weight, least_worth)", "weight", ["physics_rope_air"]),
+    "air resists along the way of the middle of a step": (
+        "rope_air.hh", "V chord = ((stage.dt * lambda) *", "V chord = (L{} *", ["physics_rope_air"]),
+    "the interior point knows the air's forces": (
+        "rope_bundle.hh", "if (!has_air()) return own;", "return own;", ["physics_rope_air"]),
+    "springs between held nodes are no part of the system": (
+        "rope_bundle.hh", " * opposite(held(i) * held(i + 1));", ";", ["stability_ropes"]),
+    "and count for no error": (
+        "rope_bundle.hh", "rest(i), here = here.in(s.moves);", "rest(i);", ["stability_ropes", "determinism_parallel"]),
+    "pushes act along the normal at the start": (
+        "rope_contact.hh", "        const L changed =", "        c.acting = c.normal;\n        const L changed =",
+        ["physics_rope_contact"]),
+    "what lay inside is not thrown": (
+        "rope_contact.hh", "n.next = n.next - ((1 / stage.dt) * inside) * c.normal;", "", ["physics_rope_contact"]),
+    "nor is its strand": (
+        "rope_contact.hh", "if (!any_positive(lost)) return;", "return;", ["physics_rope_contact"]),
+    "what yields takes energy": (
+        "rope_bundle.hh", "here.gained = here.gained - by_yielding(s, stretch);", "(void)0;", ["physics_rope"]),
+    "the linear system of a spring that turns keeps its answer": (
+        "rope_bundle.hh", "(interior ? by_turning : by_turning / straight)", "by_turning", ["physics_rope"]),
+    "what touches steps with lambda = 1": (
+        "rope_step.cpp", "if (has_contacts() && stage.lambda < 1)", "if (false)", ["physics_rope_contact"]),
+    "and was no solution before": (
+        "rope_step.cpp", "reached = select(touched, L::splat(INFINITY), reached);", "", ["physics_rope_contact"]),
+    "the push that is known makes up for the rest": (
+        "rope_contact.hh", "leaving(i, c) + select(c.on, c.push / stiffness, L{})", "leaving(i, c)", ["physics_rope_contact"]),
+    "Newton's method knows how friction depends on the slip": (
+        "rope_contact.hh", "c.along = c.along * (sticks / speed), ", "", ["physics_rope_contact"]),
+    "and on the push": (
+        "rope_contact.hh", "c.follows = friction * slip / speed, ", "", ["physics_rope_contact"]),
+    "about no slip where that turns round": (
+        "rope_contact.hh", "newtonian ? L{} - was * dot(slip, c.slip) : L{}", "L{}", ["physics_rope_contact"]),
+    "what pushes lies at the surface": (
+        "rope_contact.hh", "select(was, size_of(c.gap), positive(L{} - c.gap))", "positive(L{} - c.gap)", ["physics_rope_contact"]),
+    "strands without mass touch nothing": (
+        "rope_contact.hh", "select(c.on, c.push / stiffness, L{})", "c.push / stiffness", ["physics_rope_contact"]),
+    "friction that does not settle is of the push found by then": (
+        "rope_contact.hh", "kGripIterations = 50;", "kGripIterations = 10000;", ["physics_rope_contact"]),
+    "friction is right to 1%": (
+        "rope_contact.hh", "kFrictionError = 1e-2;", "kFrictionError = 1e2;", ["physics_rope_contact"]),
+    "and sticks below a speed": (
+        "rope_contact.hh", "kStickSpeed = 1e-4;", "kStickSpeed = 1e-2;", ["physics_rope_contact"]),
+    "held nodes touch nothing": (
+        "rope_contact.hh", "free = opposite(held(i));", "free = one();", ["physics_rope_contact"]),
+    "a step of cloth ends where it has made no energy": (
+        CLOTH_STEP, "        add(share, way, w.w);\n", "", ["stability_cloth"]),
+    "with the momentum that a free sheet has": (
+        CLOTH_STEP, "free = share_momentum();", "free = false;", ["physics_cloth"]),
+    "and in air and beside colliders": (
+        CLOTH_STEP, "free = share_momentum();", "free = !w.has_blocks() && share_momentum();", ["physics_cloth_motion"]),
+    "and each free part of a torn one": (
+        CLOTH, "w.part[at] = joiner.first_of(at) + 1;", "w.part[at] = 1;", ["physics_cloth_motion"]),
+    "and beside what moves, that goes along": (
+        CLOTH_STEP, "fmax(least, 0) + fmin(most, 0)", "0", ["physics_cloth_contact"]),
+    "what rises by rounding only is gone all the way": (
+        CLOTH_STEP, "            if (!(middle < most)) return most; // where it rises by rounding only\n",
+        "            if (!(middle < most)) break;\n", ["physics_cloth_contact"]),
+    "what the last iteration left is told": (
+        CLOTH_STEP, "            if (i == most || !(size > 0) || !solve(i == 0)) break;",
+        "            if (!(size > 0) || !solve(i == 0) || i + 1 >= most) break;", ["physics_cloth_motion"]),
+    "cloth's friction goes by no more than a node needs to stay outside": (
+        CLOTH_ACT, "solved && meets[j] ? fmin(now, push_of(of_node[j], velocity + by, inverse_dt)) : 0", "now",
+        ["physics_cloth_contact"]),
+    "a node on an axis has a way out": (
+        CLOTH_ACT, ": across(way), distance", ": Vector3{{1, 0, 0}}, distance", ["physics_cloth_contact"]),
+    "what can't go the whole way goes on": (
+        CLOTH_STEP, "kMoreIterations = 4;", "kMoreIterations = 0;", ["physics_cloth_size"]),
+    "what crumples is pushed as the step finds it": (
+        CLOTH_STEP, "cloth().unfold(w.grid, w.springs(), h, w.from, w.rhs, scratch, first, count);", "", ["physics_cloth"]),
+    "springs that are nearly taut count": (
+        "cloth_springs.cpp", "(excess * per_length) + L::splat(0.5), 0, 1)", "(excess * per_length), 0, 1)",
+        ["physics_cloth_size"]),
+    "a spring of no length has no direction": (
+        "cloth.hh", "kLeastDirection = 1e-6;", "kLeastDirection = 0;", ["stability_cloth"]),
+    "a cut takes the shear of its cells with it": (
+        CLOTH, "m.cloth.shear > 0 && whole_cell(m, u, v) ?", "m.cloth.shear > 0 ?", ["physics_cloth"]),
+    "and the bend of its ends": (
+        CLOTH, "return stiffness_of(m, d, u, v) > 0 && stiffness_of(m, d, last_u, last_v) > 0 ? bend : 0;",
+        "return bend;", ["physics_cloth"]),
+    "what cloth came out of does not throw it": (
+        CLOTH_ACT, " - overlap;", ";", ["physics_cloth_contact"]),
+    "what is pushed leaves as fast as it moved": (
+        CLOTH_ACT, "then = dot(normal, moved) - overlap;", "then = now - overlap;",
+        ["physics_cloth_contact", "stability_cloth"]),
+    "and no faster than it would have": (
+        CLOTH_ACT, "if (!(fabs(then - own) < fabs(now - own))) continue;", "", ["stability_cloth"]),
+    "a joint of a cut spring has no bend": (
+        "rope_rod.hh", "select(uncut(before) * uncut(link),", "select(one(),", ["physics_rope_bend"]),
+    "a rod of uneven links is at rest where it is straight": (
+        "rope_rod.hh", "    joint.ratio = link.length * before.per_length;\n", "", ["physics_rope_bend"]),
+    "a stiff joint is not what is left of a difference": (
+        "rope_rod.hh", "hung.c = mobility * (yielding + stiff * all);",
+        "hung.c = M::diagonal(mobility) - (mobility * mobility) * stiff;", ["physics_rope_bend", "stability_ropes"]),
+    "what joints make counts as energy made": (
+        "rope_step.cpp", "    if (is_rod()) look_at_joints(seen);\n", "", ["stability_ropes"]),
+    "slack springs have no tension after a step": (
+        "rope_step.cpp", "select(slack, L{}, s.tension)", "s.tension", ["stability_ropes"]),
+    "taut is what its tension would take to its length": (
+        "rope_step.cpp", "s.length - give(i) * s.tension", "s.length", ["physics_rope"]),
+    "held nodes may be apart by what is rounded": (
+        "rope_step.cpp", "(over - rounded)", "over", ["physics_rope_bend"]),
+    "creases of beds are round": (
+        "collider.hh", "kRoundCrease = 0.25;", "kRoundCrease = 1e-9;", ["physics_bed"]),
+    "a hollow is met at the plane that touches it": (
+        "rope_contact.hh", "if (to.is_convex()) return look_at_gap", "if (!to.callback) return look_at_gap",
+        ["physics_bed"]),
+    "a callback's normal has the length 1": (
+        "collider.cpp", "kNormalError = 1e-3;", "kNormalError = 1e9;", ["api_bad_numbers"]),
+    "hulls press through a skin": (HULL, "kStiff = 3;", "kStiff = 300;", ["physics_water_hulls", "stability_water_hulls"]),
+    "that is stiffer than the water's surface": (
+        HULL, "kStiff = 3;", "kStiff = 0.3;", ["physics_water_hulls", "stability_water_hulls"]),
+    "in a long step all that is less than a depth above the water answers": (
+        HULL_PLATES, "(run * depth <= 1 ? less", "(true ? less", ["stability_water_hulls"]),
+    "lines that a hull presses dry are bound in their energy": (
+        "water/sweep.cpp", "line.load[i] + (stiff - L::splat(2)) * d", "0.0 * d", ["stability_water_hulls"]),
+    "and what air or wind presses dry": (
+        "water/sweep.cpp", "line.acceleration && i < line.n", "false && i < line.n", ["stability_water_energy"]),
+    "what drifting makes is owed": (
+        HULL_STEP, "due = h.owed + more;", "due = 0 * more;", ["stability_water_hulls"]),
+    "a hull owes a part of what it had before the push": (
+        HULL_STEP, "kCredit * (had + energy);", "kCredit * (moving_energy() + energy + 0 * had);",
+        ["stability_water_hulls"]),
+    "a push that leads nowhere is not the water's": (
+        HULL_STEP, "if (taken > removable() + credit) taken = lose(due);", "if (taken > removable() + credit) taken = due;",
+        ["stability_water_hulls"]),
+    "a launched hull has displaced its water": (
+        "../model/water_hull.cpp", "    sink(w, index, work);\n", "", ["physics_water_hulls"]),
+    "and leaves no depth below 0": (
+        "../model/water_hull.cpp", "has > 0 ? has : 0)", "has)", ["stability_water_volume"]),
+    "a hull in the air comes down in any step": (
+        HULL_STEP, "part * gain > least", "part > 0x1p-10", ["stability_water_hulls"]),
+    "what bears a hull has no corners": (
+        HULL_PLATES, "weight[0] = 0.5 * ((0.5 - off) * (0.5 - off)), weight[1] = 0.75 - off * off;\n"
+        "    weight[2] = 0.5 * ((0.5 + off) * (0.5 + off));",
+        "weight[0] = off < 0 ? -off : 0, weight[1] = 1 - fabs(off);\n    weight[2] = off > 0 ? off : 0;",
+        ["physics_water_hulls"]),
+    "hulls feel the slope of what they press": (
+        HULL_PLATES, "(along[k] * across[c]));", "(0.5 * across[c]));", ["physics_water_hulls"]),
+    "beyond a side slopes are mirrored": (HULL_PLATES, "> 0 ? -1 : 1;", "> 0 ? 1 : 1;", ["physics_water_hulls"]),
+    "hulls stop before sides, and leave them": (
+        HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
+    "friction holds a hull before it moves": (
+        HULL_STEP, ", rubbed = rub(contact.by_bed);\n        drift(pose, before, made, rubbed, contact.energy);\n",
+        ";\n        drift(pose, before, made, 0, contact.energy);\n        rub(contact.by_bed);\n", ["physics_water_hulls"]),
+    "what friction takes pays for what drove a hull": (
+        HULL_STEP, "positive(more - rubbed);", "positive(more);", ["physics_water_hulls"]),
+    "a floor lies on its plane of least squares": (
+        HULL_STEP, "xy = second[1] - mean[0] * first[1];", "xy = 0;", ["physics_water_hulls"]),
+    "and has a slope along a line of plates": (
+        HULL_STEP, "kLeastSpread = 1e-9;", "kLeastSpread = 0;", ["physics_water_hulls"]),
+    "drag is the water's part": (
+        HULL_STEP, "drag(1 - contact.by_bed / contact.push[0]);", "drag(1);", ["physics_water_hulls"]),
+    "a hull at a wall is borne by the water along it": (
+        HULL_PLATES, "round = periodic ? length : 2 * length;", "round = length;", ["physics_water_hulls"]),
+    "cloth heeds several colliders": (
+        "../model/membrane_cloth.hh", "kMostTouched = 3;", "kMostTouched = 1;", ["physics_cloth_contact"]),
+    "what lies ahead before what is near": (
+        CLOTH_ACT, "contact, dt * vector_at(w.w, at));", "contact, Vector3());", ["physics_cloth_contact"]),
+    "friction of cloth resists no more than rounding bears": (
+        CLOTH_ACT, "kMostFriction = 1e6;", "kMostFriction = 1e60;", ["physics_cloth_contact"]),
+    "stiff bend of a single line makes no forces": (
+        "../model/membrane_work.cpp", "m.stiff_rod = has_bend(m) &&", "m.stiff_rod = false && has_bend(m) &&",
+        ["stability_membrane_rigid"]),
+    "but where it is held as a whole": (
+        "../model/membrane_work.cpp", "&& !all_held &&", "&&", ["stability_membrane_rigid"]),
+    "contacts of cloth yield little": (
+        CLOTH_ACT, "kContactStiffness = 1e4,", "kContactStiffness = 1e2,", ["physics_cloth_contact"]),
+    "and stick below a speed": (
+        CLOTH_ACT, "kStickSpeed = 1e-3,", "kStickSpeed = 1e-1,", ["physics_cloth_contact"]),
+    "a line of cloth's springs tears in one place of a step": (
+        CLOTH_TEAR, "if (now > worst[line * stride]) worst[line * stride] = now, place[line * stride] = double(i);",
+        "if (now > 1) m.spring_stiffness[d][at] = 0;", ["physics_cloth_tears"]),
+    "beside a tear rather than where it is most overstrained": (
+        CLOTH_TEAR, "worst[at * stride] > 1 && load(i, at) > 1", "false", ["physics_cloth_tears"]),
+    "by multiples of what each spring bears": (
+        CLOTH_TEAR, " / breaking_strain_of(m, d, u, v)", " - breaking_strain_of(m, d, u, v) + 1",
+        ["physics_cloth_tears"]),
+    "wind goes through what is torn open": (
+        CLOTH_ACT, "!whole || is_open(m, u, v)", "!whole", ["physics_cloth_tears"]),
+}
