@@ -72,5 +72,5 @@
 {14, 13, 9, {0x982ff393c2ab6b41, 0xfc5ce39d1f611539}}, /* hulls, long steps */
 {14, 1, 17, {0x9b0cc8f0d383573c, 0xe678716aac6eb946}}, /* hulls, long steps */
 {14, 17, 1, {0x6d2482829c81ffef, 0xaeaf8099670629ba}}, /* hulls, long steps */
-{14, 16, 7, {0x299331408cceb0ce, 0xcd7e905df7f2e753}}, /* hulls, long steps */
+{14, 16, 7, {0x299331408cceb0ce, 0xd850a057bf73ebc7}}, /* hulls, long steps */
 {14, 2, 16, {0x9c6605c556e3931e, 0x09de170701376c24}}, /* hulls, long steps */

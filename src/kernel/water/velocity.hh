@@ -144,7 +144,8 @@ inline void WaterLine::keep_energy() {
     mean = select((moving - mean * momentum) - excess, mean, none);
     const L differ = moving - mean * momentum,
             keep = select(smaller(over, differ), root(positive(differ - excess) / differ), one);
-    for (size_t i = first_face(); i < n; ++i) speed.put(i, mean + keep * (speed[i] - mean));
+    for (size_t i = first_face(); i < n; ++i)
+        speed.put(i, select(over, mean + keep * (speed[i] - mean), speed[i]));
 }
 
 // What crosses a side runs as fast as its discharge in its depth, but no faster than it came or than its waves: more
