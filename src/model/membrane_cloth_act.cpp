@@ -250,9 +250,12 @@ void widen_by_contacts(const ClothWork& w, size_t contacts, double* const* least
     for (size_t i = 0; i < contacts; ++i) {
         const ClothContact& c = w.contacts[i];
         const size_t part = w.part[size_t(c.at)];
+        double speed = 0; // with which it pushes: friction may drag along as much, or nothing
+        for (int k = 0; k < 3; ++k) speed += c.normal[k] * c.velocity[k];
         for (int k = 0; k < 3 && c.met > 0; ++k) {
-            least[k][part] = fmin(least[k][part], c.velocity[k]);
-            most[k][part] = fmax(most[k][part], c.velocity[k]);
+            const double pushed = speed * c.normal[k];
+            least[k][part] = fmin(least[k][part], pushed);
+            most[k][part] = fmax(most[k][part], pushed);
         }
     }
 }

@@ -61,4 +61,4 @@
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
 {10, 0, 0, {0x832e0b1ba5b55cd2, 0x0b63c0c0bda8165b}}, /* sail */
 {11, 0, 0, {0x7adbe2432f71cec0, 0xe91b612c082ebabb}}, /* lengths */
-{12, 0, 0, {0xe26936c6ee5b12db, 0xd315a05b3320aaca}}, /* lengths, tube */
+{12, 0, 0, {0x02296f557d8d5ff8, 0x5c44197de6e4c434}}, /* lengths, tube */

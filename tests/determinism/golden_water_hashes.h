@@ -14,10 +14,10 @@
 {2, 17, 1, {0x083857beba879114, 0xaa1597a28b65aca6}}, /* flood */
 {2, 16, 7, {0xa30b6cd942979e71, 0x8913cd1bcaf5c09d}}, /* flood */
 {2, 2, 16, {0x2bf5fc22052889bd, 0x0537e68282831209}}, /* flood */
-{3, 13, 9, {0x319c9cc64f8c5cd1, 0xa1f75ec792f2a084}}, /* weir */
-{3, 1, 17, {0xd351782585df80f0, 0x2171a3b801f6d216}}, /* weir */
+{3, 13, 9, {0x3a9bf635f28e3f74, 0x195c42bdff3126c6}}, /* weir */
+{3, 1, 17, {0x84252bae5d5547e1, 0x4231d6808a886ef7}}, /* weir */
 {3, 17, 1, {0x3c200cb15850ac64, 0x6b2d02fe5fa20569}}, /* weir */
-{3, 16, 7, {0x280b83ca400c3ebc, 0xb1f1e1d05361a181}}, /* weir */
+{3, 16, 7, {0xb3f82037d0648b6b, 0x9e6d484c7ce378e9}}, /* weir */
 {3, 2, 16, {0x78825d8a673da664, 0xdd13867e87b40d01}}, /* weir */
 {4, 13, 9, {0x34ff9a256ba8112e, 0x380f62d35a5d541c}}, /* explicit */
 {4, 1, 17, {0x198e4dec868efae1, 0x9bd595cdeda19578}}, /* explicit */
@@ -34,10 +34,10 @@
 {6, 17, 1, {0x616bb3d6395b86d5, 0xd66f1900bc5205f5}}, /* tide */
 {6, 16, 7, {0x4ac20562058496c3, 0x69f3f1b8ad8dc2af}}, /* tide */
 {6, 2, 16, {0x0e3644fcde0e37fa, 0x49586a8c78572324}}, /* tide */
-{7, 13, 9, {0x1421770defffe3a6, 0xab749a53d7f09c46}}, /* river */
+{7, 13, 9, {0xab8edc1d749142a1, 0xc535d9f83969f39c}}, /* river */
 {7, 1, 17, {0x0bf022df59761559, 0x2fe2b547ac76b05f}}, /* river */
-{7, 17, 1, {0xd23c064195db5a03, 0x34b920e4cf4f5274}}, /* river */
-{7, 16, 7, {0xaf0f1229a0808a91, 0x6ebae55744100303}}, /* river */
+{7, 17, 1, {0x90812b82103d0bdd, 0x28176ab50395896f}}, /* river */
+{7, 16, 7, {0x45f63105eb458796, 0x980e724eb4b84a8f}}, /* river */
 {7, 2, 16, {0x9358a1bbc79a7277, 0xd5defa16bbd85854}}, /* river */
 {8, 13, 9, {0xe8b9d74f3e3b41e4, 0x6ff3490b9960871f}}, /* torus */
 {8, 1, 17, {0x313e2cd3165347ce, 0x06069fae6dbdb945}}, /* torus */
@@ -49,28 +49,28 @@
 {9, 17, 1, {0x1d326e3ce732cdfa, 0x33f3c06b72c03e8c}}, /* masked */
 {9, 16, 7, {0x007e077e8746bddd, 0x1ea4b528ac880f49}}, /* masked */
 {9, 2, 16, {0xc84b6b1dd312aefd, 0x0024e715f5ab37de}}, /* masked */
-{10, 13, 9, {0x43078aa77ddfcc09, 0xbc4c33d733a3565a}}, /* fed */
+{10, 13, 9, {0x555c80435d4e2024, 0xa356fcbc04c50a68}}, /* fed */
 {10, 1, 17, {0xe73caee1ae846efd, 0x02da07916b1f6a97}}, /* fed */
 {10, 17, 1, {0xd4a224799f0e354a, 0x2b043cfe74ab4e5d}}, /* fed */
-{10, 16, 7, {0x021f3d55f045520b, 0x98fbd59f511472e9}}, /* fed */
+{10, 16, 7, {0xe2f20be15edf4bd4, 0xf375d4ed9c3cbffd}}, /* fed */
 {10, 2, 16, {0xeb8fd1958aaf556d, 0x5fb98a50514e2271}}, /* fed */
-{11, 13, 9, {0xb147b84a488af5ca, 0xc0aaffacdfa18d82}}, /* everything */
+{11, 13, 9, {0xb810724dbc83aae0, 0x1d3081721f4ba2bf}}, /* everything */
 {11, 1, 17, {0x9216a6ce04af541d, 0xb5691a8801087b2f}}, /* everything */
 {11, 17, 1, {0xc64e1a8c725c67a2, 0xa2a5ded7d45497fc}}, /* everything */
-{11, 16, 7, {0x2c0c31f61080988e, 0x077fc6425e62188e}}, /* everything */
-{11, 2, 16, {0xcc1cf9daaceeeed2, 0x7d48bcd47793a1d4}}, /* everything */
-{12, 13, 9, {0x3cdc95c0158fec04, 0x65757a0e4073e561}}, /* everything, long steps */
+{11, 16, 7, {0x9305c8c3b9a130b3, 0x04d1bbeddfd0c521}}, /* everything */
+{11, 2, 16, {0x7ab03d78f0723eca, 0xb6570ee08288f4a3}}, /* everything */
+{12, 13, 9, {0xf9bf2047aa805570, 0xfe37d7321c2648a6}}, /* everything, long steps */
 {12, 1, 17, {0xc48b7fe5fae5073c, 0x82efc1d56b6474ed}}, /* everything, long steps */
 {12, 17, 1, {0x380bb0016719faa8, 0xd0af33f5cb9a59f0}}, /* everything, long steps */
-{12, 16, 7, {0x9fbe92761a6973d0, 0x99bb1babf7ba61ac}}, /* everything, long steps */
+{12, 16, 7, {0xa48aa967dc8f628e, 0x0d38bc1fa307c77f}}, /* everything, long steps */
 {12, 2, 16, {0x12de93b1d49862f7, 0x06b0fa52d6972288}}, /* everything, long steps */
 {13, 13, 9, {0xb90cecafcf7391b9, 0x85930df45eeb4c5a}}, /* hulls */
 {13, 1, 17, {0xefc6e6dfd02ac6c0, 0x2c836ce9d7cf0f75}}, /* hulls */
 {13, 17, 1, {0x89dc749364423a7b, 0x482c7da828a2f3be}}, /* hulls */
 {13, 16, 7, {0x1ae81492f3b14a89, 0x31cf8fa74ef2132e}}, /* hulls */
 {13, 2, 16, {0x4bf630ac44bf6a77, 0x6d917b54b6a5f657}}, /* hulls */
-{14, 13, 9, {0x982ff393c2ab6b41, 0xfc5ce39d1f611539}}, /* hulls, long steps */
-{14, 1, 17, {0x9b0cc8f0d383573c, 0xe678716aac6eb946}}, /* hulls, long steps */
-{14, 17, 1, {0x6d2482829c81ffef, 0xaeaf8099670629ba}}, /* hulls, long steps */
-{14, 16, 7, {0x299331408cceb0ce, 0xd850a057bf73ebc7}}, /* hulls, long steps */
-{14, 2, 16, {0x9c6605c556e3931e, 0x09de170701376c24}}, /* hulls, long steps */
+{14, 13, 9, {0x6b598fd7e49f6e2f, 0xca12f76b164095a5}}, /* hulls, long steps */
+{14, 1, 17, {0x8e2f1638812bf3c2, 0x02ce7bbfa2b0e361}}, /* hulls, long steps */
+{14, 17, 1, {0xb4530fcc14ba800c, 0xd23a40db4b6c7ddf}}, /* hulls, long steps */
+{14, 16, 7, {0x945564c4bd79af62, 0x7bac6e83726607b8}}, /* hulls, long steps */
+{14, 2, 16, {0x0852e1a4a0007284, 0x261822b527f2ffec}}, /* hulls, long steps */

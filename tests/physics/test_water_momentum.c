@@ -206,7 +206,7 @@ static void a_stream_round_a_ring_stays_smooth_at_any_speed(void** state) {
             }
         print_message("%-17s streams round a ring: neighbours differ by at most %.1e, speed off by %.1e\n",
                       ways[k].name, worst, slower);
-        assert_true(worst <= 2e-6);  /* as they did at first */
+        assert_true(worst <= 2e-6); /* as they did at first */
         assert_true(slower <= 1e-12);
     }
 }

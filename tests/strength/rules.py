@@ -68,6 +68,8 @@ RULES = {
     "which count what comes in": (
         "water/sweep.cpp", "-speeds.least), coming_in(line))", "-speeds.least), 0.0 * coming_in(line))",
         ["stability_water_extremes"]),
+    "a dry cell gives no stream": (
+        "water/momentum.hh", "select(select(u, l, r), (", "select(L::splat(1), (", ["physics_water_forces"]),
     "what comes in a long step is pushed, too": (
         "water/momentum.hh", "theta * comes * (", "0.0 * comes * (", ["physics_water_momentum"]),
     "but no more of it than there was": (

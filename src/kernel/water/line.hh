@@ -104,6 +104,9 @@ struct WaterLine {
 
     // velocity.hh
     void follow_water(L moves); // lines in which moves > 0
+    L lift(size_t face) const;
+    L more_lift(size_t face) const;
+    L gained(size_t face) const;
     FaceEnergy energy_of(size_t face) const;
     L bounded(size_t i, L w) const;
     void balance();

@@ -64,8 +64,8 @@ struct StreamAcceleration {
         if (line.sweep.advected() && line.n > 1) before = through(line.cells().before(0));
     }
     L flow(size_t face) const {
-        const L mean = 0.5 * (line.depth[line.left(face)] + line.depth[line.right(face)]);
-        return (line.courant * line.velocity[face]) * mean;
+        const L l = line.depth[line.left(face)], r = line.depth[line.right(face)], u = line.velocity[face];
+        return select(select(u, l, r), (line.courant * u) * (0.5 * (l + r)), L{}); // a dry cell gives none
     }
     Passed through(size_t cell) const {
         const L flux = 0.5 * (flow(cell) + flow(cell + 1));

@@ -21,17 +21,24 @@ constexpr double kRoughChange = 0.05;
 // What part of its energy a line may gain in a step, as rounding does.
 constexpr double kNoGain = 0x1p-40;
 
-// Of an inner face: the water that counts there, the energy of its motion, what lifting water over it takes per flux
-// [m^2/s^2], before the step and what the step's changes of the surface add, and what the flux gains.
-inline FaceEnergy WaterLine::energy_of(size_t i) const {
+// What lifting water over an inner face takes per flux [m^2/s^2], before the step and what its changes of the surface add.
+CD_INLINED inline L WaterLine::lift(size_t i) const {
+    const L lift = sweep.gravity * full_rise(i, beside(i));
+    return acceleration ? lift - acceleration[i] / L::splat(sweep.courant) : lift; // is done from outside
+}
+CD_INLINED inline L WaterLine::more_lift(size_t i) const {
     const size_t l = left(i);
-    const L v0 = beside(i).mean_depth(), v1 = beside_after(i).mean_depth(), u = velocity[i];
-    const L v = larger(0.5 * (v0 + v1), larger(v0, v1) - 0.5 * smaller(v0, v1));
-    L lift = sweep.gravity * full_rise(i, beside(i)), x_l = after[l] - depth[l], x_r = after[i] - depth[i];
-    if (acceleration) lift = lift - acceleration[i] / L::splat(sweep.courant); // is done from outside
+    L x_l = after[l] - depth[l], x_r = after[i] - depth[i];
     if (pressed()) x_l = x_l + stiff[l] * x_l, x_r = x_r + stiff[i] * x_r;
-    const L more = sweep.gravity * (x_r - x_l);
-    return {v, 0.5 * (v * (u * u)), lift, more, flux[i] * -(lift + sweep.theta * more)};
+    return sweep.gravity * (x_r - x_l);
+}
+CD_INLINED inline L WaterLine::gained(size_t i) const { return flux[i] * -(lift(i) + sweep.theta * more_lift(i)); }
+
+// Of an inner face: the water that counts there, the energy of its motion, what lifts it, and what the flux gains.
+inline FaceEnergy WaterLine::energy_of(size_t i) const {
+    const L v0 = beside(i).mean_depth(), v1 = beside_after(i).mean_depth(), u = velocity[i];
+    const L v = larger(0.5 * (v0 + v1), larger(v0, v1) - 0.5 * smaller(v0, v1)), lifts = lift(i), more = more_lift(i);
+    return {v, 0.5 * (v * (u * u)), lifts, more, flux[i] * -(lifts + sweep.theta * more)};
 }
 
 // What share of what its faces gain a line needs to lift its water; lines that the bound counts for.
@@ -132,7 +139,7 @@ inline void WaterLine::keep_energy() {
     if (!ring) most = positive(flux[0]) * (speed[0] * speed[0]) + positive(-flux[n]) * (speed[n] * speed[n]);
     for (size_t i = first_face(); i < n; ++i) {
         const L v = beside_after(i).mean_depth(), u = speed[i], before = velocity[i], p = v * u;
-        most = most + (beside(i).mean_depth() * (before * before) + 2 * energy_of(i).gained);
+        most = most + (beside(i).mean_depth() * (before * before) + 2 * gained(i));
         moving = moving + p * u;
         mass = mass + v;
         momentum = momentum + p;
@@ -144,8 +151,7 @@ inline void WaterLine::keep_energy() {
     mean = select((moving - mean * momentum) - excess, mean, none);
     const L differ = moving - mean * momentum,
             keep = select(smaller(over, differ), root(positive(differ - excess) / differ), one);
-    for (size_t i = first_face(); i < n; ++i)
-        speed.put(i, select(over, mean + keep * (speed[i] - mean), speed[i]));
+    for (size_t i = first_face(); i < n; ++i) speed.put(i, select(over, mean + keep * (speed[i] - mean), speed[i]));
 }
 
 // What crosses a side runs as fast as its discharge in its depth, but no faster than it came or than its waves: more
