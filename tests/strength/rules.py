@@ -59,7 +59,7 @@ RULES = {
     "and at shores": (
         "water/surface.hh", "select(shallower, uneven, mean)", "uneven", ["stability_water_energy"]),
     "what pushes from outside does work": (
-        "water/velocity.hh", "if (acceleration) lift = lift", "if (false) lift = lift",
+        "water/velocity.hh", "return acceleration ? lift -", "return false ? lift -",
         ["physics_water_forces"]),
     "parts of half a cell": (
         "water/sweep.cpp", "constexpr double kPartRun = 0.5;", "constexpr double kPartRun = 1e9;", ["stability_water_currents"]),
