@@ -9,11 +9,11 @@
 {1, 17, 1, {0x4e1012f6bbf60050, 0xd0122e4e9f7d35e8}}, /* dam */
 {1, 16, 7, {0xfec89a945dd3401f, 0x3e27cb263038cd5e}}, /* dam */
 {1, 2, 16, {0xaac7a9ed8ad40df8, 0xec058aefd8c5866f}}, /* dam */
-{2, 13, 9, {0x21f6d54e0e23a208, 0x582e9a76c89a605c}}, /* flood */
+{2, 13, 9, {0xcca0c5a2a209ffb5, 0xa9982cce8e2d4826}}, /* flood */
 {2, 1, 17, {0xbd361e9c46ee00eb, 0x265a785146c51cd7}}, /* flood */
 {2, 17, 1, {0x083857beba879114, 0xaa1597a28b65aca6}}, /* flood */
 {2, 16, 7, {0xa30b6cd942979e71, 0x8913cd1bcaf5c09d}}, /* flood */
-{2, 2, 16, {0x2bf5fc22052889bd, 0x0537e68282831209}}, /* flood */
+{2, 2, 16, {0x985ca36cc7278ebc, 0x119c696e9bc588c7}}, /* flood */
 {3, 13, 9, {0x3a9bf635f28e3f74, 0x195c42bdff3126c6}}, /* weir */
 {3, 1, 17, {0x84252bae5d5547e1, 0x4231d6808a886ef7}}, /* weir */
 {3, 17, 1, {0x3c200cb15850ac64, 0x6b2d02fe5fa20569}}, /* weir */
@@ -49,28 +49,28 @@
 {9, 17, 1, {0x1d326e3ce732cdfa, 0x33f3c06b72c03e8c}}, /* masked */
 {9, 16, 7, {0x007e077e8746bddd, 0x1ea4b528ac880f49}}, /* masked */
 {9, 2, 16, {0xc84b6b1dd312aefd, 0x0024e715f5ab37de}}, /* masked */
-{10, 13, 9, {0x555c80435d4e2024, 0xa356fcbc04c50a68}}, /* fed */
+{10, 13, 9, {0x08c3d58ce6f43cc9, 0x51687ef6123dcfa7}}, /* fed */
 {10, 1, 17, {0xe73caee1ae846efd, 0x02da07916b1f6a97}}, /* fed */
 {10, 17, 1, {0xd4a224799f0e354a, 0x2b043cfe74ab4e5d}}, /* fed */
-{10, 16, 7, {0xe2f20be15edf4bd4, 0xf375d4ed9c3cbffd}}, /* fed */
-{10, 2, 16, {0xeb8fd1958aaf556d, 0x5fb98a50514e2271}}, /* fed */
-{11, 13, 9, {0xb810724dbc83aae0, 0x1d3081721f4ba2bf}}, /* everything */
+{10, 16, 7, {0x50986e0e95f67336, 0xd12ded897e35e6a8}}, /* fed */
+{10, 2, 16, {0x999b26b8da85dea4, 0xbdfd094b664d0f88}}, /* fed */
+{11, 13, 9, {0xa950d394590640d1, 0xb383f295847e9700}}, /* everything */
 {11, 1, 17, {0x9216a6ce04af541d, 0xb5691a8801087b2f}}, /* everything */
 {11, 17, 1, {0xc64e1a8c725c67a2, 0xa2a5ded7d45497fc}}, /* everything */
-{11, 16, 7, {0x9305c8c3b9a130b3, 0x04d1bbeddfd0c521}}, /* everything */
-{11, 2, 16, {0x7ab03d78f0723eca, 0xb6570ee08288f4a3}}, /* everything */
-{12, 13, 9, {0xf9bf2047aa805570, 0xfe37d7321c2648a6}}, /* everything, long steps */
+{11, 16, 7, {0x356d9e3ceb843d54, 0xfea886510debce46}}, /* everything */
+{11, 2, 16, {0x67b12cee2736da33, 0xcff95e124a33ce15}}, /* everything */
+{12, 13, 9, {0xd8904353b1c77fa2, 0xcc0c4dd3da1f38b0}}, /* everything, long steps */
 {12, 1, 17, {0xc48b7fe5fae5073c, 0x82efc1d56b6474ed}}, /* everything, long steps */
 {12, 17, 1, {0x380bb0016719faa8, 0xd0af33f5cb9a59f0}}, /* everything, long steps */
-{12, 16, 7, {0xa48aa967dc8f628e, 0x0d38bc1fa307c77f}}, /* everything, long steps */
-{12, 2, 16, {0x12de93b1d49862f7, 0x06b0fa52d6972288}}, /* everything, long steps */
+{12, 16, 7, {0x11c7059638ac2c7d, 0x03aabc6369b3d4ab}}, /* everything, long steps */
+{12, 2, 16, {0x71d729b6da99df2f, 0x34e70a5e622e148c}}, /* everything, long steps */
 {13, 13, 9, {0xb90cecafcf7391b9, 0x85930df45eeb4c5a}}, /* hulls */
 {13, 1, 17, {0xefc6e6dfd02ac6c0, 0x2c836ce9d7cf0f75}}, /* hulls */
 {13, 17, 1, {0x89dc749364423a7b, 0x482c7da828a2f3be}}, /* hulls */
 {13, 16, 7, {0x1ae81492f3b14a89, 0x31cf8fa74ef2132e}}, /* hulls */
 {13, 2, 16, {0x4bf630ac44bf6a77, 0x6d917b54b6a5f657}}, /* hulls */
-{14, 13, 9, {0x6b598fd7e49f6e2f, 0xca12f76b164095a5}}, /* hulls, long steps */
-{14, 1, 17, {0x8e2f1638812bf3c2, 0x02ce7bbfa2b0e361}}, /* hulls, long steps */
-{14, 17, 1, {0xb4530fcc14ba800c, 0xd23a40db4b6c7ddf}}, /* hulls, long steps */
-{14, 16, 7, {0x945564c4bd79af62, 0x7bac6e83726607b8}}, /* hulls, long steps */
-{14, 2, 16, {0x0852e1a4a0007284, 0x261822b527f2ffec}}, /* hulls, long steps */
+{14, 13, 9, {0xd23a1defb0da4e62, 0xb7d5c40890173cf9}}, /* hulls, long steps */
+{14, 1, 17, {0x8127dad57aeae3d4, 0xf852c790440263d9}}, /* hulls, long steps */
+{14, 17, 1, {0xaee3c1824abc0e06, 0xd6c6679490148b68}}, /* hulls, long steps */
+{14, 16, 7, {0x472847116ce91a1c, 0x87fd28abb4c2c4f0}}, /* hulls, long steps */
+{14, 2, 16, {0xbe5f4bcf6e943682, 0x5d7d77f487f14752}}, /* hulls, long steps */

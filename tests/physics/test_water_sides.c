@@ -164,7 +164,7 @@ static void a_basin_fills_to_the_level_outside_and_drains(void** state) {
         ok(cd_water_set_side(w, CD_SIDE_Y_LAST, CD_BORDER_OPEN, -3, 0));
         double fastest = 0;
         for (int s = 0; s < 4000; ++s) basin_step(w, dt, 1), fastest = fmax(fastest, basin_largest(w, CD_VELOCITY_Y));
-        assert_true(fastest < 20); /* films at the side, too */
+        assert_true(fastest < 20);                 /* films at the side, too */
         assert_true(basin_volume(w) < 0.5 * full); /* pools stay in the hollows */
         assert_true(basin_least(w, CD_DEPTH) >= 0);
         assert_true(basin_volume_off(w) <= 1e-12);
@@ -332,6 +332,41 @@ static void a_stream_over_a_bump_keeps_its_head(void** state) {
         }
 }
 
+/* So does one that slows down where the bed falls from 1 to 4 m, in steps in which waves cross 0.2 to 2.5 cells: what it
+ * comes in with pays for what it rises by. */
+static void a_stream_that_slows_down_keeps_its_head(void** state) {
+    (void)state;
+    enum { N = 100 };
+    static const double dts[] = {0.05, 0.2, 0.4}, discharge = 1.25;
+    for (size_t k = 0; k < COUNT(dts); ++k)
+        for (int turned = 0; turned < 4; ++turned) {
+            const int along_y = turned % 2, back = turned / 2;
+            double bed[N], d[N], deep[2] = {0.8, 1}; /* of the shallow water: bisected */
+            const double head = 1 + discharge * discharge / (2 * gravity * 16);
+            for (int bisection = 0; bisection < 60; ++bisection) {
+                const double middle = (deep[0] + deep[1]) / 2;
+                const double has = middle + discharge * discharge / (2 * gravity * middle * middle);
+                deep[has > head ? 1 : 0] = middle;
+            }
+            cd_water* w = line_basin(along_y, N, 2, 1, CD_FLOAT64);
+            basin_set_way(w, &ways[ADVECTED]);
+            for (size_t i = 0; i < N; ++i) {
+                const double x = fmin(1, fmax(0, ((double)(back ? N - 1 - i : i) - 30) / 30));
+                bed[i] = -3 * x * x * (3 - 2 * x), d[i] = 1 - bed[i];
+            }
+            line_write(w, along_y, CD_BED, bed);
+            line_write(w, along_y, CD_DEPTH, d);
+            ok(cd_water_set_side(w, line_side(along_y, back), CD_BORDER_INFLOW, discharge, 0));
+            ok(cd_water_set_side(w, line_side(along_y, !back), CD_BORDER_LEVEL, 1, 0));
+            basin_step(w, dts[k], (size_t)(2000 / dts[k]));
+            line_read(w, along_y, CD_DEPTH, 1e-9, d);
+            print_message("a stream that slows down, steps of %g s: %.4f m deep, not %.4f\n", dts[k],
+                          d[back ? N - 11 : 10], deep[0]);
+            assert_near(d[back ? N - 11 : 10], deep[0], 5e-3, 0);
+            cd_water_destroy(w);
+        }
+}
+
 /* ---- levels and edges -------------------------------------------------------------------------------------------- */
 
 /* Whatever a pool holds at first, it comes to the level that a side holds. */
@@ -420,6 +455,7 @@ int main(void) {
         cmocka_unit_test(discharges_bring_in_what_they_say),
         cmocka_unit_test(a_stream_goes_through_as_it_comes_in),
         cmocka_unit_test(a_stream_over_a_bump_keeps_its_head),
+        cmocka_unit_test(a_stream_that_slows_down_keeps_its_head),
         cmocka_unit_test(a_dam_breaks_over_the_edge),
     };
     return cmocka_run_group_tests_name("water sides", tests, NULL, NULL);

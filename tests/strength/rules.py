@@ -71,9 +71,7 @@ RULES = {
     "a dry cell gives no stream": (
         "water/momentum.hh", "select(select(u, l, r), (", "select(L::splat(1), (", ["physics_water_forces"]),
     "what comes in a long step is pushed, too": (
-        "water/momentum.hh", "theta * comes * (", "0.0 * comes * (", ["physics_water_momentum"]),
-    "but no more of it than there was": (
-        "water/momentum.hh", "comes = smaller(v1 - v0, v0);", "comes = v1 - v0;", ["stability_water_extremes"]),
+        "water/momentum.hh", "theta * (v1 - v0) * (", "0.0 * (v1 - v0) * (", ["physics_water_momentum"]),
     "no line gains energy in a long step": (
         "water/momentum.hh", "if (any_long) keep_energy();", "", ["stability_water_waves"]),
     "nor takes it from the momentum of a ring": (

@@ -164,8 +164,7 @@ struct FaceCarriers {
             const double theta = line.sweep.theta;
             const L early = ((1 - theta) / theta) * (line.push_of(i) * line.pushing_rise(i, line.beside(i)));
             const L pushed = base - late, w = any_bounded ? line.bounded(i, pushed) : pushed;
-            const L comes = smaller(v1 - v0, v0); // of a film that fills only as much as there was
-            out.load = select(line.is_long, v0 * w + theta * comes * (w - (pushed + (early + late))), out.load);
+            out.load = select(line.is_long, v0 * w + theta * (v1 - v0) * (w - (pushed + (early + late))), out.load);
         }
         if (!line.opening) return out;
         const L open = line.opening[i];
