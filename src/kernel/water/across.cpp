@@ -20,7 +20,7 @@ struct AcrossCarriers {
     }
     FaceVolume outside(int) const { return {L::splat(kUnmoved), L{}, L{}}; }
     L through(size_t k) const { return flux[k]; }
-    // In this direction water does not push itself, and slopes need not keep to steps that resolve waves.
+    // In this direction water does not push itself: slopes are of second order at uneven depths, too.
     L sloped(size_t k, L through) const {
         if (!places.ring && (k == 0 || k == places.count)) return L{};
         const size_t l = places.before(k), r = k < places.count ? k : 0;
