@@ -58,6 +58,8 @@ RULES = {
         ["stability_water_energy"]),
     "and at shores": (
         "water/surface.hh", "select(shallower, uneven, mean)", "uneven", ["stability_water_energy"]),
+    "advected only where a depth changes by half": (
+        "water/velocity.hh", "constexpr double kRoughFace = 0.5;", "constexpr double kRoughFace = 0.05;", ["physics_water_dams"]),
     "what pushes from outside does work": (
         "water/velocity.hh", "return acceleration ? lift -", "return false ? lift -",
         ["physics_water_forces"]),

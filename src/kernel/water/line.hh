@@ -108,6 +108,7 @@ struct WaterLine {
     L more_lift(size_t face) const;
     L gained(size_t face) const;
     FaceEnergy energy_of(size_t face) const;
+    L roughness(size_t face) const;
     L bounded(size_t i, L w) const;
     void balance();
     void set_velocities();

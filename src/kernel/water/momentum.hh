@@ -154,17 +154,18 @@ struct FaceCarriers {
         const Beside after = line.beside_after(i);
         const L v0 = line.beside(i).mean_depth(), v1 = after.mean_depth(), base = line.speed[i], u = line.velocity[i];
         const L late = line.push_of(i) * line.pushing_rise(i, after);
-        FaceVolume out{v0, v0 * base - v1 * late, u};
-        if (any_limited) { // what does not go through gains nothing by the push
-            const L push = v0 * (base - u) - v1 * late;
-            const L less = v0 * u + line.pull[i] * push;
-            out.load = select(smaller(line.limits, size_of(out.load) - size_of(less)), less, out.load);
-        }
+        L push = v0 * (base - u) - v1 * late;
         if (line.any_long) {
             const double theta = line.sweep.theta;
             const L early = ((1 - theta) / theta) * (line.push_of(i) * line.pushing_rise(i, line.beside(i)));
-            const L pushed = base - late, w = any_bounded ? line.bounded(i, pushed) : pushed;
-            out.load = select(line.is_long, v0 * w + theta * (v1 - v0) * (w - (pushed + (early + late))), out.load);
+            const L pushed = base - late;
+            const L w = any_bounded ? select(line.roughness(i), line.bounded(i, pushed), pushed) : pushed;
+            push = select(line.is_long, v0 * (w - u) + theta * (v1 - v0) * (w - (pushed + (early + late))), push);
+        }
+        FaceVolume out{v0, v0 * u + push, u};
+        if (any_limited) { // what does not go through gains nothing by the push
+            const L less = v0 * u + line.pull[i] * push;
+            out.load = select(smaller(line.limits, size_of(out.load) - size_of(less)), less, out.load);
         }
         if (!line.opening) return out;
         const L open = line.opening[i];

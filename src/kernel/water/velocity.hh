@@ -18,6 +18,10 @@ namespace CD_ISA {
 // or some depth changes by more than this part of itself.
 constexpr double kRoughChange = 0.05;
 
+// Advected momentum has keep_energy(), too: there the bound is for faces beside which a depth changes by more than this
+// part of itself, where a line fills or runs dry. At others it would slow bores down.
+constexpr double kRoughFace = 0.5;
+
 // What part of its energy a line may gain in a step, as rounding does.
 constexpr double kNoGain = 0x1p-40;
 
@@ -76,6 +80,12 @@ inline void WaterLine::balance() {
     lack = (1 / kGives) * lack; // where all energy is used up, rounding leaves none: its root would not be small
     taken = select(gain, smaller(one, lack / gain), none);
     keeps = select(rest, positive(one - positive(lack - gain) / rest), one);
+}
+
+// > 0: a face where advected momentum is bounded.
+inline L WaterLine::roughness(size_t face) const {
+    const L d_l = depth[left(face)], d_r = depth[face];
+    return larger(size_of(after[left(face)] - d_l) - kRoughFace * d_l, size_of(after[face] - d_r) - kRoughFace * d_r);
 }
 
 // A face's velocity w, with no more energy than it may have.
