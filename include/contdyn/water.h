@@ -35,7 +35,8 @@
  *      times the cost, none of which begins with faster water. Water that runs more than 32 cells is carried less
  *      exactly, and ripples on it may grow; on slower water only those of linear momentum, lambda 1/2, uneven beds do.
  *   Bores, linear: momentum is not carried on, so that a shore moves with the slope of the surface there, and a bore a
- *      tenth, half and twice as high as the depth before it runs some 2, 9 and 22% too slow.
+ *      tenth, half and twice as high as the depth before it runs some 2, 9 and 22% too slow into water at rest, and as
+ *      much too fast against a stream.
  *   Bores, advected: within 1% of their speed, also against a stream, until water runs more than 32 cells; from 2 cells
  *      on those a tenth of the depth high are spread over 2 to 6 times as many. Waves behind a bore: with lambda = 1/2
  *      up to its own height (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where the water behind it rests.
@@ -45,8 +46,7 @@
  *      it is won among cliffs, far below also at shores, and 0.01 in the first step after velocities are written there.
  *   Energy, both: from 1 cell on no face gains more than its water loses by falling: linear over uneven depths,
  *      advected where a depth changes by half; from 1e12 on rounding may add any amount. Air that presses water dry
- *      adds up to 1.4 times what it has to give where momentum is linear, half of it where advected, and any amount in
- *      explicit methods.
+ *      adds 1.4 times what it has to give where momentum is linear, half of it where advected, any amount if explicit.
  *   Dry land: what pushes water away from it gives the face at the water's edge a velocity that no water follows.
  *
  * A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
