@@ -303,6 +303,9 @@ RULES = {
         CLOTH, "w.part[at] = joiner.first_of(at) + 1;", "w.part[at] = 1;", ["physics_cloth_motion"]),
     "and beside what moves, that goes along": (
         CLOTH_STEP, "fmax(least, 0) + fmin(most, 0)", "0", ["physics_cloth_contact"]),
+    "but only along the normals of what pushes": (
+        CLOTH_ACT, "const double pushed = speed * c.normal[k];", "const double pushed = c.velocity[k] + 0 * speed;",
+        ["physics_callback"]),
     "what rises by rounding only is gone all the way": (
         CLOTH_STEP, "            if (!(middle < most)) return most; // where it rises by rounding only\n",
         "            if (!(middle < most)) break;\n", ["physics_cloth_contact"]),
