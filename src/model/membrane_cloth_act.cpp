@@ -295,16 +295,15 @@ void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* con
         const size_t at = size_t(w.contacts[i].at);
         const Vector3 moved = vector_at(w.w, at), before = vector_at(velocity, at);
         // The least change that does what all of the contacts want: a sum of normals, whose products are the matrix.
-        double matrix[6] = {1, 1, 1}, wants[kMostTouched] = {}, sizes[kMostTouched];
-        Vector3 normals[kMostTouched] = {}, change{};
+        double matrix[6] = {1, 1, 1}, wants[3] = {}, sizes[3];
+        Vector3 normals[3] = {}, change{};
         for (size_t j = 0; j < count; ++j) {
             const ClothContact& c = w.contacts[i + j];
             if (!(push_of(c, moved, 1 / dt) > 0)) continue;
             const Vector3 normal = normal_of(c);
             const double overlap = c.gap < 0 ? -c.gap / dt : 0, own = dot(normal, collider_velocity(c));
             const double now = dot(normal, before), out = dot(normal, moved);
-            const double then = fmax(out - overlap, fmin(out, own));       // the way out is no more than it went
-            if (fabs(then - own) < fabs(now - own)) wants[j] = then - now; // or it would gain energy
+            wants[j] = fmax(out - overlap, fmin(out, own)) - now; // the way out is no more than it went
             normals[j] = normal;
         }
         matrix[3] = kParallel * dot(normals[0], normals[1]);
@@ -313,7 +312,7 @@ void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* con
         if (!solve_block(matrix, wants, sizes)) continue;
         for (size_t j = 0; j < count; ++j) change = change + sizes[j] * normals[j];
         const double falls = -dot(change, before - collider_velocity(w.contacts[i])), square = dot(change, change);
-        const double share = square <= 2 * falls ? 1 : falls > 0 ? falls / square : 0; // nor together
+        const double share = square <= 2 * falls ? 1 : falls > 0 ? falls / square : 0; // or it would gain energy
         for (int k = 0; k < 3; ++k) velocity[k][at] += share * change[k];
     }
 }

@@ -332,21 +332,18 @@ RULES = {
         CLOTH, "return stiffness_of(m, d, u, v) > 0 && stiffness_of(m, d, last_u, last_v) > 0 ? bend : 0;",
         "return bend;", ["physics_cloth"]),
     "what cloth came out of does not throw it": (
-        CLOTH_ACT, "fmax(out - overlap, fmin(out, own));", "out;", ["physics_cloth_contact"]),
+        CLOTH_ACT, "fmax(out - overlap, fmin(out, own)) - now;", "out - now + 0 * (own + overlap);",
+        ["physics_cloth_contact"]),
     "what is pushed leaves as fast as it moved": (
-        CLOTH_ACT, "then = fmax(out - overlap, fmin(out, own));", "then = now - overlap + 0 * out;",
+        CLOTH_ACT, "fmax(out - overlap, fmin(out, own)) - now;", "-overlap + 0 * (out + own + now);",
         ["physics_cloth_contact", "stability_cloth"]),
     "and no faster than it would have": (
-        CLOTH_ACT, "if (fabs(then - own) < fabs(now - own)) wants", "wants", ["stability_cloth"]),
+        CLOTH_ACT, "square <= 2 * falls ? 1 :", "square > 0 ? 1 :", ["physics_cloth_pinched"]),
     "nor does it lose what it did not go": (
-        CLOTH_ACT, "fmax(out - overlap, fmin(out, own));", "out - overlap;", ["physics_cloth_pinched"]),
+        CLOTH_ACT, "fmax(out - overlap, fmin(out, own)) - now;", "out - overlap - now + 0 * own;",
+        ["physics_cloth_pinched"]),
     "what leaves several colliders leaves them together": (
         CLOTH_ACT, "kParallel = 1 - 1e-8;", "kParallel = 0;", ["physics_cloth_pinched"]),
-    "and those that it only slid along": (
-        CLOTH_ACT, "            normals[j] = normal;", "            if (wants[j] != 0) normals[j] = normal;",
-        ["physics_cloth_pinched"]),
-    "and gains nothing by that": (
-        CLOTH_ACT, "square <= 2 * falls ? 1 :", "square > 0 ? 1 :", ["physics_cloth_pinched"]),
     "a joint of a cut spring has no bend": (
         "rope_rod.hh", "select(uncut(before) * uncut(link),", "select(one(),", ["physics_rope_bend"]),
     "a rod of uneven links is at rest where it is straight": (
