@@ -297,6 +297,7 @@ void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* con
         // The least change that does what all of the contacts want: a sum of normals, whose products are the matrix.
         double matrix[6] = {1, 1, 1}, wants[3] = {}, sizes[3];
         Vector3 normals[3] = {}, change{};
+        bool pushed = false;
         for (size_t j = 0; j < count; ++j) {
             const ClothContact& c = w.contacts[i + j];
             if (!(push_of(c, moved, 1 / dt) > 0)) continue;
@@ -304,8 +305,9 @@ void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* con
             const double overlap = c.gap < 0 ? -c.gap / dt : 0, own = dot(normal, collider_velocity(c));
             const double now = dot(normal, before), out = dot(normal, moved);
             wants[j] = fmax(out - overlap, fmin(out, own)) - now; // the way out is no more than it went
-            normals[j] = normal;
+            normals[j] = normal, pushed = true;
         }
+        if (!pushed) continue;
         matrix[3] = kParallel * dot(normals[0], normals[1]);
         matrix[4] = kParallel * dot(normals[0], normals[2]);
         matrix[5] = kParallel * dot(normals[1], normals[2]);
