@@ -315,7 +315,9 @@ CD_API cd_status cd_chain_set_callback(cd_chain* chain, size_t index, const cd_d
 CD_API cd_status cd_chain_remove_collider(cd_chain* chain, size_t index);
 
 /* Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move it, and it
- * carries what it touches along. It keeps its velocity when it is made another shape. */
+ * carries what it touches along. It keeps its velocity when it is made another shape. A capsule that turns: before each
+ * step put it where it will be after it, less dt times its middle's velocity, and give it that. Of a figure whose arms and
+ * legs swing at 3.6 rad/s, in steps of 1/30 s a cape ends up to 2e-3 m inside; put where the step begins, 3.5e-2 m. */
 CD_API cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, const double* velocity, size_t count);
 
 /* What a collider is, and where now: of a plane its point and its normal, of length 1; of a capsule its two ends; of a

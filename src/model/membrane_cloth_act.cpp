@@ -81,6 +81,8 @@ namespace {
 // How stiff a contact is, over the mass of its node; the speed e of v / (v + e) in friction [m/s]; and how much friction
 // may resist, over the contact's stiffness: of any more, rounding would hold the node along the normal too.
 constexpr double kContactStiffness = 1e4, kStickSpeed = 1e-3, kMostFriction = 1e6;
+// What the product of two normals counts for, so that contacts that are as good as one have an answer.
+constexpr double kParallel = 1 - 1e-8;
 
 Vector3 operator+(Vector3 a, Vector3 b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
 
@@ -228,10 +230,17 @@ void take_pushes_on(ClothContact* of_node, size_t count, double inertia, Vector3
 
 } // namespace
 
+// How many contacts from number i on are of one node.
+static size_t contacts_of_node(const ClothWork& w, size_t i, size_t contacts) {
+    size_t count = 1;
+    while (i + count < contacts && w.contacts[i + count].at == w.contacts[i].at) ++count;
+    return count;
+}
+
 void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* rest) {
     for (size_t i = 0, count; i < contacts; i += count) {
+        count = contacts_of_node(w, i, contacts);
         const size_t at = size_t(w.contacts[i].at);
-        for (count = 1; i + count < contacts && w.contacts[i + count].at == w.contacts[i].at;) ++count;
         take_pushes_on(w.contacts + i, count, w.inertia[at], vector_at(velocity, at), vector_at(rest, at), 1 / dt);
     }
 }
@@ -281,15 +290,32 @@ void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const*
 }
 
 void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity) {
-    for (size_t i = 0; i < contacts; ++i) {
-        const ClothContact& c = w.contacts[i];
-        const size_t at = size_t(c.at);
-        const Vector3 normal = normal_of(c), moved = vector_at(w.w, at);
-        if (!(push_of(c, moved, 1 / dt) > 0)) continue;
-        const double overlap = c.gap < 0 ? -c.gap / dt : 0, own = dot(normal, collider_velocity(c));
-        const double now = dot(normal, vector_at(velocity, at)), then = dot(normal, moved) - overlap;
-        if (!(fabs(then - own) < fabs(now - own))) continue; // or it would gain energy
-        for (int k = 0; k < 3; ++k) velocity[k][at] += (then - now) * normal[k];
+    for (size_t i = 0, count; i < contacts; i += count) {
+        count = contacts_of_node(w, i, contacts);
+        const size_t at = size_t(w.contacts[i].at);
+        const Vector3 moved = vector_at(w.w, at), before = vector_at(velocity, at);
+        // The least change that does what all of the contacts want: a sum of normals, whose products are the matrix.
+        double matrix[6] = {1, 1, 1}, wants[3] = {}, sizes[3];
+        Vector3 normals[3] = {}, change{};
+        bool pushed = false;
+        for (size_t j = 0; j < count; ++j) {
+            const ClothContact& c = w.contacts[i + j];
+            if (!(push_of(c, moved, 1 / dt) > 0)) continue;
+            const Vector3 normal = normal_of(c);
+            const double overlap = c.gap < 0 ? -c.gap / dt : 0, own = dot(normal, collider_velocity(c));
+            const double now = dot(normal, before), out = dot(normal, moved);
+            wants[j] = fmax(out - overlap, fmin(out, own)) - now; // the way out is no more than it went
+            normals[j] = normal, pushed = true;
+        }
+        if (!pushed) continue;
+        matrix[3] = kParallel * dot(normals[0], normals[1]);
+        matrix[4] = kParallel * dot(normals[0], normals[2]);
+        matrix[5] = kParallel * dot(normals[1], normals[2]);
+        if (!solve_block(matrix, wants, sizes)) continue;
+        for (size_t j = 0; j < count; ++j) change = change + sizes[j] * normals[j];
+        const double falls = -dot(change, before - collider_velocity(w.contacts[i])), square = dot(change, change);
+        const double share = square <= 2 * falls ? 1 : falls > 0 ? falls / square : 0; // or it would gain energy
+        for (int k = 0; k < 3; ++k) velocity[k][at] += share * change[k];
     }
 }
 

@@ -305,6 +305,9 @@ RULES = {
         CLOTH, "w.part[at] = joiner.first_of(at) + 1;", "w.part[at] = 1;", ["physics_cloth_motion"]),
     "and beside what moves, that goes along": (
         CLOTH_STEP, "fmax(least, 0) + fmin(most, 0)", "0", ["physics_cloth_contact"]),
+    "but only along the normals of what pushes": (
+        CLOTH_ACT, "const double pushed = speed * c.normal[k];", "const double pushed = c.velocity[k] + 0 * speed;",
+        ["physics_callback"]),
     "what rises by rounding only is gone all the way": (
         CLOTH_STEP, "            if (!(middle < most)) return most; // where it rises by rounding only\n",
         "            if (!(middle < most)) break;\n", ["physics_cloth_contact"]),
@@ -331,12 +334,18 @@ RULES = {
         CLOTH, "return stiffness_of(m, d, u, v) > 0 && stiffness_of(m, d, last_u, last_v) > 0 ? bend : 0;",
         "return bend;", ["physics_cloth"]),
     "what cloth came out of does not throw it": (
-        CLOTH_ACT, " - overlap;", ";", ["physics_cloth_contact"]),
+        CLOTH_ACT, "fmax(out - overlap, fmin(out, own)) - now;", "out - now + 0 * (own + overlap);",
+        ["physics_cloth_contact"]),
     "what is pushed leaves as fast as it moved": (
-        CLOTH_ACT, "then = dot(normal, moved) - overlap;", "then = now - overlap;",
+        CLOTH_ACT, "fmax(out - overlap, fmin(out, own)) - now;", "-overlap + 0 * (out + own + now);",
         ["physics_cloth_contact", "stability_cloth"]),
     "and no faster than it would have": (
-        CLOTH_ACT, "if (!(fabs(then - own) < fabs(now - own))) continue;", "", ["stability_cloth"]),
+        CLOTH_ACT, "square <= 2 * falls ? 1 :", "square > 0 ? 1 :", ["physics_cloth_pinched"]),
+    "nor does it lose what it did not go": (
+        CLOTH_ACT, "fmax(out - overlap, fmin(out, own)) - now;", "out - overlap - now + 0 * own;",
+        ["physics_cloth_pinched"]),
+    "what leaves several colliders leaves them together": (
+        CLOTH_ACT, "kParallel = 1 - 1e-8;", "kParallel = 0;", ["physics_cloth_pinched"]),
     "a joint of a cut spring has no bend": (
         "rope_rod.hh", "select(uncut(before) * uncut(link),", "select(one(),", ["physics_rope_bend"]),
     "a rod of uneven links is at rest where it is straight": (

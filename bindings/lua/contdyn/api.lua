@@ -1404,7 +1404,9 @@ function Chain:remove_collider(index)
 end
 
 -- Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move it, and it
--- carries what it touches along. It keeps its velocity when it is made another shape.
+-- carries what it touches along. It keeps its velocity when it is made another shape. A capsule that turns: before each
+-- step put it where it will be after it, less dt times its middle's velocity, and give it that. Of a figure whose arms
+-- and legs swing at 3.6 rad/s, in steps of 1/30 s a cape ends up to 2e-3 m inside; put where the step begins, 3.5e-2 m.
 function Chain:set_collider_velocity(index, velocity)
   local where = "cd_chain_set_collider_velocity"
   index = integer_in(index, where, "index")
