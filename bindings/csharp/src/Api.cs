@@ -1506,7 +1506,7 @@ namespace Contdyn
             Changed();
             Check(Native.cd_chain_set_callback(Handle, Native.Size(index, "cd_chain_set_callback", "index"),
                 distanceStruct, origin, Native.Size(count, "cd_chain_set_callback", "count"), friction));
-            Handle.Keep("distance", distance);
+            Handle.Keep("distance" + " " + index, distance);
         }
 
         /// <summary>Makes a collider CD_SHAPE_NONE, at rest: nothing touches it.</summary>
@@ -3391,7 +3391,7 @@ namespace Contdyn
             Changed();
             Check(Native.cd_membrane_set_callback(Handle, Native.Size(index, "cd_membrane_set_callback", "index"),
                 distanceStruct, origin, Native.Size(count, "cd_membrane_set_callback", "count"), friction));
-            Handle.Keep("distance", distance);
+            Handle.Keep("distance" + " " + index, distance);
         }
 
         /// <summary>origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.</summary>
