@@ -4901,7 +4901,7 @@ namespace Contdyn
             return new WaterHulls((long)outCount, (long)outNAlong, (long)outNAcross);
         }
 
-        /// <summary>Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], &gt; 0 and at most 512
+        /// <summary>Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], &gt;= 1e-60 and at most 512
         /// cells. heights[j][i]: of the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where
         /// there is none; `count` is n_along n_across; null: flat. Where it is, and how it moves, stays. Errors:
         /// CD_ERROR_VALUE, also for a floor of no plate.</summary>
@@ -4912,7 +4912,7 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], &gt; 0 and at most 512
+        /// <summary>Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], &gt;= 1e-60 and at most 512
         /// cells. heights[j][i]: of the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where
         /// there is none; `count` is n_along n_across; null: flat. Where it is, and how it moves, stays. Errors:
         /// CD_ERROR_VALUE, also for a floor of no plate.</summary>
@@ -4933,8 +4933,8 @@ namespace Contdyn
         }
 
         /// <summary>Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all
-        /// stretched so that their area is the disc's. The square, some two radii [m] wide, is at most 512 cells.
-        /// Errors: CD_ERROR_VALUE.</summary>
+        /// stretched so that their area is the disc's. The radius [m] is &gt;= 1e-60, the square at most 512 cells
+        /// wide. Errors: CD_ERROR_VALUE.</summary>
         public void SetDisc(long index, double mass, double radius)
         {
             Changed();
