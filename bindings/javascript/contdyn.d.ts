@@ -2013,7 +2013,7 @@ export class Water extends Handle {
   // ---- parameters ---------------------------------------------------------------------------------------------------
   // Errors of all setters: "errorValue" for a number that is NaN, infinite or out of range.
 
-  /** Gravity [m/s^2], in [0, 1e6]; default 9.81. */
+  /** Gravity [m/s^2], 0 or in [1e-60, 1e6]; default 9.81. */
   get gravity(): number;
   set gravity(value: number);
 

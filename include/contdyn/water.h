@@ -147,7 +147,7 @@ CD_API cd_status cd_water_get_kernels(const cd_water* water, cd_kernels* out_ker
 /* ---- parameters -------------------------------------------------------------------------------------------------- */
 /* Errors of all setters: CD_ERROR_VALUE for a number that is NaN, infinite or out of range. */
 
-/* Gravity [m/s^2], in [0, 1e6]; default 9.81. */
+/* Gravity [m/s^2], 0 or in [1e-60, 1e6]; default 9.81. */
 CD_API cd_status cd_water_set_gravity(cd_water* water, double gravity);
 CD_API cd_status cd_water_get_gravity(const cd_water* water, double* out_gravity);
 

@@ -144,10 +144,14 @@ static void no_hull_is_made_or_launched_of_numbers_that_do_not_go_together(void*
 /* The least and the heaviest hull that a setter takes makes steps, afloat and not. */
 static void the_extremes_of_hulls_can_be_stepped(void** state) {
     (void)state;
+    static const double gravities[] = {1e-60, 9.81, 1e6};
+    refuses(w, cd_water_set_gravity(w, 5e-324), CD_ERROR_VALUE, "gravity|in [1e-60, 1e+06] or 0");
     for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
-        for (int heavy = 0; heavy < 2; ++heavy) {
+        for (int i = 0; i < 6; ++i) {
+            const bool heavy = i % 2 != 0;
             cd_water* other = pool(NX, NY, precision);
             pool_fill(other, CD_DEPTH, 1);
+            ok(cd_water_set_gravity(other, gravities[i / 2]));
             ok(cd_water_set_hulls(other, 2, 2, 1));
             ok(cd_water_set_hull(other, 0, heavy ? 1e15 : 1e-12, 1e-60, 1e-60, NULL, 0));
             ok(cd_water_set_disc(other, 1, heavy ? 1e15 : 1e-12, 1e-60));

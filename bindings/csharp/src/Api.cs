@@ -4519,7 +4519,7 @@ namespace Contdyn
             }
         }
 
-        /// <summary>Gravity [m/s^2], in [0, 1e6]; default 9.81.</summary>
+        /// <summary>Gravity [m/s^2], 0 or in [1e-60, 1e6]; default 9.81.</summary>
         public double Gravity
         {
             get

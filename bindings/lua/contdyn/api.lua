@@ -3265,7 +3265,7 @@ function Water:get_kernels()
   return enum_out("cd_kernels", out_kernels[0])
 end
 
--- Gravity [m/s^2], in [0, 1e6]; default 9.81.
+-- Gravity [m/s^2], 0 or in [1e-60, 1e6]; default 9.81.
 function Water:set_gravity(gravity)
   local where = "cd_water_set_gravity"
   gravity = number_in(gravity, where, "gravity")
@@ -3273,7 +3273,7 @@ function Water:set_gravity(gravity)
   check(lib.cd_water_set_gravity(handle_of(self), gravity))
 end
 
--- Gravity [m/s^2], in [0, 1e6]; default 9.81.
+-- Gravity [m/s^2], 0 or in [1e-60, 1e6]; default 9.81.
 function Water:get_gravity()
   local where = "cd_water_get_gravity"
   local out_gravity = double_1()

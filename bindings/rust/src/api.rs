@@ -3342,12 +3342,12 @@ impl Water {
         known(Kernels::from_raw(out_kernels), out_kernels, "cd_water_get_kernels")
     }
 
-    /// Gravity \[m/s^2\], in \[0, 1e6\]; default 9.81.
+    /// Gravity \[m/s^2\], 0 or in \[1e-60, 1e6\]; default 9.81.
     pub fn set_gravity(&mut self, gravity: f64) -> Result<()> {
         check(unsafe { sys::cd_water_set_gravity(self.as_ptr(), gravity) })
     }
 
-    /// Gravity \[m/s^2\], in \[0, 1e6\]; default 9.81.
+    /// Gravity \[m/s^2\], 0 or in \[1e-60, 1e6\]; default 9.81.
     pub fn get_gravity(&self) -> Result<f64> {
         let mut out_gravity = 0.0;
         check(unsafe { sys::cd_water_get_gravity(self.as_ptr(), &mut out_gravity) })?;
