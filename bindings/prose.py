@@ -87,7 +87,7 @@ RANGES = {
     ("cd_water", "at"): PLACES,
     ("cd_water", "index"): "less than hulls",
     ("cd_water", "mass"): "in [1e-12, 1e15]",
-    ("cd_water_set_disc", "radius"): "> 0 and at most largest_disc",
+    ("cd_water_set_disc", "radius"): ">= 1e-60 and at most largest_disc",
     ("cd_water", "heights"): "in [0, 1e60], or -1",
     ("cd_water", "ahead_x"): AMOUNT,
     ("cd_water", "ahead_y"): AMOUNT,

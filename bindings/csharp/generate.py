@@ -214,7 +214,8 @@ class Method:
         yield f"{'' if f.own else 'Native.'}Check(Native.{f.name}({values}));"
         for p in f.arguments:
             if p.role == "callbacks":
-                yield f'Handle.Keep("{p.name}", {variable(p.name)});'
+                numbered = "".join(f' + " " + {variable(q.name)}' for q in f.arguments if q.name == "index")
+                yield f'Handle.Keep("{p.name}"{numbered}, {variable(p.name)});'
         if len(f.results) == 1:
             yield f"return {self.value(f.results[0])};"
         elif f.results:

@@ -2017,7 +2017,7 @@ export class Water extends Handle {
   // ---- parameters ---------------------------------------------------------------------------------------------------
   // Errors of all setters: "errorValue" for a number that is NaN, infinite or out of range.
 
-  /** Gravity [m/s^2], in [0, 1e6]; default 9.81. */
+  /** Gravity [m/s^2], 0 or in [1e-60, 1e6]; default 9.81. */
   get gravity(): number;
   set gravity(value: number);
 
@@ -2221,16 +2221,17 @@ export class Water extends Handle {
   set hulls(value: { count?: number; nAlong?: number; nAcross?: number });
 
   /**
-   * Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], > 0 and at most 512 cells. heights[j][i]: of
-   * the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is
-   * nAlong
-   * nAcross; null: flat. Where it is, and how it moves, stays. Errors: "errorValue", also for a floor of no plate.
+   * Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], >= 1e-60 and at most 512 cells.
+   * heights[j][i]:
+   * of the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is
+   * nAlong nAcross; null: flat. Where it is, and how it moves, stays. Errors: "errorValue", also for a floor of no
+   * plate.
    */
   setHull(index: number, mass: number, length: number, width: number, heights?: Numbers | null): void;
 
   /**
    * Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all stretched so that
-   * their area is the disc's. The square, some two radii [m] wide, is at most 512 cells. Errors: "errorValue".
+   * their area is the disc's. The radius [m] is >= 1e-60, the square at most 512 cells wide. Errors: "errorValue".
    */
   setDisc(index: number, mass: number, radius: number): void;
 

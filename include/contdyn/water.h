@@ -148,7 +148,7 @@ CD_API cd_status cd_water_get_kernels(const cd_water* water, cd_kernels* out_ker
 /* ---- parameters -------------------------------------------------------------------------------------------------- */
 /* Errors of all setters: CD_ERROR_VALUE for a number that is NaN, infinite or out of range. */
 
-/* Gravity [m/s^2], in [0, 1e6]; default 9.81. */
+/* Gravity [m/s^2], 0 or in [1e-60, 1e6]; default 9.81. */
 CD_API cd_status cd_water_set_gravity(cd_water* water, double gravity);
 CD_API cd_status cd_water_get_gravity(const cd_water* water, double* out_gravity);
 
@@ -305,14 +305,15 @@ CD_API cd_status cd_water_set_hulls(cd_water* water, size_t count, size_t n_alon
 CD_API cd_status cd_water_get_hulls(const cd_water* water, size_t* out_count, size_t* out_n_along,
                                     size_t* out_n_across);
 
-/* Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], > 0 and at most 512 cells. heights[j][i]: of
- * the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is n_along
- * n_across; null: flat. Where it is, and how it moves, stays. Errors: CD_ERROR_VALUE, also for a floor of no plate. */
+/* Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], >= 1e-60 and at most 512 cells. heights[j][i]:
+ * of the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is
+ * n_along n_across; null: flat. Where it is, and how it moves, stays. Errors: CD_ERROR_VALUE, also for a floor of no
+ * plate. */
 CD_API cd_status cd_water_set_hull(cd_water* water, size_t index, double mass, double length, double width,
                                    const double* heights, size_t count);
 
 /* Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all stretched so that
- * their area is the disc's. The square, some two radii [m] wide, is at most 512 cells. Errors: CD_ERROR_VALUE. */
+ * their area is the disc's. The radius [m] is >= 1e-60, the square at most 512 cells wide. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_water_set_disc(cd_water* water, size_t index, double mass, double radius);
 
 /* What a hull is: mass (0: none), length, width, the area of its plates [m^2]. Each output may be null; heights:

@@ -25,7 +25,7 @@ inline cd_status is_built(const char* function, const char* part) {
     return part ? fail(CD_ERROR_UNSUPPORTED, function, "%s left out of this build", part) : CD_OK;
 }
 
-constexpr const char *kOrZero = " or 0", *kOrInfinity = " or INFINITY";
+constexpr const char *kOrZero = " or 0", *kOrBothZero = " or both 0", *kOrInfinity = " or INFINITY";
 
 // also: what else the caller takes.
 inline cd_status in_range(const char* function, const char* name, double value, double least, double most,

@@ -14,8 +14,8 @@ CD_GETTER(membrane, get_broken, size_t, out_springs, x.broken)
 cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, double along_v) {
     CD_OPEN(membrane, m);
     const bool cloth = along_u != 0 || along_v != 0;
-    if (cloth) CD_CHECK(in_range(__func__, "along_u", along_u, kLeastMass, kMost));
-    if (cloth) CD_CHECK(in_range(__func__, "along_v", along_v, kLeastMass, kMost));
+    if (cloth) CD_CHECK(in_range(__func__, "along_u", along_u, kLeastMass, kMost, kOrBothZero));
+    if (cloth) CD_CHECK(in_range(__func__, "along_v", along_v, kLeastMass, kMost, kOrBothZero));
     if (cloth && !can_have_lengths(m))
         return fail(CD_ERROR_UNSUPPORTED, __func__,
                     "along_u is %g, but the membrane has %zu and %zu springs and %zu components: cloth needs springs "

@@ -59,8 +59,11 @@ cd_status cd_water_set_first(cd_water* water, int32_t along_y) {
 
 // ---- parameters -----------------------------------------------------------------------------------------------------
 
-CD_FUNCTION(water, , set_gravity, (double gravity),
-            shared::set_parameter(__func__, x, "gravity", gravity, x.gravity, 0, kMostGravity))
+cd_status cd_water_set_gravity(cd_water* water, double gravity) {
+    CD_OPEN(water, w);
+    if (gravity != 0) CD_CHECK(in_range(__func__, "gravity", gravity, kLeastGravity, kMostGravity, kOrZero));
+    return shared::set_parameter(__func__, w, "gravity", gravity, w.gravity, 0, kMostGravity);
+}
 CD_GETTER(water, get_gravity, double, out_gravity, x.gravity)
 CD_FUNCTION(water, , set_density, (double density),
             shared::set_parameter(__func__, x, "density", density, x.density, kLeastDensity, kMostDensity))

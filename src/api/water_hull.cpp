@@ -50,9 +50,9 @@ double most_size(const Water& w) { return kMostHullCells * cell_size(w.size, w.c
 
 cd_status is_size(const char* function, const Water& w, const char* name, double size) {
     const double most = most_size(w);
-    if (size > 0 && size <= most) return CD_OK;
-    return fail(CD_ERROR_VALUE, function, "%s is %g, must be > 0 and at most %g, which is %g cells", name, size, most,
-                kMostHullCells);
+    if (size >= kLeastHullSize && size <= most) return CD_OK;
+    return fail(CD_ERROR_VALUE, function, "%s is %g, must be in [%g, %g], which is %g cells", name, size,
+                kLeastHullSize, most, kMostHullCells);
 }
 
 void set_body(Hull& h, double mass, double length, double width) {

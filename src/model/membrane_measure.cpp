@@ -10,6 +10,7 @@ namespace {
 template <class T> struct Measure {
     const Membrane& m;
     const T *x = numbers<T>(m.position), *v = numbers<T>(m.velocity), *target = numbers<T>(m.target);
+    double scale = 1; // of positions, in volumes
 
     double at(const T* data, size_t u, size_t v_, size_t k) const { return double(data[place(m, u, v_, k)]); }
 
@@ -75,7 +76,7 @@ template <class T> struct Measure {
         for (size_t k = 0; k < m.components; ++k) out[k] = sums[k].value();
     }
 
-    Vector node(size_t i, size_t j) const { return {at(x, i, j, 0), at(x, i, j, 1), at(x, i, j, 2)}; }
+    Vector node(size_t i, size_t j) const { return Vector{at(x, i, j, 0), at(x, i, j, 1), at(x, i, j, 2)} * scale; }
 
     // det(p, q, r): six times the volume between the triangle and the origin
     static double wedge(const Vector& p, const Vector& q, const Vector& r) { return dot(p, cross(q, r)); }
@@ -109,8 +110,17 @@ void momentum(const Membrane& m, double* out) {
     by_precision(m, [&](auto zero) { Measure<decltype(zero)>{m}.momentum(out); });
 }
 
+// Products that leave double may be both infinities, whose sum is no number: they are then made smaller.
 double volume(const Membrane& m) {
-    return by_precision(m, [&](auto zero) { return Measure<decltype(zero)>{m}.volume(); });
+    return by_precision(m, [&](auto zero) {
+        Measure<decltype(zero)> measure{m};
+        double sum = measure.volume();
+        while (!(sum - sum == 0) && measure.scale > 0x1p-800) {
+            measure.scale *= 0x1p-60;
+            sum = measure.volume();
+        }
+        return sum / measure.scale / measure.scale / measure.scale;
+    });
 }
 
 } // namespace cd

@@ -79,7 +79,7 @@ struct Water : Object, WaterSettings {
 
 constexpr uint64_t kWaterTag = 0x3172746157644331; // "1CdWatr1"
 constexpr double kLinearLambda = 0.55;             // the default
-constexpr double kLeastCell = 1e-30, kMostCell = 1e30, kMostGravity = 1e6, kMostManning = 1e3;
+constexpr double kLeastCell = 1e-30, kMostCell = 1e30, kLeastGravity = 1e-60, kMostGravity = 1e6, kMostManning = 1e3;
 constexpr double kLeastDensity = 1e-6, kMostDensity = 1e6;
 
 // What costs memory, in one value, so that features change all together or not at all.

@@ -45,6 +45,7 @@ struct Hull {
     double water[6]; // what the water and the bed did in the last step, as velocity
 };
 constexpr double kLeastHull = 1e-12, kMostHull = 1e15; // masses [kg]
+constexpr double kLeastHullSize = 1e-60;               // [m]: smaller, moments of inertia and drafts leave double
 constexpr double kMostHullCells = 512;                 // how long and wide a hull may be
 constexpr double kMostHullForce = 1e30;                // and drag [N], [N m], [N s/m]
 constexpr double kHeadingError = 1e-6;                 // of the square of its length, which is 1

@@ -357,6 +357,31 @@ static void the_volume_of_a_bent_cell_is_the_mean_of_its_two_triangulations(void
     cd_membrane_destroy(m);
 }
 
+/* Whose parts are infinities of both signs. */
+static void volumes_too_large_for_numbers_are_infinite(void** state) {
+    (void)state;
+    static const struct {
+        double size, height; /* of the roof, at an angle of an eighth turn, and of its prism */
+        double volume;
+    } roofs[] = {{1e100, 1e100, 0.75e300 / 3}, {1e155, 1e-20, 0.75e290 / 3}, {1e155, 1, INFINITY},
+                 {1e155, -1, -INFINITY},       {1e300, 1e300, INFINITY},     {1e300, -1e300, -INFINITY}};
+    cd_membrane* m = cloth(NU, NV, COMPONENTS, CD_FLOAT64);
+    for (size_t r = 0; r < COUNT(roofs); ++r) {
+        double x[ALL], volume;
+        for (size_t i = 0; i < COLUMNS * ROWS; ++i) {
+            const double u = (double)(i % COLUMNS) / NU, v = (double)(i / COLUMNS) / NV;
+            x[3 * i] = roofs[r].size * (u - v) * 0.5;
+            x[3 * i + 1] = roofs[r].size * (u + v);
+            x[3 * i + 2] = roofs[r].height * 0.75;
+        }
+        cloth_write(m, CD_POSITION, x);
+        ok(cd_membrane_get_volume(m, &volume));
+        if (isinf(roofs[r].volume)) assert_true(volume == roofs[r].volume);
+        else assert_near(volume, roofs[r].volume, 1e-13, 0);
+    }
+    cd_membrane_destroy(m);
+}
+
 static void volumes_are_those_of_the_shapes(void** state) {
     (void)state;
     double x[ALL], volume;
@@ -432,6 +457,7 @@ int main(void) {
         cmocka_unit_test(an_even_stretch_holds_the_energy_of_the_totals),
         cmocka_unit_test(energies_too_large_for_numbers_are_infinite),
         cmocka_unit_test(the_volume_of_a_bent_cell_is_the_mean_of_its_two_triangulations),
+        cmocka_unit_test(volumes_too_large_for_numbers_are_infinite),
         cmocka_unit_test(volumes_are_those_of_the_shapes),
         cmocka_unit_test(forces_act_until_they_are_overwritten),
     };

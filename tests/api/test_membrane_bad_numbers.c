@@ -77,6 +77,7 @@ static void no_cloth_takes_numbers_outside_their_range(void** state) {
         refuses_each(c, cd_membrane_set_rest_length(c, bad, 1), "along_u", none); /* both or none */
         refuses_each(c, cd_membrane_set_rest_length(c, 1, bad), "along_v", none);
         refuses_each(c, cd_membrane_set_rest_length(c, bad, 0), "along_u", not_finite);
+        refuses(c, cd_membrane_set_rest_length(c, 1, 0), CD_ERROR_VALUE, "along_v is 0|in [1e-60, 1e+60] or both 0");
         refuses_each(c, cd_membrane_set_shear(c, bad), "stiffness", negative);
         refuses_each(c, cd_membrane_set_compression(c, bad), "rate", negative);
         refuses(c, cd_membrane_set_effort(c, 0, 1), CD_ERROR_VALUE, "newton|0|1000");

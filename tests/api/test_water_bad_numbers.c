@@ -130,6 +130,8 @@ static void no_hull_is_made_or_launched_of_numbers_that_do_not_go_together(void*
             "heights|[1]|-2|or -1 for no plate");
     refuses(w, cd_water_set_hull(w, 0, 1, 1, 1, (const double[]){-1, -1}, 2), CD_ERROR_VALUE, "heights");
     refuses(w, cd_water_set_disc(w, 0, 1, 200), CD_ERROR_VALUE, "radius|200|512 cells"); /* its square is wider */
+    refuses(w, cd_water_set_disc(w, 0, 1, 0.9e-60), CD_ERROR_VALUE, "radius is 9e-61|in [1e-60, ");
+    refuses(w, cd_water_set_hull(w, 0, 1, 1, 1e-300, NULL, 0), CD_ERROR_VALUE, "width is 1e-300|in [1e-60, ");
     refuses(w, cd_water_launch_hull(w, 0, 1, 1, 0, 0), CD_ERROR_VALUE, "ahead_x|0");
     refuses(w, cd_water_launch_hull(w, 1, 1, 1, 1, 0), CD_ERROR_DISABLED, "index|1|cd_water_set_hull");
     ok(cd_water_set_gravity(w, 0));
@@ -137,6 +139,27 @@ static void no_hull_is_made_or_launched_of_numbers_that_do_not_go_together(void*
     ok(cd_water_set_gravity(w, 9.81));
     refuses(w, cd_water_set_hull_pose(w, 0, (const double[]){1, 1, 0, 0, 0, 0, 0}, 7), CD_ERROR_VALUE,
             "pose|direction");
+}
+
+/* The least and the heaviest hull that a setter takes makes steps, afloat and not. */
+static void the_extremes_of_hulls_can_be_stepped(void** state) {
+    (void)state;
+    static const double gravities[] = {1e-60, 9.81, 1e6};
+    refuses(w, cd_water_set_gravity(w, 5e-324), CD_ERROR_VALUE, "gravity|in [1e-60, 1e+06] or 0");
+    for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision)
+        for (int i = 0; i < 6; ++i) {
+            const bool heavy = i % 2 != 0;
+            cd_water* other = pool(NX, NY, precision);
+            pool_fill(other, CD_DEPTH, 1);
+            ok(cd_water_set_gravity(other, gravities[i / 2]));
+            ok(cd_water_set_hulls(other, 2, 2, 1));
+            ok(cd_water_set_hull(other, 0, heavy ? 1e15 : 1e-12, 1e-60, 1e-60, NULL, 0));
+            ok(cd_water_set_disc(other, 1, heavy ? 1e15 : 1e-12, 1e-60));
+            ok(cd_water_step(other, 0.01, 2));
+            ok(cd_water_launch_hull(other, 0, 1, 1, 1, 0));
+            ok(cd_water_step(other, 0.01, 2));
+            cd_water_destroy(other);
+        }
 }
 
 int main(void) {
@@ -148,6 +171,7 @@ int main(void) {
         cmocka_unit_test(no_more_places_are_sampled_than_fit_in_memory),
         cmocka_unit_test(no_shape_is_made_that_cannot_be),
         cmocka_unit_test(no_hull_is_made_or_launched_of_numbers_that_do_not_go_together),
+        cmocka_unit_test(the_extremes_of_hulls_can_be_stepped),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -1506,7 +1506,7 @@ namespace Contdyn
             Changed();
             Check(Native.cd_chain_set_callback(Handle, Native.Size(index, "cd_chain_set_callback", "index"),
                 distanceStruct, origin, Native.Size(count, "cd_chain_set_callback", "count"), friction));
-            Handle.Keep("distance", distance);
+            Handle.Keep("distance" + " " + index, distance);
         }
 
         /// <summary>Makes a collider CD_SHAPE_NONE, at rest: nothing touches it.</summary>
@@ -3397,7 +3397,7 @@ namespace Contdyn
             Changed();
             Check(Native.cd_membrane_set_callback(Handle, Native.Size(index, "cd_membrane_set_callback", "index"),
                 distanceStruct, origin, Native.Size(count, "cd_membrane_set_callback", "count"), friction));
-            Handle.Keep("distance", distance);
+            Handle.Keep("distance" + " " + index, distance);
         }
 
         /// <summary>origin may be null where the collider is CD_SHAPE_CALLBACK already: it stays as it is.</summary>
@@ -4525,7 +4525,7 @@ namespace Contdyn
             }
         }
 
-        /// <summary>Gravity [m/s^2], in [0, 1e6]; default 9.81.</summary>
+        /// <summary>Gravity [m/s^2], 0 or in [1e-60, 1e6]; default 9.81.</summary>
         public double Gravity
         {
             get
@@ -4907,7 +4907,7 @@ namespace Contdyn
             return new WaterHulls((long)outCount, (long)outNAlong, (long)outNAcross);
         }
 
-        /// <summary>Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], &gt; 0 and at most 512
+        /// <summary>Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], &gt;= 1e-60 and at most 512
         /// cells. heights[j][i]: of the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where
         /// there is none; `count` is n_along n_across; null: flat. Where it is, and how it moves, stays. Errors:
         /// CD_ERROR_VALUE, also for a floor of no plate.</summary>
@@ -4918,7 +4918,7 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], &gt; 0 and at most 512
+        /// <summary>Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], &gt;= 1e-60 and at most 512
         /// cells. heights[j][i]: of the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where
         /// there is none; `count` is n_along n_across; null: flat. Where it is, and how it moves, stays. Errors:
         /// CD_ERROR_VALUE, also for a floor of no plate.</summary>
@@ -4939,8 +4939,8 @@ namespace Contdyn
         }
 
         /// <summary>Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all
-        /// stretched so that their area is the disc's. The square, some two radii [m] wide, is at most 512 cells.
-        /// Errors: CD_ERROR_VALUE.</summary>
+        /// stretched so that their area is the disc's. The radius [m] is &gt;= 1e-60, the square at most 512 cells
+        /// wide. Errors: CD_ERROR_VALUE.</summary>
         public void SetDisc(long index, double mass, double radius)
         {
             Changed();

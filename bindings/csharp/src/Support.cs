@@ -132,6 +132,7 @@ namespace Contdyn
 
         public override bool IsInvalid { get { return handle == IntPtr.Zero; } }
 
+        // name: of what calls back, with its number where the object has several, as colliders are.
         internal void Keep(string name, Callbacks callbacks)
         {
             kept[name] = callbacks;

@@ -40,6 +40,25 @@ static class Lifetime
         public int Live { get { lock (held) return held.Count; } }
     }
 
+    // Colliders that nothing is near to, each of a callback of its own.
+    static WeakReference[] GiveFloors(Chain rope, int[] asked)
+    {
+        return asked.Select((none, index) =>
+        {
+            var floor = new DistanceCallbacks();
+            floor.Distance = (time, count, components, positions, distances, normals) =>
+            {
+                ++asked[index];
+                for (int k = 0; k < count; ++k)
+                    Marshal.Copy(new double[] { 1 }, 0, distances + k * sizeof(double), 1);
+                for (int k = 0; k < count; ++k)
+                    Marshal.Copy(new double[] { 0, 1 }, 0, normals + 2 * k * sizeof(double), 2);
+            };
+            rope.SetCallback(index, floor, new double[] { 0, 0 }, 0);
+            return new WeakReference(floor);
+        }).ToArray();
+    }
+
     static Chain Large()
     {
         var made = new Chain(100, 20, 3);
@@ -151,6 +170,21 @@ static class Lifetime
             spread.SetParallel(null);
             spread.Step(0.01);
             Tests.Equal(pieces, before);
+        });
+        Tests.Run("each collider keeps its own callback", () =>
+        {
+            var rope = new Chain(1, 4, 2) { RestLength = 1 };
+            var asked = new int[8];
+            WeakReference[] given = null;
+            rope.Colliders = asked.Length;
+            var thread = new Thread(() => given = GiveFloors(rope, asked)); // whose stack holds none of them any longer
+            thread.Start();
+            thread.Join();
+            GC.Collect();
+            GC.WaitForPendingFinalizers();
+            Tests.True(given.All(callbacks => callbacks.IsAlive), "callbacks are kept");
+            rope.Step(0.01);
+            Tests.True(asked.All(times => times > 0), "callbacks are asked");
         });
         Tests.Run("an exception in a callback comes out of the call", () =>
         {

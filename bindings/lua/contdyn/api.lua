@@ -3267,7 +3267,7 @@ function Water:get_kernels()
   return enum_out("cd_kernels", out_kernels[0])
 end
 
--- Gravity [m/s^2], in [0, 1e6]; default 9.81.
+-- Gravity [m/s^2], 0 or in [1e-60, 1e6]; default 9.81.
 function Water:set_gravity(gravity)
   local where = "cd_water_set_gravity"
   gravity = number_in(gravity, where, "gravity")
@@ -3275,7 +3275,7 @@ function Water:set_gravity(gravity)
   check(lib.cd_water_set_gravity(handle_of(self), gravity))
 end
 
--- Gravity [m/s^2], in [0, 1e6]; default 9.81.
+-- Gravity [m/s^2], 0 or in [1e-60, 1e6]; default 9.81.
 function Water:get_gravity()
   local where = "cd_water_get_gravity"
   local out_gravity = double_1()
@@ -3586,9 +3586,10 @@ function Water:get_hulls()
   return tonumber(out_count[0]), tonumber(out_n_along[0]), tonumber(out_n_across[0])
 end
 
--- Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], > 0 and at most 512 cells. heights[j][i]: of
--- the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is n_along
--- n_across; null: flat. Where it is, and how it moves, stays. Errors: CD_ERROR_VALUE, also for a floor of no plate.
+-- Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], >= 1e-60 and at most 512 cells. heights[j][i]:
+-- of the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is
+-- n_along n_across; null: flat. Where it is, and how it moves, stays. Errors: CD_ERROR_VALUE, also for a floor of no
+-- plate.
 function Water:set_hull(index, mass, length, width, heights)
   local where = "cd_water_set_hull"
   index = integer_in(index, where, "index")
@@ -3602,7 +3603,7 @@ function Water:set_hull(index, mass, length, width, heights)
 end
 
 -- Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all stretched so that
--- their area is the disc's. The square, some two radii [m] wide, is at most 512 cells. Errors: CD_ERROR_VALUE.
+-- their area is the disc's. The radius [m] is >= 1e-60, the square at most 512 cells wide. Errors: CD_ERROR_VALUE.
 function Water:set_disc(index, mass, radius)
   local where = "cd_water_set_disc"
   index = integer_in(index, where, "index")

@@ -331,6 +331,14 @@ function support.class(name, destroy)
   local class = {_name = name, _destroy = there and call or nil}
   for method, call in pairs(Object) do class[method] = call end
   class.__index = class
+  -- What is a property or a field elsewhere would be kept beside the object here, and no step would know of it.
+  class.__newindex = function(self, key, value)
+    if class["set_" .. tostring(key)] then fail(VALUE, ("%s.%s: it is set by set_%s"):format(name, key, key)) end
+    if type(key) == "string" and class._fields[enumerations.cd_field.values[key]] then
+      fail(VALUE, ("%s.%s: a field is written by write(\"%s\", values)"):format(name, key, key))
+    end
+    rawset(self, key, value)
+  end
   class.__tostring = function(self)
     if self._handle == nil then return "contdyn." .. name .. " (destroyed)" end
     local shape = {self:get_shape()}

@@ -163,6 +163,16 @@ test("lengths that do not fit", function()
     ffi.new("double[3]"))
 end)
 
+test("what is set or written by methods is not assigned", function()
+  local made = rope()
+  refused("error_value", "Chain.mass: it is set by set_mass", function() made.mass = 2 end)
+  refused("error_value", "Chain.position: a field is written by write(\"position\", values)",
+    function() made.position = {{0, 0}} end)
+  refused("error_value", "Water.hulls: it is set by set_hulls", function() contdyn.Water(4, 4, 1, 1).hulls = 1 end)
+  made.colour = "red" -- the caller's own
+  equal(made.colour, "red")
+end)
+
 test("values of other types", function()
   local made = rope()
   refused("error_value", "mass is \"2\", must be a number", made.set_mass, made, "2")

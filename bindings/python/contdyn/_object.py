@@ -5,7 +5,7 @@ from ctypes import ArgumentError, byref, c_char, c_size_t, c_void_p, create_stri
 from ctypes import Array as CArray
 from math import prod
 from types import TracebackType
-from typing import Any, Callable, ClassVar, Dict, List, Optional, Sequence, Tuple, Type, TypeVar
+from typing import TYPE_CHECKING, Any, Callable, ClassVar, Dict, List, Optional, Sequence, Tuple, Type, TypeVar
 
 from . import _arrays
 from ._api import FIELDS, Field, FieldInfo, Kernels, Method, Precision
@@ -116,6 +116,16 @@ class Object:
         *sizes, precision = self._made_of if self.closed else self._get("get_shape")
         shape = ", ".join(map(str, (*sizes, Precision(precision).name)))
         return f"<{'closed ' if self.closed else ''}{type(self).__name__}({shape})>"
+
+    if not TYPE_CHECKING:  # to which every name would be known
+        def __getattr__(self, name):
+            """Of the C API's names says where they have gone: the library's manual has them."""
+            own = next((own for own in (name[4:], name[4:] + "_")
+                        if name[:4] in ("get_", "set_") and isinstance(getattr(type(self), own, None), Reading)), None)
+            error = AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}"
+                                   + (f": it is the property {own!r}" if own else ""))
+            error.name, error.obj = name, self
+            raise error
 
     def __reduce__(self) -> Tuple[Any, ...]:
         """Copies and pickles hold what save() gives: not the allocator, `parallel`, `kernels` or callbacks."""

@@ -137,6 +137,15 @@ class Life(unittest.TestCase):
             with self.subTest(name), self.assertRaises(AttributeError):
                 setattr(make(Chain), name, 1)
 
+    def test_names_of_the_c_api_that_became_properties_are_told(self):
+        for kind, name, told in ((Water, "set_hulls", "'hulls'"), (Chain, "set_lambda", "'lambda_'"),
+                                 (Membrane, "get_energy", "'energy'")):
+            with self.subTest(name), self.assertRaisesRegex(AttributeError, f"'{name}': it is the property {told}$"):
+                getattr(make(kind), name)
+        for name in ("set_nothing", "get_step", "hull", "_other"):
+            with self.subTest(name), self.assertRaisesRegex(AttributeError, f"'Chain' object has no .* '{name}'$"):
+                getattr(make(Chain), name)
+
 
 class Keeping(unittest.TestCase):
     def test_save_and_load(self):

@@ -3345,12 +3345,12 @@ impl Water {
         known(Kernels::from_raw(out_kernels), out_kernels, "cd_water_get_kernels")
     }
 
-    /// Gravity \[m/s^2\], in \[0, 1e6\]; default 9.81.
+    /// Gravity \[m/s^2\], 0 or in \[1e-60, 1e6\]; default 9.81.
     pub fn set_gravity(&mut self, gravity: f64) -> Result<()> {
         check(unsafe { sys::cd_water_set_gravity(self.as_ptr(), gravity) })
     }
 
-    /// Gravity \[m/s^2\], in \[0, 1e6\]; default 9.81.
+    /// Gravity \[m/s^2\], 0 or in \[1e-60, 1e6\]; default 9.81.
     pub fn get_gravity(&self) -> Result<f64> {
         let mut out_gravity = 0.0;
         check(unsafe { sys::cd_water_get_gravity(self.as_ptr(), &mut out_gravity) })?;
@@ -3573,7 +3573,7 @@ impl Water {
         })
     }
 
-    /// Makes a hull of a mass \[kg\] in \[1e-12, 1e15\] and length and width \[m\], \> 0 and at most 512 cells.
+    /// Makes a hull of a mass \[kg\] in \[1e-12, 1e15\] and length and width \[m\], \>= 1e-60 and at most 512 cells.
     /// heights\[j\]\[i\]: of the floor's plate i along, j to port, above the keel \[m\], in \[0, 1e60\], or -1 where
     /// there is none; `count` is n_along n_across; null: flat. Where it is, and how it moves, stays. Errors:
     /// CD_ERROR_VALUE, also for a floor of no plate.
@@ -3586,7 +3586,7 @@ impl Water {
     }
 
     /// Makes a hull with a flat round floor: those plates of a square whose middles lie in the disc, all stretched so
-    /// that their area is the disc's. The square, some two radii \[m\] wide, is at most 512 cells. Errors:
+    /// that their area is the disc's. The radius \[m\] is \>= 1e-60, the square at most 512 cells wide. Errors:
     /// CD_ERROR_VALUE.
     pub fn set_disc(&mut self, index: usize, mass: f64, radius: f64) -> Result<()> {
         check(unsafe { sys::cd_water_set_disc(self.as_ptr(), index, mass, radius) })
