@@ -69,6 +69,12 @@ template <int N> typename RopeBundle<N>::Seen RopeBundle<N>::of_strands(const Se
             sum(s.lengths), s.rounding};
 }
 
+// What a part of the way from w to `next` leaves out: the node's energy is off by its mass times at most about this.
+template <int N> static Lanes<N> left_out(Vector<N> w, Vector<N> next) {
+    const Vector<N> rest = next - w;
+    return root(dot(rest, rest)) * root(larger(dot(w, w), dot(next, next)));
+}
+
 // Linearizes all springs; closes the strands that are solved, and those that have come to what is no number. iteration:
 // how many came before. weight: what their tensions times lengths are at least, as errors count.
 template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L weight, size_t iteration) {
@@ -83,7 +89,7 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
     for (size_t i = 0; i < node_count && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, iteration));
     if (interior && iteration > 0) // what a part of the way leaves out of the nodes' momentum
         for (size_t i = 0; i < node_count; ++i)
-            seen.gained = seen.gained - nodes[i].ground * dot(nodes[i].w, nodes[i].next - nodes[i].w);
+            seen.gained = seen.gained + nodes[i].ground * left_out(nodes[i].w, nodes[i].next);
     seen = of_strands(seen);
     const L worth = larger(seen.worth, larger(weight, least_worth));
     const auto share = [](L wrong, L of) { return select(of, wrong / of, L{}); };

@@ -163,9 +163,8 @@ RULES = {
         "../model/sleep.hh", "part.nodes && sleeps(b, part.number)", "part.nodes && false", BODIES),
     "what breaks wakes": ("../model/chain_rope.cpp", "    wake(c, strand, 1);\n", "", BODIES),
     "and what tears": ("../model/membrane_step.cpp", "        if (m.broken > broken) wake(m);\n", "", BODIES),
-    "nor does what a part of its way leaves out": (
-        "rope_step.cpp", "seen.gained = seen.gained - nodes[i].ground", "seen.gained = seen.gained - 0.0 * nodes[i].ground",
-        ["physics_rope_contact"]),
+    "nor does what a part of its way leaves out, or take any": (
+        "rope_step.cpp", "nodes[i].ground * left_out(", "0.0 * nodes[i].ground * left_out(", ["physics_rope_pulleys"]),
     "the interior point's barrier rises where an iteration is stuck": (
         "rope_step.cpp", "L::splat(1 / kBarrierFall)", "L::splat(kBarrierFall)", ["physics_bed"]),
     "but not beyond what it was to begin with": (
