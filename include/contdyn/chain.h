@@ -188,7 +188,8 @@ CD_API cd_status cd_chain_set_rest_angle(cd_chain* chain, double angle);
 CD_API cd_status cd_chain_get_rest_angle(const cd_chain* chain, double* out_angle);
 
 /* Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
- * Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps.
+ * Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps: of the
+ * first 15 steps of 20 or 50 links laid at random one in 700. Such a step moves less than it should; the next may do.
  * Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_chain_set_push(cd_chain* chain, int32_t push);
 CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);

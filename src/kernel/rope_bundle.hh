@@ -483,6 +483,7 @@ template <int N> struct RopeBundle {
     L alone(size_t i) const { return select(held(i), L{}, one() / nodes[i].mass); }
     Seen of_strands(const Seen& seen) const;
     void linearize_all(L barrier, bool interior, L weight, size_t iteration);
+    __attribute__((cold)) void add_mass(L added);
     void newton(size_t most);
     __attribute__((cold)) void start_together();
     __attribute__((cold)) void interior(size_t most);

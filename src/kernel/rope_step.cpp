@@ -9,6 +9,9 @@ namespace CD_ISA {
 constexpr double kSettleSoftly = 1e-12;
 constexpr double kMostError = 1e300; // of lengths, over rest lengths: beyond it, no iteration helps
 constexpr size_t kMostNewton = 8;    // iterations before a safer step is tried
+// Where it goes on, by how much the mass that is added to the nodes rises after an iteration that made the error larger,
+// and falls after others: together more than 1, so that it rises where the error goes to and fro.
+constexpr double kRise = 4, kFall = 0.3;
 // How much shorter than its length a slack spring is at least, over that length, whatever the tolerance.
 constexpr double kLeastSlack = 1e-9;
 // Of the interior point.
@@ -69,12 +72,6 @@ template <int N> typename RopeBundle<N>::Seen RopeBundle<N>::of_strands(const Se
             sum(s.lengths), s.rounding};
 }
 
-// What a part of the way from w to `next` leaves out: the node's energy is off by its mass times at most about this.
-template <int N> static Lanes<N> left_out(Vector<N> w, Vector<N> next) {
-    const Vector<N> rest = next - w;
-    return root(dot(rest, rest)) * root(larger(dot(w, w), dot(next, next)));
-}
-
 // Linearizes all springs; closes the strands that are solved, and those that have come to what is no number. iteration:
 // how many came before. weight: what their tensions times lengths are at least, as errors count.
 template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L weight, size_t iteration) {
@@ -87,9 +84,9 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
         ask_all(false);
     }
     for (size_t i = 0; i < node_count && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, iteration));
-    if (interior && iteration > 0) // what a part of the way leaves out of the nodes' momentum
+    if (iteration > (interior ? 0 : kMostNewton)) // what is left out of the nodes' momentum gives or takes energy
         for (size_t i = 0; i < node_count; ++i)
-            seen.gained = seen.gained + nodes[i].ground * left_out(nodes[i].w, nodes[i].next);
+            seen.gained = seen.gained + size_of(nodes[i].ground * dot(nodes[i].w, nodes[i].next - nodes[i].w));
     seen = of_strands(seen);
     const L worth = larger(seen.worth, larger(weight, least_worth));
     const auto share = [](L wrong, L of) { return select(of, wrong / of, L{}); };
@@ -109,15 +106,36 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
     open = open * ((one() - solved) * (one() - lost));
 }
 
-// Newton's method with springs that are slack or taut.
+// Adds so many times what they have to the nodes' masses, which move as the guess does.
+template <int N> void RopeBundle<N>::add_mass(L added) {
+    const L share = one() / (one() + added);
+    for (size_t i = 0; i < node_count; ++i) {
+        Node& n = nodes[i];
+        n.b = select(held(i), n.b, share * (n.b + added * n.w));
+        n.ground = (one() + added) * n.ground, n.mobility = share * n.mobility;
+    }
+}
+
+// Newton's method with springs that are slack or taut. Where it goes on for long, with links that push, there is no
+// convex function, and it may go to and fro: what is added to the nodes' masses then holds them near the guess, the more
+// the less it helped. `next` is what would be right without.
 template <int N> void RopeBundle<N>::newton(size_t most) {
+    L added{}, before = L::splat(INFINITY);
     for (size_t k = 0;; ++k) {
         as_long = k < kFirstIterations ? kAsLong * stage.tolerance : 0;
         linearize_all(L{}, false, L{}, k);
         if (k == most || !any_positive(open)) return;
+        if (k >= kMostNewton) added = open * select(reached - before, larger(kRise * added, one()), kFall * added);
+        before = reached;
+        if (k >= kMostNewton) add_mass(added);
         is_rod() ? eliminate_rod() : eliminate();
+        if (k >= kMostNewton) begin_alone();
         iterations = iterations + open;
-        for (size_t i = 0; i < node_count; ++i) nodes[i].w = select(open, nodes[i].next, nodes[i].w);
+        for (size_t i = 0; i < node_count; ++i) {
+            Node& n = nodes[i];
+            const V next = n.next;
+            n.next = next + added * (next - n.w), n.w = select(open, next, n.w);
+        }
         for (size_t i = 0; i < spring_count; ++i)
             springs[i].tension = select(open, springs[i].next, springs[i].tension);
     }

@@ -164,7 +164,11 @@ RULES = {
     "what breaks wakes": ("../model/chain_rope.cpp", "    wake(c, strand, 1);\n", "", BODIES),
     "and what tears": ("../model/membrane_step.cpp", "        if (m.broken > broken) wake(m);\n", "", BODIES),
     "nor does what a part of its way leaves out, or take any": (
-        "rope_step.cpp", "nodes[i].ground * left_out(", "0.0 * nodes[i].ground * left_out(", ["physics_rope_pulleys"]),
+        "rope_step.cpp", "seen.gained + size_of(nodes[i].ground", "seen.gained + size_of(0.0 * nodes[i].ground",
+        ["physics_rope_pulleys"]),
+    "where links push, what is added to masses calms Newton's method": (
+        "rope_step.cpp", "select(reached - before, larger(kRise * added, one()), kFall * added)", "L{}",
+        ["physics_rope_contact"]),
     "the interior point's barrier rises where an iteration is stuck": (
         "rope_step.cpp", "L::splat(1 / kBarrierFall)", "L::splat(kBarrierFall)", ["physics_bed"]),
     "but not beyond what it was to begin with": (
