@@ -682,12 +682,13 @@ export class Chain extends Handle {
    * finite stiffness.
    * Where tensions are read, or a strength is set, take lambda = 1. With 1/2 < lambda < 1 they miss up to a third of
    * the
-   * pull of hardly yielding springs where nodes swing; with 1/2 they can be twice the mean just after a jolt. With
+   * pull of hardly yielding springs where nodes swing; with 1/2 those can be twice the mean just after a jolt. With
    * lambda
-   * < 1 and infinite stiffness they are uncertain by 4 m * tolerance * length / dt^2 where a load of mass m is reeled
-   * in,
-   * by 9 in place of 4 where it is paid out: of 10 kg on 4 m of rope by 0.5 N and 1.3 N at dt = 1/60 s, by 130 N and
-   * 330 N at 1/960 s, with slack in every other step. A smaller tolerance mends that.
+   * < 1 a load that is paid out by springs of infinite stiffness is let fall and caught by turns where dt^2 times
+   * gravity
+   * is less than 5 tolerance * length: of 10 kg on 4 m of rope at dt = 1/960 s they are 6 N and 190 N, 98 N in the
+   * mean; a
+   * smaller tolerance mends that.
    * Errors: "errorRange"; "errorUnsupported" of a chain that is no rope.
    */
   getReaction(strand: number, node: number): Float64Array;

@@ -360,6 +360,7 @@ template <int N> auto RopeBundle<N>::settle(L follows) -> L {
         Spring& s = springs[i];
         const L coupling = i + 1 < spring_count ? springs[i + 1].axial : none;
         after = (s.wished - coupling * after) / s.transverse;
+        s.gap = select(s.compliance, none, (1 / stage.dt) * after); // what yields has its tension by its stretch
         const V along = select(s.taut, s.along, V{});
         left = alone(i);
         const L work = after * (dot(along, nodes[i].next - nodes[i + 1].next) + 0.5 * ((left + right) * after));
@@ -400,13 +401,15 @@ template <int N> RopeResult RopeBundle<N>::step() {
         store(n.y, ropes.position, i);
         store(n.next, ropes.velocity, i);
     }
+    const L solved = stage.lambda < 1 ? L::splat(stage.tolerance) - reached : L{};
     for (size_t i = 0; i < spring_count; ++i) {
         const Spring& s = springs[i];
         // Of the interior point all springs have a tension: slack are those that it would not take to their length.
         const L shorter = smaller((1 - fmax(stage.tolerance, kLeastSlack)) * s.length, s.length - give(i) * s.tension);
         const L slack = shorter - long_after(i);
+        const L tension = s.tension + select(solved, s.gap, L{}); // with what it did as velocities settled
         double lane[N];
-        (stage.push ? s.tension : select(slack, L{}, s.tension)).store(lane);
+        (stage.push ? tension : select(slack, L{}, positive(tension))).store(lane);
         for (int j = 0; j < N && is_used(j); ++j)
             if (has_spring(i, j)) ropes.tension[tension_place(i, j)] = isfinite(lane[j]) ? lane[j] : 0;
     }

@@ -166,6 +166,10 @@ RULES = {
     "nor does what a part of its way leaves out, or take any": (
         "rope_step.cpp", "seen.gained + size_of(nodes[i].ground", "seen.gained + size_of(0.0 * nodes[i].ground",
         ["physics_rope_pulleys"]),
+    "tensions tell what settled the velocities": (
+        "rope_step.cpp", "select(solved, s.gap, L{})", "select(solved, L{}, L{})", ["physics_rope_winch"]),
+    "of what was solved": (
+        "rope_step.cpp", "? L::splat(stage.tolerance) - reached : L{};", "? one() : L{};", ["physics_rope_breaks"]),
     "where links push, what is added to masses calms Newton's method": (
         "rope_step.cpp", "select(reached - before, larger(kRise * added, one()), kFall * added)", "L{}",
         ["physics_rope_contact"]),

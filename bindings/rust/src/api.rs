@@ -1188,10 +1188,10 @@ impl Chain {
     /// stretch it. To tie a rope to a body of your own, give the last node the body's mass, in CD_MASS; or drive the
     /// end, and give the rope a finite stiffness. Where tensions are read, or a strength is set, take lambda = 1. With
     /// 1/2 \< lambda \< 1 they miss up to a third of the pull of hardly yielding springs where nodes swing; with 1/2
-    /// they can be twice the mean just after a jolt. With lambda \< 1 and infinite stiffness they are uncertain by 4 m
-    /// \* tolerance \* length / dt^2 where a load of mass m is reeled in, by 9 in place of 4 where it is paid out: of
-    /// 10 kg on 4 m of rope by 0.5 N and 1.3 N at dt = 1/60 s, by 130 N and 330 N at 1/960 s, with slack in every other
-    /// step. A smaller tolerance mends that. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
+    /// those can be twice the mean just after a jolt. With lambda \< 1 a load that is paid out by springs of infinite
+    /// stiffness is let fall and caught by turns where dt^2 times gravity is less than 5 tolerance \* length: of 10 kg
+    /// on 4 m of rope at dt = 1/960 s they are 6 N and 190 N, 98 N in the mean; a smaller tolerance mends that. Errors:
+    /// CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
     pub fn get_reaction(&self, strand: usize, node: usize, out_force: &mut [f64]) -> Result<()> {
         let count = count_of(out_force.len(), 1, "cd_chain_get_reaction", "out_force")?;
         check(unsafe { sys::cd_chain_get_reaction(self.as_ptr(), strand, node, out_force.as_mut_ptr(), count) })
