@@ -394,7 +394,7 @@ template <int N> struct RopeBundle {
     __attribute__((noinline)) L by_winch(const Spring& s, L stretch, V dw) const;
     static L by_yielding(const Spring& s, L stretch);
 
-    // Linearizes spring i about the guess (w, T). barrier > 0: T gap = barrier instead of "slack or taut".
+    // Linearizes spring i about the guess (w, T). barrier > 0: T gap = barrier length instead of "slack or taut".
     void linearize(size_t i, L barrier, bool interior, Seen& seen) {
         Spring& s = springs[i];
         const L length = s.length;
@@ -421,7 +421,7 @@ template <int N> struct RopeBundle {
         here.pushed = s.pushed * length;
         L yields = s.compliance;
         if (interior) {
-            over = over + (s.gap + barrier / t);
+            over = over + (s.gap + barrier * length / t);
             yields = yields + s.gap / t;
             s.taut = one();
             here.error = s.per_length * missing;

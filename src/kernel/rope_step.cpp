@@ -168,7 +168,7 @@ template <int N> void RopeBundle<N>::start_together() {
 }
 
 // Of ropes that only pull, a step of lambda = 1 minimizes a convex function: a primal-dual interior point, in which
-// T gap = barrier for every spring, finds it from anywhere.
+// T gap = barrier length for every spring, since errors count over lengths, finds it from anywhere.
 template <int N> void RopeBundle<N>::interior(size_t most) {
     newtonian = false;
     begin();
@@ -199,9 +199,10 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     const double share = 1 / double(ropes.nodes - 1);
     L went = one(), highest{}; // the part of its way that the iteration before went; the barrier to begin with
     for (size_t k = 0;; ++k) {
-        L inside{}; // the sum of tensions times gaps
+        L inside{}; // the sum of tensions times gaps over lengths
         for (size_t i = 0; i < spring_count; ++i)
-            inside = inside + select(springs[i].moves, springs[i].tension * springs[i].gap, L{});
+            inside =
+                inside + select(springs[i].moves, springs[i].per_length * (springs[i].tension * springs[i].gap), L{});
         const L falls = select(went - L::splat(kStuck), L::splat(kBarrierFall), L::splat(1 / kBarrierFall));
         const L wanted = share * falls * sum(inside);
         if (k == 0) highest = wanted;
@@ -220,14 +221,14 @@ template <int N> auto RopeBundle<N>::step_inside(L barrier) -> L {
     for (size_t i = 0; i < spring_count; ++i) {
         const Spring& s = springs[i];
         const L change = select(s.moves, s.next - s.tension, L{});
-        const L fall = select(s.moves, (barrier - s.gap * s.next) / s.tension, L{});
+        const L fall = select(s.moves, (barrier * s.length - s.gap * s.next) / s.tension, L{});
         part = select(L{} - change, smaller(part, kInside * (s.tension / (L{} - change))), part);
         part = select(L{} - fall, smaller(part, kInside * (s.gap / (L{} - fall))), part);
     }
     part = open * (L{} - most(L{} - part));
     for (size_t i = 0; i < spring_count; ++i) {
         Spring& s = springs[i];
-        const L fall = (barrier - s.gap * s.next) / s.tension, on = open * s.moves;
+        const L fall = (barrier * s.length - s.gap * s.next) / s.tension, on = open * s.moves;
         s.tension = select(on, s.tension + part * (s.next - s.tension), s.tension);
         s.gap = select(on, s.gap + part * fall, s.gap);
     }

@@ -166,6 +166,9 @@ RULES = {
     "nor does what a part of its way leaves out, or take any": (
         "rope_step.cpp", "seen.gained + size_of(nodes[i].ground", "seen.gained + size_of(0.0 * nodes[i].ground",
         ["physics_rope_pulleys"]),
+    "as errors do, gaps count over lengths": (
+        "rope_step.cpp", "(barrier * s.length - s.gap * s.next) / s.tension, on", "(barrier - s.gap * s.next) / s.tension, on",
+        ["physics_rope_ends"]),
     "tensions tell what settled the velocities": (
         "rope_step.cpp", "select(solved, s.gap, L{})", "select(solved, L{}, L{})", ["physics_rope_winch"]),
     "of what was solved": (
