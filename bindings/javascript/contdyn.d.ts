@@ -364,7 +364,8 @@ export function buildInfo(): string;
  *  "stiffness"  (strand), spring N/m     >= 0; 0: cut; Infinity: welded, see weld; in ropes of fixed length
  *  "bend"       (strand), node   N/m     >= 0; that of the two ends of an open chain is kept and not used
  *  "pin"        (strand), node   -       a Node
- *  "restLength" strand, spring  m       1e-60 to 1e60; of ropes only
+ *  "restLength" strand, spring  m       1e-60 to 1e60; of ropes only; of less than 1e-11 of the others', rounding
+ *                                         lets steps end short of the tolerance
  *  "tension"    strand, spring   N       finite double; of ropes only: what the last step found and the next one starts
  *                                         from; how right it is, also after a step that ended short of its
  *                                         tolerance, see getReaction
@@ -743,13 +744,13 @@ export class Chain extends Handle {
   // its tolerance leaves no free node deeper inside than the tolerance times the springs' length, and colliders at rest
   // give no energy. What falls on one does not bounce; what comes to rest stays. A node that lies inside when a step
   // begins comes out, and throws neither itself nor its strand. No node passes through a capsule that it meets by less
-  // than a radius a step. Where colliders overlap, a node may be caught between them: "errorTolerance". A strand that
-  // touches something makes that step with lambda = 1; sliding at the speed v round a body of the radius R, this brakes
-  // it as friction of the coefficient v dt / R would. Friction is Coulomb's: the coefficient times the force that
-  // presses
-  // a node on, times v / (v + 1e-4 m/s) at the speed v, to 1%; of the force after 50 iterations where a step is hard.
-  // So
-  // what it holds creeps: under half of the largest force that it can hold by 1e-4 m/s.
+  // than a radius a step; faster ones may: take shorter steps. Where colliders overlap, a node may be caught between
+  // them: "errorTolerance". A strand that touches something makes that step with lambda = 1; sliding at the speed v
+  // round a body of the radius R, this brakes it as friction of the coefficient v dt / R would. Friction is Coulomb's:
+  // the coefficient times the force that presses a node on, times v / (v + 1e-4 m/s) at the speed v, to 1%; of the
+  // force
+  // after 50 iterations where a step is hard. So what it holds creeps: under half of the largest force that it can hold
+  // by 1e-4 m/s.
   // Errors of all that set: "errorUnsupported" without a rest length; "errorRange" for an index that no collider
   // has, or a count that is not the number of components; "errorValue"; "errorMemory" where a bed or a callback
   // becomes something else.
