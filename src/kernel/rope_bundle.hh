@@ -103,7 +103,7 @@ template <int N> struct RopeBundle {
         L tension, next, best;
         L pushed;           // the tension that would be below 0
         V impulse;          // phi of the last elimination
-        L long_before, gap; // |D0|, and of the interior point what is left to L
+        L long_before, gap; // |D0|, and of the interior point what is left to L; after settle() the tension of that
         L reeled;           // by how much its length fell since the last step
     };
 
@@ -394,7 +394,7 @@ template <int N> struct RopeBundle {
     __attribute__((noinline)) L by_winch(const Spring& s, L stretch, V dw) const;
     static L by_yielding(const Spring& s, L stretch);
 
-    // Linearizes spring i about the guess (w, T). barrier > 0: T gap = barrier instead of "slack or taut".
+    // Linearizes spring i about the guess (w, T). barrier > 0: T gap = barrier length instead of "slack or taut".
     void linearize(size_t i, L barrier, bool interior, Seen& seen) {
         Spring& s = springs[i];
         const L length = s.length;
@@ -421,7 +421,7 @@ template <int N> struct RopeBundle {
         here.pushed = s.pushed * length;
         L yields = s.compliance;
         if (interior) {
-            over = over + (s.gap + barrier / t);
+            over = over + (s.gap + barrier * length / t);
             yields = yields + s.gap / t;
             s.taut = one();
             here.error = s.per_length * missing;
@@ -483,6 +483,7 @@ template <int N> struct RopeBundle {
     L alone(size_t i) const { return select(held(i), L{}, one() / nodes[i].mass); }
     Seen of_strands(const Seen& seen) const;
     void linearize_all(L barrier, bool interior, L weight, size_t iteration);
+    __attribute__((cold)) void add_mass(L added);
     void newton(size_t most);
     __attribute__((cold)) void start_together();
     __attribute__((cold)) void interior(size_t most);

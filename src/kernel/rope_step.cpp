@@ -9,6 +9,9 @@ namespace CD_ISA {
 constexpr double kSettleSoftly = 1e-12;
 constexpr double kMostError = 1e300; // of lengths, over rest lengths: beyond it, no iteration helps
 constexpr size_t kMostNewton = 8;    // iterations before a safer step is tried
+// Where it goes on, by how much the mass that is added to the nodes rises after an iteration that made the error larger,
+// and falls after others: together more than 1, so that it rises where the error goes to and fro.
+constexpr double kRise = 4, kFall = 0.3;
 // How much shorter than its length a slack spring is at least, over that length, whatever the tolerance.
 constexpr double kLeastSlack = 1e-9;
 // Of the interior point.
@@ -81,9 +84,9 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
         ask_all(false);
     }
     for (size_t i = 0; i < node_count && has_contacts(); ++i) seen.error = larger(seen.error, touch(i, iteration));
-    if (interior && iteration > 0) // what a part of the way leaves out of the nodes' momentum
+    if (iteration > (interior ? 0 : kMostNewton)) // what is left out of the nodes' momentum gives or takes energy
         for (size_t i = 0; i < node_count; ++i)
-            seen.gained = seen.gained - nodes[i].ground * dot(nodes[i].w, nodes[i].next - nodes[i].w);
+            seen.gained = seen.gained + size_of(nodes[i].ground * dot(nodes[i].w, nodes[i].next - nodes[i].w));
     seen = of_strands(seen);
     const L worth = larger(seen.worth, larger(weight, least_worth));
     const auto share = [](L wrong, L of) { return select(of, wrong / of, L{}); };
@@ -103,15 +106,36 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
     open = open * ((one() - solved) * (one() - lost));
 }
 
-// Newton's method with springs that are slack or taut.
+// Adds so many times what they have to the nodes' masses, which move as the guess does.
+template <int N> void RopeBundle<N>::add_mass(L added) {
+    const L share = one() / (one() + added);
+    for (size_t i = 0; i < node_count; ++i) {
+        Node& n = nodes[i];
+        n.b = select(held(i), n.b, share * (n.b + added * n.w));
+        n.ground = (one() + added) * n.ground, n.mobility = share * n.mobility;
+    }
+}
+
+// Newton's method with springs that are slack or taut. Where it goes on for long, with links that push, there is no
+// convex function, and it may go to and fro: what is added to the nodes' masses then holds them near the guess, the more
+// the less it helped. `next` is what would be right without.
 template <int N> void RopeBundle<N>::newton(size_t most) {
+    L added{}, before = L::splat(INFINITY);
     for (size_t k = 0;; ++k) {
         as_long = k < kFirstIterations ? kAsLong * stage.tolerance : 0;
         linearize_all(L{}, false, L{}, k);
         if (k == most || !any_positive(open)) return;
+        if (k >= kMostNewton) added = open * select(reached - before, larger(kRise * added, one()), kFall * added);
+        before = reached;
+        if (k >= kMostNewton) add_mass(added);
         is_rod() ? eliminate_rod() : eliminate();
+        if (k >= kMostNewton) begin_alone();
         iterations = iterations + open;
-        for (size_t i = 0; i < node_count; ++i) nodes[i].w = select(open, nodes[i].next, nodes[i].w);
+        for (size_t i = 0; i < node_count; ++i) {
+            Node& n = nodes[i];
+            const V next = n.next;
+            n.next = next + added * (next - n.w), n.w = select(open, next, n.w);
+        }
         for (size_t i = 0; i < spring_count; ++i)
             springs[i].tension = select(open, springs[i].next, springs[i].tension);
     }
@@ -144,7 +168,7 @@ template <int N> void RopeBundle<N>::start_together() {
 }
 
 // Of ropes that only pull, a step of lambda = 1 minimizes a convex function: a primal-dual interior point, in which
-// T gap = barrier for every spring, finds it from anywhere.
+// T gap = barrier length for every spring, since errors count over lengths, finds it from anywhere.
 template <int N> void RopeBundle<N>::interior(size_t most) {
     newtonian = false;
     begin();
@@ -175,9 +199,10 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
     const double share = 1 / double(ropes.nodes - 1);
     L went = one(), highest{}; // the part of its way that the iteration before went; the barrier to begin with
     for (size_t k = 0;; ++k) {
-        L inside{}; // the sum of tensions times gaps
+        L inside{}; // the sum of tensions times gaps over lengths
         for (size_t i = 0; i < spring_count; ++i)
-            inside = inside + select(springs[i].moves, springs[i].tension * springs[i].gap, L{});
+            inside =
+                inside + select(springs[i].moves, springs[i].per_length * (springs[i].tension * springs[i].gap), L{});
         const L falls = select(went - L::splat(kStuck), L::splat(kBarrierFall), L::splat(1 / kBarrierFall));
         const L wanted = share * falls * sum(inside);
         if (k == 0) highest = wanted;
@@ -196,14 +221,14 @@ template <int N> auto RopeBundle<N>::step_inside(L barrier) -> L {
     for (size_t i = 0; i < spring_count; ++i) {
         const Spring& s = springs[i];
         const L change = select(s.moves, s.next - s.tension, L{});
-        const L fall = select(s.moves, (barrier - s.gap * s.next) / s.tension, L{});
+        const L fall = select(s.moves, (barrier * s.length - s.gap * s.next) / s.tension, L{});
         part = select(L{} - change, smaller(part, kInside * (s.tension / (L{} - change))), part);
         part = select(L{} - fall, smaller(part, kInside * (s.gap / (L{} - fall))), part);
     }
     part = open * (L{} - most(L{} - part));
     for (size_t i = 0; i < spring_count; ++i) {
         Spring& s = springs[i];
-        const L fall = (barrier - s.gap * s.next) / s.tension, on = open * s.moves;
+        const L fall = (barrier * s.length - s.gap * s.next) / s.tension, on = open * s.moves;
         s.tension = select(on, s.tension + part * (s.next - s.tension), s.tension);
         s.gap = select(on, s.gap + part * fall, s.gap);
     }
@@ -336,6 +361,7 @@ template <int N> auto RopeBundle<N>::settle(L follows) -> L {
         Spring& s = springs[i];
         const L coupling = i + 1 < spring_count ? springs[i + 1].axial : none;
         after = (s.wished - coupling * after) / s.transverse;
+        s.gap = select(s.compliance, none, (1 / stage.dt) * after); // what yields has its tension by its stretch
         const V along = select(s.taut, s.along, V{});
         left = alone(i);
         const L work = after * (dot(along, nodes[i].next - nodes[i + 1].next) + 0.5 * ((left + right) * after));
@@ -376,13 +402,15 @@ template <int N> RopeResult RopeBundle<N>::step() {
         store(n.y, ropes.position, i);
         store(n.next, ropes.velocity, i);
     }
+    const L solved = stage.lambda < 1 ? L::splat(stage.tolerance) - reached : L{};
     for (size_t i = 0; i < spring_count; ++i) {
         const Spring& s = springs[i];
         // Of the interior point all springs have a tension: slack are those that it would not take to their length.
         const L shorter = smaller((1 - fmax(stage.tolerance, kLeastSlack)) * s.length, s.length - give(i) * s.tension);
         const L slack = shorter - long_after(i);
+        const L tension = s.tension + select(solved, s.gap, L{}); // with what it did as velocities settled
         double lane[N];
-        (stage.push ? s.tension : select(slack, L{}, s.tension)).store(lane);
+        (stage.push ? tension : select(slack, L{}, positive(tension))).store(lane);
         for (int j = 0; j < N && is_used(j); ++j)
             if (has_spring(i, j)) ropes.tension[tension_place(i, j)] = isfinite(lane[j]) ? lane[j] : 0;
     }

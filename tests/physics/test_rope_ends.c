@@ -249,6 +249,33 @@ static void a_long_rope_swings_by_few_iterations(void** state) {
     }
 }
 
+/* Two springs of a rope that swings are as short as 1e-11 of the others, and as right over their own length. */
+static void springs_of_very_different_lengths_are_solved(void** state) {
+    (void)state;
+    enum { SPRINGS = 10, NODES = SPRINGS + 1 };
+    for (int decade = 6; decade <= 12; ++decade)
+        for (int way = 0; way < 2; ++way) {
+            const double gravity[2] = {0, -9.81};
+            double length[SPRINGS], x[NODES][2] = {{0}};
+            cd_chain* chain = NULL;
+            ok(cd_chain_create(1, SPRINGS, 2, CD_FLOAT64, NULL, &chain));
+            ok(cd_chain_set_rest_length(chain, 1));
+            ok(cd_chain_set_stiffness(chain, INFINITY));
+            ok(cd_chain_set_lambda(chain, way ? 1 : 0.5));
+            ok(cd_chain_set_gravity(chain, gravity, 2));
+            ok(cd_chain_set_end(chain, CD_END_FIRST, CD_NODE_PINNED));
+            ok(cd_chain_enable_field(chain, CD_REST_LENGTH));
+            for (int i = 0; i < SPRINGS; ++i) {
+                length[i] = i == 3 || i == 7 ? pow(10, -decade) : 0.1;
+                x[i + 1][0] = x[i][0] + length[i];
+            }
+            ok(cd_chain_write_f64(chain, CD_REST_LENGTH, 0, 1, 0, SPRINGS, length, SPRINGS));
+            ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, NODES, x[0], 2 * NODES));
+            ok(cd_chain_step(chain, 1 / 60.0, 200));
+            cd_chain_destroy(chain);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rope_moves_as_its_mirror_image),
@@ -256,6 +283,7 @@ int main(void) {
         cmocka_unit_test(a_rope_does_not_feel_others_beside_it),
         cmocka_unit_test(springs_open_from_one_point),
         cmocka_unit_test(a_long_rope_swings_by_few_iterations),
+        cmocka_unit_test(springs_of_very_different_lengths_are_solved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

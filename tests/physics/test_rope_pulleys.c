@@ -1,4 +1,5 @@
-/* Ropes that run over pulleys with a weight at each end: Atwood's machine, and what lambda = 1 takes from it. */
+/* Ropes with weights: over pulleys one at each end, Atwood's machine, and what lambda = 1 takes from it; and one that
+ * swings down. */
 #include <math.h>
 
 #include "check.h"
@@ -82,10 +83,50 @@ static void sliding_round_a_body_brakes_as_the_header_says(void** state) {
         }
 }
 
+/* A load at the end of a level rope of hardly any mass falls along a circle, in short steps too, in which the interior
+ * point solves what Newton's method can't: it loses little energy. */
+static void a_heavy_load_swings_down_as_it_should(void** state) {
+    (void)state;
+    enum { MOST = 401 };
+    static const struct {
+        int springs;
+        double ratio, lambda;
+    } cases[] = {{100, 1e9, 1}, {200, 1e9, 0.5}, {400, 1e6, 0.5}, {400, 1e9, 0.5}, {400, 1e9, 1}};
+    for (size_t k = 0; k < COUNT(cases); ++k) {
+        const size_t n = (size_t)cases[k].springs;
+        const double g[2] = {0, -gravity}, length = 10, load = cases[k].ratio, dt = 1 / 960.0, fell = 0.783846;
+        double x[MOST][2] = {{0}}, mass[MOST], before, now, end[2];
+        cd_chain* c = NULL;
+        ok(cd_chain_create(1, n, 2, CD_FLOAT64, NULL, &c));
+        ok(cd_chain_set_lambda(c, cases[k].lambda));
+        ok(cd_chain_set_rest_length(c, length));
+        ok(cd_chain_set_stiffness(c, INFINITY));
+        ok(cd_chain_set_gravity(c, g, 2));
+        ok(cd_chain_enable_field(c, CD_MASS));
+        for (size_t i = 0; i <= n; ++i)
+            x[i][0] = length * (double)i / (double)n, mass[i] = i < n ? 1 / (n + 1.0) : load;
+        ok(cd_chain_write_f64(c, CD_MASS, 0, 1, 0, n + 1, mass, n + 1));
+        ok(cd_chain_write_f64(c, CD_POSITION, 0, 1, 0, n + 1, x[0], 2 * (n + 1)));
+        ok(cd_chain_set_end(c, CD_END_FIRST, CD_NODE_PINNED));
+        ok(cd_chain_get_energy(c, NULL, NULL, &before));
+        ok(cd_chain_step(c, dt, 384)); /* 0.4 s */
+        double kinetic, potential;
+        ok(cd_chain_get_energy(c, &kinetic, NULL, &potential));
+        now = kinetic + potential;
+        ok(cd_chain_read_f64(c, CD_POSITION, 0, 1, n, 1, end, 2));
+        const double lost = (before - now) / (load * gravity * length);
+        print_message("%zu springs, load of %g, lambda %g: %.1e lost, fell %.5f m\n", n, load, cases[k].lambda, lost,
+                      -end[1]);
+        assert_true(fabs(lost) < 5e-4 && fabs(-end[1] - fell) < 5e-3 * fell);
+        cd_chain_destroy(c);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(weights_over_two_pulleys_move_as_atwood_says),
         cmocka_unit_test(sliding_round_a_body_brakes_as_the_header_says),
+        cmocka_unit_test(a_heavy_load_swings_down_as_it_should),
     };
     return cmocka_run_group_tests_name("rope pulleys", tests, NULL, NULL);
 }

@@ -121,6 +121,33 @@ static void a_load_is_let_down_at_an_even_speed(void** state) {
         }
 }
 
+/* The rope shows the weight of a load that is reeled in or paid out at an even speed, at any step and tolerance; where a
+ * load falls by little more than the tolerance in a step, in the mean. */
+static void a_winch_shows_the_weight_in_short_steps(void** state) {
+    (void)state;
+    static const double rates[] = {60, 240, 960}, tolerances[] = {1e-6, 1e-8}, lambdas[] = {0.5, 0.75};
+    for (int way = 0; way < 24; ++way) {
+        const double rate = rates[way % 3], tolerance = tolerances[way / 3 % 2], reel = way / 6 % 2 ? 0.5 : -0.5;
+        const double falls = 9.81 / rate / rate, weight = 70 * 9.81;
+        double sum = 0, worst = 0, tension;
+        cd_chain* c = load_on_a_winch(4, 0, 0, reel, 9.81);
+        ok(cd_chain_set_lambda(c, lambdas[way / 12]));
+        ok(cd_chain_set_tolerance(c, tolerance, 200));
+        for (int step = 1; step <= (int)(2 * rate); ++step) {
+            ok(cd_chain_set_rest_length(c, 4 - reel * step / rate));
+            ok(cd_chain_step(c, 1 / rate, 1));
+            if (step <= (int)rate) continue;
+            ok(cd_chain_read_f64(c, CD_TENSION, 0, 1, SPRINGS - 1, 1, &tension, 1));
+            sum += tension / weight / rate, worst = fmax(worst, fabs(tension / weight - 1));
+        }
+        print_message("%g steps a second, tolerance %g, reel %g: mean %.5f, off by up to %.1e\n", rate, tolerance, reel,
+                      sum, worst);
+        assert_near(sum, 1, 3e-3, 0);
+        assert_true(worst < 1e-3 || (reel < 0 && falls < 5 * tolerance * 4));
+        cd_chain_destroy(c);
+    }
+}
+
 /* Ropes of constant length that turn far in a step, to loose tolerances: errors of length that the step before left are
  * no winch, and explain no energy but their own. */
 static void errors_of_length_are_no_winch(void** state) {
@@ -172,6 +199,7 @@ int main(void) {
         cmocka_unit_test(a_load_that_swings_is_reeled_in_to_second_order),
         cmocka_unit_test(a_load_that_swings_is_paid_out_to_second_order),
         cmocka_unit_test(a_load_is_let_down_at_an_even_speed),
+        cmocka_unit_test(a_winch_shows_the_weight_in_short_steps),
         cmocka_unit_test(errors_of_length_are_no_winch),
     };
     return cmocka_run_group_tests_name("rope winches", tests, NULL, NULL);

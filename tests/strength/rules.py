@@ -165,8 +165,18 @@ RULES = {
         "../model/sleep.hh", "part.nodes && sleeps(b, part.number)", "part.nodes && false", BODIES),
     "what breaks wakes": ("../model/chain_rope.cpp", "    wake(c, strand, 1);\n", "", BODIES),
     "and what tears": ("../model/membrane_step.cpp", "        if (m.broken > broken) wake(m);\n", "", BODIES),
-    "nor does what a part of its way leaves out": (
-        "rope_step.cpp", "seen.gained = seen.gained - nodes[i].ground", "seen.gained = seen.gained - 0.0 * nodes[i].ground",
+    "nor does what a part of its way leaves out, or take any": (
+        "rope_step.cpp", "seen.gained + size_of(nodes[i].ground", "seen.gained + size_of(0.0 * nodes[i].ground",
+        ["physics_rope_pulleys"]),
+    "as errors do, gaps count over lengths": (
+        "rope_step.cpp", "(barrier * s.length - s.gap * s.next) / s.tension, on", "(barrier - s.gap * s.next) / s.tension, on",
+        ["physics_rope_ends"]),
+    "tensions tell what settled the velocities": (
+        "rope_step.cpp", "select(solved, s.gap, L{})", "select(solved, L{}, L{})", ["physics_rope_winch"]),
+    "of what was solved": (
+        "rope_step.cpp", "? L::splat(stage.tolerance) - reached : L{};", "? one() : L{};", ["physics_rope_breaks"]),
+    "where links push, what is added to masses calms Newton's method": (
+        "rope_step.cpp", "select(reached - before, larger(kRise * added, one()), kFall * added)", "L{}",
         ["physics_rope_contact"]),
     "the interior point's barrier rises where an iteration is stuck": (
         "rope_step.cpp", "L::splat(1 / kBarrierFall)", "L::splat(kBarrierFall)", ["physics_bed"]),
@@ -356,7 +366,7 @@ RULES = {
     "what joints make counts as energy made": (
         "rope_step.cpp", "    if (is_rod()) look_at_joints(seen);\n", "", ["stability_ropes"]),
     "slack springs have no tension after a step": (
-        "rope_step.cpp", "select(slack, L{}, s.tension)", "s.tension", ["stability_ropes"]),
+        "rope_step.cpp", "select(slack, L{}, positive(tension))", "positive(tension)", ["stability_ropes"]),
     "taut is what its tension would take to its length": (
         "rope_step.cpp", "s.length - give(i) * s.tension", "s.length", ["physics_rope"]),
     "held nodes may be apart by what is rounded": (
