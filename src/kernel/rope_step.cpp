@@ -12,8 +12,6 @@ constexpr size_t kMostNewton = 8;    // iterations before a safer step is tried
 // Where it goes on, by how much the mass that is added to the nodes rises after an iteration that made the error larger,
 // and falls after others: together more than 1, so that it rises where the error goes to and fro.
 constexpr double kRise = 4, kFall = 0.3;
-// How much shorter than its length a slack spring is at least, over that length, whatever the tolerance.
-constexpr double kLeastSlack = 1e-9;
 // Of the interior point.
 constexpr double kFirstGap = 0.1;    // the least gap to start with, over the rest length
 constexpr double kInside = 0.95;     // how much of the way to a tension or gap of 0 an iteration goes
@@ -405,12 +403,9 @@ template <int N> RopeResult RopeBundle<N>::step() {
     const L solved = stage.lambda < 1 ? L::splat(stage.tolerance) - reached : L{};
     for (size_t i = 0; i < spring_count; ++i) {
         const Spring& s = springs[i];
-        // Of the interior point all springs have a tension: slack are those that it would not take to their length.
-        const L shorter = smaller((1 - fmax(stage.tolerance, kLeastSlack)) * s.length, s.length - give(i) * s.tension);
-        const L slack = shorter - long_after(i);
         const L tension = s.tension + select(solved, s.gap, L{}); // with what it did as velocities settled
         double lane[N];
-        (stage.push ? tension : select(slack, L{}, positive(tension))).store(lane);
+        (stage.push ? tension : positive(tension)).store(lane);
         for (int j = 0; j < N && is_used(j); ++j)
             if (has_spring(i, j)) ropes.tension[tension_place(i, j)] = isfinite(lane[j]) ? lane[j] : 0;
     }

@@ -365,10 +365,6 @@ RULES = {
         "hung.c = M::diagonal(mobility) - (mobility * mobility) * stiff;", ["physics_rope_bend", "stability_ropes"]),
     "what joints make counts as energy made": (
         "rope_step.cpp", "    if (is_rod()) look_at_joints(seen);\n", "", ["stability_ropes"]),
-    "slack springs have no tension after a step": (
-        "rope_step.cpp", "select(slack, L{}, positive(tension))", "positive(tension)", ["stability_ropes"]),
-    "taut is what its tension would take to its length": (
-        "rope_step.cpp", "s.length - give(i) * s.tension", "s.length", ["physics_rope"]),
     "held nodes may be apart by what is rounded": (
         "rope_step.cpp", "(over - rounded)", "over", ["physics_rope_bend"]),
     "creases of beds are round": (
