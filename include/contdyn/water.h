@@ -41,8 +41,8 @@
  *      up to its own height (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where the water behind it rests.
  *   Energy, linear: where water deepens it gains h_t u^2 / 2, at random shores some hundredths in all (and see hulls).
  *      From 2 cells on waves in the plane, with lambda = 1/2, grow in thousands of steps to a ninth of the depth.
- *   Energy, advected: from 1 cell on it does not rise by itself, but for a 1e-4th at shores. Below 1 cell up to 0.005 of
- *      it is won among cliffs, far below also at shores, and 0.01 in the first step after velocities are written there.
+ *   Energy, advected: from 1 cell on it does not rise by itself. Below 1 cell up to 0.005 of it is won among cliffs, far
+ *      below also at shores, and 0.01 in the first step after velocities are written there.
  *   Energy, both: from 1 cell on no face gains more than its water loses by falling: linear over uneven depths,
  *      advected where a depth changes by half; from 1e12 on rounding may add any amount. Air that presses water dry
  *      adds 1.4 times what it has to give where momentum is linear, half of it where advected, any amount if explicit.

@@ -182,6 +182,15 @@ static void no_energy_is_made_but_by_linear_momentum_that_deepens(void** state) 
         }
 }
 
+/* In long steps advected momentum makes none at all, at shores either. */
+static void long_advected_steps_make_no_energy(void** state) {
+    (void)state;
+    static const double courants[] = {1.5, 3, 10, 100, 1e4};
+    for (size_t c = 0; c < COUNT(courants); ++c)
+        for (int kind = 0; kind < 4; ++kind)
+            assert_true(highest(&ways[ADVECTED], kind / 2, kind % 2, courants[c], 5, 60).made <= 1e-9);
+}
+
 /* Advected water among cliffs, of beds that are 0 or 1 cell by cell, or anything up to 2 or 4, at rest or in motion
  * where it is wet on both sides of a face: what runs at a cliff's foot is no more than what came there, and films that
  * fall into it from beyond do not move its water up the cliff. In motion at dry faces too, its first step makes some. */
@@ -446,6 +455,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(water_among_hills_rests_after_steps_of_an_hour),
         cmocka_unit_test(no_energy_is_made_but_by_linear_momentum_that_deepens),
+        cmocka_unit_test(long_advected_steps_make_no_energy),
         cmocka_unit_test(water_among_cliffs_makes_little_energy),
         cmocka_unit_test(a_film_does_not_throw_the_lake_that_it_falls_into),
         cmocka_unit_test(water_that_falls_over_a_ledge_makes_no_energy),

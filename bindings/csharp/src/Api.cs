@@ -1086,7 +1086,7 @@ namespace Contdyn
         /// <summary>Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push
         /// are solved by Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds
         /// them at long steps: of the first 15 steps of 20 or 50 links laid at random one in 700. Such a step moves
-        /// less than it should; the next may do. Errors: CD_ERROR_VALUE.</summary>
+        /// less than it should. Errors: CD_ERROR_VALUE.</summary>
         public bool Push
         {
             get
@@ -1520,8 +1520,8 @@ namespace Contdyn
         /// <summary>Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move
         /// it, and it carries what it touches along. It keeps its velocity when it is made another shape. A capsule
         /// that turns: before each step put it where it will be after it, less dt times its middle's velocity, and give
-        /// it that. Of a figure whose arms and legs swing at 3.6 rad/s, in steps of 1/30 s a cape ends up to 2e-3 m
-        /// inside; put where the step begins, 3.5e-2 m.</summary>
+        /// it that: cloth on limbs that swing at 3.6 rad/s ends up to 2e-3 m inside in steps of 1/30 s; put where the
+        /// step begins, 3.5e-2 m.</summary>
         public void SetColliderVelocity(long index, params double[] velocity)
         {
             fixed (double* velocityPointer = velocity)
@@ -1532,8 +1532,8 @@ namespace Contdyn
         /// <summary>Velocity of a collider [m/s], default 0, one number per component, at most 1e60 in size: steps move
         /// it, and it carries what it touches along. It keeps its velocity when it is made another shape. A capsule
         /// that turns: before each step put it where it will be after it, less dt times its middle's velocity, and give
-        /// it that. Of a figure whose arms and legs swing at 3.6 rad/s, in steps of 1/30 s a cape ends up to 2e-3 m
-        /// inside; put where the step begins, 3.5e-2 m.</summary>
+        /// it that: cloth on limbs that swing at 3.6 rad/s ends up to 2e-3 m inside in steps of 1/30 s; put where the
+        /// step begins, 3.5e-2 m.</summary>
         public void SetColliderVelocity(long index, ReadOnlySpan<double> velocity)
         {
             fixed (double* velocityPointer = &MemoryMarshal.GetReference(velocity))
@@ -4320,13 +4320,13 @@ namespace Contdyn
     /// its own height (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where the water behind it rests.
     /// Energy, linear: where water deepens it gains h_t u^2 / 2, at random shores some hundredths in all (and see
     /// hulls). From 2 cells on waves in the plane, with lambda = 1/2, grow in thousands of steps to a ninth of the
-    /// depth. Energy, advected: from 1 cell on it does not rise by itself, but for a 1e-4th at shores. Below 1 cell
-    /// up to 0.005 of it is won among cliffs, far below also at shores, and 0.01 in the first step after velocities
-    /// are written there. Energy, both: from 1 cell on no face gains more than its water loses by falling: linear
-    /// over uneven depths, advected where a depth changes by half; from 1e12 on rounding may add any amount. Air
-    /// that presses water dry adds 1.4 times what it has to give where momentum is linear, half of it where
-    /// advected, any amount if explicit. Dry land: what pushes water away from it gives the face at the water's
-    /// edge a velocity that no water follows.
+    /// depth. Energy, advected: from 1 cell on it does not rise by itself. Below 1 cell up to 0.005 of it is won
+    /// among cliffs, far below also at shores, and 0.01 in the first step after velocities are written there.
+    /// Energy, both: from 1 cell on no face gains more than its water loses by falling: linear over uneven depths,
+    /// advected where a depth changes by half; from 1e12 on rounding may add any amount. Air that presses water dry
+    /// adds 1.4 times what it has to give where momentum is linear, half of it where advected, any amount if
+    /// explicit. Dry land: what pushes water away from it gives the face at the water's edge a velocity that no
+    /// water follows.
     /// A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag,
     /// CD_MOMENTUM_LINEAR, CD_METHOD_IMPLICIT with lambda 0.55. All computing is in double precision; CD_FLOAT32 is
     /// what depth, bed, velocities and the fields are stored in. Steps store 0 for depths below 2^-80 m and

@@ -103,6 +103,7 @@ struct WaterLine {
     void limit(L need); // lines in which need > 0
 
     // velocity.hh
+    L led(size_t face, const Panel& depths, L before, L behind) const;
     void follow_water(L moves); // lines in which moves > 0
     L lift(size_t face) const;
     L more_lift(size_t face) const;

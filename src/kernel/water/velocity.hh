@@ -56,7 +56,8 @@ inline void WaterLine::balance() {
     L moving = none, by_start = none, by_change = none;
     for (size_t i = first_face(); i < n; ++i) {
         const FaceEnergy e = energy_of(i);
-        moving = moving + e.moving;
+        const L u = velocity[i]; // where water deepens, linear momentum makes energy
+        moving = moving + (sweep.advected() ? 0.5 * (beside(i).mean_depth() * (u * u)) : e.moving);
         by_start = by_start + flux[i] * e.lift;
         by_change = by_change + flux[i] * e.more_lift;
     }
@@ -96,7 +97,15 @@ inline L WaterLine::bounded(size_t i, L w) const {
     return select(bounds, larger(-most, smaller(most, w)), w);
 }
 
-// See kBeach.
+// See kBeach: what a face that water cannot cross takes of the velocities of the faces before and behind it.
+inline L WaterLine::led(size_t i, const Panel& depths, L before, L behind) const {
+    const size_t l = left(i);
+    const L is_l = depths[l], b_l = bed[l], b_r = bed[i], step = select(is_l, b_r - b_l, b_l - b_r);
+    const L falls = select(is_l, b_l - bed[left(l)], b_r - bed[cells().behind(i)]);
+    const L part = select(step, within(falls / (kBeach * step), 0, 1), L::splat(1));
+    return part * select(is_l, before, select(depths[i], behind, L{}));
+}
+
 inline void WaterLine::follow_water(L moves) {
     const L none{};
     struct Seen {
@@ -112,13 +121,8 @@ inline void WaterLine::follow_water(L moves) {
     for (size_t i = first_face(); i < n; ++i) {
         const Seen behind = i + 1 < n ? see(i + 1) : ring ? first : Seen{};
         if (!all_positive(here.open)) {
-            const size_t l = left(i);
-            const L is_l = depth[l], b_l = bed[l], b_r = bed[i], step = select(is_l, b_r - b_l, b_l - b_r);
-            const L falls = select(is_l, b_l - bed[left(l)], b_r - bed[cells().behind(i)]);
-            const L part = select(step, within(falls / (kBeach * step), 0, 1), L::splat(1));
-            const L led = part * select(is_l, before.speed, select(depth[i], behind.speed, none));
-            const L near = select(here.open, here.speed, sweep.advected() ? led : none);
-            velocity.put(i, select(moves, near, velocity[i]));
+            const L follows = sweep.advected() ? led(i, depth, before.speed, behind.speed) : none;
+            velocity.put(i, select(moves, select(here.open, here.speed, follows), velocity[i]));
         }
         before = here, here = behind;
     }
@@ -141,14 +145,23 @@ inline void WaterLine::set_velocities() {
 
 // In a long step a line has no more energy after it than before, and than what pushes it and what comes in at its ends
 // bring: what there is too much is taken from all velocities in the same proportion, round a ring of water, if it can,
-// from how far they differ from their mean, so that momentum is kept.
+// from how far they differ from their mean, so that momentum is kept. Faces that follow the water count as they will.
 inline void WaterLine::keep_energy() {
     const L none{}, one = L::splat(1);
+    const auto crossed = [&](size_t i) { // the velocity of what crosses an inner face after the step
+        if (!ring && (i == 0 || i == n)) return none;
+        return select(beside_after(i % n).conducts(), speed[i % n], none);
+    };
     L mass = none, momentum = none, gap = none;
     L moving = none, most = none; // twice the energy, at first of what comes in at the ends
     if (!ring) most = positive(flux[0]) * (speed[0] * speed[0]) + positive(-flux[n]) * (speed[n] * speed[n]);
     for (size_t i = first_face(); i < n; ++i) {
-        const L v = beside_after(i).mean_depth(), u = speed[i], before = velocity[i], p = v * u;
+        const Beside c = beside_after(i);
+        const L v = c.mean_depth(), before = velocity[i];
+        L u = speed[i];
+        if (!all_positive(smaller(c.l.depth, c.r.depth)))
+            u = select(c.conducts(), u, led(i, after, crossed(ring ? i + n - 1 : i - 1), crossed(i + 1)));
+        const L p = v * u;
         most = most + (beside(i).mean_depth() * (before * before) + 2 * gained(i));
         moving = moving + p * u;
         mass = mass + v;
