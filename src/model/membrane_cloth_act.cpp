@@ -289,7 +289,7 @@ void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const*
     }
 }
 
-void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity) {
+__attribute__((cold)) void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity) {
     for (size_t i = 0, count; i < contacts; i += count) {
         count = contacts_of_node(w, i, contacts);
         const size_t at = size_t(w.contacts[i].at);

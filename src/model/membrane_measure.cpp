@@ -81,7 +81,7 @@ template <class T> struct Measure {
     // det(p, q, r): six times the volume between the triangle and the origin
     static double wedge(const Vector& p, const Vector& q, const Vector& r) { return dot(p, cross(q, r)); }
 
-    double volume() const {
+    __attribute__((cold, noinline)) double volume() const {
         Sum sum;
         for (size_t j = 0; j < springs_along(m, kV); ++j)
             for (size_t i = 0; i < springs_along(m, kU); ++i) {

@@ -77,7 +77,7 @@ RULES = {
     "no line gains energy in a long step": (
         "water/momentum.hh", "if (any_long) keep_energy();", "", ["stability_water_waves"]),
     "faces that follow the water count as they will": (
-        "water/velocity.hh", "if (!all_positive(smaller(c.l.depth, c.r.depth)))\n", "if (false)\n", ["stability_water_energy"]),
+        "water/velocity.hh", "const bool dry = !all_positive(least);", "const bool dry = false;", ["stability_water_energy"]),
     "water lifts no more than it has energy for": (
         "water/velocity.hh", "(sweep.advected() ? 0.5 *", "(false ? 0.5 *", ["stability_water_energy"]),
     "nor takes it from the momentum of a ring": (
@@ -95,7 +95,7 @@ RULES = {
     "half of the momentum goes with old velocities": (
         "water/momentum.hh", "const L half = 0.5 *", "const L half = 0.0 *", ["physics_water_dams", "physics_water_thacker"]),
     "dry faces take the speed of what comes": (
-        "water/velocity.hh", "sweep.advected() ? led(", "false ? led(", ["physics_water_thacker", "physics_water_dams"]),
+        "water/velocity.hh", "sweep.advected() ? led : none", "none", ["physics_water_thacker", "physics_water_dams"]),
     "but not at a cliff": (
         "water/velocity.hh", "within(falls / (kBeach * step), 0, 1)", "L::splat(1)", ["stability_water_energy"]),
     "which energies count": (

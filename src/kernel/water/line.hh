@@ -103,13 +103,11 @@ struct WaterLine {
     void limit(L need); // lines in which need > 0
 
     // velocity.hh
-    L led(size_t face, const Panel& depths, L before, L behind) const;
-    void follow_water(L moves); // lines in which moves > 0
+    void follow_water(L moves, Panel depths, Panel u, Panel out) const; // lines in which moves > 0
     L lift(size_t face) const;
     L more_lift(size_t face) const;
     L gained(size_t face) const;
     FaceEnergy energy_of(size_t face) const;
-    L roughness(size_t face) const;
     L bounded(size_t i, L w) const;
     void balance();
     void set_velocities();

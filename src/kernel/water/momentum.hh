@@ -158,8 +158,7 @@ struct FaceCarriers {
         if (line.any_long) {
             const double theta = line.sweep.theta;
             const L early = ((1 - theta) / theta) * (line.push_of(i) * line.pushing_rise(i, line.beside(i)));
-            const L pushed = base - late;
-            const L w = any_bounded ? select(line.roughness(i), line.bounded(i, pushed), pushed) : pushed;
+            const L pushed = base - late, w = any_bounded ? line.bounded(i, pushed) : pushed;
             push = select(line.is_long, v0 * (w - u) + theta * (v1 - v0) * (w - (pushed + (early + late))), push);
         }
         FaceVolume out{v0, v0 * u + push, u};

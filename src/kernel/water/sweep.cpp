@@ -74,7 +74,7 @@ __attribute__((noinline)) Panel make_step(WaterLine& line, Reach speeds, Reach d
         const L fastest = larger(larger(speeds.largest, -speeds.least), coming_in(line));
         line.share = next_share(left, line.sweep.courant * fastest);
         line.tally[kParts] = line.tally[kParts] + select(line.share, L::splat(1), L{});
-        if (!all_positive(depths.least)) line.follow_water(line.share);
+        if (!all_positive(depths.least)) line.follow_water(line.share, line.depth, line.velocity, line.velocity);
         begin_part(line, depths.largest);
         line.step();
         const L goes_on = left;

@@ -83,50 +83,48 @@ inline void WaterLine::balance() {
     keeps = select(rest, positive(one - positive(lack - gain) / rest), one);
 }
 
-// > 0: a face where advected momentum is bounded.
-inline L WaterLine::roughness(size_t face) const {
-    const L d_l = depth[left(face)], d_r = depth[face];
-    return larger(size_of(after[left(face)] - d_l) - kRoughFace * d_l, size_of(after[face] - d_r) - kRoughFace * d_r);
-}
-
 // A face's velocity w, with no more energy than it may have.
-inline L WaterLine::bounded(size_t i, L w) const {
+__attribute__((noinline)) inline L WaterLine::bounded(size_t i, L w) const {
+    L counts = bounds;
+    if (sweep.advected()) {
+        const size_t l = left(i);
+        const L change_l = size_of(after[l] - depth[l]) - kRoughFace * depth[l];
+        counts = smaller(counts, larger(change_l, size_of(after[i] - depth[i]) - kRoughFace * depth[i]));
+    }
     const FaceEnergy e = energy_of(i);
     const L x = e.moving + (e.gained - taken * positive(e.gained));
     const L most = select(e.depth, root(positive((2 * keeps) * (x / e.depth))), L{});
-    return select(bounds, larger(-most, smaller(most, w)), w);
+    return select(counts, larger(-most, smaller(most, w)), w);
 }
 
-// See kBeach: what a face that water cannot cross takes of the velocities of the faces before and behind it.
-inline L WaterLine::led(size_t i, const Panel& depths, L before, L behind) const {
-    const size_t l = left(i);
-    const L is_l = depths[l], b_l = bed[l], b_r = bed[i], step = select(is_l, b_r - b_l, b_l - b_r);
-    const L falls = select(is_l, b_l - bed[left(l)], b_r - bed[cells().behind(i)]);
-    const L part = select(step, within(falls / (kBeach * step), 0, 1), L::splat(1));
-    return part * select(is_l, before, select(depths[i], behind, L{}));
-}
-
-inline void WaterLine::follow_water(L moves) {
+// Writes velocities of faces, those of dry ones from the faces beside them: see kBeach. `out` may be `u`.
+__attribute__((noinline)) inline void WaterLine::follow_water(L moves, Panel depths, Panel u, Panel out) const {
     const L none{};
     struct Seen {
         L open{}, speed{};
     };
     const auto see = [&](size_t i) {
-        const L open = beside(i).conducts();
-        return Seen{open, select(open, velocity[i], L{})};
+        const L open = beside(i, depths).conducts();
+        return Seen{open, select(open, u[i], L{})};
     };
     if (n <= first_face()) return;
     const Seen first = see(first_face());
     Seen before = ring ? see(n - 1) : Seen{}, here = first;
     for (size_t i = first_face(); i < n; ++i) {
         const Seen behind = i + 1 < n ? see(i + 1) : ring ? first : Seen{};
+        L follows = u[i];
         if (!all_positive(here.open)) {
-            const L follows = sweep.advected() ? led(i, depth, before.speed, behind.speed) : none;
-            velocity.put(i, select(moves, select(here.open, here.speed, follows), velocity[i]));
+            const size_t l = left(i);
+            const L is_l = depths[l], b_l = bed[l], b_r = bed[i], step = select(is_l, b_r - b_l, b_l - b_r);
+            const L falls = select(is_l, b_l - bed[left(l)], b_r - bed[cells().behind(i)]);
+            const L part = select(step, within(falls / (kBeach * step), 0, 1), L::splat(1));
+            const L led = part * select(is_l, before.speed, select(depths[i], behind.speed, none));
+            follows = select(moves, select(here.open, here.speed, sweep.advected() ? led : none), follows);
         }
+        out.put(i, follows);
         before = here, here = behind;
     }
-    if (ring) velocity.put(n, velocity[0]);
+    if (ring) out.put(n, out[0]);
 }
 
 // Of linear momentum.
@@ -148,20 +146,16 @@ inline void WaterLine::set_velocities() {
 // from how far they differ from their mean, so that momentum is kept. Faces that follow the water count as they will.
 inline void WaterLine::keep_energy() {
     const L none{}, one = L::splat(1);
-    const auto crossed = [&](size_t i) { // the velocity of what crosses an inner face after the step
-        if (!ring && (i == 0 || i == n)) return none;
-        return select(beside_after(i % n).conducts(), speed[i % n], none);
-    };
+    L least = one;
+    for (size_t i = 0; i < n; ++i) least = smaller(least, after[i]);
+    const bool dry = !all_positive(least);
+    if (dry) follow_water(one, after, speed, spare[0]);
+    const Panel follows = dry ? spare[0] : speed;
     L mass = none, momentum = none, gap = none;
     L moving = none, most = none; // twice the energy, at first of what comes in at the ends
     if (!ring) most = positive(flux[0]) * (speed[0] * speed[0]) + positive(-flux[n]) * (speed[n] * speed[n]);
     for (size_t i = first_face(); i < n; ++i) {
-        const Beside c = beside_after(i);
-        const L v = c.mean_depth(), before = velocity[i];
-        L u = speed[i];
-        if (!all_positive(smaller(c.l.depth, c.r.depth)))
-            u = select(c.conducts(), u, led(i, after, crossed(ring ? i + n - 1 : i - 1), crossed(i + 1)));
-        const L p = v * u;
+        const L v = beside_after(i).mean_depth(), u = follows[i], before = velocity[i], p = v * u;
         most = most + (beside(i).mean_depth() * (before * before) + 2 * gained(i));
         moving = moving + p * u;
         mass = mass + v;
