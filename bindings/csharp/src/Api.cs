@@ -4315,8 +4315,8 @@ namespace Contdyn
     /// slower water only those of linear momentum, lambda 1/2, uneven beds do. Bores, linear: momentum is not
     /// carried on, so that a shore moves with the slope of the surface there, and a bore a tenth, half, twice as
     /// high as the depth before it is 2, 9, 22% too slow, against a stream as much too fast. Bores, advected:
-    /// within 1% of their speed, also against a stream, until water runs more than 32 cells; from 2 cells on those
-    /// a tenth of the depth high are spread over 2 to 6 times as many. Waves behind a bore: with lambda = 1/2 up to
+    /// within 1.2% of their speed, also against streams, until water runs over 32 cells; from 2 cells on those a
+    /// tenth of the depth high are spread over 2 to 6 times as many. Waves behind a bore: with lambda = 1/2 up to
     /// its own height (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where the water behind it rests.
     /// Energy, linear: where water deepens it gains h_t u^2 / 2, at random shores some hundredths in all (and see
     /// hulls). From 2 cells on waves in the plane, with lambda = 1/2, grow in thousands of steps to a ninth of the

@@ -3102,18 +3102,18 @@ pub struct WaterEnergy {
 /// runs more than 32 cells is carried less exactly, and ripples on it may grow; on slower water only those of
 /// linear momentum, lambda 1/2, uneven beds do. Bores, linear: momentum is not carried on, so that a shore moves
 /// with the slope of the surface there, and a bore a tenth, half, twice as high as the depth before it is 2, 9, 22%
-/// too slow, against a stream as much too fast. Bores, advected: within 1% of their speed, also against a stream,
-/// until water runs more than 32 cells; from 2 cells on those a tenth of the depth high are spread over 2 to 6
-/// times as many. Waves behind a bore: with lambda = 1/2 up to its own height (linear: 1.6), with 0.6 up to 0.3
-/// (1.3), all along its way where the water behind it rests. Energy, linear: where water deepens it gains h_t u^2 /
-/// 2, at random shores some hundredths in all (and see hulls). From 2 cells on waves in the plane, with lambda =
-/// 1/2, grow in thousands of steps to a ninth of the depth. Energy, advected: from 1 cell on it does not rise by
-/// itself. Below 1 cell up to 0.005 of it is won among cliffs, far below also at shores, and 0.01 in the first step
-/// after velocities are written there. Energy, both: from 1 cell on no face gains more than its water loses by
-/// falling: linear over uneven depths, advected where a depth changes by half; from 1e12 on rounding may add any
-/// amount. Air that presses water dry adds 1.4 times what it has to give where momentum is linear, half of it where
-/// advected, any amount if explicit. Dry land: what pushes water away from it gives the face at the water's edge a
-/// velocity that no water follows.
+/// too slow, against a stream as much too fast. Bores, advected: within 1.2% of their speed, also against streams,
+/// until water runs over 32 cells; from 2 cells on those a tenth of the depth high are spread over 2 to 6 times as
+/// many. Waves behind a bore: with lambda = 1/2 up to its own height (linear: 1.6), with 0.6 up to 0.3 (1.3), all
+/// along its way where the water behind it rests. Energy, linear: where water deepens it gains h_t u^2 / 2, at
+/// random shores some hundredths in all (and see hulls). From 2 cells on waves in the plane, with lambda = 1/2,
+/// grow in thousands of steps to a ninth of the depth. Energy, advected: from 1 cell on it does not rise by itself.
+/// Below 1 cell up to 0.005 of it is won among cliffs, far below also at shores, and 0.01 in the first step after
+/// velocities are written there. Energy, both: from 1 cell on no face gains more than its water loses by falling:
+/// linear over uneven depths, advected where a depth changes by half; from 1e12 on rounding may add any amount. Air
+/// that presses water dry adds 1.4 times what it has to give where momentum is linear, half of it where advected,
+/// any amount if explicit. Dry land: what pushes water away from it gives the face at the water's edge a velocity
+/// that no water follows.
 /// A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag,
 /// CD_MOMENTUM_LINEAR, CD_METHOD_IMPLICIT with lambda 0.55. All computing is in double precision; CD_FLOAT32 is
 /// what depth, bed, velocities and the fields are stored in. Steps store 0 for depths below 2^-80 m and velocities
