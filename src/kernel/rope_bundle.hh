@@ -103,7 +103,7 @@ template <int N> struct RopeBundle {
         L tension, next, best;
         L pushed;           // the tension that would be below 0
         V impulse;          // phi of the last elimination
-        L long_before, gap; // |D0|, and of the interior point what is left to L; after settle() the tension of that
+        L long_before, gap; // |D0|, and of the interior point what is left to L; then what settle() adds to tension
         L reeled;           // by how much its length fell since the last step
     };
 

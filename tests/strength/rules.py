@@ -177,7 +177,7 @@ RULES = {
         ["physics_rope_ends"]),
     "tensions tell what settled the velocities": (
         "rope_step.cpp", "select(solved, s.gap, L{})", "select(solved, L{}, L{})", ["physics_rope_winch"]),
-    "of what was solved": (
+    "but only after steps that were solved": (
         "rope_step.cpp", "? L::splat(stage.tolerance) - reached : L{};", "? one() : L{};", ["physics_rope_breaks"]),
     "where links push, what is added to masses calms Newton's method": (
         "rope_step.cpp", "select(reached - before, larger(kRise * added, one()), kFall * added)", "L{}",

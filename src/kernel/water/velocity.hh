@@ -56,7 +56,7 @@ inline void WaterLine::balance() {
     L moving = none, by_start = none, by_change = none;
     for (size_t i = first_face(); i < n; ++i) {
         const FaceEnergy e = energy_of(i);
-        const L u = velocity[i]; // where water deepens, linear momentum makes energy
+        const L u = velocity[i]; // advected water has this energy; linear water makes more where it deepens
         moving = moving + (sweep.advected() ? 0.5 * (beside(i).mean_depth() * (u * u)) : e.moving);
         by_start = by_start + flux[i] * e.lift;
         by_change = by_change + flux[i] * e.more_lift;
