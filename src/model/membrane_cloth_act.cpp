@@ -295,7 +295,7 @@ __attribute__((cold)) void settle_contacts(const ClothWork& w, size_t contacts, 
         const size_t at = size_t(w.contacts[i].at);
         const Vector3 moved = vector_at(w.w, at), before = vector_at(velocity, at);
         // The least change that does what all of the contacts want: a sum of normals, whose products are the matrix.
-        double matrix[6] = {1, 1, 1}, wants[3] = {}, sizes[3];
+        double matrix[6] = {1, 1, 1}, wants[3] = {}, faster[3] = {}, sizes[3];
         Vector3 normals[3] = {}, change{};
         bool pushed = false;
         for (size_t j = 0; j < count; ++j) {
@@ -305,15 +305,16 @@ __attribute__((cold)) void settle_contacts(const ClothWork& w, size_t contacts, 
             const double overlap = c.gap < 0 ? -c.gap / dt : 0, own = dot(normal, collider_velocity(c));
             const double now = dot(normal, before), out = dot(normal, moved);
             wants[j] = fmax(out - overlap, fmin(out, own)) - now; // the way out is no more than it went
-            normals[j] = normal, pushed = true;
+            normals[j] = normal, faster[j] = own - now, pushed = true;
         }
         if (!pushed) continue;
         matrix[3] = kParallel * dot(normals[0], normals[1]);
         matrix[4] = kParallel * dot(normals[0], normals[2]);
         matrix[5] = kParallel * dot(normals[1], normals[2]);
         if (!solve_block(matrix, wants, sizes)) continue;
-        for (size_t j = 0; j < count; ++j) change = change + sizes[j] * normals[j];
-        const double falls = -dot(change, before - collider_velocity(w.contacts[i])), square = dot(change, change);
+        double falls = 0; // the energy beside what the colliders' velocities do, by the change's first power
+        for (size_t j = 0; j < count; ++j) change = change + sizes[j] * normals[j], falls += sizes[j] * faster[j];
+        const double square = dot(change, change);
         const double share = square <= 2 * falls ? 1 : falls > 0 ? falls / square : 0; // or it would gain energy
         for (int k = 0; k < 3; ++k) velocity[k][at] += share * change[k];
     }

@@ -69,6 +69,47 @@ static void what_slides_between_planes_gains_nothing(void** state) {
     cd_membrane_destroy(m);
 }
 
+/* Two planes that move push a node along their normals alone, so that its change of velocity tells what each gave, and
+ * with the planes' velocities the work that they did: a node that was outside of both gains no more than that, and where
+ * both give something most go as both planes do. */
+static void what_moving_planes_give_is_their_work(void** state) {
+    (void)state;
+    uint64_t seed = 1;
+    double worst = -1;
+    int met = 0, unlike = 0;
+    for (int n = 0; n < 20000; ++n) {
+        double way[3], before[3], after[3], change[3], normals[2][3], velocities[2][3];
+        for (int k = 0; k < 3; ++k) way[k] = random_number(&seed), before[k] = random_number(&seed);
+        cd_membrane* m = node(2, 0.5, before);
+        for (size_t c = 0; c < 2; ++c) {
+            for (int k = 0; k < 3; ++k) normals[c][k] = (c ? -1 : 1) * way[k] + 0.03 * random_number(&seed);
+            const double length = sqrt(dot(normals[c], normals[c]));
+            for (int k = 0; k < 3; ++k) normals[c][k] /= length, velocities[c][k] = random_number(&seed);
+            set_plane(m, c, 0.01 * fabs(random_number(&seed)), normals[c]);
+            ok(cd_membrane_set_collider_velocity(m, c, velocities[c], 3));
+        }
+        ok(cd_membrane_step(m, dt, 4));
+        ok(cd_membrane_read_f64(m, CD_VELOCITY, 0, 0, 1, 1, after, 3));
+        cd_membrane_destroy(m);
+        for (int k = 0; k < 3; ++k) change[k] = after[k] - before[k];
+        const double along = dot(normals[0], normals[1]), first = dot(change, normals[0]),
+                     second = dot(change, normals[1]);
+        const double give[2] = {(first - along * second) / (1 - along * along),
+                                (second - along * first) / (1 - along * along)};
+        double gain = (dot(after, after) - dot(before, before)) / 2, off = 0;
+        for (int c = 0; c < 2; ++c) {
+            gain -= give[c] * dot(normals[c], velocities[c]);
+            off = fmax(off, fabs(dot(normals[c], after) - dot(normals[c], velocities[c])));
+        }
+        worst = fmax(worst, gain / (dot(after, after) + dot(before, before)));
+        if (give[0] > 0 && give[1] > 0) ++met, unlike += off > 0.01;
+    }
+    print_message("%d nodes between planes that move gain at most %.1e beside their work, %d go another way\n", met,
+                  worst, unlike);
+    assert_true(worst < 1e-12);
+    assert_true(unlike < 0.3 * met); /* 0.32 of them where the energy is that of the first plane alone */
+}
+
 /* A ball that moves into a floor has soft cloth between: that goes aside, and is then at rest. */
 static void a_ball_presses_cloth_aside(void** state) {
     (void)state;
@@ -109,6 +150,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_caught_between_planes_is_not_thrown),
         cmocka_unit_test(what_slides_between_planes_gains_nothing),
+        cmocka_unit_test(what_moving_planes_give_is_their_work),
         cmocka_unit_test(a_ball_presses_cloth_aside),
     };
     return cmocka_run_group_tests_name("cloth between colliders", tests, NULL, NULL);
