@@ -160,29 +160,35 @@ void cloth_bend(const Grid& grid, const ClothMatrix& matrix, double factor, cons
                 double* scratch, size_t first, size_t count) {
     using L = Lanes<kLanes>;
     const ptrdiff_t columns = ptrdiff_t(grid.columns);
-    const auto difference = [](const double* x, ptrdiff_t from, ptrdiff_t to) {
-        return L::load(x + to) - L::load(x + from);
-    };
-    const auto right = [&](const double* x, ptrdiff_t at) { return difference(x, at, at + 1); };
     const auto start = [&](size_t row) { return ptrdiff_t(row * grid.pitch); };
-    const auto along_v = [&](const double* x, size_t row, ptrdiff_t u) {
-        const ptrdiff_t at = start(row) + u;
-        return L::load(matrix.bend[1] + at) *
-               (difference(x, at, start(grid.above(row)) + u) + difference(x, at, start(grid.below(row)) + u));
+    const auto right = [](const double* x, ptrdiff_t u) { return L::load(x + u + 1) - L::load(x + u); };
+    // The moments of a row along v.
+    struct Moments {
+        const double *bend, *here, *above, *below;
+
+        L at(ptrdiff_t u) const {
+            const L x = L::load(here + u);
+            return L::load(bend + u) * ((L::load(above + u) - x) + (L::load(below + u) - x));
+        }
     };
-    const auto twist = [&](const double* x, size_t row, ptrdiff_t u, L step) {
-        return L::load(matrix.twist + (start(row) + u)) * (right(x, start(grid.below(row)) + u) - step);
+    const auto along_v = [&](const double* x, size_t row) {
+        return Moments{matrix.bend[1] + start(row), x + start(row), x + start(grid.above(row)),
+                       x + start(grid.below(row))};
     };
     double *above[3], *here[3], *twisted[3];
     for (int k = 0; k < 3; ++k) {
         const auto row = [&](int i) { return scratch + size_t(3 * k + i) * grid.pitch + kBefore; };
         above[k] = row(0), here[k] = row(1), twisted[k] = row(2);
         const size_t before = grid.above(first);
-        const auto cell = [&](ptrdiff_t u) { return twist(p[k], before, u, right(p[k], start(before) + u)); };
+        const Moments of_before = along_v(p[k], before), of_first = along_v(p[k], first);
+        const double* const twist = matrix.twist + start(before);
+        const auto cell = [&](ptrdiff_t u) {
+            return L::load(twist + u) * (right(of_before.below, u) - right(of_before.here, u));
+        };
         L left = cell(-kLanes);
         for (ptrdiff_t u = 0; u < columns; u += kLanes) {
-            along_v(p[k], before, u).store(above[k] + u);
-            along_v(p[k], first, u).store(here[k] + u);
+            of_before.at(u).store(above[k] + u);
+            of_first.at(u).store(here[k] + u);
             const L now = cell(u);
             (now - behind(left, now)).store(twisted[k] + u);
             left = now;
@@ -190,26 +196,29 @@ void cloth_bend(const Grid& grid, const ClothMatrix& matrix, double factor, cons
     }
     for (size_t row = first; row < first + count; ++row)
         for (int k = 0; k < 3; ++k) {
-            const double* const x = p[k];
-            const ptrdiff_t first_node = start(row), outside = first_node - kLanes;
-            const auto along_u = [&](ptrdiff_t at, L before, L now) {
-                return L::load(matrix.bend[0] + at) * (now - behind(before, now));
+            const Moments of_next = along_v(p[k], grid.below(row));
+            const double *const x = p[k] + start(row), *const bend = matrix.bend[0] + start(row),
+                                *const twist = matrix.twist + start(row), *const moves = matrix.moves + start(row);
+            double *const out = q[k] + start(row), *const moments_above = above[k], *const moments = here[k],
+                          *const twisted_above = twisted[k];
+            const auto along_u = [&](ptrdiff_t u, L before, L now) {
+                return L::load(bend + u) * (now - behind(before, now));
             };
-            L step = right(x, first_node), before_step = right(x, outside);
-            L before = along_u(outside, L{}, before_step), now = along_u(first_node, before_step, step);
-            L left = twist(x, row, -kLanes, before_step);
+            const auto cell = [&](ptrdiff_t u, L step) { return L::load(twist + u) * (right(of_next.here, u) - step); };
+            L step = right(x, 0), before_step = right(x, -kLanes);
+            L before = along_u(-kLanes, L{}, before_step), now = along_u(0, before_step, step);
+            L left = cell(-kLanes, before_step);
             for (ptrdiff_t u = 0; u < columns; u += kLanes) {
-                const ptrdiff_t at = first_node + u, after = at + kLanes;
-                const L next_step = right(x, after), next = along_u(after, step, next_step);
-                const L middle = L::load(here[k] + u), below = along_v(x, grid.below(row), u);
-                const L cell = twist(x, row, u, step), turned = cell - behind(left, cell);
+                const L next_step = right(x, u + kLanes), next = along_u(u + kLanes, step, next_step);
+                const L middle = L::load(moments + u), below = of_next.at(u);
+                const L twists = cell(u, step), turned = twists - behind(left, twists);
                 const L bent = ((behind(before, now) - now) + (ahead(now, next) - now)) +
-                               ((L::load(above[k] + u) - middle) + (below - middle));
-                const L sum = bent + (turned - L::load(twisted[k] + u));
-                (L::load(q[k] + at) + factor * (L::load(matrix.moves + at) * sum)).store(q[k] + at);
-                below.store(above[k] + u);
-                turned.store(twisted[k] + u);
-                before = now, now = next, step = next_step, left = cell;
+                               ((L::load(moments_above + u) - middle) + (below - middle));
+                const L sum = bent + (turned - L::load(twisted_above + u));
+                (L::load(out + u) + factor * (L::load(moves + u) * sum)).store(out + u);
+                below.store(moments_above + u);
+                turned.store(twisted_above + u);
+                before = now, now = next, step = next_step, left = twists;
             }
             std::swap(above[k], here[k]);
         }
