@@ -207,7 +207,7 @@ struct Stepper {
         lines.numbers = {stride(a), stride(other(a))}, lines.bytes = {byte_stride(a), byte_stride(other(a))};
         lines.depth = state_of(w, w.depth), lines.bed = state_of(w, w.bed);
         lines.velocity = state_of(w, w.velocity[a]), lines.force = state_of(w, w.force[a]);
-        lines.pressure = state_of(w, w.pressure);
+        lines.pressure = state_of(w, w.pressure), lines.across = state_of(w, w.velocity[other(a)]);
         lines.pressure_share = dt / (w.density * w.size[a]);
         lines.load = {work.hulls.load, true}, lines.stiff = {work.hulls.stiff, true};
         lines.mask = w.mask.data, lines.wall = w.wall[a].data;

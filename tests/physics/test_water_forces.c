@@ -86,6 +86,94 @@ static void a_stream_runs_down_a_slope_at_mannings_speed(void** state) {
         }
 }
 
+/* Slanting to the axes too: friction goes by the speed, not by what of it runs along an axis. */
+static void what_runs_slantwise_settles_at_mannings_speed(void** state) {
+    (void)state;
+    enum { N = 4 };
+    static const double steps[] = {0.1, 10, 1000};
+    const double manning = 0.03, slope = 1e-3;
+    for (size_t k = 0; k < WAYS; ++k)
+        for (size_t s = 0; s < (basin_is_explicit(&ways[k]) ? 1 : COUNT(steps)); ++s)
+            for (int degrees = 10; degrees < 90; degrees += 25) {
+                double push[2][N * (N + 1)], depth[N * N];
+                const double way[2] = {cos(degrees * acos(-1.0) / 180), sin(degrees * acos(-1.0) / 180)};
+                cd_water* w = basin(N, N, 2e4, 2e4, CD_FLOAT64);
+                basin_set_way(w, &ways[k]);
+                ok(cd_water_set_manning(w, manning));
+                ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+                ok(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_PERIODIC, 0, 0));
+                for (size_t i = 0; i < N * N; ++i) depth[i] = 1;
+                basin_write(w, CD_DEPTH, depth);
+                for (int axis = 0; axis < 2; ++axis) {
+                    const cd_field force = axis ? CD_FORCE_Y : CD_FORCE_X;
+                    ok(cd_water_enable_field(w, force));
+                    for (size_t i = 0; i < N * (N + 1); ++i) push[axis][i] = gravity * slope * way[axis];
+                    basin_write(w, force, push[axis]);
+                }
+                ok(cd_water_step(w, steps[s], s == 0 ? 20000 : 1000));
+                const double u = basin_get(w, CD_VELOCITY_X, 1, 1), v = basin_get(w, CD_VELOCITY_Y, 1, 1);
+                const double expected = sqrt(slope) / manning;
+                assert_near(u, expected * way[0], 2e-6, 0);
+                assert_near(v, expected * way[1], 2e-6, 0);
+                cd_water_destroy(w);
+            }
+}
+
+/* Rivers a kilometre long, of 2 m^2/s, on beds over which they are steady in the depths that are given (MacDonald,
+ * Baines, Nichols and Samuels 1997; in Delestre and others' library of exact solutions, 2013, numbers 3.2.1): slower than
+ * waves, and from slower to faster. */
+static double depth_of_river(int turns_fast, double x) {
+    const double critical = cbrt(4 / gravity), s = x / 1000 - 0.5;
+    if (!turns_fast) return critical * (1 + 0.5 * exp(-16 * s * s));
+    return critical * (1 - (s < 0 ? tanh(3 * s) / 3 : tanh(6 * s) / 6));
+}
+static double fall_of_river(int turns_fast, double manning, double x) { /* -db/dx */
+    const double h = depth_of_river(turns_fast, x), little = 1e-3, q = 2;
+    const double rises = (depth_of_river(turns_fast, x + little) - depth_of_river(turns_fast, x - little)) / (2 * little);
+    return (1 - q * q / (gravity * h * h * h)) * rises + manning * manning * q * q / pow(h, 10.0 / 3);
+}
+
+/* Of second order, and the same whatever the step. The last cells, which go by the side's level over their own beds, do
+ * not count. */
+static void a_river_has_its_depths(void** state) {
+    (void)state;
+    static const double mannings[] = {0.033, 0.0218}, courants[] = {0.5, 4, 32};
+    for (int turns_fast = 0; turns_fast < 2; ++turns_fast)
+        for (size_t c = 0; c < COUNT(courants); ++c) {
+            double before = INFINITY;
+            for (size_t n = 50; n <= 200; n *= 2) {
+                double bed[200], depth[200], error = 0, b = 0;
+                const double dx = 1000 / (double)n, dt = courants[c] * dx / sqrt(gravity * 1.2);
+                cd_water* w = line_basin((int)c % 2, n, 1, dx, CD_FLOAT64);
+                basin_set_way(w, &ways[ADVECTED]);
+                ok(cd_water_set_manning(w, mannings[turns_fast]));
+                for (size_t i = n; i-- > 0;) { /* from the lower end up; by Simpson's rule over quarters of a cell */
+                    const double x = dx * ((double)i + 0.5), part = i + 1 == n ? 0.5 * dx : dx;
+                    for (int k = 0; k < 8; ++k) {
+                        const double from = x + part * k / 8, to = x + part * (k + 1) / 8;
+                        b += part / 48 * (fall_of_river(turns_fast, mannings[turns_fast], from) +
+                                          4 * fall_of_river(turns_fast, mannings[turns_fast], (from + to) / 2) +
+                                          fall_of_river(turns_fast, mannings[turns_fast], to));
+                    }
+                    bed[i] = b, depth[i] = depth_of_river(turns_fast, x);
+                }
+                line_write(w, (int)c % 2, CD_BED, bed);
+                line_write(w, (int)c % 2, CD_DEPTH, depth);
+                ok(cd_water_set_side(w, line_side((int)c % 2, 0), CD_BORDER_INFLOW, 2, 0));
+                ok(cd_water_set_side(w, line_side((int)c % 2, 1), CD_BORDER_LEVEL, bed[n - 1] + depth[n - 1], 0));
+                basin_step(w, dt, (size_t)(3000 / dt));
+                line_read(w, (int)c % 2, CD_DEPTH, 0, depth);
+                for (size_t i = 0; i < n; ++i)
+                    error += fabs(depth[i] - depth_of_river(turns_fast, dx * ((double)i + 0.5))) / (double)n;
+                print_message("a river that %s, %3zu cells, courant %4.1f: off by %.1e m\n",
+                              turns_fast ? "turns fast" : "stays slow", n, courants[c], error);
+                assert_true(error <= 0.3 * before);
+                before = error;
+                cd_water_destroy(w);
+            }
+        }
+}
+
 /* exp(-drag t), as the trapezoidal rule comes to it up to z = drag dt = 2, where it is at rest. */
 static void drag_stops_water_as_it_says(void** state) {
     (void)state;
@@ -240,6 +328,8 @@ static void a_bed_that_keeps_the_surface_is_in_the_account(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(water_settles_at_mannings_speed),
+        cmocka_unit_test(what_runs_slantwise_settles_at_mannings_speed),
+        cmocka_unit_test(a_river_has_its_depths),
         cmocka_unit_test(a_stream_runs_down_a_slope_at_mannings_speed),
         cmocka_unit_test(drag_stops_water_as_it_says),
         cmocka_unit_test(wind_heaps_up_water_by_a_over_g),

@@ -191,6 +191,28 @@ static void long_advected_steps_make_no_energy(void** state) {
             assert_true(highest(&ways[ADVECTED], kind / 2, kind % 2, courants[c], 5, 60).made <= 1e-9);
 }
 
+/* Nor where the bed rubs, whether that takes a part of velocities in a step or all: once energy is lost it stays so. */
+static void long_steps_that_rub_make_no_energy(void** state) {
+    (void)state;
+    static const double drags[] = {0, 1, 100}, mannings[] = {0.02, 3}, courants[] = {1.5, 10, 100, 1e4};
+    double worst = 0;
+    for (int n = 0; n < 360; ++n) {
+        cd_water* w = lively(&ways[ADVECTED], 1 + (uint64_t)n, n % 2, n / 2 % 3, n / 6 % 2);
+        ok(cd_water_set_drag(w, drags[n / 12 % 3]));
+        ok(cd_water_set_manning(w, n / 36 % 3 ? mannings[n / 36 % 3 - 1] : 0));
+        const double start = basin_energy(w);
+        double least = start;
+        for (int k = 0; k < 60; ++k) {
+            basin_step(w, courants[n / 90] / sqrt(9.81), 1);
+            const double now = basin_energy(w);
+            worst = fmax(worst, (now - least) / start), least = fmin(least, now);
+        }
+        cd_water_destroy(w);
+    }
+    print_message("water that rubs gains at most %.1e of its energy after it has lost more\n", worst);
+    assert_true(worst <= 1e-9);
+}
+
 /* Advected water among cliffs, of beds that are 0 or 1 cell by cell, or anything up to 2 or 4, at rest or in motion
  * where it is wet on both sides of a face: what runs at a cliff's foot is no more than what came there, and films that
  * fall into it from beyond do not move its water up the cliff. In motion at dry faces too, its first step makes some. */
@@ -456,6 +478,7 @@ int main(void) {
         cmocka_unit_test(water_among_hills_rests_after_steps_of_an_hour),
         cmocka_unit_test(no_energy_is_made_but_by_linear_momentum_that_deepens),
         cmocka_unit_test(long_advected_steps_make_no_energy),
+        cmocka_unit_test(long_steps_that_rub_make_no_energy),
         cmocka_unit_test(water_among_cliffs_makes_little_energy),
         cmocka_unit_test(a_film_does_not_throw_the_lake_that_it_falls_into),
         cmocka_unit_test(water_that_falls_over_a_ledge_makes_no_energy),

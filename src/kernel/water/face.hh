@@ -38,12 +38,24 @@ inline double inverse_cube_root(double a) {
     return r;
 }
 
-// dt times Manning's friction on water of depth h at what it leaves of a speed: k u with u + k u^2 = speed,
-// k = manning h^(-4/3). manning: dt g times its square.
-inline L manning_drag(L h, L speed, L manning) {
+// dt times Manning's friction on water of depth h that runs at `across` along the other axis, at what it leaves of a
+// speed: k s with u + k s u = speed, s^2 = u^2 + across^2, k = manning h^(-4/3). manning: dt g times its square. With the
+// direction of (u, across) this is a quadratic equation, whose answer is the next one's direction: from water that runs
+// along the axis three are right to 1e-6.
+constexpr int kDirections = 3;
+__attribute__((noinline)) inline L manning_drag(L h, L speed, L across, L manning) {
+    const L one = L::splat(1);
     const L r = each_lane(h, [](double a) { return a > Limits<double>::least ? inverse_cube_root(a) : 0; });
     const L k = manning * ((r * r) * (r * r));
-    return (2 * (k * speed)) / (L::splat(1) + root(L::splat(1) + 4 * (k * speed)));
+    L s{}, along = one, aside{}; // the direction
+    for (int n = 0; n < kDirections; ++n) {
+        const L by_aside = one + k * (aside * across);
+        const L u = (2 * speed) / (by_aside + root(by_aside * by_aside + 4 * (k * (along * speed))));
+        s = root(u * u + across * across);
+        if (!any_positive(across)) break;
+        along = select(s, u / s, one), aside = select(s, across / s, L{});
+    }
+    return k * s;
 }
 
 // The depth at which a discharge q [m^2/s] runs as fast as its own waves, (q^2 / g)^(1/3).

@@ -46,9 +46,10 @@ struct WaterLine {
 
     Panel bed{}, depth{}, velocity{};
     Panel acceleration{}, opening{}; // of faces, opening 1 or 0; null: nothing pushes, all are open
+    Panel across{};                  // of cells, velocity of the other axis; null: friction does not ask for it
     Panel load{}, stiff{};           // of cells: hulls press with a head of load + stiff depth; null: there are none
     Panel flux{}, after{}, speed{};  // results: of cells `after`, of faces flux and velocity
-    Panel push{};                    // what a rise of the surface after the step takes off `speed`, see 5.
+    Panel push{};                    // the part of a push that friction leaves, 0 at closed faces
     Panel pull{}, spare[2] = {};     // scratch
 
     Face side[2] = {};      // the faces at the ends; of a ring face 0
@@ -85,7 +86,20 @@ struct WaterLine {
     L open(size_t face) const { return opening ? opening[face] : L::splat(1); }
     // Of inner faces. Where nothing acts on it, it is the same for all.
     bool keeps_push() const { return sweep.rubs() || opening; }
-    L push_of(size_t i) const { return keeps_push() ? push[i] : sweep.theta * (sweep.gravity * courant); }
+    // Where friction takes all of a velocity, what moves and pushes water there is by the end of the step, as friction is.
+    L theta_of(L part) const {
+        const L theta = L::splat(sweep.theta);
+        return sweep.implicit ? larger(theta, L::splat(1) - part) : theta;
+    }
+    // What a rise of the surface before the step takes off a velocity, and one after it.
+    L early_push(size_t i) const {
+        const L all = sweep.gravity * courant;
+        return keeps_push() ? (L::splat(1) - theta_of(push[i])) * (all * push[i]) : (1 - sweep.theta) * all;
+    }
+    L late_push(size_t i) const {
+        const L all = sweep.gravity * courant;
+        return keeps_push() ? theta_of(push[i]) * (all * push[i]) : sweep.theta * all;
+    }
     // Cells after the fluxes, of lines in which which > 0.
     void fill_again(L which) {
         for (size_t i = 0; i < n; ++i)

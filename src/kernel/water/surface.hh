@@ -21,9 +21,8 @@ namespace CD_ISA {
 
 // stream: what the stream adds to the velocity in the step times the face's depth, see momentum.hh.
 CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
-    const double theta = sweep.theta;
     const Beside c = beside(i);
-    const L none{}, u = velocity[i], gc = sweep.gravity * courant, mean = c.mean_depth();
+    const L none{}, one = L::splat(1), u = velocity[i], gc = sweep.gravity * courant, mean = c.mean_depth();
 
     // Where the cells are wet, and less uneven than they are deep, all that follows is what it is in deep water.
     const L shallower = smaller(c.l.depth, c.r.depth);
@@ -32,23 +31,28 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     // 1. push
     const L force = acceleration ? share * acceleration[i] : none;
     L rise = gc * (deep ? full_rise(i, c) : pushing_rise(i, c)), kept = u + force;
-    L answer = theta * gc; // of a rise after the step
+    L part = one; // that friction leaves of what changes a velocity
+    L theta = L::splat(sweep.theta), rest = L::splat(1 - sweep.theta), answer = sweep.theta * gc; // to a later rise
     if (sweep.rubs()) {
+        const L gains = select(size_of(stream), stream / mean, none), speed = size_of((kept - rise) + gains);
         L z = sweep.drag * (sweep.dt * share);
-        if (sweep.manning > 0) z = z + manning_drag(mean, size_of(kept - rise), sweep.manning * (sweep.dt * share));
-        // It takes z of velocities by the trapezoidal rule, and from z = 2 on, where that would turn them round, all.
-        // What is at rest between push and friction stays so at any z.
-        const L middle = L::splat(1) + 0.5 * z, keep = positive(L::splat(1) - 0.5 * z) / middle;
-        const L pushed = L::splat(1) / larger(middle, z);
-        kept = keep * u + pushed * force;
-        rise = pushed * rise;
-        answer = pushed * answer;
+        if (sweep.manning > 0)
+            z = z + manning_drag(mean, speed, size_of(0.5 * (across[left(i)] + across[i])),
+                                 sweep.manning * (sweep.dt * share));
+        // It takes z of velocities by the trapezoidal rule, and from z = 2 on, where that would turn them round, all;
+        // of what the stream brings as much. What is at rest between push and friction stays so at any z.
+        const L middle = one + 0.5 * z, keep = positive(one - 0.5 * z) / middle;
+        part = one / larger(middle, z);
+        kept = keep * u + part * force;
+        rise = part * rise;
+        theta = theta_of(part), rest = one - theta;
+        answer = theta * (gc * part), stream = part * stream;
     }
     const L w = kept - rise;
 
     // 2. depth
-    const L run = theta * courant, mid = theta * w + (1 - theta) * u;
-    const L cells = smaller(larger(courant * u, L::splat(-1)), L::splat(1)); // no more than a cell's change
+    const L run = theta * courant, mid = theta * w + rest * u;
+    const L cells = smaller(larger(courant * u, -one), one); // no more than a cell's change
     L face_depth = mean, k = theta * cells, half = 0.5 * k, advected = theta * stream;
     if (!deep) {
         const L head = (0.5 / (sweep.gravity + 0x1p-1000)) * (mid * mid);
@@ -70,8 +74,8 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     L s_left = s, s_right = s;
     if (pressed()) s_left = s + s * stiff[left(i)], s_right = s + s * stiff[i]; // a hull's head answers too
     const auto let = [&](L a) { return opening ? opening[i] * a : a; };
-    speed.put(i, let(kept - (1 - theta) * rise));
-    if (keeps_push()) push.put(i, let(answer));
+    speed.put(i, let(kept - rest * rise));
+    if (keeps_push()) push.put(i, let(part));
     return {let(courant * through), let(of_left + s_left), let(s_right - of_right)};
 }
 

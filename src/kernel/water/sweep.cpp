@@ -119,6 +119,7 @@ struct Sweep {
         if (lines.has_closed_faces())
             fetch_openings(place_of(sweep, lines.bytes, first, lanes), line, line.opening = panel());
         if (lines.force || lines.pressure) fetch_acceleration(p, line, line.acceleration = panel());
+        if (sweep.manning > 0) fetch_across(p, first, lanes, line.flux, line.across = panel());
         fetch(p, n, lines.bed, line.bed);
         const Reach depths = fetch(p, n, lines.depth, line.depth);
         const Reach speeds = fetch(p, n + 1, lines.velocity, line.velocity);
@@ -164,6 +165,13 @@ struct Sweep {
             const bool inner = line.ring || (i > 0 && i < line.n);
             return lines.there(l) && lines.there(r) && !(inner && lines.walled(r));
         });
+    }
+
+    // Velocities of the other axis lie on the faces beside the line.
+    void fetch_across(const Place& p, size_t first, size_t lanes, Panel behind, Panel to) const {
+        fetch(p, sweep.cells, lines.across, to);
+        fetch(place_of(sweep, lines.numbers, first + 1, lanes), sweep.cells, lines.across, behind);
+        for (size_t i = 0; i < sweep.cells; ++i) to.put(i, 0.5 * (to[i] + behind[i]));
     }
 
     // What forces and pressures add to velocities in the step.

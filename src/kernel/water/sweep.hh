@@ -54,6 +54,7 @@ struct WaterLines {
     size_t lines;
     Strides numbers, bytes; // of the state and of mask and wall
     StateNumbers depth, velocity, bed, pressure, force;
+    StateNumbers across;      // velocities of the other axis, of sweeps with manning
     StateNumbers load, stiff; // of hulls, in cells: the head that presses [m] is load + stiff depth
     double pressure_share;    // from a difference of pressures to an acceleration
     const uint8_t *mask, *wall;
@@ -72,7 +73,7 @@ enum WaterTally { kIn, kOut, kHeldBack, kLimited, kParts, kTallies };
 
 // Lines that are worked on side by side, the panels of numbers that they need, and what panels have room for beside
 // their cells; two more with hulls. Tasks take packs of lines: whole lines of the cache.
-constexpr size_t kWaterLanes = 8, kWaterPanels = 14, kHullPanels = 2, kWaterRoom = 1, kWaterPack = 16;
+constexpr size_t kWaterLanes = 8, kWaterPanels = 15, kHullPanels = 2, kWaterRoom = 1, kWaterPack = 16;
 inline size_t water_packs(size_t lines) { return (lines + kWaterPack - 1) / kWaterPack; }
 
 namespace CD_ISA {

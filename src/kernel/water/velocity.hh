@@ -134,7 +134,7 @@ inline void WaterLine::set_velocities() {
     for (size_t i = first_face(); i < n; ++i) {
         const Beside c = here.beside_after(i);
         const bool wet = all_positive(smaller(c.l.depth, c.r.depth));
-        L w = here.speed[i] - here.push_of(i) * (wet ? here.full_rise(i, c) : here.pushing_rise(i, c));
+        L w = here.speed[i] - here.late_push(i) * (wet ? here.full_rise(i, c) : here.pushing_rise(i, c));
         if (any_bounded) w = here.bounded(i, w);
         if (any_limited) w = select(limits, here.pull[i] * w, w);
         here.speed.put(i, wet ? w : select(c.conducts(), w, L{}));
