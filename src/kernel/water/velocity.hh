@@ -121,7 +121,7 @@ __attribute__((noinline)) inline void WaterLine::follow_water(L moves, Panel dep
             const L led = part * select(is_l, before.speed, select(depths[i], behind.speed, none));
             follows = select(moves, select(here.open, here.speed, sweep.advected() ? led : none), follows);
         }
-        out.put(i, follows);
+        out.put(i, open(i) * follows);
         before = here, here = behind;
     }
     if (ring) out.put(n, out[0]);
