@@ -16,16 +16,35 @@ bool crossable(const Water& w, Axis a, size_t i, size_t j) {
         [&](Axis axis, size_t x, size_t y) { return w.wall[axis] && w.wall[axis][byte_place(w, x, y)] != 0; });
 }
 
+namespace {
+
+// The cells beside a face of an axis.
+struct CellsBeside {
+    size_t low, high;
+
+    CellsBeside(const Water& w, Axis a, size_t i, size_t j) {
+        const size_t at = a == kX ? i : j, n = w.cells[a], l = at > 0 ? at - 1 : n - 1, h = at < n ? at : 0;
+        low = a == kX ? place(w, l, j) : place(w, i, l), high = a == kX ? place(w, h, j) : place(w, i, h);
+    }
+};
+
+} // namespace
+
 double face_depth(const Water& w, Axis a, size_t i, size_t j) {
     const size_t at = a == kX ? i : j, n = w.cells[a];
     if (((at == 0 || at == n) && !periodic(w, a)) || !crossable(w, a, i, j)) return 0;
-    const size_t low = at > 0 ? at - 1 : n - 1, high = at < n ? at : 0;
-    const size_t p = a == kX ? place(w, low, j) : place(w, i, low), q = a == kX ? place(w, high, j) : place(w, i, high);
-    const double d_p = get_number(w, w.depth, p), d_q = get_number(w, w.depth, q);
+    const CellsBeside cells(w, a, i, j);
+    const double d_p = get_number(w, w.depth, cells.low), d_q = get_number(w, w.depth, cells.high);
     if (d_p > 0 && d_q > 0) return (d_p + d_q) / 2;
-    const double rise = get_number(w, w.bed, p) - get_number(w, w.bed, q);
+    const double rise = get_number(w, w.bed, cells.low) - get_number(w, w.bed, cells.high);
     const double on_it = rise > 0 ? d_p : d_q, reach = rise > 0 ? d_q - rise : d_p + rise; // over the higher bed
     return on_it > reach ? on_it : reach;
+}
+
+double moving_depth(const Water& w, Axis a, size_t i, size_t j) {
+    if (!(face_depth(w, a, i, j) > 0)) return 0;
+    const CellsBeside cells(w, a, i, j);
+    return (get_number(w, w.depth, cells.low) + get_number(w, w.depth, cells.high)) / 2;
 }
 
 // ---- memory ---------------------------------------------------------------------------------------------------------

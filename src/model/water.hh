@@ -132,9 +132,11 @@ bool crossable(const size_t* cells, const WaterSide* side, Axis a, size_t i, siz
     return !wall(a, i, j) && cell(at > 0 ? at - 1 : n - 1) && cell(at < n ? at : 0);
 }
 bool crossable(const Water& w, Axis a, size_t i, size_t j);
-// The depth of the water at a face, as impulses and Courant numbers count it: the mean of two wet cells, else
-// how deep the water stands over the higher bed. 0 of faces on a side that is not periodic.
+// The depth of the water at a face, as Courant numbers count it: the mean of two wet cells, else how deep the water
+// stands over the higher bed. 0 of faces on a side that is not periodic.
 double face_depth(const Water& w, Axis a, size_t i, size_t j);
+// Of a face that water crosses, the depth that moves with it, as energies count it: the mean of its cells'. Else 0.
+double moving_depth(const Water& w, Axis a, size_t i, size_t j);
 
 // ---- life and features (water.cpp) ----------------------------------------------------------------------------------
 

@@ -199,7 +199,7 @@ struct FaceDisc {
     // f(i, j, weight, mass) for each that has water
     template <class F> void each(F f) const {
         each_weight([&](size_t i, size_t j, double own) {
-            const double mass = w.density * cell_area(w) * face_depth(w, a, i, j);
+            const double mass = w.density * cell_area(w) * moving_depth(w, a, i, j);
             if (mass > 0) f(i, j, own, mass);
         });
     }

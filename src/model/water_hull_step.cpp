@@ -200,7 +200,7 @@ struct Mover {
         water[a].box.each([&](size_t i, size_t j) {
             const double share = work.own[a][place(w, i, j)];
             if (!(share > 0)) return;
-            if (const double depth = face_depth(w, a, i, j); depth > 0) f(place(w, i, j), share, depth);
+            if (const double depth = moving_depth(w, a, i, j); depth > 0) f(place(w, i, j), share, depth);
         });
     }
     // False if a velocity left the finite range.

@@ -335,6 +335,23 @@ static void an_impulse_falls_off_from_its_middle(void** state) {
     cd_water_destroy(w);
 }
 
+/* At a shore, too, where the water laps over by a hundredth of its depth: what moves there is half of the last wet cell,
+ * as energies count it. */
+static void an_impulse_moves_all_the_water_at_a_face(void** state) {
+    (void)state;
+    cd_water* w;
+    double u, moving;
+    ok(cd_water_create(2, 1, 1, 1, CD_FLOAT64, NULL, &w));
+    pool_set(w, CD_BED, 1, 0, 1.98);
+    pool_set(w, CD_DEPTH, 0, 0, 2);
+    ok(cd_water_impulse(w, 1, 0.5, 0.5, 300, 0));
+    ok(cd_water_read_f64(w, CD_VELOCITY_X, 1, 0, 1, 1, &u, 1));
+    ok(cd_water_get_energy(w, &moving, NULL));
+    assert_near(u, 300 / 1000.0, 1e-14, 0);
+    assert_near(moving, 0.5 * 300 * u, 1e-14, 0);
+    cd_water_destroy(w);
+}
+
 static void dry_and_closed_faces_take_no_impulse(void** state) {
     (void)state;
     cd_water* w = lake(CD_FLOAT64, 0);
@@ -389,6 +406,7 @@ int main(void) {
         cmocka_unit_test(a_splash_that_would_overflow_is_refused),
         cmocka_unit_test(an_impulse_adds_up_to_what_was_given),
         cmocka_unit_test(an_impulse_falls_off_from_its_middle),
+        cmocka_unit_test(an_impulse_moves_all_the_water_at_a_face),
         cmocka_unit_test(dry_and_closed_faces_take_no_impulse),
         cmocka_unit_test(acting_never_allocates_but_for_a_source_that_is_off),
     };

@@ -34,13 +34,10 @@ static void add_hulls(cd_water* w, const struct scene* s, uint64_t* seed) {
         room -= length * width * draft;
         for (int i = 0; i < 12; ++i) heights[i] = i && between(seed, 0, 1) < 0.1 ? -1 : i ? between(seed, 0, draft) : 0;
         const double mass = 1000 * length * width * draft, x = (double)s->nx * s->dx, y = (double)s->ny * s->dy;
-        const double pose[7] = {between(seed, 0, x),
-                                between(seed, 0, y),
-                                s->depth * between(seed, 1, 1.3) - draft,
-                                between(seed, -1, 1),
-                                between(seed, -1, 1),
-                                between(seed, -0.05, 0.05),
-                                between(seed, -0.05, 0.05)};
+        const double pose[7] = {
+            between(seed, 0, x),       between(seed, 0, y),  s->depth * between(seed, 1, 1.3) - draft,
+            between(seed, -1, 1),      between(seed, -1, 1), between(seed, -0.05, 0.05),
+            between(seed, -0.05, 0.05)};
         double velocity[6];
         for (int i = 0; i < 6; ++i) velocity[i] = between(seed, i < 2 ? -1 : -0.3, i < 2 ? 1 : 0.3);
         ok(cd_water_set_hull(w, k, mass, length, width, k % 2 ? heights : NULL, 12));
@@ -212,11 +209,86 @@ static void hulls_that_turn_stay_bounded_in_any_step(void** state) {
             }
 }
 
+/* Over beds that rise out of the water at random, in long steps: hulls press water against land that lies dry, empty
+ * cells and lie at shores. Water and hulls gain no more in a step than what hulls may owe, and cells that are not there stay closed. */
+static void hulls_among_islands_gain_no_more_than_they_owe(void** state) {
+    (void)state;
+    enum { N = 20, M = 14, HULLS = 3 };
+    static const uint64_t seeds[] = {2627, 2739, 222, 517, 2637, 2613, 1463, 1};
+    for (size_t k = 0; k < COUNT(seeds); ++k) {
+        uint64_t seed = seeds[k];
+        const double depth = between(&seed, 0.1, 0.6), dx = 0.3, courant = pow(10, between(&seed, 1, 3));
+        cd_water* w;
+        ok(cd_water_create(N, M, dx, dx, CD_FLOAT64, NULL, &w));
+        ok(cd_water_set_momentum(w, CD_MOMENTUM_ADVECTED));
+        pool_vary(w, CD_BED, 0.65 * depth, 0.65 * depth, seeds[k]);
+        pool_fill(w, CD_SURFACE, depth);
+        double there[N], across[N];
+        for (size_t i = 0; i < N; ++i) there[i] = k < 2 || i % 3 != 0; /* all in some scenes */
+        ok(cd_water_enable_field(w, CD_MASK));
+        ok(cd_water_write_f64(w, CD_MASK, 0, M / 2, N, 1, there, N));
+        ok(cd_water_set_hulls(w, HULLS, 1, 1));
+        for (size_t hull = 0; hull < HULLS; ++hull) {
+            const double length = dx * pow(10, between(&seed, -0.3, 1)), width = length * between(&seed, 0.2, 1);
+            const double x = between(&seed, 0, N * dx), y = between(&seed, 0, M * dx);
+            const double mass = 1000 * length * width * depth * pow(10, between(&seed, -3, 0));
+            ok(cd_water_set_hull(w, hull, mass, length, width, NULL, 0));
+            ok(cd_water_launch_hull(w, hull, x, y, between(&seed, -1, 1), between(&seed, -1, 1)));
+            ok(cd_water_set_hull_drag(w, hull, mass, 5 * mass, 0.3));
+        }
+        for (int step = 0; step < 30; ++step) {
+            double may_owe, pressing, pose[7], mass, before = energy(w);
+            ok(cd_water_get_hull_energy(w, &may_owe, &pressing));
+            for (size_t hull = 0; hull < HULLS; ++hull) {
+                ok(cd_water_get_hull_pose(w, hull, pose, 7));
+                ok(cd_water_get_hull(w, hull, &mass, NULL, NULL, NULL, NULL, 0));
+                pressing -= mass * 9.81 * pose[2];
+            }
+            may_owe = 0.05 * (may_owe + pressing);
+            pool_step(w, courant * dx / sqrt(9.81 * depth), 1);
+            if (!(energy(w) - before <= may_owe + 1e-12 * before))
+                fail_msg("scene %d, step %d: gains %g J, may owe %g J", (int)seeds[k], step, energy(w) - before,
+                         may_owe);
+            ok(cd_water_read_f64(w, CD_VELOCITY_Y, 0, M / 2, N, 1, across, N));
+            for (size_t i = 0; i < N; ++i) assert_true(across[i] == 0 || there[i] == 1);
+        }
+        cd_water_destroy(w);
+    }
+}
+
+/* A light hull at a shore that the water laps over by a millionth of its depth and that it keeps dry: to drag the water
+ * along it has to move half of what the last wet cell holds. */
+static void a_hull_at_a_shore_gives_no_more_than_it_loses(void** state) {
+    (void)state;
+    enum { N = 12, SHORE = 6 };
+    for (cd_momentum momentum = CD_MOMENTUM_LINEAR; momentum <= CD_MOMENTUM_ADVECTED; ++momentum) {
+        const double dx = 0.5, depth = 0.5, mass = 1;
+        cd_water* w;
+        ok(cd_water_create(N, 1, dx, dx, CD_FLOAT64, NULL, &w));
+        ok(cd_water_set_momentum(w, momentum));
+        for (size_t i = SHORE; i < N; ++i) pool_set(w, CD_BED, i, 0, depth * (1 - 1e-6));
+        for (size_t i = 0; i < SHORE; ++i) pool_set(w, CD_DEPTH, i, 0, depth);
+        ok(cd_water_set_hulls(w, 1, 1, 1));
+        ok(cd_water_set_hull(w, 0, mass, dx / 4, dx / 4, NULL, 0));
+        ok(cd_water_set_hull_pose(w, 0, (const double[]){(SHORE + 0.3) * dx, dx / 2, 0.98 * depth, 1, 0, 0, 0}, 7));
+        ok(cd_water_set_hull_velocity(w, 0, (const double[]){-1, 0, 0, 0, 0, 0}, 6));
+        ok(cd_water_set_hull_drag(w, 0, 1e6, 1e6, 0));
+        const double start = energy(w);
+        for (int step = 0; step < 10; ++step) {
+            pool_step(w, 0.01, 1);
+            assert_true(energy(w) <= start);
+        }
+        cd_water_destroy(w);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(water_and_hulls_gain_no_energy),
         cmocka_unit_test(a_wave_gives_a_light_hull_no_more_than_it_has),
         cmocka_unit_test(a_hull_of_any_mass_comes_to_rest_in_long_steps),
+        cmocka_unit_test(hulls_among_islands_gain_no_more_than_they_owe),
+        cmocka_unit_test(a_hull_at_a_shore_gives_no_more_than_it_loses),
         cmocka_unit_test(hulls_that_turn_stay_bounded_in_any_step),
         cmocka_unit_test(a_hull_that_leaves_the_water_comes_down_in_long_steps),
     };

@@ -121,7 +121,7 @@ __attribute__((noinline)) inline void WaterLine::follow_water(L moves, Panel dep
             const L led = part * select(is_l, before.speed, select(depths[i], behind.speed, none));
             follows = select(moves, select(here.open, here.speed, sweep.advected() ? led : none), follows);
         }
-        out.put(i, follows);
+        out.put(i, open(i) * follows);
         before = here, here = behind;
     }
     if (ring) out.put(n, out[0]);
@@ -143,19 +143,22 @@ inline void WaterLine::set_velocities() {
 
 // In a long step a line has no more energy after it than before, and than what pushes it and what comes in at its ends
 // bring: what there is too much is taken from all velocities in the same proportion, round a ring of water, if it can,
-// from how far they differ from their mean, so that momentum is kept. Faces that follow the water count as they will.
+// from how far they differ from their mean, so that momentum is kept. Faces that follow the water do so at once: lines
+// across may fill the cells beside them, and then they have their velocity.
 inline void WaterLine::keep_energy() {
     const L none{}, one = L::splat(1);
     L least = one;
-    for (size_t i = 0; i < n; ++i) least = smaller(least, after[i]);
+    for (size_t i = 0; i < n; ++i) {
+        after.put(i, settled(after[i], kDry)); // as the next part begins
+        least = smaller(least, after[i]);
+    }
     const bool dry = !all_positive(least);
-    if (dry) follow_water(one, after, speed, spare[0]);
-    const Panel follows = dry ? spare[0] : speed;
+    if (dry) follow_water(is_long, after, speed, speed);
     L mass = none, momentum = none, gap = none;
     L moving = none, most = none; // twice the energy, at first of what comes in at the ends
     if (!ring) most = positive(flux[0]) * (speed[0] * speed[0]) + positive(-flux[n]) * (speed[n] * speed[n]);
     for (size_t i = first_face(); i < n; ++i) {
-        const L v = beside_after(i).mean_depth(), u = follows[i], before = velocity[i], p = v * u;
+        const L v = beside_after(i).mean_depth(), u = speed[i], before = velocity[i], p = v * u;
         most = most + (beside(i).mean_depth() * (before * before) + 2 * gained(i));
         moving = moving + p * u;
         mass = mass + v;
