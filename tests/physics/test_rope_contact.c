@@ -138,6 +138,7 @@ static void a_capstan_holds_what_it_should(void** state) {
             const double before = r.x[MOST - 1][1];
             size_t iterations = 0;
             for (int k = 0; k < 60; ++k) iterations += step(&r, dt);
+            print_message("friction %g, %s: %zu iterations\n", frictions[f], slips ? "slips" : "holds", iterations);
             assert_true(iterations < (slips ? 60 * 25 : 60 * 4));
             get(&r);
             const double sunk = before - r.x[MOST - 1][1];
@@ -197,7 +198,8 @@ static void bodies_are_not_entered_and_give_no_energy(void** state) {
             if (!(now <= before + 1e-4)) fail_msg("energy from %.9g to %.9g at %g", before, now, t);
             before = now;
         }
-        assert_true(iterations < (way % 2 ? 10 : 7) * steps);
+        print_message("way %d: %.2f iterations a step\n", way, (double)iterations / (double)steps);
+        assert_true(iterations < (way % 2 ? 6 : 4) * steps);
         cd_chain_destroy(r.chain);
     }
 }
