@@ -409,6 +409,9 @@ template <int N> RopeResult RopeBundle<N>::step() {
         for (int j = 0; j < N && is_used(j); ++j)
             if (has_spring(i, j)) ropes.tension[tension_place(i, j)] = isfinite(lane[j]) ? lane[j] : 0;
     }
+    double taken[N];
+    iterations.store(taken);
+    for (int j = 0; j < N && is_used(j); ++j) ropes.taken[strands[j]] = taken[j];
     result.finite = !bad.any_nan();
     result.error = largest_in(larger(reached, apart));
     result.iterations = size_t(largest_in(iterations));

@@ -27,6 +27,7 @@ struct Ropes {
     size_t nodes, strands, components, pitch;
     StateNumbers position, velocity, force, target, wind;
     double* tension;
+    double* taken; // how many iterations each strand's last step took
 };
 
 // Numbers per node or spring and strand, with steps from one to the next: 0 where they are the same.
