@@ -103,6 +103,7 @@ template <> struct Lanes<1, LaneKind::kSingle, double> {
     friend Lanes smaller(Lanes a, Lanes b) { return {a.v < b.v ? a.v : b.v}; }
     friend Lanes size_of(Lanes a) { return {__builtin_fabs(a.v)}; }
     template <class F> friend Lanes each_lane(Lanes a, F f) { return {f(a.v)}; }
+    friend Lanes root(Lanes a) { return {__builtin_sqrt(a.v)}; }
     bool any_nan() const { return v != v; }
     bool any_positive() const { return v > 0; }
     bool all_positive() const { return v > 0; }
@@ -172,6 +173,20 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
         for (int j = 0; j < N; ++j) a.v[j] = f(a.v[j]);
         return a;
     }
+    friend Lanes root(Lanes a) {
+#if !defined(__clang__) // Clang makes the same of the loop
+#if defined(__AVX512F__)
+        if constexpr (N == 8) return {__builtin_ia32_sqrtpd512_mask(a.v, Values{}, kAllLanes, kRoundAsSet)};
+#endif
+#if defined(__AVX__)
+        if constexpr (kWidth == 4) return {__builtin_ia32_sqrtpd256(a.v)};
+#endif
+#if defined(__SSE2__)
+        if constexpr (N == 2) return {__builtin_ia32_sqrtpd(a.v)};
+#endif
+#endif
+        return each_lane(a, [](double x) { return __builtin_sqrt(x); });
+    }
     // Lanes 0 and 1 exchanged, 2 and 3, and so on.
     friend Lanes pairs_exchanged(Lanes a) {
         if constexpr (N == 2) return {__builtin_shufflevector(a.v, a.v, 1, 0)};
@@ -229,6 +244,7 @@ template <int N, class D> struct Lanes<N, LaneKind::kPair, D> {
     friend Lanes smaller(Lanes x, Lanes y) { return {smaller(x.a, y.a), smaller(x.b, y.b)}; }
     friend Lanes size_of(Lanes x) { return {size_of(x.a), size_of(x.b)}; }
     template <class F> friend Lanes each_lane(Lanes x, F f) { return {each_lane(x.a, f), each_lane(x.b, f)}; }
+    friend Lanes root(Lanes x) { return {root(x.a), root(x.b)}; }
     bool any_nan() const { return a.any_nan() || b.any_nan(); }
     bool any_positive() const { return a.any_positive() || b.any_positive(); }
     bool all_positive() const { return a.all_positive() && b.all_positive(); }
@@ -240,9 +256,6 @@ template <int N> inline Lanes<N> operator-(Lanes<N> a) { return Lanes<N>{} - a; 
 template <int N> inline Lanes<N> positive(Lanes<N> a) { return larger(a, Lanes<N>{}); }
 template <int N> inline Lanes<N> within(Lanes<N> a, double least, double most) {
     return smaller(larger(a, Lanes<N>::splat(least)), Lanes<N>::splat(most));
-}
-template <int N> inline Lanes<N> root(Lanes<N> a) {
-    return each_lane(a, [](double x) { return __builtin_sqrt(x); });
 }
 // The least of lanes that lie in different registers, and the largest: as many as one register holds.
 template <int N> inline auto least_of(Lanes<N> a) {

@@ -67,13 +67,13 @@ template <int N> struct RopeBundle {
     // Of a node and a collider: see rope_contact.hh.
     struct Contact {
         V acting, normal; // n0 and n1
-        V slip;           // the velocity along the surface about which friction is linearized
+        V slip, side;     // the velocity along the surface about which friction is linearized, and its way
         L before, gap;    // how far outside it is when the step begins, and by the guess when it ends [m]
         L on, push;       // 1 where it touches; the impulse that keeps it out
         L grip;           // the push that friction is of
         // Friction, linearized: against the slip as much per push, and a resistance [kg] to what is not a wished speed;
-        // across the slip a resistance.
-        L follows, along, wished, across;
+        // across the slip a resistance. had: what the last elimination had of it along the guess's slip, over the most.
+        L follows, along, wished, across, had;
         Resisted pressed, rubbed[2];
     };
     // Of a rod's node i, its link, and the joint at the node before.

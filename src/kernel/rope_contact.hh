@@ -7,10 +7,11 @@
 // body lies behind n0, so that n0 . (x1 - x0) <= 0: what does not move takes energy and gives none. Along the normal n1
 // at the end of the step, which tells what keeps the node out, it would give some wherever a node slides round a body.
 //
-// Friction is -mu p s / (|s| + e), of the push p and the slip s, the velocity along the surface. Newton's method takes
-// it with both derivatives, about the slip of the guess; about none where the guess's slip has turned round: from there
-// it goes up to the root of this concave function of |s| without passing it. The interior point, whose steps are parts
-// of steps, takes it as a resistance mu p / (|s| + e) by the guess, which needs more iterations and no luck.
+// Friction is f = -mu p s / (|s| + e), of the push p and the slip s, the velocity along the surface. Newton's method
+// takes it as f (|s| + e) = -mu p s, with all derivatives, about the slip of the guess and the friction that the last
+// elimination had, which is near what it has to be where its slip is not: for the law alone is flat beyond e and steep
+// below, and with its derivative the slip goes to and fro. The interior point, whose steps are parts of steps, takes it
+// as a resistance mu p / (|s| + e) by the guess, which needs more iterations and no luck.
 #pragma once
 
 #include "kernel/rope_air.hh"
@@ -139,10 +140,18 @@ template <int N> Vector<N> RopeBundle<N>::slip_at(const Collider& to, size_t i, 
     return u - dot(c.normal, u) * c.normal;
 }
 
+// Friction over the largest that it may be, at this slip.
+template <int N> Lanes<N> share_by_law(Vector<N> slip) {
+    const Lanes<N> speed = root(dot(slip, slip));
+    return speed / (speed + Lanes<N>::splat(kStickSpeed));
+}
+
 // The normal, the way of the slip and what is across both.
 template <int N> typename RopeBundle<N>::Axes RopeBundle<N>::surface_axes(V normal, V slip) {
     const L speed = root(dot(slip, slip));
-    const V side = direction(slip, speed - L::splat(kNoDirection * kStickSpeed), one() / speed, axes(normal).side);
+    const L slips = speed - L::splat(kNoDirection * kStickSpeed);
+    V side = (one() / speed) * slip;
+    if (!slips.all_positive()) side = select(slips, side, axes(normal).side);
     return {normal, side, cross(normal, side)};
 }
 
@@ -164,10 +173,11 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
             c.on = select(open, free * select(near - c.gap, one(), L{}), c.on);
             c.grip = c.push = select(open, c.on * alone, c.push);
             c.slip = select(open, slip_at(to, i, c), c.slip);
+            c.had = select(open, share_by_law(c.slip), c.had);
             c.follows = c.along = c.wished = c.across = L{};
+            c.side = V{};
             continue;
         }
-        const V normal = c.normal;
         look_at_end(k, i, before, x, c);
         const L was = c.on, inside = free * select(room + c.gap, L{}, one()); // deeper than the tolerance
         // How far it is inside, or off the surface where it is pushed.
@@ -177,14 +187,16 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
         c.push = select(open, was * c.push, c.push);
         c.grip = newtonian || iteration < kGripIterations ? c.push : was * c.grip;
         const L changed = larger(inside * opposite(was), was * opposite(c.on));
-        const V slip = slip_at(to, i, c), side = surface_axes(normal, c.slip).side; // that of the last elimination
+        const V slip = slip_at(to, i, c), side = c.side;
         const L most = to.friction * positive(c.grip), along = dot(side, slip);
         const L solved_for = c.follows * c.push + c.along * (along - c.wished);
-        const V wrong = (most / (root(dot(slip, slip)) + L::splat(kStickSpeed))) * slip -
-                        (solved_for * side + c.across * (slip - along * side));
+        const L speed = root(dot(slip, slip)), law = share_by_law(slip);
+        const V had = solved_for * side + c.across * (slip - along * side);
+        const V wrong = (most / (speed + L::splat(kStickSpeed))) * slip - had;
         const L other = c.on * select(root(dot(wrong, wrong)) - kFrictionError * most, one(), L{});
-        const L turned = newtonian ? L{} - was * dot(slip, c.slip) : L{};
-        c.slip = select(open, select(turned, V{}, slip), c.slip);
+        const L share = smaller(positive(dot(had, slip) / (speed * most)), one());
+        c.had = select(open, select(was * (speed * most), share, law), c.had);
+        c.slip = select(open, slip, c.slip);
         error = larger(error, larger(larger(changed, other), off / length));
     }
     return error;
@@ -205,6 +217,7 @@ template <int N> void RopeBundle<N>::press(size_t i, Hung& hung) {
         if (!any_positive(c.on)) continue;
         V* const links = links_of_contact(at);
         const Axes to = surface_axes(c.normal, c.slip);
+        c.side = to.side;
         set_friction(stage.colliders[k].friction, dot(to.side, c.slip), c);
         const V u = velocity_of(stage.colliders[k]);
         // A strand that is held altogether has no mass, and touches nothing.
@@ -219,7 +232,7 @@ template <int N> void RopeBundle<N>::set_friction(double friction, L slip, Conta
     const L sticks = L::splat(kStickSpeed), speed = slip + sticks;
     c.across = c.along = (friction * c.on) * positive(c.grip) / speed;
     c.follows = c.wished = L{};
-    if (newtonian) c.along = c.along * (sticks / speed), c.follows = friction * slip / speed, c.wished = slip;
+    if (newtonian) c.along = c.along * (one() - c.had), c.follows = friction * slip / speed, c.wished = slip;
 }
 // What is left of the impulses from the right, at node i.
 template <int N> void RopeBundle<N>::pressed(size_t i, Impulses& left) {
@@ -228,12 +241,11 @@ template <int N> void RopeBundle<N>::pressed(size_t i, Impulses& left) {
         Contact& c = contacts[at];
         if (!any_positive(c.on)) continue;
         const V* const links = links_of_contact(at);
-        const Axes to = surface_axes(c.normal, c.slip);
-        left.phi = left.phi + impulse_of(c.rubbed[1], links + 2, left) * to.normal;
-        left.phi = left.phi + impulse_of(c.rubbed[0], links + 1, left) * to.side;
+        left.phi = left.phi + impulse_of(c.rubbed[1], links + 2, left) * cross(c.normal, c.side);
+        left.phi = left.phi + impulse_of(c.rubbed[0], links + 1, left) * c.side;
         const L push = c.on * impulse_of(c.pressed, links, left);
         c.push = select(open, push, c.push);
-        left.phi = left.phi + push * (c.acting - c.follows * to.side);
+        left.phi = left.phi + push * (c.acting - c.follows * c.side);
     }
 }
 

@@ -11,7 +11,8 @@ constexpr double kMostError = 1e300; // of lengths, over rest lengths: beyond it
 constexpr size_t kMostNewton = 8;    // iterations before a safer step is tried
 // Where it goes on, by how much the mass that is added to the nodes rises after an iteration that made the error larger,
 // and falls after others: together more than 1, so that it rises where the error goes to and fro.
-constexpr double kRise = 4, kFall = 0.3;
+// But not without a bound: what it leaves out of the nodes' momentum must not be lost to rounding, where they stand still.
+constexpr double kRise = 4, kFall = 0.3, kMostAdded = 1e6;
 // Of the interior point.
 constexpr double kFirstGap = 0.1;    // the least gap to start with, over the rest length
 constexpr double kInside = 0.95;     // how much of the way to a tension or gap of 0 an iteration goes
@@ -123,7 +124,8 @@ template <int N> void RopeBundle<N>::newton(size_t most) {
         as_long = k < kFirstIterations ? kAsLong * stage.tolerance : 0;
         linearize_all(L{}, false, L{}, k);
         if (k == most || !any_positive(open)) return;
-        if (k >= kMostNewton) added = open * select(reached - before, larger(kRise * added, one()), kFall * added);
+        if (k >= kMostNewton)
+            added = open * select(reached - before, within(kRise * added, 1, kMostAdded), kFall * added);
         before = reached;
         if (k >= kMostNewton) add_mass(added);
         is_rod() ? eliminate_rod() : eliminate();
@@ -409,6 +411,9 @@ template <int N> RopeResult RopeBundle<N>::step() {
         for (int j = 0; j < N && is_used(j); ++j)
             if (has_spring(i, j)) ropes.tension[tension_place(i, j)] = isfinite(lane[j]) ? lane[j] : 0;
     }
+    double taken[N];
+    iterations.store(taken);
+    for (int j = 0; j < N && is_used(j); ++j) ropes.taken[strands[j]] = taken[j];
     result.finite = !bad.any_nan();
     result.error = largest_in(larger(reached, apart));
     result.iterations = size_t(largest_in(iterations));

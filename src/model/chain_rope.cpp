@@ -25,6 +25,17 @@ size_t scratch_of_node(const Chain& c, const RopeNeeds& needs) {
     return of_node * (c.strands > 1 ? kRopeLanes : kLanesAlone);
 }
 
+// Strands side by side wait for the one that takes most iterations, mostly as many as in the step before: those that take
+// as many go together. They stay in order where they are alike.
+void sort_by(const double* taken, size_t* strands, size_t count) {
+    for (size_t i = 1; i < count; ++i) {
+        const size_t strand = strands[i];
+        size_t at = i;
+        for (; at > 0 && taken[strands[at - 1]] > taken[strand]; --at) strands[at] = strands[at - 1];
+        strands[at] = strand;
+    }
+}
+
 RopeParameters parameters_of(Chain& c, bool changed) {
     // Numbers that all strands have in common: of each node, what the total comes to; of all springs; and none.
     double *const mass = c.coefficients.data, *const one = mass + c.nodes;
@@ -100,7 +111,9 @@ const char* what_ropes_lack(const Chain& c) {
 // Numbers that all strands have in common: see parameters_of.
 static size_t common_numbers(const Chain& c) { return c.nodes + 5; }
 
-size_t rope_coefficients(const Chain& c, size_t colliders) { return common_numbers(c) + colliders * kObstacleNumbers; }
+size_t rope_coefficients(const Chain& c, size_t colliders) {
+    return common_numbers(c) + c.strands + colliders * kObstacleNumbers;
+}
 size_t rope_scratch(const Chain& c, const RopeNeeds& needs) {
     size_t numbers;
     const bool fits = multiply(tasks_of(c) * rope_lane_room(c.nodes, rope_has_halves(needs.bend, needs.air)),
@@ -125,8 +138,9 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                          state_of(c, c.force),
                          state_of(c, c.target),
                          state_of(c, c.wind),
-                         c.tension.data};
-    Obstacle* const obstacles = reinterpret_cast<Obstacle*>(c.coefficients.data + common_numbers(c));
+                         c.tension.data,
+                         c.coefficients.data + common_numbers(c)};
+    Obstacle* const obstacles = reinterpret_cast<Obstacle*>(ropes.taken + c.strands);
     ColliderSizes met = {};
     each_obstacle(c, c.rope.thickness, [&](const Obstacle& to) {
         obstacles[met.count++] = to;
@@ -173,6 +187,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                 for (size_t strand = first; strand < end && strand < first + kStrandsInTurn; ++strand)
                     if (!goes_on_sleeping(c, ChainPart(c, strand), around)) awake[several++] = strand;
                 if (several == 0) continue;
+                sort_by(ropes.taken, awake, several);
                 const RopeResult result = c.kernels->rope_step(ropes, parameters, now, scratch, awake, several);
                 results[t].add(result);
                 if (!result.finite && s < bad[t]) bad[t] = s;

@@ -138,6 +138,7 @@ static void a_capstan_holds_what_it_should(void** state) {
             const double before = r.x[MOST - 1][1];
             size_t iterations = 0;
             for (int k = 0; k < 60; ++k) iterations += step(&r, dt);
+            print_message("friction %g, %s: %zu iterations\n", frictions[f], slips ? "slips" : "holds", iterations);
             assert_true(iterations < (slips ? 60 * 25 : 60 * 4));
             get(&r);
             const double sunk = before - r.x[MOST - 1][1];
@@ -197,7 +198,8 @@ static void bodies_are_not_entered_and_give_no_energy(void** state) {
             if (!(now <= before + 1e-4)) fail_msg("energy from %.9g to %.9g at %g", before, now, t);
             before = now;
         }
-        assert_true(iterations < (way % 2 ? 10 : 7) * steps);
+        print_message("way %d: %.2f iterations a step\n", way, (double)iterations / (double)steps);
+        assert_true(iterations < (way % 2 ? 6 : 4) * steps);
         cd_chain_destroy(r.chain);
     }
 }
@@ -463,13 +465,14 @@ static void random_ropes_fall_on_random_bodies(void** state) {
                                          {318, 11}, {662, 2}, {738, 7}, {1102, 14}};
     random_falls(ROPES, is_long() ? 1600 : 120, others, COUNT(others));
 }
-/* Of every stiffness; without friction, with one whose last iterations go to no number; and of links that push. */
+/* Of every stiffness; without friction, with one whose last iterations go to no number; and of links that push, with three
+ * whose iterations come to a standstill far from any solution. */
 static void random_rods_fall_on_random_bodies(void** state) {
     (void)state;
-    static const uint64_t others[][2] = {{1478, 1}};
+    static const uint64_t others[][2] = {{1478, 1}}, going_nowhere[][2] = {{169, 0}, {373, 0}, {733, 0}};
     random_falls(RODS, is_long() ? 1600 : 120, NULL, 0);
     random_falls(SMOOTH, is_long() ? 1600 : 40, others, COUNT(others));
-    random_falls(PUSHING, is_long() ? 1600 : 120, NULL, 0);
+    random_falls(PUSHING, is_long() ? 1600 : 120, going_nowhere, COUNT(going_nowhere));
 }
 
 int main(void) {
