@@ -27,21 +27,25 @@ struct Beside {
 
 // ---- friction -------------------------------------------------------------------------------------------------------
 
-// a^(-1/3) of a normal number a > 0, by Newton's iteration from its exponent: 4 times squares an error of 4% away.
-inline double inverse_cube_root(double a) {
-    uint64_t bits;
-    memcpy(&bits, &a, sizeof bits);
-    bits = 0x553ef0ff289dd796u - bits / 3;
-    double r;
-    memcpy(&r, &bits, sizeof r);
-    for (int k = 0; k < 4; ++k) r = r * ((4.0 / 3) - (a * (1.0 / 3)) * (r * r * r));
+// a^(-1/3) of normal numbers > 0, and 0 of what is less, by Newton's iteration from the exponent: 4 times squares an error
+// of 4% away.
+template <int N> inline Lanes<N> inverse_cube_root(Lanes<N> a) {
+    Lanes<N> r = each_lane(a, [](double x) {
+        uint64_t bits;
+        memcpy(&bits, &x, sizeof bits);
+        bits = 0x553ef0ff289dd796u - bits / 3;
+        double guess;
+        memcpy(&guess, &bits, sizeof guess);
+        return x > Limits<double>::least ? guess : 0;
+    });
+    for (int k = 0; k < 4; ++k) r = r * (Lanes<N>::splat(4.0 / 3) - ((1.0 / 3) * a) * (r * r * r));
     return r;
 }
 
 // dt times Manning's friction on water of depth h at what it leaves of a speed: k u with u + k u^2 = speed,
 // k = manning h^(-4/3). manning: dt g times its square.
 inline L manning_drag(L h, L speed, L manning) {
-    const L r = each_lane(h, [](double a) { return a > Limits<double>::least ? inverse_cube_root(a) : 0; });
+    const L r = inverse_cube_root(h);
     const L k = manning * ((r * r) * (r * r));
     return (2 * (k * speed)) / (L::splat(1) + root(L::splat(1) + 4 * (k * speed)));
 }
@@ -49,7 +53,7 @@ inline L manning_drag(L h, L speed, L manning) {
 // The depth at which a discharge q [m^2/s] runs as fast as its own waves, (q^2 / g)^(1/3).
 inline double critical_depth(double q, double gravity) {
     if (!(gravity > 0)) return 0;
-    const double cube = q * q / gravity, r = cube > 0 ? inverse_cube_root(cube) : 0;
+    const double cube = q * q / gravity, r = inverse_cube_root(Lanes<1>{cube}).v;
     return cube * (r * r);
 }
 
