@@ -58,17 +58,21 @@ struct StreamAcceleration {
     const WaterLine line; // a copy: see line.hh
     struct Passed {
         L flux{}, speed{}, sloped{};
-    } before; // by the cell before the next face
+    } before;      // by the cell before the next face
+    L flow_into{}; // the cell behind that face
 
     explicit StreamAcceleration(const WaterLine& of) : line(of) {
-        if (line.sweep.advected() && line.n > 1) before = through(line.cells().before(0));
+        if (!line.sweep.advected() || line.n < 2) return;
+        const size_t cell = line.cells().before(0);
+        flow_into = flow(cell), before = through(cell);
     }
     L flow(size_t face) const {
         const L l = line.depth[line.left(face)], r = line.depth[line.right(face)], u = line.velocity[face];
         return select(select(u, l, r), (line.courant * u) * (0.5 * (l + r)), L{}); // a dry cell gives none
     }
-    Passed through(size_t cell) const {
-        const L flux = 0.5 * (flow(cell) + flow(cell + 1));
+    Passed through(size_t cell) {
+        const L flow_out = flow(cell + 1), flux = 0.5 * (flow_into + flow_out);
+        flow_into = flow_out;
         const L u_l = line.velocity[cell], u_r = line.velocity[line.faces().behind(cell)];
         return {flux, select(flux, u_l, u_r), line.sloped(cell, flux)};
     }

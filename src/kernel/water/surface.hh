@@ -71,7 +71,7 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     if (pressed()) s_left = s + s * stiff[left(i)], s_right = s + s * stiff[i]; // a hull's head answers too
     const auto let = [&](L a) { return opening ? opening[i] * a : a; };
     speed.put(i, let(kept - (1 - theta) * rise));
-    if (keeps_push()) push.put(i, let(answer));
+    if (push) push.put(i, let(answer));
     return {let(courant * through), let(of_left + s_left), let(s_right - of_right)};
 }
 

@@ -114,10 +114,11 @@ struct Sweep {
         const auto panel = [&] { return take_panel(free, n); };
         WaterLine line{sweep, n, sweep.ring()};
         for (Panel* one : {&line.bed, &line.depth, &line.velocity, &line.flux, &line.after, &line.speed, &line.pull,
-                           &line.push, &line.spare[0], &line.spare[1]})
+                           &line.spare[0], &line.spare[1]})
             *one = panel();
         if (lines.has_closed_faces())
             fetch_openings(place_of(sweep, lines.bytes, first, lanes), line, line.opening = panel());
+        if (line.opening || sweep.rubs()) line.push = panel();
         if (lines.force || lines.pressure) fetch_acceleration(p, line, line.acceleration = panel());
         fetch(p, n, lines.bed, line.bed);
         const Reach depths = fetch(p, n, lines.depth, line.depth);
