@@ -19,9 +19,7 @@ struct Beside {
     L mean_depth() const { return 0.5 * (l.depth + r.depth); }
     // > 0: water can cross the face: both cells are wet, or one stands higher than the other's bed.
     L conducts() const {
-        const L none{}, high = larger(l.bed, r.bed);
-        const L over = larger(select(l.depth, l.surface() - high, none), select(r.depth, r.surface() - high, none));
-        return larger(smaller(l.depth, r.depth), over);
+        return larger(smaller(l.depth, r.depth), larger(l.surface(), r.surface()) - larger(l.bed, r.bed));
     }
 };
 
@@ -86,7 +84,7 @@ struct FaceDepth {
         const L none{}, rightward = select(size_of(speed), speed, l.surface() - r.surface());
         const L give = select(rightward, l.depth, r.depth), take = select(rightward, r.depth, l.depth);
         const L bed = select(rightward, l.bed, r.bed), next_bed = select(rightward, r.bed, l.bed);
-        const L mean = 0.5 * (give + take), fall = (bed - next_bed) + (give - take);
+        const L mean = c.mean_depth(), fall = (bed - next_bed) + (give - take);
         const L climb = next_bed - bed, over = give - positive(climb);
 
         L most = 2 * give + positive(-climb);
@@ -97,10 +95,10 @@ struct FaceDepth {
         }
         const L shallower = smaller(mean, most), deeper = larger(mean, smaller(fall, over));
         const L above = positive(smaller(give - 0.5 * climb, over + kClimbedHeads * head));
-        const L uphill = select(climb, select(over, none, L::splat(1)), none);
+        const L uphill = select(over, none, climb);
         depth = select(uphill, smaller(mean, above), select(take - give, shallower, deeper));
         depth = select(give, depth, none);
-        closed = select(uphill, select(above, none, L::splat(1)), none);
+        closed = select(above, none, uphill);
     }
 };
 

@@ -79,8 +79,8 @@ struct WaterLine {
     }
     // As far as it pushes water: a dry bed pushes nothing, water pushes onto it.
     L pushing_rise(size_t i, const Beside& c) const {
-        const L rise = full_rise(i, c), none{};
-        return select(rise, select(c.r.depth, rise, none), select(c.l.depth, rise, none));
+        const L rise = full_rise(i, c);
+        return select(select(rise, c.r.depth, c.l.depth), rise, L{});
     }
     L open(size_t face) const { return opening ? opening[face] : L::splat(1); }
     // Of inner faces. Where nothing acts on it, it is the same for all.

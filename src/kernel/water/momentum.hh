@@ -48,7 +48,7 @@ inline L WaterLine::even_depth(size_t cell) const {
 // What momentum the slope adds to the flux that a cell passes on.
 inline L WaterLine::sloped(size_t cell, L through) const {
     const size_t next = faces().behind(cell);
-    const L run = courant * select(through, positive(velocity[cell]), positive(-velocity[next])); // cells
+    const L run = courant * positive(select(through, velocity[cell], -velocity[next])); // cells
     const L part = smaller(run, positive(L::splat(1) - run)) * even_depth(cell);
     return smaller(part, size_of(through)) * half_slope(through, velocity, faces(), cell, next);
 }

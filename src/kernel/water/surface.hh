@@ -58,7 +58,7 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
         k = select(face.closed, none, k);
         half = select(uneven, none, 0.5 * k);
         advected = select(uneven, none, advected);
-        rough = larger(rough, open(i) * select(shallower, uneven, mean)); // mean: at a shore
+        if (any_long) rough = larger(rough, open(i) * select(shallower, uneven, mean)); // mean: at a shore
     }
 
     // 3. what the flux answers to
