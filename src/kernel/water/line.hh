@@ -41,6 +41,7 @@ struct WaterLine {
     bool ring;
 
     L courant{}, share{};  // dt / cell of the part of the step that is made [s/m]; its share of dt
+    L full_push{};         // what a rise of the surface after the step takes off a velocity where nothing acts on it
     L is_long{};           // > 0: in it waves cross more than a cell
     bool any_long = false; // of the lanes
 
@@ -48,7 +49,7 @@ struct WaterLine {
     Panel acceleration{}, opening{}; // of faces, opening 1 or 0; null: nothing pushes, all are open
     Panel load{}, stiff{};           // of cells: hulls press with a head of load + stiff depth; null: there are none
     Panel flux{}, after{}, speed{};  // results: of cells `after`, of faces flux and velocity
-    Panel push{};                    // what a rise of the surface after the step takes off `speed`, see 5.; null: the same for all
+    Panel push{};                    // what it takes off `speed`, see 5.; null: full_push of all
     Panel pull{}, spare[2] = {};     // scratch
 
     Face side[2] = {};      // the faces at the ends; of a ring face 0
@@ -83,8 +84,7 @@ struct WaterLine {
         return select(select(rise, c.r.depth, c.l.depth), rise, L{});
     }
     L open(size_t face) const { return opening ? opening[face] : L::splat(1); }
-    // Of inner faces. Where nothing acts on it, it is the same for all.
-    L push_of(size_t i) const { return push ? push[i] : sweep.theta * (sweep.gravity * courant); }
+    L push_of(size_t i) const { return push ? push[i] : full_push; } // of inner faces
     // Cells after the fluxes, of lines in which which > 0.
     void fill_again(L which) {
         for (size_t i = 0; i < n; ++i)

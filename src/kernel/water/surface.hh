@@ -32,7 +32,7 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     // 1. push
     const L force = acceleration ? share * acceleration[i] : none;
     L rise = gc * (deep ? full_rise(i, c) : pushing_rise(i, c)), kept = u + force;
-    L answer = theta * gc; // of a rise after the step
+    L answer = full_push;
     if (sweep.rubs()) {
         L z = sweep.drag * (sweep.dt * share);
         if (sweep.manning > 0) z = z + manning_drag(mean, size_of(kept - rise), sweep.manning * (sweep.dt * share));
@@ -49,7 +49,7 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     // 2. depth
     const L run = theta * courant, mid = theta * w + (1 - theta) * u;
     const L cells = smaller(larger(courant * u, L::splat(-1)), L::splat(1)); // no more than a cell's change
-    L face_depth = mean, k = theta * cells, half = 0.5 * k, advected = theta * stream;
+    L face_depth = mean, k = theta * cells, half = 0.5 * k;
     if (!deep) {
         const L head = (0.5 / (sweep.gravity + 0x1p-1000)) * (mid * mid);
         const FaceDepth face(c, mid, any_long ? &is_long : nullptr, run, run * gc, head);
@@ -57,7 +57,7 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
         face_depth = face.depth;
         k = select(face.closed, none, k);
         half = select(uneven, none, 0.5 * k);
-        advected = select(uneven, none, advected);
+        stream = select(uneven, none, stream);
         if (any_long) rough = larger(rough, open(i) * select(shallower, uneven, mean)); // mean: at a shore
     }
 
@@ -65,7 +65,7 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     const L s = sweep.implicit ? run * (answer * face_depth) : none;
     const L of_right = !sweep.implicit ? select(k, half, k - half) : select(k, smaller(half, s), k - larger(half, -s));
     L through = face_depth * mid;
-    if (sweep.advected()) through = through + advected;
+    if (sweep.advected()) through = through + theta * stream;
     const L of_left = k - of_right;
     L s_left = s, s_right = s;
     if (pressed()) s_left = s + s * stiff[left(i)], s_right = s + s * stiff[i]; // a hull's head answers too

@@ -33,6 +33,7 @@ void begin_part(WaterLine& line, L deepest) {
         squeezed = larger(line.open(i) * size_of(a) - (sweep.gravity * sweep.courant) * d, squeezed);
     }
     line.courant = sweep.courant * line.share;
+    line.full_push = sweep.theta * (sweep.gravity * line.courant);
     const L square = (sweep.gravity * waves) * (line.courant * line.courant);
     line.is_long = sweep.implicit ? larger(square - L::splat(1), squeezed) : L{};
     line.any_long = any_positive(line.is_long);
