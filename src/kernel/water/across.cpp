@@ -60,7 +60,8 @@ struct Across {
             fetch(p, count, from, pull);
             for (size_t i = 0; i < count; ++i) to.put(i, 0.5 * (to[i] + pull[i]));
         };
-        fetch(p, n, lines.velocity, faces.velocity);
+        const Reach speeds = fetch(p, n, lines.velocity, faces.velocity);
+        if (!any_positive(larger(speeds.largest, -speeds.least))) return true; // nothing to carry
         // In the mean of both lines.
         fetch_mean(n + 1, lines.moved, faces.flux);
         fetch_mean(n, lines.depth, faces.water);

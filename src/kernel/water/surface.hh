@@ -50,7 +50,7 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     const L run = theta * courant, mid = theta * w + (1 - theta) * u;
     const L cells = smaller(larger(courant * u, L::splat(-1)), L::splat(1)); // no more than a cell's change
     L face_depth = mean, k = theta * cells, half = 0.5 * k;
-    if (!deep) {
+    if (!deep && any_positive(larger(size_of(u), mean))) { // else all is dry and at rest
         const L head = (0.5 / (sweep.gravity + 0x1p-1000)) * (mid * mid);
         const FaceDepth face(c, mid, any_long ? &is_long : nullptr, run, run * gc, head);
         const L uneven = size_of(face.depth - mean);

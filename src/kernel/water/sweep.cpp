@@ -128,6 +128,10 @@ struct Sweep {
             fetch(p, n, lines.load, line.load = panel());
             fetch(p, n, lines.stiff, line.stiff = panel());
         }
+        if (is_dry(line, depths)) {
+            if (lines.moved) put(p, n + 1, line.velocity, lines.moved); // 0
+            return true;
+        }
         const Panel moved = make_step(line, speeds, depths, panel());
 
         round_depths(line.after, depths.largest);
@@ -137,6 +141,14 @@ struct Sweep {
         if (lines.moved) put(p, n + 1, moved, lines.moved);
         add_tally(first, lanes, line.tally);
         return !probe.any_nan();
+    }
+
+    // Whether there is no water, and none comes in: nothing moves.
+    bool is_dry(const WaterLine& line, Reach depths) const {
+        if (!sweep.closed() || any_positive(depths.largest)) return false;
+        L all = size_of(line.velocity[line.n]); // NaN is no water either
+        for (size_t i = 0; i < line.n; ++i) all = all + (size_of(line.depth[i]) + size_of(line.velocity[i]));
+        return !any_positive(all) && !all.any_nan();
     }
 
     // In chains of cells, since one waits long for the next; what they owe at last goes to the last cells that take it.
