@@ -117,20 +117,20 @@ struct Sweep {
         for (Panel* one : {&line.bed, &line.depth, &line.velocity, &line.flux, &line.after, &line.speed, &line.pull,
                            &line.spare[0], &line.spare[1]})
             *one = panel();
+        const Reach depths = fetch(p, n, lines.depth, line.depth);
+        const Reach speeds = fetch(p, n + 1, lines.velocity, line.velocity);
+        if (is_dry(line, depths)) {
+            if (lines.moved) put(p, n + 1, line.velocity, lines.moved); // 0
+            return true;
+        }
         if (lines.has_closed_faces())
             fetch_openings(place_of(sweep, lines.bytes, first, lanes), line, line.opening = panel());
         if (line.opening || sweep.rubs()) line.push = panel();
         if (lines.force || lines.pressure) fetch_acceleration(p, line, line.acceleration = panel());
         fetch(p, n, lines.bed, line.bed);
-        const Reach depths = fetch(p, n, lines.depth, line.depth);
-        const Reach speeds = fetch(p, n + 1, lines.velocity, line.velocity);
         if (CD_WITH_HULL && lines.load) {
             fetch(p, n, lines.load, line.load = panel());
             fetch(p, n, lines.stiff, line.stiff = panel());
-        }
-        if (is_dry(line, depths)) {
-            if (lines.moved) put(p, n + 1, line.velocity, lines.moved); // 0
-            return true;
         }
         const Panel moved = make_step(line, speeds, depths, panel());
 
