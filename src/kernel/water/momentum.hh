@@ -33,9 +33,9 @@ constexpr double kEven = 0.9, kUneven = 0.8;
 
 // Half of the limited slope of velocities from a place to the next, by those one before and one behind.
 inline L half_slope(L through, const Panel& u, const Neighbours& places, size_t l, size_t r) {
-    const L none{}, across = u[r] - u[l];
+    const L across = u[r] - u[l];
     const L behind = select(through, u[l] - u[places.before(l)], u[places.behind(r)] - u[r]);
-    return 0.5 * (larger(smaller(across, behind), none) + smaller(larger(across, behind), none));
+    return 0.5 * larger(smaller(across, behind), smaller(larger(across, behind), L{})); // the middle one of these and 0
 }
 
 // The depth that slopes move with: 0 where depths are not even.
@@ -117,8 +117,7 @@ template <class Work> void carry_line(size_t m, bool ring, Work work, Panel answ
     for (size_t k = 0; k <= m; ++k) { // what goes to carrier k, after which all is known of the one before
         const FaceVolume next = k < m ? work.at(k) : ring ? first : work.outside(1);
         const L through = work.through(k);
-        const L half = 0.5 * smaller(size_of(through), select(through, here.volume, next.volume));
-        out.early = select(through, half, -half), out.late = through - out.early;
+        out.early = 0.5 * larger(smaller(through, here.volume), -next.volume), out.late = through - out.early;
         out.momentum = out.early * select(through, here.speed, next.speed) + work.sloped(k, through);
         if (k == 0) first = next;
         else {
