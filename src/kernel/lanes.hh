@@ -82,6 +82,31 @@ template <class To, class From> inline To converted(From a) {
     return __builtin_convertvector(a, To);
 }
 
+// The larger numbers of two vectors and the smaller ones, by the instruction: where one of them is a constant GCC 12 makes
+// a comparison and a choice of it.
+#if defined(__SSE2__) && !defined(__clang__)
+typedef double Two __attribute__((vector_size(16)));
+inline Two larger_numbers(Two a, Two b) { return __builtin_ia32_maxpd(a, b); }
+inline Two smaller_numbers(Two a, Two b) { return __builtin_ia32_minpd(a, b); }
+#ifdef __AVX__
+typedef double Four __attribute__((vector_size(32)));
+inline Four larger_numbers(Four a, Four b) { return __builtin_ia32_maxpd256(a, b); }
+inline Four smaller_numbers(Four a, Four b) { return __builtin_ia32_minpd256(a, b); }
+#endif
+#ifdef __AVX512F__
+typedef double Eight __attribute__((vector_size(64)));
+inline Eight larger_numbers(Eight a, Eight b) {
+    return __builtin_ia32_maxpd512_mask(a, b, Eight{}, kAllLanes, kRoundAsSet);
+}
+inline Eight smaller_numbers(Eight a, Eight b) {
+    return __builtin_ia32_minpd512_mask(a, b, Eight{}, kAllLanes, kRoundAsSet);
+}
+#endif
+#else
+template <class Values> inline Values larger_numbers(Values a, Values b) { return a > b ? a : b; }
+template <class Values> inline Values smaller_numbers(Values a, Values b) { return a < b ? a : b; }
+#endif
+
 // D is double: GCC 12 makes a vector of N of it only where its name depends on the template too.
 template <int N, LaneKind = lane_kind(N), class D = double> struct Lanes;
 
@@ -163,8 +188,8 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
 #endif
     }
     // the second one where either is NaN
-    friend Lanes larger(Lanes a, Lanes b) { return {a.v > b.v ? a.v : b.v}; }
-    friend Lanes smaller(Lanes a, Lanes b) { return {a.v < b.v ? a.v : b.v}; }
+    friend Lanes larger(Lanes a, Lanes b) { return {larger_numbers(a.v, b.v)}; }
+    friend Lanes smaller(Lanes a, Lanes b) { return {smaller_numbers(a.v, b.v)}; }
     friend Lanes size_of(Lanes a) {
         typedef decltype(a.v < a.v) Bits;
         return {reinterpret_cast<Values>(reinterpret_cast<Bits>(a.v) & INT64_MAX)};

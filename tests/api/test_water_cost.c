@@ -57,6 +57,23 @@ static void what_a_choice_costs_is_given_back_with_it(void** state) {
     cd_water_destroy(w);
 }
 
+static void dry_land_is_not_solved(void** state) {
+    (void)state;
+    for (cd_momentum momentum = CD_MOMENTUM_LINEAR; momentum <= CD_MOMENTUM_ADVECTED; ++momentum) {
+        cd_water* w = pool(NX, NY, CD_FLOAT32);
+        uint64_t count;
+        ok(cd_water_set_momentum(w, momentum));
+        ok(cd_water_step(w, 0.01, 5));
+        ok(cd_water_get_factorizations(w, &count));
+        assert_int_equal(count, 0);
+        pool_set(w, CD_DEPTH, 3, 2, 1e-3);
+        ok(cd_water_step(w, 0.01, 1));
+        ok(cd_water_get_factorizations(w, &count));
+        assert_int_equal(count, 2); /* along x and y */
+        cd_water_destroy(w);
+    }
+}
+
 /* ---- measuring ---- */
 
 static void a_lake_is_measured_as_it_lies(void** state) {
@@ -157,6 +174,7 @@ int main(void) {
         cmocka_unit_test(a_plain_water_holds_four_planes_and_little_else),
         cmocka_unit_test(a_field_adds_a_plane_and_gives_it_back),
         cmocka_unit_test(what_a_choice_costs_is_given_back_with_it),
+        cmocka_unit_test(dry_land_is_not_solved),
         cmocka_unit_test(a_lake_is_measured_as_it_lies),
         cmocka_unit_test(the_face_that_closes_a_ring_counts_once),
         cmocka_unit_test(an_open_side_is_as_deep_as_both_sides_in_the_mean),

@@ -13,7 +13,8 @@ struct AcrossCarriers {
     Panel opening;                       // null: all are open
 
     FaceVolume at(size_t i) const {
-        const L v = volume[i], u = velocity[i];
+        const L v = positive(water[i] - (flux[i] - flux[i + 1])), u = velocity[i];
+        volume.put(i, v);
         if (!opening) return {v, v * u, u};
         const L open = opening[i];
         return {select(open, v, L::splat(kUnmoved)), open * (v * u), u};
@@ -59,12 +60,11 @@ struct Across {
             fetch(p, count, from, pull);
             for (size_t i = 0; i < count; ++i) to.put(i, 0.5 * (to[i] + pull[i]));
         };
-        fetch(p, n, lines.velocity, faces.velocity);
+        const Reach speeds = fetch(p, n, lines.velocity, faces.velocity);
+        if (!any_positive(larger(speeds.largest, -speeds.least))) return true; // nothing to carry
         // In the mean of both lines.
         fetch_mean(n + 1, lines.moved, faces.flux);
         fetch_mean(n, lines.depth, faces.water);
-        for (size_t i = 0; i < n; ++i)
-            faces.volume.put(i, positive(faces.water[i] - (faces.flux[i] - faces.flux[i + 1])));
         if (lines.has_closed_faces()) {
             const Place b = place_of(sweep, lines.bytes, line, lanes),
                         b_before = place_of(sweep, lines.bytes, before, lanes);

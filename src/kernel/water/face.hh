@@ -19,22 +19,24 @@ struct Beside {
     L mean_depth() const { return 0.5 * (l.depth + r.depth); }
     // > 0: water can cross the face: both cells are wet, or one stands higher than the other's bed.
     L conducts() const {
-        const L none{}, high = larger(l.bed, r.bed);
-        const L over = larger(select(l.depth, l.surface() - high, none), select(r.depth, r.surface() - high, none));
-        return larger(smaller(l.depth, r.depth), over);
+        return larger(smaller(l.depth, r.depth), larger(l.surface(), r.surface()) - larger(l.bed, r.bed));
     }
 };
 
 // ---- friction -------------------------------------------------------------------------------------------------------
 
-// a^(-1/3) of a normal number a > 0, by Newton's iteration from its exponent: 4 times squares an error of 4% away.
-inline double inverse_cube_root(double a) {
-    uint64_t bits;
-    memcpy(&bits, &a, sizeof bits);
-    bits = 0x553ef0ff289dd796u - bits / 3;
-    double r;
-    memcpy(&r, &bits, sizeof r);
-    for (int k = 0; k < 4; ++k) r = r * ((4.0 / 3) - (a * (1.0 / 3)) * (r * r * r));
+// a^(-1/3) of normal numbers > 0, and 0 of what is less, by Newton's iteration from the exponent: 4 times squares an error
+// of 4% away.
+template <int N> inline Lanes<N> inverse_cube_root(Lanes<N> a) {
+    Lanes<N> r = each_lane(a, [](double x) {
+        uint64_t bits;
+        memcpy(&bits, &x, sizeof bits);
+        bits = 0x553ef0ff289dd796u - bits / 3;
+        double guess;
+        memcpy(&guess, &bits, sizeof guess);
+        return x > Limits<double>::least ? guess : 0;
+    });
+    for (int k = 0; k < 4; ++k) r = r * (Lanes<N>::splat(4.0 / 3) - ((1.0 / 3) * a) * (r * r * r));
     return r;
 }
 
@@ -45,7 +47,7 @@ inline double inverse_cube_root(double a) {
 constexpr int kDirections = 3;
 __attribute__((noinline)) inline L manning_drag(L h, L speed, L across, L manning) {
     const L one = L::splat(1);
-    const L r = each_lane(h, [](double a) { return a > Limits<double>::least ? inverse_cube_root(a) : 0; });
+    const L r = inverse_cube_root(h);
     const L k = manning * ((r * r) * (r * r));
     L s{}, along = one, aside{}; // the direction
     for (int n = 0; n < kDirections; ++n) {
@@ -61,7 +63,7 @@ __attribute__((noinline)) inline L manning_drag(L h, L speed, L across, L mannin
 // The depth at which a discharge q [m^2/s] runs as fast as its own waves, (q^2 / g)^(1/3).
 inline double critical_depth(double q, double gravity) {
     if (!(gravity > 0)) return 0;
-    const double cube = q * q / gravity, r = cube > 0 ? inverse_cube_root(cube) : 0;
+    const double cube = q * q / gravity, r = inverse_cube_root(Lanes<1>{cube}).v;
     return cube * (r * r);
 }
 
@@ -94,7 +96,7 @@ struct FaceDepth {
         const L none{}, rightward = select(size_of(speed), speed, l.surface() - r.surface());
         const L give = select(rightward, l.depth, r.depth), take = select(rightward, r.depth, l.depth);
         const L bed = select(rightward, l.bed, r.bed), next_bed = select(rightward, r.bed, l.bed);
-        const L mean = 0.5 * (give + take), fall = (bed - next_bed) + (give - take);
+        const L mean = c.mean_depth(), fall = (bed - next_bed) + (give - take);
         const L climb = next_bed - bed, over = give - positive(climb);
 
         L most = 2 * give + positive(-climb);
@@ -105,10 +107,10 @@ struct FaceDepth {
         }
         const L shallower = smaller(mean, most), deeper = larger(mean, smaller(fall, over));
         const L above = positive(smaller(give - 0.5 * climb, over + kClimbedHeads * head));
-        const L uphill = select(climb, select(over, none, L::splat(1)), none);
+        const L uphill = select(over, none, climb);
         depth = select(uphill, smaller(mean, above), select(take - give, shallower, deeper));
         depth = select(give, depth, none);
-        closed = select(uphill, select(above, none, L::splat(1)), none);
+        closed = select(above, none, uphill);
     }
 };
 

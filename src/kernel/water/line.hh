@@ -41,6 +41,7 @@ struct WaterLine {
     bool ring;
 
     L courant{}, share{};  // dt / cell of the part of the step that is made [s/m]; its share of dt
+    L full_push{};         // what a rise of the surface after the step takes off a velocity where nothing acts on it
     L is_long{};           // > 0: in it waves cross more than a cell
     bool any_long = false; // of the lanes
 
@@ -49,7 +50,7 @@ struct WaterLine {
     Panel across{};                  // of cells, velocity of the other axis; null: friction does not ask for it
     Panel load{}, stiff{};           // of cells: hulls press with a head of load + stiff depth; null: there are none
     Panel flux{}, after{}, speed{};  // results: of cells `after`, of faces flux and velocity
-    Panel push{};                    // the part of a push that friction leaves, 0 at closed faces
+    Panel push{};                    // the part of a push that friction leaves, 0 at closed faces; null: all of it
     Panel pull{}, spare[2] = {};     // scratch
 
     Face side[2] = {};      // the faces at the ends; of a ring face 0
@@ -80,26 +81,21 @@ struct WaterLine {
     }
     // As far as it pushes water: a dry bed pushes nothing, water pushes onto it.
     L pushing_rise(size_t i, const Beside& c) const {
-        const L rise = full_rise(i, c), none{};
-        return select(rise, select(c.r.depth, rise, none), select(c.l.depth, rise, none));
+        const L rise = full_rise(i, c);
+        return select(select(rise, c.r.depth, c.l.depth), rise, L{});
     }
     L open(size_t face) const { return opening ? opening[face] : L::splat(1); }
-    // Of inner faces. Where nothing acts on it, it is the same for all.
-    bool keeps_push() const { return sweep.rubs() || opening; }
     // Where friction takes all of a velocity, what moves and pushes water there is by the end of the step, as friction is.
     L theta_of(L part) const {
         const L theta = L::splat(sweep.theta);
         return sweep.implicit ? larger(theta, L::splat(1) - part) : theta;
     }
-    // What a rise of the surface before the step takes off a velocity, and one after it.
+    // What a rise of the surface before the step takes off the velocity of an inner face, and one after it.
     L early_push(size_t i) const {
         const L all = sweep.gravity * courant;
-        return keeps_push() ? (L::splat(1) - theta_of(push[i])) * (all * push[i]) : (1 - sweep.theta) * all;
+        return push ? (L::splat(1) - theta_of(push[i])) * (all * push[i]) : (1 - sweep.theta) * all;
     }
-    L late_push(size_t i) const {
-        const L all = sweep.gravity * courant;
-        return keeps_push() ? theta_of(push[i]) * (all * push[i]) : sweep.theta * all;
-    }
+    L late_push(size_t i) const { return push ? theta_of(push[i]) * ((sweep.gravity * courant) * push[i]) : full_push; }
     // Cells after the fluxes, of lines in which which > 0.
     void fill_again(L which) {
         for (size_t i = 0; i < n; ++i)

@@ -33,9 +33,9 @@ constexpr double kEven = 0.9, kUneven = 0.8;
 
 // Half of the limited slope of velocities from a place to the next, by those one before and one behind.
 inline L half_slope(L through, const Panel& u, const Neighbours& places, size_t l, size_t r) {
-    const L none{}, across = u[r] - u[l];
+    const L across = u[r] - u[l];
     const L behind = select(through, u[l] - u[places.before(l)], u[places.behind(r)] - u[r]);
-    return 0.5 * (larger(smaller(across, behind), none) + smaller(larger(across, behind), none));
+    return 0.5 * larger(smaller(across, behind), smaller(larger(across, behind), L{})); // the middle one of these and 0
 }
 
 // The depth that slopes move with: 0 where depths are not even.
@@ -48,7 +48,7 @@ inline L WaterLine::even_depth(size_t cell) const {
 // What momentum the slope adds to the flux that a cell passes on.
 inline L WaterLine::sloped(size_t cell, L through) const {
     const size_t next = faces().behind(cell);
-    const L run = courant * select(through, positive(velocity[cell]), positive(-velocity[next])); // cells
+    const L run = courant * positive(select(through, velocity[cell], -velocity[next])); // cells
     const L part = smaller(run, positive(L::splat(1) - run)) * even_depth(cell);
     return smaller(part, size_of(through)) * half_slope(through, velocity, faces(), cell, next);
 }
@@ -58,17 +58,21 @@ struct StreamAcceleration {
     const WaterLine line; // a copy: see line.hh
     struct Passed {
         L flux{}, speed{}, sloped{};
-    } before; // by the cell before the next face
+    } before;      // by the cell before the next face
+    L flow_into{}; // the cell behind that face
 
     explicit StreamAcceleration(const WaterLine& of) : line(of) {
-        if (line.sweep.advected() && line.n > 1) before = through(line.cells().before(0));
+        if (!line.sweep.advected() || line.n < 2) return;
+        const size_t cell = line.cells().before(0);
+        flow_into = flow(cell), before = through(cell);
     }
     L flow(size_t face) const {
         const L l = line.depth[line.left(face)], r = line.depth[line.right(face)], u = line.velocity[face];
         return select(select(u, l, r), (line.courant * u) * (0.5 * (l + r)), L{}); // a dry cell gives none
     }
-    Passed through(size_t cell) const {
-        const L flux = 0.5 * (flow(cell) + flow(cell + 1));
+    Passed through(size_t cell) {
+        const L flow_out = flow(cell + 1), flux = 0.5 * (flow_into + flow_out);
+        flow_into = flow_out;
         const L u_l = line.velocity[cell], u_r = line.velocity[line.faces().behind(cell)];
         return {flux, select(flux, u_l, u_r), line.sloped(cell, flux)};
     }
@@ -113,8 +117,7 @@ template <class Work> void carry_line(size_t m, bool ring, Work work, Panel answ
     for (size_t k = 0; k <= m; ++k) { // what goes to carrier k, after which all is known of the one before
         const FaceVolume next = k < m ? work.at(k) : ring ? first : work.outside(1);
         const L through = work.through(k);
-        const L half = 0.5 * smaller(size_of(through), select(through, here.volume, next.volume));
-        out.early = select(through, half, -half), out.late = through - out.early;
+        out.early = 0.5 * larger(smaller(through, here.volume), -next.volume), out.late = through - out.early;
         out.momentum = out.early * select(through, here.speed, next.speed) + work.sloped(k, through);
         if (k == 0) first = next;
         else {

@@ -52,7 +52,7 @@ struct Reach {
     void see(L a) { least = smaller(a, least), largest = larger(a, largest); }
 };
 
-template <class T> inline Reach fetch_stored(const Place& p, size_t count, const T* from, Panel to) {
+template <class T> inline Reach fetch_stored(const Place p, size_t count, const T* from, Panel to) {
     Reach reach;
     const auto take = [&](size_t i, L numbers) { to.put(i, numbers), reach.see(numbers); };
     size_t i = 0;
@@ -77,7 +77,7 @@ __attribute__((noinline)) inline Reach fetch(const Place& p, size_t count, const
 }
 
 // Numbers smaller than `least` are put down as 0. NaN where one is too large to be stored, else 0.
-template <class T> inline L put_stored(const Place& p, size_t count, Panel from, T* to, double least) {
+template <class T> inline L put_stored(const Place p, size_t count, Panel from, T* to, double least) {
     L probe{};
     const auto storable = [&](size_t i) {
         probe = probe + 0.0 * (Limits<T>::to_overflow * from[i]);

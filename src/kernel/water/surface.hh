@@ -32,7 +32,7 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     const L force = acceleration ? share * acceleration[i] : none;
     L rise = gc * (deep ? full_rise(i, c) : pushing_rise(i, c)), kept = u + force;
     L part = one; // that friction leaves of what changes a velocity
-    L theta = L::splat(sweep.theta), rest = L::splat(1 - sweep.theta), answer = sweep.theta * gc; // to a later rise
+    L theta = L::splat(sweep.theta), rest = L::splat(1 - sweep.theta), answer = full_push;
     if (sweep.rubs()) {
         const L gains = select(size_of(stream), stream / mean, none), speed = size_of((kept - rise) + gains);
         L z = sweep.drag * (sweep.dt * share);
@@ -53,29 +53,29 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     // 2. depth
     const L run = theta * courant, mid = theta * w + rest * u;
     const L cells = smaller(larger(courant * u, -one), one); // no more than a cell's change
-    L face_depth = mean, k = theta * cells, half = 0.5 * k, advected = theta * stream;
-    if (!deep) {
+    L face_depth = mean, k = theta * cells, half = 0.5 * k;
+    if (!deep && any_positive(larger(size_of(u), mean))) { // else all is dry and at rest
         const L head = (0.5 / (sweep.gravity + 0x1p-1000)) * (mid * mid);
         const FaceDepth face(c, mid, any_long ? &is_long : nullptr, run, run * gc, head);
         const L uneven = size_of(face.depth - mean);
         face_depth = face.depth;
         k = select(face.closed, none, k);
         half = select(uneven, none, 0.5 * k);
-        advected = select(uneven, none, advected);
-        rough = larger(rough, open(i) * select(shallower, uneven, mean)); // mean: at a shore
+        stream = select(uneven, none, stream);
+        if (any_long) rough = larger(rough, open(i) * select(shallower, uneven, mean)); // mean: at a shore
     }
 
     // 3. what the flux answers to
     const L s = sweep.implicit ? run * (answer * face_depth) : none;
     const L of_right = !sweep.implicit ? select(k, half, k - half) : select(k, smaller(half, s), k - larger(half, -s));
     L through = face_depth * mid;
-    if (sweep.advected()) through = through + advected;
+    if (sweep.advected()) through = through + theta * stream;
     const L of_left = k - of_right;
     L s_left = s, s_right = s;
     if (pressed()) s_left = s + s * stiff[left(i)], s_right = s + s * stiff[i]; // a hull's head answers too
     const auto let = [&](L a) { return opening ? opening[i] * a : a; };
     speed.put(i, let(kept - rest * rise));
-    if (keeps_push()) push.put(i, let(part));
+    if (push) push.put(i, let(part));
     return {let(courant * through), let(of_left + s_left), let(s_right - of_right)};
 }
 

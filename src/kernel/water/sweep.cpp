@@ -33,6 +33,7 @@ void begin_part(WaterLine& line, L deepest) {
         squeezed = larger(line.open(i) * size_of(a) - (sweep.gravity * sweep.courant) * d, squeezed);
     }
     line.courant = sweep.courant * line.share;
+    line.full_push = sweep.theta * (sweep.gravity * line.courant);
     const L square = (sweep.gravity * waves) * (line.courant * line.courant);
     line.is_long = sweep.implicit ? larger(square - L::splat(1), squeezed) : L{};
     line.any_long = any_positive(line.is_long);
@@ -114,15 +115,20 @@ struct Sweep {
         const auto panel = [&] { return take_panel(free, n); };
         WaterLine line{sweep, n, sweep.ring()};
         for (Panel* one : {&line.bed, &line.depth, &line.velocity, &line.flux, &line.after, &line.speed, &line.pull,
-                           &line.push, &line.spare[0], &line.spare[1]})
+                           &line.spare[0], &line.spare[1]})
             *one = panel();
+        const Reach depths = fetch(p, n, lines.depth, line.depth);
+        const Reach speeds = fetch(p, n + 1, lines.velocity, line.velocity);
+        if (is_dry(line, depths)) {
+            if (lines.moved) put(p, n + 1, line.velocity, lines.moved); // 0
+            return true;
+        }
         if (lines.has_closed_faces())
             fetch_openings(place_of(sweep, lines.bytes, first, lanes), line, line.opening = panel());
+        if (line.opening || sweep.rubs()) line.push = panel();
         if (lines.force || lines.pressure) fetch_acceleration(p, line, line.acceleration = panel());
         if (sweep.manning > 0) fetch_across(p, first, lanes, line.flux, line.across = panel());
         fetch(p, n, lines.bed, line.bed);
-        const Reach depths = fetch(p, n, lines.depth, line.depth);
-        const Reach speeds = fetch(p, n + 1, lines.velocity, line.velocity);
         if (CD_WITH_HULL && lines.load) {
             fetch(p, n, lines.load, line.load = panel());
             fetch(p, n, lines.stiff, line.stiff = panel());
@@ -136,6 +142,14 @@ struct Sweep {
         if (lines.moved) put(p, n + 1, moved, lines.moved);
         add_tally(first, lanes, line.tally);
         return !probe.any_nan();
+    }
+
+    // Whether there is no water, and none comes in: nothing moves.
+    bool is_dry(const WaterLine& line, Reach depths) const {
+        if (!sweep.closed() || any_positive(depths.largest)) return false;
+        L all = size_of(line.velocity[line.n]); // NaN is no water either
+        for (size_t i = 0; i < line.n; ++i) all = all + (size_of(line.depth[i]) + size_of(line.velocity[i]));
+        return !any_positive(all) && !all.any_nan();
     }
 
     // In chains of cells, since one waits long for the next; what they owe at last goes to the last cells that take it.

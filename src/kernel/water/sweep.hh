@@ -97,8 +97,10 @@ template <int N> struct Rounding {
     L operator()(L now) {
         now = settled(now, kDry);
         if (is_float64) return now;
-        const L none{}, takes = select(now, now + 2 * owed, none), exact = select(takes, now + owed, now);
-        const L stored = settled(exact, kDry).template rounded_to<float>();
+        // What is taken waits for the cell before: what can be known of this one is computed while it does.
+        const L none{}, room = select(now, 0.5 * now, L::splat(-__builtin_inf()));
+        const L takes = owed + room, exact = select(takes, now + owed, now);
+        const L stored = select(L::splat(kDry) - exact, none, exact.template rounded_to<float>());
         owed = select(takes, none, owed) + (exact - stored);
         return stored;
     }
