@@ -129,7 +129,8 @@ static double depth_of_river(int turns_fast, double x) {
 }
 static double fall_of_river(int turns_fast, double manning, double x) { /* -db/dx */
     const double h = depth_of_river(turns_fast, x), little = 1e-3, q = 2;
-    const double rises = (depth_of_river(turns_fast, x + little) - depth_of_river(turns_fast, x - little)) / (2 * little);
+    const double rises =
+        (depth_of_river(turns_fast, x + little) - depth_of_river(turns_fast, x - little)) / (2 * little);
     return (1 - q * q / (gravity * h * h * h)) * rises + manning * manning * q * q / pow(h, 10.0 / 3);
 }
 
@@ -151,9 +152,10 @@ static void a_river_has_its_depths(void** state) {
                     const double x = dx * ((double)i + 0.5), part = i + 1 == n ? 0.5 * dx : dx;
                     for (int k = 0; k < 8; ++k) {
                         const double from = x + part * k / 8, to = x + part * (k + 1) / 8;
-                        b += part / 48 * (fall_of_river(turns_fast, mannings[turns_fast], from) +
-                                          4 * fall_of_river(turns_fast, mannings[turns_fast], (from + to) / 2) +
-                                          fall_of_river(turns_fast, mannings[turns_fast], to));
+                        b += part / 48 *
+                             (fall_of_river(turns_fast, mannings[turns_fast], from) +
+                              4 * fall_of_river(turns_fast, mannings[turns_fast], (from + to) / 2) +
+                              fall_of_river(turns_fast, mannings[turns_fast], to));
                     }
                     bed[i] = b, depth[i] = depth_of_river(turns_fast, x);
                 }
@@ -188,6 +190,41 @@ static void drag_stops_water_as_it_says(void** state) {
             if (z < 0.1) assert_near(speed_of(w, (int)s % 2), 0.7 * exp(-drag * 10 * dt), z * z * z, 0);
             cd_water_destroy(w);
         }
+}
+
+/* However much of velocities it takes in a step, waves in a pool do not get back what they have lost. */
+static void what_friction_has_taken_does_not_come_back(void** state) {
+    (void)state;
+    enum { NX = 12, NY = 9 };
+    static const double drags[] = {1, 7, 100}, mannings[] = {0, 0.03, 3}, courants[] = {2, 10, 40, 500};
+    uint64_t seed = 1;
+    double worst = 0;
+    for (int n = 0; n < 180; ++n) {
+        const size_t nx = n % 5 ? NX : NX * NY, ny = n % 5 ? NY : 1;
+        const double height = pow(10, -1.5 + random_number(&seed)), steep = 0.3 * fabs(random_number(&seed));
+        double bed[NX * NY], surface[NX * NY], kinetic, potential;
+        cd_water* w = basin(nx, ny, 1, 1, CD_FLOAT64);
+        basin_set_way(w, &ways[ADVECTED]);
+        ok(cd_water_set_drag(w, drags[n % 3]));
+        ok(cd_water_set_manning(w, mannings[n / 3 % 3]));
+        if (n / 9 % 2) ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_PERIODIC, 0, 0));
+        for (size_t i = 0; i < nx * ny; ++i) {
+            const double x = 2 * acos(-1.0) * (double)(i % nx) / (double)nx, y = (double)(i / nx);
+            bed[i] = steep * sin(x + y), surface[i] = 1 + height * cos(x + 0.4 * y);
+        }
+        basin_write(w, CD_BED, bed), basin_write(w, CD_SURFACE, surface);
+        ok(cd_water_get_energy(w, &kinetic, &potential));
+        double start = kinetic + potential, least = start;
+        for (int k = 0; k < 100; ++k) {
+            basin_step(w, courants[n % 4] / sqrt(gravity), 1);
+            ok(cd_water_get_energy(w, &kinetic, &potential));
+            const double now = kinetic + potential, lost = fmax(start - least, 1e-9 * start);
+            worst = fmax(worst, (now - least) / lost), least = fmin(least, now);
+        }
+        cd_water_destroy(w);
+    }
+    print_message("of what friction has taken %.1e comes back\n", worst);
+    assert_true(worst <= 1e-9);
 }
 
 /* ---- wind and pressure ------------------------------------------------------------------------------------------- */
@@ -332,6 +369,7 @@ int main(void) {
         cmocka_unit_test(a_river_has_its_depths),
         cmocka_unit_test(a_stream_runs_down_a_slope_at_mannings_speed),
         cmocka_unit_test(drag_stops_water_as_it_says),
+        cmocka_unit_test(what_friction_has_taken_does_not_come_back),
         cmocka_unit_test(wind_heaps_up_water_by_a_over_g),
         cmocka_unit_test(water_stands_lower_where_air_presses),
         cmocka_unit_test(a_lifted_bed_sends_out_two_waves),

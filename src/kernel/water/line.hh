@@ -51,6 +51,7 @@ struct WaterLine {
     Panel load{}, stiff{};           // of cells: hulls press with a head of load + stiff depth; null: there are none
     Panel flux{}, after{}, speed{};  // results: of cells `after`, of faces flux and velocity
     Panel push{};                    // the part of a push that friction leaves, 0 at closed faces; null: all of it
+    Panel pushed{};                  // scratch of carry(), where there is friction
     Panel pull{}, spare[2] = {};     // scratch
 
     Face side[2] = {};      // the faces at the ends; of a ring face 0

@@ -156,12 +156,12 @@ struct FaceCarriers {
         const size_t i = first + k;
         const Beside after = line.beside_after(i);
         const L v0 = line.beside(i).mean_depth(), v1 = after.mean_depth(), base = line.speed[i], u = line.velocity[i];
-        const L late = line.late_push(i) * line.pushing_rise(i, after), pushed = base - late;
+        const L late = line.late_push(i) * line.pushing_rise(i, after);
         L push = v0 * (base - u) - v1 * late;
         if (line.any_long) {
             const double theta = line.sweep.theta;
             const L early = line.early_push(i) * line.pushing_rise(i, line.beside(i));
-            const L w = bounded(i, pushed);
+            const L pushed = base - late, w = any_bounded ? line.bounded(i, pushed) : pushed;
             push = select(line.is_long, v0 * (w - u) + theta * (v1 - v0) * (w - (pushed + (early + late))), push);
         }
         FaceVolume out{v0, v0 * u + push, u};
@@ -169,11 +169,14 @@ struct FaceCarriers {
             const L less = v0 * u + line.pull[i] * push;
             out.load = select(smaller(line.limits, size_of(out.load) - size_of(less)), less, out.load);
         }
+        if (line.pushed) { // before water is carried there
+            const L most = larger(v0, v1);
+            line.pushed.put(i, select(most, out.load / most, L{}));
+        }
         if (!line.opening) return out;
         const L open = line.opening[i];
         return {select(open, v0, L::splat(kUnmoved)), open * out.load, open * out.speed};
     }
-    L bounded(size_t i, L w) const { return any_bounded ? line.bounded(i, w) : w; }
     FaceVolume outside(int e) const {
         const L far = L::splat(kUnmoved);
         return {far, far, line.speed[e ? line.n : 0]};
@@ -186,9 +189,9 @@ struct FaceCarriers {
     void set(size_t k, L u) const {
         const size_t i = first + k;
         const L water = larger(line.after[line.left(i)], line.after[i]);
-        if (line.sweep.rubs()) { // friction leaves as much of what was carried there as of a push
-            const L w = line.speed[i] - line.late_push(i) * line.pushing_rise(i, line.beside_after(i));
-            u = bounded(i, w) + line.push[i] * (u - bounded(i, w));
+        if (line.pushed) { // friction leaves as much of what was carried there as of a push
+            const L w = line.pushed[i];
+            u = w + line.push[i] * (u - w);
         }
         line.speed.put(i, select(smaller(water, line.open(i)), u, L{}));
     }
@@ -196,8 +199,7 @@ struct FaceCarriers {
 
 inline void WaterLine::carry() {
     const FaceCarriers faces{*this, first_face(), any_positive(bounds), any_positive(limits)};
-    const Panel answers = sweep.rubs() ? spare[1] : speed;
-    carry_line(n - first_face(), ring, faces, Panel{answers.first + first_face() * kLines}, pull, spare[0]);
+    carry_line(n - first_face(), ring, faces, Panel{speed.first + first_face() * kLines}, pull, spare[0]);
     if (any_long) keep_energy();
 }
 

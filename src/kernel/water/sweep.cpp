@@ -126,6 +126,7 @@ struct Sweep {
         if (lines.has_closed_faces())
             fetch_openings(place_of(sweep, lines.bytes, first, lanes), line, line.opening = panel());
         if (line.opening || sweep.rubs()) line.push = panel();
+        if (sweep.rubs() && sweep.advected()) line.pushed = panel();
         if (lines.force || lines.pressure) fetch_acceleration(p, line, line.acceleration = panel());
         if (sweep.manning > 0) fetch_across(p, first, lanes, line.flux, line.across = panel());
         fetch(p, n, lines.bed, line.bed);
