@@ -15,7 +15,7 @@ HULL_STEP = "../model/water_hull_step.cpp"
 # Name: file, what is there, what takes its place, tests to run (the first one that fails ends a rule).
 RULES = {
     "a dry bed pushes nothing": (
-        "water/line.hh", "return select(rise, select(c.r.depth, rise, none), select(c.l.depth, rise, none));", "return rise;",
+        "water/line.hh", "return select(select(rise, c.r.depth, c.l.depth), rise, L{});", "return rise;",
         ["physics_water_lake"]),
     "a face shallower than the mean beside a shallow giver": (
         "water/face.hh", "const L shallower = smaller(mean, most),", "const L shallower = mean,",
@@ -32,7 +32,7 @@ RULES = {
         "water/surface.hh", "k = theta * cells,", "k = 0.0 * cells,",
         ["stability_water_currents"]),
     "the stream's acceleration counts in fluxes": (
-        "water/surface.hh", "advected = theta * stream;", "advected = 0.0 * stream;",
+        "water/surface.hh", "through = through + theta * stream;", "through = through + 0.0 * stream;",
         ["physics_water_sides"]),
     "no cell gives more than it has and gets": (
         "water/line.hh", "if (any_positive(-least)) limit(-least);", "", ["stability_water_volume"]),
@@ -76,12 +76,26 @@ RULES = {
         "water/momentum.hh", "theta * (v1 - v0) * (", "0.0 * (v1 - v0) * (", ["physics_water_momentum"]),
     "no line gains energy in a long step": (
         "water/momentum.hh", "if (any_long) keep_energy();", "", ["stability_water_waves"]),
-    "faces that follow the water count as they will": (
-        "water/velocity.hh", "const bool dry = !all_positive(least);", "const bool dry = false;", ["stability_water_energy"]),
+    "faces that follow the water do so at once": (
+        "water/velocity.hh", "const bool dry = !all_positive(least);", "const bool dry = false;", ["stability_water_hulls"]),
+    "what is to be dry counts as dry": (
+        "water/velocity.hh", "after.put(i, settled(after[i], kDry)); //", "//", ["stability_water_hulls"]),
+    "closed faces follow nothing": (
+        "water/velocity.hh", "out.put(i, open(i) * follows);", "out.put(i, follows);", ["stability_water_hulls"]),
     "water lifts no more than it has energy for": (
         "water/velocity.hh", "(sweep.advected() ? 0.5 *", "(false ? 0.5 *", ["stability_water_energy"]),
     "nor takes it from the momentum of a ring": (
         "water/velocity.hh", "ring ? select(gap, none, momentum / mass) : none;", "none;", ["physics_water_momentum"]),
+    "friction goes by the speed, not by its part along an axis": (
+        "water/face.hh", "if (!any_positive(across)) break;", "break;", ["physics_water_forces"]),
+    "in directions that are found three times": (
+        "water/face.hh", "constexpr int kDirections = 3;", "constexpr int kDirections = 2;", ["physics_water_forces"]),
+    "and by what the stream brings": (
+        "water/surface.hh", "size_of((kept - rise) + gains)", "size_of(kept - rise)", ["physics_water_forces"]),
+    "of which it leaves as much as of a push": (
+        "water/momentum.hh", "u = w + line.push[i] * (u - w);", "", ["physics_water_forces"]),
+    "what it stops in a step moves as at the step's end": (
+        "water/line.hh", "return sweep.implicit ? larger(theta, L::splat(1) - part) : theta;", "return theta;", ["physics_water_forces"]),
     "what comes in at an end brings energy": (
         "water/velocity.hh", "if (!ring) most =", "if (false) most =", ["physics_water_sides", "stability_water_extremes"]),
     "slopes of velocities within cells": (
@@ -93,7 +107,7 @@ RULES = {
     "slopes add no more than goes through": (
         "water/momentum.hh", "smaller(part, size_of(through))", "part", ["physics_water_symmetry"]),
     "half of the momentum goes with old velocities": (
-        "water/momentum.hh", "const L half = 0.5 *", "const L half = 0.0 *", ["physics_water_dams", "physics_water_thacker"]),
+        "water/momentum.hh", "out.early = 0.5 *", "out.early = 0.0 *", ["physics_water_dams", "physics_water_thacker"]),
     "dry faces take the speed of what comes": (
         "water/velocity.hh", "sweep.advected() ? led : none", "none", ["physics_water_thacker", "physics_water_dams"]),
     "but not at a cliff": (
@@ -180,8 +194,10 @@ RULES = {
     "but only after steps that were solved": (
         "rope_step.cpp", "? L::splat(stage.tolerance) - reached : L{};", "? one() : L{};", ["physics_rope_breaks"]),
     "where links push, what is added to masses calms Newton's method": (
-        "rope_step.cpp", "select(reached - before, larger(kRise * added, one()), kFall * added)", "L{}",
+        "rope_step.cpp", "select(reached - before, within(kRise * added, 1, kMostAdded), kFall * added)", "L{}",
         ["physics_rope_contact"]),
+    "but is no more than rounding bears": (
+        "rope_step.cpp", "kMostAdded = 1e6;", "kMostAdded = 1e300;", ["physics_rope_contact"]),
     "the interior point's barrier rises where an iteration is stuck": (
         "rope_step.cpp", "L::splat(1 / kBarrierFall)", "L::splat(kBarrierFall)", ["physics_bed"]),
     "but not beyond what it was to begin with": (
@@ -292,11 +308,11 @@ RULES = {
     "the push that is known makes up for the rest": (
         "rope_contact.hh", "leaving(i, c) + select(c.on, c.push / stiffness, L{})", "leaving(i, c)", ["physics_rope_contact"]),
     "Newton's method knows how friction depends on the slip": (
-        "rope_contact.hh", "c.along = c.along * (sticks / speed), ", "", ["physics_rope_contact"]),
+        "rope_contact.hh", "c.along = c.along * (one() - c.had), ", "", ["physics_rope_contact"]),
     "and on the push": (
         "rope_contact.hh", "c.follows = friction * slip / speed, ", "", ["physics_rope_contact"]),
-    "about no slip where that turns round": (
-        "rope_contact.hh", "newtonian ? L{} - was * dot(slip, c.slip) : L{}", "L{}", ["physics_rope_contact"]),
+    "about the friction that the last elimination had": (
+        "rope_contact.hh", "select(was * (speed * most), share, law)", "law", ["physics_rope_contact"]),
     "what pushes lies at the surface": (
         "rope_contact.hh", "select(was, size_of(c.gap), positive(L{} - c.gap))", "positive(L{} - c.gap)", ["physics_rope_contact"]),
     "strands without mass touch nothing": (
@@ -379,6 +395,8 @@ RULES = {
     "a callback's normal has the length 1": (
         "collider.cpp", "kNormalError = 1e-3;", "kNormalError = 1e9;", ["api_bad_numbers"]),
     "hulls press through a skin": (HULL, "kStiff = 3;", "kStiff = 300;", ["physics_water_hulls", "stability_water_hulls"]),
+    "drag weighs all of the water that moves": (
+        "../model/water_hull_step.cpp", "moving_depth(w, a, i, j)", "face_depth(w, a, i, j)", ["stability_water_hulls"]),
     "that is stiffer than the water's surface": (
         HULL, "kStiff = 3;", "kStiff = 0.3;", ["physics_water_hulls", "stability_water_hulls"]),
     "in a long step all that is less than a depth above the water answers": (

@@ -2,10 +2,10 @@
 """Takes the rules of the steps of water, hulls, ropes and cloth out, one after the other, and shows which tests fail without.
 
     take_out.py FOLDER [RULE...]     builds in FOLDER, some minutes a rule; without a rule's name all of them
-    take_out.py --check              fails unless these rules are in the sources, and those of src/README.md
+    take_out.py --check              fails unless these rules are in the sources, and those of the tables
 
-Exit status 0: every rule has a test that fails without it, and that passes with it. The tables in src/README.md are what
-this prints.
+Exit status 0: every rule has a test that fails without it, and that passes with it. The tables in src/README.md and
+src/rules.md are what this prints.
 """
 
 import subprocess
@@ -19,14 +19,14 @@ KERNELS = "src/kernel/"
 
 def check():
     """What is wrong with the rules as they are told here."""
-    told = (ROOT / "src/README.md").read_text().split("\n## The rules of ")[1].split("\n## ")[0]
+    told = (ROOT / "src/README.md").read_text().split("\n## The rules of ")[1] + (ROOT / "src/rules.md").read_text()
     rows = {line.split(" | ")[0].removeprefix("| "): line for line in told.splitlines() if line.startswith("| ")}
     for name, (file, there, instead, tests) in RULES.items():
         times = (ROOT / KERNELS / file).read_text().count(there)
         if times != 1:
             yield f"{name}: {file} has {times} times {there!r}"
         if not any(f"`{test}`" in rows.get(name, "") for test in tests):
-            yield f"{name}: src/README.md names none of {tests}"
+            yield f"{name}: no table names any of {tests}"
     yield from (f"{name}: no rule here" for name in rows.keys() - RULES.keys() - {"rule"})
 
 
