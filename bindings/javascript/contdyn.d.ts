@@ -1935,7 +1935,8 @@ export interface WaterOptions {
  * volume. Explicit methods differ in that no surface is solved for: half of the slope pushes, the water moves, then the
  * other half pushes (velocity Verlet).
  *
- * What goes wrong, and by how much. "From n cells on" means: in steps in which waves cross n cells or more.
+ * What goes wrong, and by how much. "From n cells on": in steps, or parts of fast water's, in which waves cross as
+ * many.
  *   Long steps: from 1 cell on waves run too slowly, short ones most, and slantwise more than along the axes. Make
  *      them shorter: to solve for the whole plane, a system that streams make neither symmetric nor definite, cost tens
  *      of times as much, and gained and lost water.
@@ -2032,7 +2033,7 @@ export class Water extends Handle {
 
   /**
    * Manning's roughness of the bed [s/m^(1/3)], in [0, 1e3]: 0.01 for glass, 0.03 for a river, 0.1 for a flooded wood.
-   * Default 0. Water that runs down a slope S settles at d^(2/3) sqrt(S) / manning.
+   * Default 0. Water that runs down a slope S, any way, settles at d^(2/3) sqrt(S) / manning.
    */
   get manning(): number;
   set manning(value: number);
@@ -2048,9 +2049,10 @@ export class Water extends Handle {
    *                      than waves, as over a side that lies higher than the level, water falls off: a stream slower
    * than
    *                      its waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
-   *   "level"    level [m] that is held at the side itself, whatever flows out: with D the depth there and u the
-   *                      velocity one face inside, water crosses it by U = u + 2 (sqrt(g d) - sqrt(g D)), and the
-   *                      discharge is U D. Waves are thrown back. What is faster than its waves falls off as above.
+   *   "level"    level [m] that is held at the side itself, whatever flows out: with D its depth over the bed of
+   *                      the cell there and u the velocity one face inside, water crosses it by U = u + 2 (sqrt(g d) -
+   *                      sqrt(g D)) and discharges U D. Waves are thrown back. What outruns its waves falls off as
+   * above.
    *   "inflow"   discharge per metre of the side [m^2/s] into the water, velocity times depth, whatever the depth
    *                      is; where the cell is shallower than the critical depth, it comes in at that. If negative it
    *                      leaves, as far as there is water.

@@ -60,5 +60,5 @@
 {9, 0, 1, {0x531346c2f77db88a, 0xdaf2406c65b1fe9c}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
 {10, 0, 0, {0x832e0b1ba5b55cd2, 0x0b63c0c0bda8165b}}, /* sail */
-{11, 0, 0, {0xc568ba5b242db33e, 0xcbd1a6e557924be4}}, /* lengths */
+{11, 0, 0, {0xc568ba5b242db33e, 0xbb27a511f6795e08}}, /* lengths */
 {12, 0, 0, {0xf0272779186633fc, 0x3bba9b06e320353e}}, /* lengths, tube */

@@ -3097,25 +3097,25 @@ end
 -- that holds back. So no depth is negative, a lake lies still on any bed, and cd_water_get_account tells all changes of
 -- volume. Explicit methods differ in that no surface is solved for: half of the slope pushes, the water moves, then the
 -- other half pushes (velocity Verlet).
--- What goes wrong, and by how much. "From n cells on" means: in steps in which waves cross n cells or more. Long steps:
--- from 1 cell on waves run too slowly, short ones most, and slantwise more than along the axes. Make them shorter: to
--- solve for the whole plane, a system that streams make neither symmetric nor definite, cost tens of times as much, and
--- gained and lost water. Fast water: a line whose water would run more than half a cell makes its step in 2, 4, ... 64
--- parts, at so many times the cost, none of which begins with faster water. Water that runs more than 32 cells is
--- carried less exactly, and ripples on it may grow; on slower water only those of linear momentum, lambda 1/2, uneven
--- beds do. Bores, linear: momentum is not carried on, so that a shore moves with the slope of the surface there, and a
--- bore a tenth, half, twice as high as the depth before it is 2, 9, 22% too slow, against a stream as much too fast.
--- Bores, advected: within 1.2% of their speed, also against streams, until water runs over 32 cells; from 2 cells on
--- those a tenth of the depth high are spread over 2 to 6 times as many. Waves behind a bore: with lambda = 1/2 up to
--- its own height (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where the water behind it rests. Energy,
--- linear: where water deepens it gains h_t u^2 / 2, at random shores some hundredths in all (and see hulls). From 2
--- cells on waves in the plane, with lambda = 1/2, grow in thousands of steps to a ninth of the depth. Energy, advected:
--- from 1 cell on it does not rise by itself. Below 1 cell up to 0.005 of it is won among cliffs, far below also at
--- shores, and 0.01 in the first step after velocities are written there. Energy, both: from 1 cell on no face gains
--- more than its water loses by falling: linear over uneven depths, advected where a depth changes by half; from 1e12 on
--- rounding may add any amount. Air that presses water dry adds 1.4 times what it has to give where momentum is linear,
--- half of it where advected, any amount if explicit. Dry land: what pushes water away from it gives the face at the
--- water's edge a velocity that no water follows.
+-- What goes wrong, and by how much. "From n cells on": in steps, or parts of fast water's, in which waves cross as
+-- many. Long steps: from 1 cell on waves run too slowly, short ones most, and slantwise more than along the axes. Make
+-- them shorter: to solve for the whole plane, a system that streams make neither symmetric nor definite, cost tens of
+-- times as much, and gained and lost water. Fast water: a line whose water would run more than half a cell makes its
+-- step in 2, 4, ... 64 parts, at so many times the cost, none of which begins with faster water. Water that runs more
+-- than 32 cells is carried less exactly, and ripples on it may grow; on slower water only those of linear momentum,
+-- lambda 1/2, uneven beds do. Bores, linear: momentum is not carried on, so that a shore moves with the slope of the
+-- surface there, and a bore a tenth, half, twice as high as the depth before it is 2, 9, 22% too slow, against a stream
+-- as much too fast. Bores, advected: within 1.2% of their speed, also against streams, until water runs over 32 cells;
+-- from 2 cells on those a tenth of the depth high are spread over 2 to 6 times as many. Waves behind a bore: with
+-- lambda = 1/2 up to its own height (linear: 1.6), with 0.6 up to 0.3 (1.3), all along its way where the water behind
+-- it rests. Energy, linear: where water deepens it gains h_t u^2 / 2, at random shores some hundredths in all (and see
+-- hulls). From 2 cells on waves in the plane, with lambda = 1/2, grow in thousands of steps to a ninth of the depth.
+-- Energy, advected: from 1 cell on it does not rise by itself. Below 1 cell up to 0.005 of it is won among cliffs, far
+-- below also at shores, and 0.01 in the first step after velocities are written there. Energy, both: from 1 cell on no
+-- face gains more than its water loses by falling: linear over uneven depths, advected where a depth changes by half;
+-- from 1e12 on rounding may add any amount. Air that presses water dry adds 1.4 times what it has to give where
+-- momentum is linear, half of it where advected, any amount if explicit. Dry land: what pushes water away from it gives
+-- the face at the water's edge a velocity that no water follows.
 -- A new water is dry, over a bed at 0, at rest, walled in, gravity 9.81, density 1000, no drag, CD_MOMENTUM_LINEAR,
 -- CD_METHOD_IMPLICIT with lambda 0.55. All computing is in double precision; CD_FLOAT32 is what depth, bed, velocities
 -- and the fields are stored in. Steps store 0 for depths below 2^-80 m and velocities below 2^-80 (float32), 2^-500
@@ -3318,7 +3318,7 @@ function Water:get_drag()
 end
 
 -- Manning's roughness of the bed [s/m^(1/3)], in [0, 1e3]: 0.01 for glass, 0.03 for a river, 0.1 for a flooded wood.
--- Default 0. Water that runs down a slope S settles at d^(2/3) sqrt(S) / manning.
+-- Default 0. Water that runs down a slope S, any way, settles at d^(2/3) sqrt(S) / manning.
 function Water:set_manning(manning)
   local where = "cd_water_set_manning"
   manning = number_in(manning, where, "manning")
@@ -3327,7 +3327,7 @@ function Water:set_manning(manning)
 end
 
 -- Manning's roughness of the bed [s/m^(1/3)], in [0, 1e3]: 0.01 for glass, 0.03 for a river, 0.1 for a flooded wood.
--- Default 0. Water that runs down a slope S settles at d^(2/3) sqrt(S) / manning.
+-- Default 0. Water that runs down a slope S, any way, settles at d^(2/3) sqrt(S) / manning.
 function Water:get_manning()
   local where = "cd_water_get_manning"
   local out_manning = double_1()
@@ -3341,13 +3341,13 @@ end
 -- cell at the side, D the level's depth over the same bed, water leaves by u = 2 (sqrt(g d) - sqrt(g D)), linear by u =
 -- sqrt(g d) (1 - D / d), and the discharge is u d. Where u is faster than waves, as over a side that lies higher than
 -- the level, water falls off: a stream slower than its waves leaves at critical depth, u = sqrt(g d), a faster one as
--- it comes. CD_BORDER_LEVEL level [m] that is held at the side itself, whatever flows out: with D the depth there and u
--- the velocity one face inside, water crosses it by U = u + 2 (sqrt(g d) - sqrt(g D)), and the discharge is U D. Waves
--- are thrown back. What is faster than its waves falls off as above. CD_BORDER_INFLOW discharge per metre of the side
--- [m^2/s] into the water, velocity times depth, whatever the depth is; where the cell is shallower than the critical
--- depth, it comes in at that. If negative it leaves, as far as there is water. CD_BORDER_WALL, CD_BORDER_PERIODIC value
--- and rate mean nothing Both sides of a direction are periodic or neither is: setting one sets the other, and leaving
--- it leaves both, the opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
+-- it comes. CD_BORDER_LEVEL level [m] that is held at the side itself, whatever flows out: with D its depth over the
+-- bed of the cell there and u the velocity one face inside, water crosses it by U = u + 2 (sqrt(g d) - sqrt(g D)) and
+-- discharges U D. Waves are thrown back. What outruns its waves falls off as above. CD_BORDER_INFLOW discharge per
+-- metre of the side [m^2/s] into the water, velocity times depth, whatever the depth is; where the cell is shallower
+-- than the critical depth, it comes in at that. If negative it leaves, as far as there is water. CD_BORDER_WALL,
+-- CD_BORDER_PERIODIC value and rate mean nothing Both sides of a direction are periodic or neither is: setting one sets
+-- the other, and leaving it leaves both, the opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
 function Water:set_side(side, kind, value, rate)
   local where = "cd_water_set_side"
   side = enum_in("cd_side", side, where, "side")

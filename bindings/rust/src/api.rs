@@ -3094,12 +3094,12 @@ pub struct WaterEnergy {
 /// tells how much that holds back. So no depth is negative, a lake lies still on any bed, and cd_water_get_account
 /// tells all changes of volume. Explicit methods differ in that no surface is solved for: half of the slope pushes,
 /// the water moves, then the other half pushes (velocity Verlet).
-/// What goes wrong, and by how much. "From n cells on" means: in steps in which waves cross n cells or more. Long
-/// steps: from 1 cell on waves run too slowly, short ones most, and slantwise more than along the axes. Make them
-/// shorter: to solve for the whole plane, a system that streams make neither symmetric nor definite, cost tens of
-/// times as much, and gained and lost water. Fast water: a line whose water would run more than half a cell makes
-/// its step in 2, 4, ... 64 parts, at so many times the cost, none of which begins with faster water. Water that
-/// runs more than 32 cells is carried less exactly, and ripples on it may grow; on slower water only those of
+/// What goes wrong, and by how much. "From n cells on": in steps, or parts of fast water's, in which waves cross as
+/// many. Long steps: from 1 cell on waves run too slowly, short ones most, and slantwise more than along the axes.
+/// Make them shorter: to solve for the whole plane, a system that streams make neither symmetric nor definite, cost
+/// tens of times as much, and gained and lost water. Fast water: a line whose water would run more than half a cell
+/// makes its step in 2, 4, ... 64 parts, at so many times the cost, none of which begins with faster water. Water
+/// that runs more than 32 cells is carried less exactly, and ripples on it may grow; on slower water only those of
 /// linear momentum, lambda 1/2, uneven beds do. Bores, linear: momentum is not carried on, so that a shore moves
 /// with the slope of the surface there, and a bore a tenth, half, twice as high as the depth before it is 2, 9, 22%
 /// too slow, against a stream as much too fast. Bores, advected: within 1.2% of their speed, also against streams,
@@ -3384,13 +3384,13 @@ impl Water {
     }
 
     /// Manning's roughness of the bed \[s/m^(1/3)\], in \[0, 1e3\]: 0.01 for glass, 0.03 for a river, 0.1 for a flooded
-    /// wood. Default 0. Water that runs down a slope S settles at d^(2/3) sqrt(S) / manning.
+    /// wood. Default 0. Water that runs down a slope S, any way, settles at d^(2/3) sqrt(S) / manning.
     pub fn set_manning(&mut self, manning: f64) -> Result<()> {
         check(unsafe { sys::cd_water_set_manning(self.as_ptr(), manning) })
     }
 
     /// Manning's roughness of the bed \[s/m^(1/3)\], in \[0, 1e3\]: 0.01 for glass, 0.03 for a river, 0.1 for a flooded
-    /// wood. Default 0. Water that runs down a slope S settles at d^(2/3) sqrt(S) / manning.
+    /// wood. Default 0. Water that runs down a slope S, any way, settles at d^(2/3) sqrt(S) / manning.
     pub fn get_manning(&self) -> Result<f64> {
         let mut out_manning = 0.0;
         check(unsafe { sys::cd_water_get_manning(self.as_ptr(), &mut out_manning) })?;
@@ -3404,13 +3404,13 @@ impl Water {
     /// sqrt(g D)), linear by u = sqrt(g d) (1 - D / d), and the discharge is u d. Where u is faster than waves, as over
     /// a side that lies higher than the level, water falls off: a stream slower than its waves leaves at critical
     /// depth, u = sqrt(g d), a faster one as it comes. CD_BORDER_LEVEL level \[m\] that is held at the side itself,
-    /// whatever flows out: with D the depth there and u the velocity one face inside, water crosses it by U = u + 2
-    /// (sqrt(g d) - sqrt(g D)), and the discharge is U D. Waves are thrown back. What is faster than its waves falls
-    /// off as above. CD_BORDER_INFLOW discharge per metre of the side \[m^2/s\] into the water, velocity times depth,
-    /// whatever the depth is; where the cell is shallower than the critical depth, it comes in at that. If negative it
-    /// leaves, as far as there is water. CD_BORDER_WALL, CD_BORDER_PERIODIC value and rate mean nothing Both sides of a
-    /// direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the opposite one
-    /// as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
+    /// whatever flows out: with D its depth over the bed of the cell there and u the velocity one face inside, water
+    /// crosses it by U = u + 2 (sqrt(g d) - sqrt(g D)) and discharges U D. Waves are thrown back. What outruns its
+    /// waves falls off as above. CD_BORDER_INFLOW discharge per metre of the side \[m^2/s\] into the water, velocity
+    /// times depth, whatever the depth is; where the cell is shallower than the critical depth, it comes in at that. If
+    /// negative it leaves, as far as there is water. CD_BORDER_WALL, CD_BORDER_PERIODIC value and rate mean nothing
+    /// Both sides of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both,
+    /// the opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
     pub fn set_side(&mut self, side: Side, kind: Border, value: f64, rate: f64) -> Result<()> {
         check(unsafe { sys::cd_water_set_side(self.as_ptr(), side as i32, kind as i32, value, rate) })
     }
