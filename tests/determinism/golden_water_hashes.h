@@ -9,11 +9,11 @@
 {1, 17, 1, {0x4e1012f6bbf60050, 0x1683e8965d6cf97d}}, /* dam */
 {1, 16, 7, {0xfec89a945dd3401f, 0x8b4defb7757e4539}}, /* dam */
 {1, 2, 16, {0xaac7a9ed8ad40df8, 0x45ace8e8b5a79d75}}, /* dam */
-{2, 13, 9, {0x28dbc4ef7892afc7, 0x600bdbc31cb2ad5c}}, /* flood */
-{2, 1, 17, {0x16438bfe619190b2, 0x8e5e30b9e6ee0304}}, /* flood */
-{2, 17, 1, {0x4ef0a89117c8d20f, 0x2f8573b87bf64c1f}}, /* flood */
-{2, 16, 7, {0x9cb89c35aaeffc7b, 0xcc06599f21adbbbf}}, /* flood */
-{2, 2, 16, {0x8f78c39abc0d0830, 0xb350bcdfd94be1d1}}, /* flood */
+{2, 13, 9, {0xe4eba371f8bc6901, 0xe3d073c86ced1f53}}, /* flood */
+{2, 1, 17, {0x883b1b847d432f57, 0x1c456aa5476c8be7}}, /* flood */
+{2, 17, 1, {0xe8b63829874417da, 0xbd9f7e0cb0036f13}}, /* flood */
+{2, 16, 7, {0xa61b2d23ecbfbd2a, 0x449362aa972a9a3e}}, /* flood */
+{2, 2, 16, {0xf45e0b2c2ab60eed, 0x4aa4e7c3e66cfdbf}}, /* flood */
 {3, 13, 9, {0x3a9bf635f28e3f74, 0x6823316b1acdc8fb}}, /* weir */
 {3, 1, 17, {0x84252bae5d5547e1, 0xfd32384464f6a8a6}}, /* weir */
 {3, 17, 1, {0x3c200cb15850ac64, 0x93d3cdba66913fbe}}, /* weir */
@@ -34,16 +34,16 @@
 {6, 17, 1, {0x616bb3d6395b86d5, 0x56ea94cb5298ca68}}, /* tide */
 {6, 16, 7, {0x4ac20562058496c3, 0x873f5523df752869}}, /* tide */
 {6, 2, 16, {0x0e3644fcde0e37fa, 0x9b8f043242023cb7}}, /* tide */
-{7, 13, 9, {0xdfc237fcc41f39be, 0x9fab60d1225d4235}}, /* river */
-{7, 1, 17, {0x064922632e99253a, 0x70bac67f0a59691d}}, /* river */
-{7, 17, 1, {0xce191ef03978fa91, 0x53a5389176fbc2cb}}, /* river */
-{7, 16, 7, {0x0920fa492656dc72, 0x7a86dea6387a0332}}, /* river */
-{7, 2, 16, {0x38932bee4f612ff3, 0xaf8951a3adc72da9}}, /* river */
-{8, 13, 9, {0xd1d1a2a962bef1c8, 0x344f2dd611460740}}, /* torus */
-{8, 1, 17, {0x43d1c128d33eb8da, 0xf711c204a9a1bd2c}}, /* torus */
-{8, 17, 1, {0x9d9954ee3f9ee7fa, 0x36f42e236ec538ae}}, /* torus */
-{8, 16, 7, {0x74a8fd440dc1d18c, 0x5ea2a2d78d6a565d}}, /* torus */
-{8, 2, 16, {0x202d3eaaebe01dca, 0x0ab0fea86480ee29}}, /* torus */
+{7, 13, 9, {0x4c8437922e992e97, 0x2f28a8306d3915d4}}, /* river */
+{7, 1, 17, {0x7a923f573c1717e2, 0x498604e1984179bf}}, /* river */
+{7, 17, 1, {0xfe7b6a9ca868741e, 0xb1425c773756c51f}}, /* river */
+{7, 16, 7, {0x4f145499cabc3418, 0xb17368a15f45efe9}}, /* river */
+{7, 2, 16, {0xef420fe11d5f3a5e, 0x58681a4aef7a91a5}}, /* river */
+{8, 13, 9, {0xc36e02d358180a8b, 0xf141c6d80c6b96b7}}, /* torus */
+{8, 1, 17, {0xf867ed88a1185353, 0xc757699a9361334a}}, /* torus */
+{8, 17, 1, {0x07552e16e95f4cd3, 0xad605bcde65077ce}}, /* torus */
+{8, 16, 7, {0xb5cb80faa5441e8a, 0x1c8ae768e4ea551c}}, /* torus */
+{8, 2, 16, {0x12147763826b0eb8, 0xeeab7d4efbe34f01}}, /* torus */
 {9, 13, 9, {0x685449c367df7c34, 0xfddf89c84badf1a9}}, /* masked */
 {9, 1, 17, {0x25226b653692210b, 0xd28bebf71893d1ae}}, /* masked */
 {9, 17, 1, {0x1d326e3ce732cdfa, 0x33f3c06b72c03e8c}}, /* masked */
@@ -54,16 +54,16 @@
 {10, 17, 1, {0xd4a224799f0e354a, 0x3e98074c93252028}}, /* fed */
 {10, 16, 7, {0x439d6531ed996d59, 0xc9e50d630623e061}}, /* fed */
 {10, 2, 16, {0x61975d8b8520856a, 0x25e11d339c20be05}}, /* fed */
-{11, 13, 9, {0xe499d7b2e5bc2aee, 0x11cacc1319758126}}, /* everything */
-{11, 1, 17, {0x6339f8b23d39866d, 0xe3de2b56fb951360}}, /* everything */
-{11, 17, 1, {0xc5537dfaa83a5044, 0x3a658e7352b4777a}}, /* everything */
-{11, 16, 7, {0x54ee8188cfeb0de9, 0x03ab9fb1d0876a64}}, /* everything */
-{11, 2, 16, {0xee2aed348b12e5ad, 0xd74b40a321291b83}}, /* everything */
-{12, 13, 9, {0xc5840e0723e76af7, 0x0157b1a7314c77f7}}, /* everything, long steps */
-{12, 1, 17, {0xaea4bfd74a004334, 0x9b868ba524bceead}}, /* everything, long steps */
-{12, 17, 1, {0x8ffd582147697228, 0x368b6ba214c749ef}}, /* everything, long steps */
-{12, 16, 7, {0xb98095e4720b45bd, 0x29d8bd03081c36f4}}, /* everything, long steps */
-{12, 2, 16, {0x5b30c9c21eac8c29, 0x029a28905d295148}}, /* everything, long steps */
+{11, 13, 9, {0x1bf15d60767967f4, 0xeddd47ea1a357f1b}}, /* everything */
+{11, 1, 17, {0x1c6fef67740d93d9, 0x2b2820d276db8ef8}}, /* everything */
+{11, 17, 1, {0x4543cfa5953a9273, 0xdcbcf9b61e83a13c}}, /* everything */
+{11, 16, 7, {0x3102f89b1367ef73, 0xc5fb1156a73e3f07}}, /* everything */
+{11, 2, 16, {0x290e736109dc4d81, 0xc21e4d67288fe890}}, /* everything */
+{12, 13, 9, {0xa647639ae0a02b0a, 0xa3f9303e8047c23d}}, /* everything, long steps */
+{12, 1, 17, {0x23f03471e30728f7, 0xdbc6f71902b713bb}}, /* everything, long steps */
+{12, 17, 1, {0x013a9950533335c3, 0x04d68bb58429bb8b}}, /* everything, long steps */
+{12, 16, 7, {0x306e1e37457dd9f6, 0x97708e66083d5cb6}}, /* everything, long steps */
+{12, 2, 16, {0x9453b55948b49c48, 0x6d8dcc88ca98ea06}}, /* everything, long steps */
 {13, 13, 9, {0xc10f2419498ec1cf, 0x0c5b81818e843b98}}, /* hulls */
 {13, 1, 17, {0xefc6e6dfd02ac6c0, 0xdb8e5fc1b4daa8e6}}, /* hulls */
 {13, 17, 1, {0x1b1c6d57f7439e98, 0xb0f69705ff1e3bdd}}, /* hulls */

@@ -156,23 +156,21 @@ struct FaceCarriers {
         const size_t i = first + k;
         const Beside after = line.beside_after(i);
         const L v0 = line.beside(i).mean_depth(), v1 = after.mean_depth(), base = line.speed[i], u = line.velocity[i];
-        const L late = line.late_push(i) * line.pushing_rise(i, after);
-        L push = v0 * (base - u) - v1 * late;
+        const L late = line.late_push(i) * line.pushing_rise(i, after), pushed = base - late;
+        L w = pushed, push = v0 * (base - u) - v1 * late;
         if (line.any_long) {
             const double theta = line.sweep.theta;
             const L early = line.early_push(i) * line.pushing_rise(i, line.beside(i));
-            const L pushed = base - late, w = any_bounded ? line.bounded(i, pushed) : pushed;
+            if (any_bounded) w = line.bounded(i, pushed);
             push = select(line.is_long, v0 * (w - u) + theta * (v1 - v0) * (w - (pushed + (early + late))), push);
         }
         FaceVolume out{v0, v0 * u + push, u};
         if (any_limited) { // what does not go through gains nothing by the push
             const L less = v0 * u + line.pull[i] * push;
-            out.load = select(smaller(line.limits, size_of(out.load) - size_of(less)), less, out.load);
+            const L held = smaller(line.limits, size_of(out.load) - size_of(less));
+            out.load = select(held, less, out.load), w = select(held, u + line.pull[i] * (w - u), w);
         }
-        if (line.pushed) { // before water is carried there
-            const L most = larger(v0, v1);
-            line.pushed.put(i, select(most, out.load / most, L{}));
-        }
+        if (line.pushed) line.pushed.put(i, w);
         if (!line.opening) return out;
         const L open = line.opening[i];
         return {select(open, v0, L::splat(kUnmoved)), open * out.load, open * out.speed};
