@@ -10,8 +10,8 @@ constexpr double kSettleSoftly = 1e-12;
 constexpr double kMostError = 1e300; // of lengths, over rest lengths: beyond it, no iteration helps
 constexpr size_t kMostNewton = 8;    // iterations before a safer step is tried
 // Where it goes on, by how much the mass that is added to the nodes rises after an iteration that made the error larger,
-// and falls after others: together more than 1, so that it rises where the error goes to and fro.
-// But not without a bound: what it leaves out of the nodes' momentum must not be lost to rounding, where they stand still.
+// and falls after others: together more than 1, so that it rises where the error goes to and fro; and the most of it, over
+// the nodes' own, beyond which rounding would hide what is left out of their momentum, and pass for a solution.
 constexpr double kRise = 4, kFall = 0.3, kMostAdded = 1e6;
 // Of the interior point.
 constexpr double kFirstGap = 0.1;    // the least gap to start with, over the rest length

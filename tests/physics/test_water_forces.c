@@ -120,8 +120,8 @@ static void what_runs_slantwise_settles_at_mannings_speed(void** state) {
 }
 
 /* Rivers a kilometre long, of 2 m^2/s, on beds over which they are steady in the depths that are given (MacDonald,
- * Baines, Nichols and Samuels 1997; in Delestre and others' library of exact solutions, 2013, numbers 3.2.1): slower than
- * waves, and from slower to faster. */
+ * Baines, Nichols and Samuels 1997; also in Delestre and others' library of exact solutions, 2013): slower than waves, and
+ * from slower to faster. */
 static double depth_of_river(int turns_fast, double x) {
     const double critical = cbrt(4 / gravity), s = x / 1000 - 0.5;
     if (!turns_fast) return critical * (1 + 0.5 * exp(-16 * s * s));
@@ -134,8 +134,7 @@ static double fall_of_river(int turns_fast, double manning, double x) { /* -db/d
     return (1 - q * q / (gravity * h * h * h)) * rises + manning * manning * q * q / pow(h, 10.0 / 3);
 }
 
-/* Of second order, and the same whatever the step. The last cells, which go by the side's level over their own beds, do
- * not count. */
+/* Of second order, and the same whatever the step. The side holds the level of the last cell, over whose bed it counts. */
 static void a_river_has_its_depths(void** state) {
     (void)state;
     static const double mannings[] = {0.033, 0.0218}, courants[] = {0.5, 4, 32};
@@ -148,7 +147,7 @@ static void a_river_has_its_depths(void** state) {
                 cd_water* w = line_basin((int)c % 2, n, 1, dx, CD_FLOAT64);
                 basin_set_way(w, &ways[ADVECTED]);
                 ok(cd_water_set_manning(w, mannings[turns_fast]));
-                for (size_t i = n; i-- > 0;) { /* from the lower end up; by Simpson's rule over quarters of a cell */
+                for (size_t i = n; i-- > 0;) { /* from the lower end up; by Simpson's rule over eighths of that */
                     const double x = dx * ((double)i + 0.5), part = i + 1 == n ? 0.5 * dx : dx;
                     for (int k = 0; k < 8; ++k) {
                         const double from = x + part * k / 8, to = x + part * (k + 1) / 8;

@@ -78,6 +78,10 @@ RULES = {
         "water/momentum.hh", "if (any_long) keep_energy();", "", ["stability_water_waves"]),
     "faces that follow the water do so at once": (
         "water/velocity.hh", "const bool dry = !all_positive(least);", "const bool dry = false;", ["stability_water_hulls"]),
+    "lines without water are not solved": (
+        "water/sweep.cpp", "if (is_dry(line, depths)) {", "if (false) {", ["api_water_cost"]),
+    "impulses weigh all of the water that moves": (
+        "../model/water_act.cpp", "moving_depth(w, a, i, j)", "face_depth(w, a, i, j)", ["api_water_acting"]),
     "what is to be dry counts as dry": (
         "water/velocity.hh", "after.put(i, settled(after[i], kDry)); //", "//", ["stability_water_hulls"]),
     "closed faces follow nothing": (
