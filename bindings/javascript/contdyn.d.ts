@@ -1197,9 +1197,8 @@ export interface MembraneOptions {
  *   "stiffSecond": adds no energy where coupled solves meet the default tolerance; a step that ended short of
  *      its own has added a third, one that alternates on a sheet that is not uniform a twentieth.
  * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
- * 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.
- * Every function returns "errorNull" for a null pointer and "errorHandle" for a handle of another kind; the
- * comments name the other errors. Functions that the chain has too mean the same here.
+ * 1e60, masses as small as 1e-60. Every function returns "errorNull" for a null pointer and "errorHandle" for a
+ * handle of another kind; the comments name the other errors. Functions that the chain has too mean the same here.
  */
 export class Membrane extends Handle {
   /**
@@ -1249,8 +1248,7 @@ export class Membrane extends Handle {
   get convergence(): { iterations: number; residual: number };
 
   /**
-   * The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and a
-   * new membrane has the fastest that its processor runs. Not part of the saved state.
+   * The instructions that steps are made of, as kernels says. Not part of the saved state.
    * Errors: "errorEnum"; "errorUnsupported" for kernels that are not among runnableKernels.
    */
   get kernels(): Kernels;
@@ -1656,8 +1654,7 @@ export class Membrane extends Handle {
    * the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which
    * are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its
    * mass;
-   * held and absent nodes take none of it, and their shares are lost. u in [0, nu], v in [0, nv], radius >= 0.
-   * Errors: "errorRange" for count; "errorValue".
+   * held and absent nodes lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: "errorRange", "errorValue".
    */
   impulse(u: number, v: number, radius: number, impulse: Numbers): void;
 
@@ -1742,6 +1739,14 @@ export class Membrane extends Handle {
   get momentum(): Float64Array;
 
   /**
+   * The force [N], one number per component, with which springs, shear and bend pull at a node where it is now: of a
+   * held
+   * node, what the sheet does to whatever holds it, but for weight, forces, attachment, pressure and wind of that node
+   * itself. Errors: "errorRange" for count, or if there is no such node.
+   */
+  getReaction(u: number, v: number): Float64Array;
+
+  /**
    * Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's normal, each cell
    * the
    * mean of its two triangulations, cells with an absent node or torn open left out. Of a drum-head whose rim lies in a
@@ -1794,39 +1799,29 @@ export class Membrane extends Handle {
    * is
    * that of the buffer in bytes. The numbers change with "mask", ring and what is cut of cloth only.
    * 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never written. Errors:
-   * "errorValue" for another indexSize; "errorRange" if size is too small; "errorUnsupported" for more than 65535
-   * or 2^32 - 1 nodes.
+   * "errorValue" for another indexSize; "errorRange" if size is too small; "errorUnsupported" for more nodes.
    */
   writeIndices(buffer: ArrayBuffer | ArrayBufferView, indexSize: number): void;
 
   // ---- keeping ------------------------------------------------------------------------------------------------------
 
   /**
-   * The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-
-   * endian
-   * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
-   * load needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are
-   * damaged, cut short, of a later version or another kind are refused and change nothing.
+   * The whole state as bytes, all the future depends on but the callbacks, as save says. load needs a membrane of
+   * the same shape and precision; it switches fields on and off as they were.
    * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
    */
   saveSize(): number;
 
   /**
-   * The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-
-   * endian
-   * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
-   * load needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are
-   * damaged, cut short, of a later version or another kind are refused and change nothing.
+   * The whole state as bytes, all the future depends on but the callbacks, as save says. load needs a membrane of
+   * the same shape and precision; it switches fields on and off as they were.
    * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
    */
   save(): Uint8Array;
 
   /**
-   * The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-
-   * endian
-   * on every machine, versioned, with a checksum. save needs size >= saveSize and tells what it wrote.
-   * load needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are
-   * damaged, cut short, of a later version or another kind are refused and change nothing.
+   * The whole state as bytes, all the future depends on but the callbacks, as save says. load needs a membrane of
+   * the same shape and precision; it switches fields on and off as they were.
    * Errors: save: "errorRange". load: "errorFormat", "errorMismatch", "errorMemory".
    */
   load(bytes: ArrayBuffer | ArrayBufferView): void;

@@ -1303,6 +1303,15 @@ export class Membrane extends Handle {
     return got(momentumAt, Float64Array, countOf);
   }
 
+  getReaction(u, v) {
+    const address = addressOf(this, Membrane);
+    begin();
+    const countOf = componentsOf(this);
+    const forceAt = take(Float64Array.BYTES_PER_ELEMENT * countOf);
+    check(wasm.cd_membrane_get_reaction(address, size(u, "u"), size(v, "v"), forceAt, countOf));
+    return got(forceAt, Float64Array, countOf);
+  }
+
   get volume() {
     check(wasm.cd_membrane_get_volume(addressOf(this, Membrane), result(0)));
     return real(0);

@@ -47,9 +47,8 @@
  *   CD_METHOD_STIFF_SECOND: adds no energy where coupled solves meet the default tolerance; a step that ended short of
  *      its own has added a third, one that alternates on a sheet that is not uniform a twentieth.
  * What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as
- * 1e60, masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels.
- * Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the
- * comments name the other errors. Functions that the chain has too mean the same here. */
+ * 1e60, masses as small as 1e-60. Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a
+ * handle of another kind; the comments name the other errors. Functions that the chain has too mean the same here. */
 #ifndef CONTDYN_MEMBRANE_H
 #define CONTDYN_MEMBRANE_H
 
@@ -118,8 +117,7 @@ CD_API cd_status cd_membrane_get_convergence(const cd_membrane* membrane, size_t
 /* Spreads a step over the caller's threads. Null turns it off. Errors: CD_ERROR_NULL for a table without run. */
 CD_API cd_status cd_membrane_set_parallel(cd_membrane* membrane, const cd_parallel* parallel);
 
-/* The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and a
- * new membrane has the fastest that its processor runs. Not part of the saved state.
+/* The instructions that steps are made of, as cd_chain_set_kernels says. Not part of the saved state.
  * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels. */
 CD_API cd_status cd_membrane_set_kernels(cd_membrane* membrane, cd_kernels kernels);
 CD_API cd_status cd_membrane_get_kernels(const cd_membrane* membrane, cd_kernels* out_kernels);
@@ -374,8 +372,7 @@ CD_API cd_status cd_membrane_view(const cd_membrane* membrane, cd_field field, c
 /* Adds impulse [N s], one number per component, spread over the nodes that are less than `radius` springs away from
  * the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which
  * are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass;
- * held and absent nodes take none of it, and their shares are lost. u in [0, nu], v in [0, nv], radius >= 0.
- * Errors: CD_ERROR_RANGE for count; CD_ERROR_VALUE. */
+ * held and absent nodes lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE. */
 CD_API cd_status cd_membrane_impulse(cd_membrane* membrane, double u, double v, double radius, const double* impulse,
                                      size_t count);
 
@@ -430,6 +427,12 @@ CD_API cd_status cd_membrane_get_energy(const cd_membrane* membrane, double* out
  * Errors: CD_ERROR_RANGE if count is not the number of components. */
 CD_API cd_status cd_membrane_get_momentum(const cd_membrane* membrane, double* out_momentum, size_t count);
 
+/* The force [N], one number per component, with which springs, shear and bend pull at a node where it is now: of a held
+ * node, what the sheet does to whatever holds it, but for weight, forces, attachment, pressure and wind of that node
+ * itself. Errors: CD_ERROR_RANGE for count, or if there is no such node. */
+CD_API cd_status cd_membrane_get_reaction(const cd_membrane* membrane, size_t u, size_t v, double* out_force,
+                                          size_t count);
+
 /* Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's normal, each cell the
  * mean of its two triangulations, cells with an absent node or torn open left out. Of a drum-head whose rim lies in a
  * plane through the origin it is the volume under it; of a closed surface, what it encloses. 3 components only.
@@ -471,16 +474,13 @@ CD_API cd_status cd_membrane_get_index_count(const cd_membrane* membrane, size_t
  * counter-clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size` is
  * that of the buffer in bytes. The numbers change with CD_MASK, cd_membrane_set_ring and what is cut of cloth only.
  * 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never written. Errors:
- * CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small; CD_ERROR_UNSUPPORTED for more than 65535
- * or 2^32 - 1 nodes. */
+ * CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small; CD_ERROR_UNSUPPORTED for more nodes. */
 CD_API cd_status cd_membrane_write_indices(const cd_membrane* membrane, void* buffer, size_t size, size_t index_size);
 
 /* ---- keeping ----------------------------------------------------------------------------------------------------- */
 
-/* The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
- * on every machine, versioned, with a checksum. save needs size >= cd_membrane_save_size and tells what it wrote.
- * load needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are
- * damaged, cut short, of a later version or another kind are refused and change nothing.
+/* The whole state as bytes, all the future depends on but the callbacks, as cd_chain_save says. load needs a membrane of
+ * the same shape and precision; it switches fields on and off as they were.
  * Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY. */
 CD_API cd_status cd_membrane_save_size(const cd_membrane* membrane, size_t* out_size);
 CD_API cd_status cd_membrane_save(const cd_membrane* membrane, void* buffer, size_t size, size_t* out_written);

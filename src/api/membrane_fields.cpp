@@ -209,6 +209,15 @@ cd_status cd_membrane_get_attachment(const cd_membrane* membrane, size_t u, size
     return shared::get_attachment(__func__, m, node_at(m, u, v), out_stiffness, out_damping);
 }
 
+cd_status cd_membrane_get_reaction(const cd_membrane* membrane, size_t u, size_t v, double* out_force, size_t count) {
+    CD_OPEN(membrane, m);
+    CD_CHECK(is_node(__func__, m, u, v));
+    CD_NOT_NULL(out_force);
+    CD_CHECK(is_count(__func__, "count", count, m.components));
+    reaction(m, u, v, out_force);
+    return CD_OK;
+}
+
 cd_status cd_membrane_sample(const cd_membrane* membrane, const double* at, size_t n, cd_outside outside,
                              double* out_positions, size_t out_count) {
     CD_OPEN(membrane, m);

@@ -214,9 +214,19 @@ const char* what_cloth_lacks(const Membrane& m);
 bool cloth_needs_of(const Membrane& m, const MembraneFeatures& f, MembraneNeeds& out);
 // As step_membrane, but for the clock; leaves `iterations`, `residual` and `broken`.
 MembraneOutcome step_cloth(Membrane& m, double dt, size_t count);
-// The energy of springs, shear and bend, but not of attachments.
+// What pushes the spring that starts at a node towards its length [N/m]; the bend there, 0 beside a cut spring.
+double compression_of(const Membrane& m, Direction d, size_t u, size_t v);
+double cloth_bend_of(const Membrane& m, Direction d, size_t u, size_t v);
+// Whether the cell that starts at a node has all of its four springs, and so shear and twist; how long its diagonals are.
+bool whole_cell(const Membrane& m, size_t u, size_t v);
+double diagonal_length(const Membrane& m, size_t u, size_t v);
+
+// ---- forces (membrane_force.cpp) ------------------------------------------------------------------------------------
+
+// The force on a node of springs, shear and bend, one number per component.
+void reaction(const Membrane& m, size_t u, size_t v, double* out);
+// Of cloth: the energy of these; and what the spring that starts at a node along d bears.
 double cloth_elastic(const Membrane& m);
-// Of the spring that starts at node (u, v) along d.
 double tension_of(const Membrane& m, Direction d, size_t u, size_t v);
 double strain_of(const Membrane& m, Direction d, size_t u, size_t v);
 

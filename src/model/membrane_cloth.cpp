@@ -1,4 +1,4 @@
-// The springs of cloth: what a step computes with, their energy, tension and strain. (model.md, 42)
+// The springs of cloth: what a step computes with. (model.md, 42)
 #include "model/membrane_cloth.hh"
 
 #include <math.h>
@@ -16,7 +16,10 @@ bool cloth_grid(size_t columns, size_t rows, Grid& out) {
     return true;
 }
 
-// Whether the cell that starts at a node has all of its four springs.
+} // namespace
+
+// ---- what a sheet's energy is made of (membrane.hh) -------------------------------------------------------------------
+
 bool whole_cell(const Membrane& m, size_t u, size_t v) {
     if (u >= springs_along(m, kU) || v >= springs_along(m, kV)) return false;
     const size_t next_u = after(m, kU, u), next_v = after(m, kV, v);
@@ -29,25 +32,17 @@ double diagonal_length(const Membrane& m, size_t u, size_t v) {
     const double along_v = 0.5 * (length_of(m, kV, u, v) + length_of(m, kV, next_u, v));
     return sqrt(along_u * along_u + along_v * along_v);
 }
-double shear_of(const Membrane& m, size_t u, size_t v) {
-    return m.cloth.shear > 0 && whole_cell(m, u, v) ? m.cloth.shear : 0;
-}
-// Bend of a node between two springs, twist of a whole cell.
 double cloth_bend_of(const Membrane& m, Direction d, size_t u, size_t v) {
     const double bend = bend_of(m, d, u, v);
     if (!(bend > 0)) return 0;
     const size_t last_u = d == kU ? before(m, kU, u) : u, last_v = d == kV ? before(m, kV, v) : v;
     return stiffness_of(m, d, u, v) > 0 && stiffness_of(m, d, last_u, last_v) > 0 ? bend : 0;
 }
-double cloth_twist_of(const Membrane& m, size_t u, size_t v) { return whole_cell(m, u, v) ? twist_of(m, u, v) : 0; }
 
-// What pushes a spring towards its length [N/m].
 double compression_of(const Membrane& m, Direction d, size_t u, size_t v) {
     if (!(stiffness_of(m, d, u, v) > 0)) return 0;
     return per_spring(m, d, m.cloth.compression * m.mass) * line_weight(m, other(d), d == kU ? v : u);
 }
-
-} // namespace
 
 // ---- memory and coefficients ----------------------------------------------------------------------------------------
 
@@ -163,8 +158,9 @@ void prepare(const Membrane& m, ClothWork& w, double h, double dt) {
                 if (k > 0) w.length[d][at] = length_of(m, d, u, v);
                 if (w.has_bend()) w.bend[d][at] = h * dt * cloth_bend_of(m, d, u, v);
             }
-            if (w.has_bend()) w.twist[at] = h * dt * cloth_twist_of(m, u, v);
-            const double shear = shear_of(m, u, v);
+            const bool whole = whole_cell(m, u, v);
+            if (w.has_bend()) w.twist[at] = whole ? h * dt * twist_of(m, u, v) : 0;
+            const double shear = whole ? m.cloth.shear : 0;
             w.stiffness[kDiagonal][at] = w.stiffness[kCounterDiagonal][at] = shear;
             if (shear > 0) w.length[kDiagonal][at] = diagonal_length(m, u, v);
         }
@@ -178,90 +174,6 @@ void prepare(const Membrane& m, ClothWork& w, double h, double dt) {
         if (w.has_bend()) wrap(w.bend[d]);
     }
     if (w.has_bend()) wrap(w.twist);
-}
-
-// ---- measuring ------------------------------------------------------------------------------------------------------
-
-namespace {
-
-// The vector of a spring from (u, v) to another node, and how long it is.
-double distance(const Membrane& m, size_t u, size_t v, size_t to_u, size_t to_v) {
-    double square = 0;
-    for (size_t k = 0; k < 3; ++k) {
-        const double way =
-            get_number(m, m.position, place(m, to_u, to_v, k)) - get_number(m, m.position, place(m, u, v, k));
-        square += way * way;
-    }
-    return sqrt(square);
-}
-double length_now(const Membrane& m, Direction d, size_t u, size_t v) {
-    return d == kU ? distance(m, u, v, after(m, kU, u), v) : distance(m, u, v, u, after(m, kV, v));
-}
-
-// Of a spring of stiffness 1 that is longer than its length by `excess`.
-double pull_of(double length, double excess) {
-    const double soft = kSlackEnd * length;
-    return excess <= 0 ? 0 : excess <= 2 * soft ? excess * excess / (4 * soft) : excess - soft;
-}
-double energy_of(double length, double excess) {
-    const double soft = kSlackEnd * length, beyond = excess - soft;
-    if (excess <= 0) return 0;
-    if (excess <= 2 * soft) return excess * excess * excess / (12 * soft);
-    return 2 * soft * soft / 3 + (beyond * beyond - soft * soft) / 2;
-}
-// Of a spring of stiffness 1 against crumpling: (now - length)^2 / 2, but next to 0.
-double crumpling_energy(double length, double now) {
-    const double least = kLeastDirection * length;
-    if (now > least) return (now - length) * (now - length) / 2;
-    return now * now / 2 - length * (now * now / (2 * least) + least / 2) + length * length / 2;
-}
-
-} // namespace
-
-double strain_of(const Membrane& m, Direction d, size_t u, size_t v) {
-    return length_now(m, d, u, v) / length_of(m, d, u, v) - 1;
-}
-
-double tension_of(const Membrane& m, Direction d, size_t u, size_t v) {
-    const double stiffness = stiffness_of(m, d, u, v), length = length_of(m, d, u, v);
-    if (!(stiffness > 0)) return 0;
-    const double excess = length_now(m, d, u, v) - length;
-    return stiffness * pull_of(length, excess) + compression_of(m, d, u, v) * excess;
-}
-
-double cloth_elastic(const Membrane& m) {
-    double sum = 0;
-    const auto x = [&](size_t u, size_t v, size_t k) { return get_number(m, m.position, place(m, u, v, k)); };
-    for (size_t v = 0; v < m.rows; ++v)
-        for (size_t u = 0; u < m.columns; ++u) {
-            const size_t next_u = after(m, kU, u), next_v = after(m, kV, v);
-            for (Direction d : {kU, kV}) {
-                const double stiffness = stiffness_of(m, d, u, v);
-                if (stiffness > 0) {
-                    const double length = length_of(m, d, u, v), now = length_now(m, d, u, v);
-                    sum += stiffness * energy_of(length, now - length) +
-                           compression_of(m, d, u, v) * crumpling_energy(length, now);
-                }
-                const double bend = cloth_bend_of(m, d, u, v);
-                const size_t last_u = d == kU ? before(m, kU, u) : u, last_v = d == kV ? before(m, kV, v) : v;
-                const size_t end_u = d == kU ? next_u : u, end_v = d == kV ? next_v : v;
-                for (size_t k = 0; k < 3 && bend > 0; ++k) {
-                    const double curve = (x(last_u, last_v, k) - x(u, v, k)) + (x(end_u, end_v, k) - x(u, v, k));
-                    sum += bend / 2 * (curve * curve);
-                }
-            }
-            const double shear = shear_of(m, u, v), twist = cloth_twist_of(m, u, v);
-            if (shear > 0) {
-                const double length = diagonal_length(m, u, v);
-                sum += shear * (energy_of(length, distance(m, u, v, next_u, next_v) - length) +
-                                energy_of(length, distance(m, next_u, v, u, next_v) - length));
-            }
-            for (size_t k = 0; k < 3 && twist > 0; ++k) {
-                const double change = (x(next_u, next_v, k) - x(u, next_v, k)) - (x(next_u, v, k) - x(u, v, k));
-                sum += twist / 2 * (change * change);
-            }
-        }
-    return sum;
 }
 
 } // namespace cd

@@ -154,6 +154,16 @@ static void no_shape_is_made_that_cannot_be(void** state) {
     heap_free(&heap);
 }
 
+static void forces_are_of_nodes_and_of_all_components(void** state) {
+    (void)state;
+    cd_membrane* m = cloth(1, 7, 2, CD_FLOAT64);
+    refuses(m, cd_membrane_get_reaction(m, 2, 0, out.number, 2), CD_ERROR_RANGE, "u is 2");
+    refuses(m, cd_membrane_get_reaction(m, 0, 8, out.number, 2), CD_ERROR_RANGE, "v is 8");
+    refuses(m, cd_membrane_get_reaction(m, 0, 0, out.number, 3), CD_ERROR_RANGE, "count|3|2");
+    ok(cd_membrane_get_reaction(m, 1, 7, out.number, 2));
+    cd_membrane_destroy(m);
+}
+
 static void what_the_membrane_cannot_do_is_said_to_be_unsupported(void** state) {
     (void)state;
     cd_membrane* small = cloth(1, 7, 2, CD_FLOAT64);
@@ -184,6 +194,7 @@ int main(void) {
         cmocka_unit_test(no_time_is_too_short_for_no_steps),
         cmocka_unit_test(no_more_places_are_sampled_than_fit_in_memory),
         cmocka_unit_test(no_shape_is_made_that_cannot_be),
+        cmocka_unit_test(forces_are_of_nodes_and_of_all_components),
         cmocka_unit_test(what_the_membrane_cannot_do_is_said_to_be_unsupported),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -166,6 +166,7 @@ static void tell_membrane(const cd_membrane* o) {
     for (size_t k = 0; k < (nu + 1) * (nv + 1); ++k) {
         double* const attached = NUMBERS(cd_membrane_get_attachment, 2);
         ok(cd_membrane_get_attachment(o, k % (nu + 1), k / (nu + 1), attached, attached + 1));
+        ok(cd_membrane_get_reaction(o, k % (nu + 1), k / (nu + 1), NUMBERS(cd_membrane_get_reaction, 3), 3));
     }
 }
 

@@ -195,7 +195,7 @@ void Membrane::act_by_kind() {
     case 24: write_indices(); break;
     case 25: get_convergence(); break;
     case 26: get_shape(); break;
-    case 27: chance(0.5) ? get_edge() : get_attachment(); break;
+    case 27: chance(0.4) ? get_edge() : chance(0.5) ? get_attachment() : get_reaction(); break;
     case 28: chance(0.5) ? teleport() : set_sleep(cd_membrane_set_sleep); break;
     case 29: get_of_cloth(); break;
     case 30: set_air(); break;

@@ -51,6 +51,7 @@ private:
     void attach();
     void detach();
     void get_attachment();
+    void get_reaction();
     void sample();
     void get_volume();
     void get_convergence();

@@ -26,6 +26,16 @@ void Membrane::get_attachment() {
     must_agree("get_attachment", out[0], out[1], 2);
 }
 
+void Membrane::get_reaction() {
+    const size_t u = pick_index(nu + 1), v = pick_index(nv + 1), count = pick_count(components);
+    double force[2][4] = {};
+    const cd_status status = both("get_reaction", kReads, [&](cd_membrane* membrane, int which) {
+        return cd_membrane_get_reaction(membrane, u, v, force[which], count);
+    });
+    if (!run.broken && status != CD_OK) problem("get_reaction: %s", cd_status_name(status));
+    must_agree("get_reaction", force[0], force[1], 4);
+}
+
 void Membrane::get_volume() {
     double volume[2] = {};
     const cd_status status = both("get_volume", kReads, [&](cd_membrane* membrane, int which) {

@@ -466,6 +466,8 @@ void membranes() {
     CHECK(GET(sheet.get_attachment(3, 2)).stiffness == 10 && GET(sheet.get_attachment(3, 2)).damping == 0.5);
     OK(sheet.detach(3, 2));
     CHECK(GET(sheet.get_attachment(3, 2)).stiffness == 0);
+    OK(sheet.get_reaction(3, 2, pair)); // all lies at the origin, and attachments do not count
+    CHECK(near(pair[0], 0) && near(pair[1], 0));
     OK(sheet.set_solver(solver::coupled));
     CHECK(GET(sheet.get_solver()) == solver::coupled);
     OK(sheet.set_tolerance(1e-8, 50));

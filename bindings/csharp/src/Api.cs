@@ -2434,9 +2434,8 @@ namespace Contdyn
     /// adds no energy where coupled solves meet the default tolerance; a step that ended short of its own has added
     /// a third, one that alternates on a sheet that is not uniform a twentieth. What chain.h says of precision and
     /// of numbers that are too small holds for sheets too. Parameters may be as large as 1e60, masses as small as
-    /// 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels. Every function
-    /// returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the comments name
-    /// the other errors. Functions that the chain has too mean the same here.</summary>
+    /// 1e-60. Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another
+    /// kind; the comments name the other errors. Functions that the chain has too mean the same here.</summary>
     public sealed unsafe class Membrane : LibraryObject
     {
         internal new MembraneHandle Handle { get { return (MembraneHandle)base.Handle; } }
@@ -2642,9 +2641,8 @@ namespace Contdyn
             Handle.Keep("parallel", parallel);
         }
 
-        /// <summary>The instructions that steps are made of, from here on: for tests and measurements, as all give the
-        /// same bits and a new membrane has the fastest that its processor runs. Not part of the saved state. Errors:
-        /// CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.</summary>
+        /// <summary>The instructions that steps are made of, as cd_chain_set_kernels says. Not part of the saved state.
+        /// Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.</summary>
         public Kernels Kernels
         {
             get
@@ -3684,8 +3682,8 @@ namespace Contdyn
         /// <summary>Adds impulse [N s], one number per component, spread over the nodes that are less than `radius`
         /// springs away from the place (u, v), counted on the lattice and not round a ring, by the weights (1 -
         /// (distance / radius)^2)^2, which are scaled to sum to 1; all on the nearest node if there is none. A node's
-        /// velocity changes by its share / its mass; held and absent nodes take none of it, and their shares are lost.
-        /// u in [0, nu], v in [0, nv], radius &gt;= 0. Errors: CD_ERROR_RANGE for count; CD_ERROR_VALUE.</summary>
+        /// velocity changes by its share / its mass; held and absent nodes lose it. u in [0, nu], v in [0, nv], radius
+        /// &gt;= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.</summary>
         public void Impulse(double u, double v, double radius, params double[] impulse)
         {
             fixed (double* impulsePointer = impulse)
@@ -3696,8 +3694,8 @@ namespace Contdyn
         /// <summary>Adds impulse [N s], one number per component, spread over the nodes that are less than `radius`
         /// springs away from the place (u, v), counted on the lattice and not round a ring, by the weights (1 -
         /// (distance / radius)^2)^2, which are scaled to sum to 1; all on the nearest node if there is none. A node's
-        /// velocity changes by its share / its mass; held and absent nodes take none of it, and their shares are lost.
-        /// u in [0, nu], v in [0, nv], radius &gt;= 0. Errors: CD_ERROR_RANGE for count; CD_ERROR_VALUE.</summary>
+        /// velocity changes by its share / its mass; held and absent nodes lose it. u in [0, nu], v in [0, nv], radius
+        /// &gt;= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.</summary>
         public void Impulse(double u, double v, double radius, ReadOnlySpan<double> impulse)
         {
             fixed (double* impulsePointer = &MemoryMarshal.GetReference(impulse))
@@ -3894,6 +3892,36 @@ namespace Contdyn
                 "count")));
         }
 
+        /// <summary>The force [N], one number per component, with which springs, shear and bend pull at a node where it
+        /// is now: of a held node, what the sheet does to whatever holds it, but for weight, forces, attachment,
+        /// pressure and wind of that node itself. Errors: CD_ERROR_RANGE for count, or if there is no such
+        /// node.</summary>
+        public void GetReaction(long u, long v, double[] outForce)
+        {
+            fixed (double* outForcePointer = outForce)
+                GetReactionCore(u, v, outForcePointer, Native.Length(outForce));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>The force [N], one number per component, with which springs, shear and bend pull at a node where it
+        /// is now: of a held node, what the sheet does to whatever holds it, but for weight, forces, attachment,
+        /// pressure and wind of that node itself. Errors: CD_ERROR_RANGE for count, or if there is no such
+        /// node.</summary>
+        public void GetReaction(long u, long v, Span<double> outForce)
+        {
+            fixed (double* outForcePointer = &MemoryMarshal.GetReference(outForce))
+                GetReactionCore(u, v, outForce.Length == 0 ? null : outForcePointer, outForce.Length);
+        }
+
+#endif
+        private void GetReactionCore(long u, long v, double* outForce, long outForceLength)
+        {
+            long count = Native.Count(outForceLength, 1, "cd_membrane_get_reaction", "out_force");
+            Check(Native.cd_membrane_get_reaction(Handle, Native.Size(u, "cd_membrane_get_reaction", "u"),
+                Native.Size(v, "cd_membrane_get_reaction", "v"), outForce, Native.Size(count,
+                "cd_membrane_get_reaction", "count")));
+        }
+
         /// <summary>Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's
         /// normal, each cell the mean of its two triangulations, cells with an absent node or torn open left out. Of a
         /// drum-head whose rim lies in a plane through the origin it is the volume under it; of a closed surface, what
@@ -4012,7 +4040,7 @@ namespace Contdyn
         /// + 1). `size` is that of the buffer in bytes. The numbers change with CD_MASK, cd_membrane_set_ring and what
         /// is cut of cloth only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart,
         /// are never written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
-        /// CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes.</summary>
+        /// CD_ERROR_UNSUPPORTED for more nodes.</summary>
         public void WriteIndices<T>(T[] buffer, long indexSize) where T : struct
         {
             using (var bufferPinned = new Pinned<T>(buffer))
@@ -4025,7 +4053,7 @@ namespace Contdyn
         /// + 1). `size` is that of the buffer in bytes. The numbers change with CD_MASK, cd_membrane_set_ring and what
         /// is cut of cloth only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart,
         /// are never written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
-        /// CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes.</summary>
+        /// CD_ERROR_UNSUPPORTED for more nodes.</summary>
         public void WriteIndices(Span<byte> buffer, long indexSize)
         {
             fixed (byte* bufferPointer = &MemoryMarshal.GetReference(buffer))
@@ -4040,12 +4068,9 @@ namespace Contdyn
                 "size"), Native.Size(indexSize, "cd_membrane_write_indices", "index_size")));
         }
 
-        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
-        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
-        /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
-        /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another
-        /// kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
-        /// CD_ERROR_MEMORY.</summary>
+        /// <summary>The whole state as bytes, all the future depends on but the callbacks, as cd_chain_save says. load
+        /// needs a membrane of the same shape and precision; it switches fields on and off as they were. Errors: save:
+        /// CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
         public long SaveSize()
         {
             UIntPtr outSize;
@@ -4053,12 +4078,9 @@ namespace Contdyn
             return (long)outSize;
         }
 
-        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
-        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
-        /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
-        /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another
-        /// kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
-        /// CD_ERROR_MEMORY.</summary>
+        /// <summary>The whole state as bytes, all the future depends on but the callbacks, as cd_chain_save says. load
+        /// needs a membrane of the same shape and precision; it switches fields on and off as they were. Errors: save:
+        /// CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
         public long Save<T>(T[] buffer) where T : struct
         {
             using (var bufferPinned = new Pinned<T>(buffer))
@@ -4066,12 +4088,9 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
-        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
-        /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
-        /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another
-        /// kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
-        /// CD_ERROR_MEMORY.</summary>
+        /// <summary>The whole state as bytes, all the future depends on but the callbacks, as cd_chain_save says. load
+        /// needs a membrane of the same shape and precision; it switches fields on and off as they were. Errors: save:
+        /// CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
         public long Save(Span<byte> buffer)
         {
             fixed (byte* bufferPointer = &MemoryMarshal.GetReference(buffer))
@@ -4095,12 +4114,9 @@ namespace Contdyn
             return bytes;
         }
 
-        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
-        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
-        /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
-        /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another
-        /// kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
-        /// CD_ERROR_MEMORY.</summary>
+        /// <summary>The whole state as bytes, all the future depends on but the callbacks, as cd_chain_save says. load
+        /// needs a membrane of the same shape and precision; it switches fields on and off as they were. Errors: save:
+        /// CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
         public void Load<T>(T[] bytes) where T : struct
         {
             using (var bytesPinned = new Pinned<T>(bytes))
@@ -4108,12 +4124,9 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>The whole state as bytes: shape, parameters, fields, time: all the future depends on but the
-        /// callbacks. Little-endian on every machine, versioned, with a checksum. save needs size &gt;=
-        /// cd_membrane_save_size and tells what it wrote. load needs a membrane of the same shape and precision; it
-        /// switches fields on and off as they were. Bytes that are damaged, cut short, of a later version or another
-        /// kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH,
-        /// CD_ERROR_MEMORY.</summary>
+        /// <summary>The whole state as bytes, all the future depends on but the callbacks, as cd_chain_save says. load
+        /// needs a membrane of the same shape and precision; it switches fields on and off as they were. Errors: save:
+        /// CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.</summary>
         public void Load(ReadOnlySpan<byte> bytes)
         {
             fixed (byte* bytesPointer = &MemoryMarshal.GetReference(bytes))

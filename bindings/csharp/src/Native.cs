@@ -609,6 +609,10 @@ namespace Contdyn
             UIntPtr count);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_get_reaction(MembraneHandle membrane, UIntPtr u, UIntPtr v,
+            double* outForce, UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_membrane_get_volume(MembraneHandle membrane, double* outVolume);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -253,6 +253,8 @@ static class EveryFunction
         new Call<Membrane>("cd_membrane_get_energy", false, (o, other, saved) => o.GetEnergy(), o => true),
         new Call<Membrane>("cd_membrane_get_momentum", false, (o, other, saved) => o.GetMomentum(new double[3]),
             o => true),
+        new Call<Membrane>("cd_membrane_get_reaction", false, (o, other, saved) => o.GetReaction(1, 1, new double[3]),
+            o => true),
         new Call<Membrane>("cd_membrane_get_volume", true, (o, other, saved) => o.GetVolume(), o => true),
         new Call<Membrane>("cd_membrane_sample", false, (o, other, saved) => o.Sample(new double[] { 0.0, 0.0 },
             Outside.Refused, new double[3]), o => true),

@@ -248,6 +248,7 @@ cd_status cd_membrane_get_factorizations(const cd_membrane* membrane, uint64_t* 
 cd_status cd_membrane_get_energy(const cd_membrane* membrane, double* out_kinetic, double* out_elastic,
     double* out_gravity);
 cd_status cd_membrane_get_momentum(const cd_membrane* membrane, double* out_momentum, size_t count);
+cd_status cd_membrane_get_reaction(const cd_membrane* membrane, size_t u, size_t v, double* out_force, size_t count);
 cd_status cd_membrane_get_volume(const cd_membrane* membrane, double* out_volume);
 cd_status cd_membrane_sample(const cd_membrane* membrane, const double* at, size_t n, cd_outside outside,
     double* out_positions, size_t out_count);
@@ -1877,9 +1878,8 @@ end
 -- coupled solver. CD_METHOD_STIFF_SECOND: adds no energy where coupled solves meet the default tolerance; a step that
 -- ended short of its own has added a third, one that alternates on a sheet that is not uniform a twentieth. What
 -- chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may be as large as 1e60,
--- masses as small as 1e-60. A membrane does not tell the force on its held nodes, nor what a collider feels. Every
--- function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the comments name
--- the other errors. Functions that the chain has too mean the same here.
+-- masses as small as 1e-60. Every function returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of
+-- another kind; the comments name the other errors. Functions that the chain has too mean the same here.
 local Membrane = support.class("Membrane", "cd_membrane_destroy")
 api.Membrane = Membrane
 Membrane._range_alternates = false
@@ -2029,9 +2029,8 @@ function Membrane:set_parallel(parallel)
   self._kept.parallel = parallel
 end
 
--- The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and a
--- new membrane has the fastest that its processor runs. Not part of the saved state. Errors: CD_ERROR_ENUM;
--- CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.
+-- The instructions that steps are made of, as cd_chain_set_kernels says. Not part of the saved state. Errors:
+-- CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.
 function Membrane:set_kernels(kernels)
   local where = "cd_membrane_set_kernels"
   kernels = enum_in("cd_kernels", kernels, where, "kernels")
@@ -2039,9 +2038,8 @@ function Membrane:set_kernels(kernels)
   check(lib.cd_membrane_set_kernels(handle_of(self), kernels))
 end
 
--- The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and a
--- new membrane has the fastest that its processor runs. Not part of the saved state. Errors: CD_ERROR_ENUM;
--- CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.
+-- The instructions that steps are made of, as cd_chain_set_kernels says. Not part of the saved state. Errors:
+-- CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.
 function Membrane:get_kernels()
   local where = "cd_membrane_get_kernels"
   local out_kernels = cd_kernels_1()
@@ -2794,8 +2792,7 @@ end
 -- Adds impulse [N s], one number per component, spread over the nodes that are less than `radius` springs away from the
 -- place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which are
 -- scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass; held
--- and absent nodes take none of it, and their shares are lost. u in [0, nu], v in [0, nv], radius >= 0. Errors:
--- CD_ERROR_RANGE for count; CD_ERROR_VALUE.
+-- and absent nodes lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.
 function Membrane:impulse(u, v, radius, impulse)
   local where = "cd_membrane_impulse"
   u = number_in(u, where, "u")
@@ -2934,6 +2931,19 @@ function Membrane:get_momentum(out_momentum)
   return array_result(out_momentum, p_out_momentum, n_out_momentum)
 end
 
+-- The force [N], one number per component, with which springs, shear and bend pull at a node where it is now: of a held
+-- node, what the sheet does to whatever holds it, but for weight, forces, attachment, pressure and wind of that node
+-- itself. Errors: CD_ERROR_RANGE for count, or if there is no such node.
+function Membrane:get_reaction(u, v, out_force)
+  local where = "cd_membrane_get_reaction"
+  u = integer_in(u, where, "u")
+  v = integer_in(v, where, "v")
+  local p_out_force, n_out_force = array_out("double", out_force, components_of(self), where, "out_force")
+  local count = n_out_force or 0
+  check(lib.cd_membrane_get_reaction(handle_of(self), u, v, p_out_force, count))
+  return array_result(out_force, p_out_force, n_out_force)
+end
+
 -- Volume between the sheet and the origin [m^3]: a third of the integral of x over the surface's normal, each cell the
 -- mean of its two triangulations, cells with an absent node or torn open left out. Of a drum-head whose rim lies in a
 -- plane through the origin it is the volume under it; of a closed surface, what it encloses. 3 components only. Errors:
@@ -3010,8 +3020,7 @@ end
 -- counter-clockwise seen from where the normal points; a cell is cut from its node (u, v) to (u + 1, v + 1). `size` is
 -- that of the buffer in bytes. The numbers change with CD_MASK, cd_membrane_set_ring and what is cut of cloth only.
 -- 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never written. Errors:
--- CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small; CD_ERROR_UNSUPPORTED for more than 65535
--- or 2^32 - 1 nodes.
+-- CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small; CD_ERROR_UNSUPPORTED for more nodes.
 function Membrane:write_indices(buffer, index_size)
   local where = "cd_membrane_write_indices"
   local p_buffer, n_buffer = bytes_out(buffer, nil, where, "buffer")
@@ -3020,10 +3029,8 @@ function Membrane:write_indices(buffer, index_size)
   check(lib.cd_membrane_write_indices(handle_of(self), p_buffer, size, index_size))
 end
 
--- The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
--- on every machine, versioned, with a checksum. save needs size >= cd_membrane_save_size and tells what it wrote. load
--- needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are damaged,
--- cut short, of a later version or another kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+-- The whole state as bytes, all the future depends on but the callbacks, as cd_chain_save says. load needs a membrane
+-- of the same shape and precision; it switches fields on and off as they were. Errors: save: CD_ERROR_RANGE. load:
 -- CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
 function Membrane:save_size()
   local where = "cd_membrane_save_size"
@@ -3032,10 +3039,8 @@ function Membrane:save_size()
   return tonumber(out_size[0])
 end
 
--- The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
--- on every machine, versioned, with a checksum. save needs size >= cd_membrane_save_size and tells what it wrote. load
--- needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are damaged,
--- cut short, of a later version or another kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+-- The whole state as bytes, all the future depends on but the callbacks, as cd_chain_save says. load needs a membrane
+-- of the same shape and precision; it switches fields on and off as they were. Errors: save: CD_ERROR_RANGE. load:
 -- CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
 function Membrane:save(buffer)
   local where = "cd_membrane_save"
@@ -3047,10 +3052,8 @@ function Membrane:save(buffer)
   return tonumber(out_written[0])
 end
 
--- The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks. Little-endian
--- on every machine, versioned, with a checksum. save needs size >= cd_membrane_save_size and tells what it wrote. load
--- needs a membrane of the same shape and precision; it switches fields on and off as they were. Bytes that are damaged,
--- cut short, of a later version or another kind are refused and change nothing. Errors: save: CD_ERROR_RANGE. load:
+-- The whole state as bytes, all the future depends on but the callbacks, as cd_chain_save says. load needs a membrane
+-- of the same shape and precision; it switches fields on and off as they were. Errors: save: CD_ERROR_RANGE. load:
 -- CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
 function Membrane:load(bytes)
   local where = "cd_membrane_load"

@@ -601,6 +601,9 @@ return {
     {name = "cd_membrane_get_momentum", call = function(o, other, saved)
       return o:get_momentum(nil)
     end},
+    {name = "cd_membrane_get_reaction", call = function(o, other, saved)
+      return o:get_reaction(1, 1, nil)
+    end},
     {name = "cd_membrane_get_volume", may_fail = true, call = function(o, other, saved)
       return o:get_volume()
     end},

@@ -593,6 +593,7 @@ FUNCTIONS: Dict[str, str] = {
     "cd_membrane_get_factorizations": "status: membrane handle, out_count uint64*",
     "cd_membrane_get_energy": "status: membrane handle, out_kinetic double*, out_elastic double*, out_gravity double*",
     "cd_membrane_get_momentum": "status: membrane handle, out_momentum pointer, count size",
+    "cd_membrane_get_reaction": "status: membrane handle, u size, v size, out_force pointer, count size",
     "cd_membrane_get_volume": "status: membrane handle, out_volume double*",
     "cd_membrane_sample": ("status: membrane handle, at pointer, n size, outside int, out_positions pointer, out_count "
                            "size"),

@@ -197,3 +197,8 @@ class Body(Object):
 
     def _attachment(self, node: Sequence[int]) -> Attachment:
         return Attachment(*self._get("get_attachment", *node))
+
+    def _reaction(self, *node: int) -> Tuple[float, ...]:
+        force = (c_double * self._components)()
+        self._call("get_reaction", *node, force, len(force))
+        return tuple(force)

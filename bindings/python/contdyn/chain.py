@@ -1,5 +1,4 @@
 """A chain of nodes joined by springs: massive spring, rope, hair, spline."""
-from ctypes import c_double
 from typing import Any, List, NamedTuple, Optional, Tuple
 
 from . import _arrays
@@ -90,9 +89,7 @@ class Chain(Body, kind="chain"):
     def get_reaction(self, strand: int, node: int) -> Tuple[float, ...]:
         """The force [N] with which the springs of a rope pull at a node, one number per component: of a held node, what
         the rope does to whatever holds it."""
-        force = (c_double * self._components)()
-        self._call("get_reaction", strand, node, force, len(force))
-        return tuple(force)
+        return self._reaction(strand, node)
 
     # ---- fields -----------------------------------------------------------------------------------------------------
 

@@ -201,6 +201,11 @@ class Membrane(Body, Sheet, kind="membrane"):
 
     # ---- measuring --------------------------------------------------------------------------------------------------
 
+    def get_reaction(self, u: int, v: int) -> Tuple[float, ...]:
+        """The force [N] with which springs, shear and bend pull at node (u, v) where it is now, one number per
+        component: of a held node, what the sheet does to whatever holds it."""
+        return self._reaction(u, v)
+
     volume = Reading(float, "Volume between the sheet and the origin [m^3]; 3 components only.")
 
     def sample(self, at: Values, outside: Outside = Outside.REFUSED) -> Array:

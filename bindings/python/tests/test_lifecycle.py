@@ -27,6 +27,7 @@ ARGUMENTS = {
 ARGUMENTS_OF = {
     ("chain", "impulse"): (0, 0, [0] * 3), ("membrane", "impulse"): (0, 0, 0, [0] * 3),
     ("water", "impulse"): (0, 0, 1, 0, 0), ("chain", "get_reaction"): (0, 0),
+    ("membrane", "get_reaction"): (0, 0),
     ("chain", "teleport"): (0, None, [0] * 3), ("membrane", "teleport"): (None, [0] * 3),
     ("chain", "attach"): (0, 0, 1, 0), ("membrane", "attach"): (0, 0, 1, 0),
     ("chain", "detach"): (0, 0), ("membrane", "detach"): (0, 0), ("chain", "get_attachment"): (0, 0),

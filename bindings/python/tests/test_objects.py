@@ -375,6 +375,11 @@ class Membranes(unittest.TestCase):
         self.sheet.detach(2, 3)
         self.assertEqual(self.sheet.get_attachment(2, 3), (0, 0))
 
+    def test_reactions(self):
+        sheet = Membrane(2, 0, 2)  # two springs of 2 N/m
+        sheet.position = [[[0, 0], [1, 0], [1, 3]]]
+        self.assertEqual([sheet.get_reaction(u, 0) for u in range(3)], [(2, 0), (-2, 6), (0, -6)])
+
     def test_volume_under_a_lifted_sheet(self):
         self.sheet.position = [[[u, v, 0.5] for u in range(3)] for v in range(4)]
         self.assertAlmostEqual(self.sheet.volume, 0.5 * 6 / 3)

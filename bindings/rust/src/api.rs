@@ -1860,10 +1860,9 @@ pub struct MembraneEnergy {
 /// h) (w_v h) is beyond 1e4, take CD_FLOAT64 or the coupled solver. CD_METHOD_STIFF_SECOND: adds no energy where
 /// coupled solves meet the default tolerance; a step that ended short of its own has added a third, one that
 /// alternates on a sheet that is not uniform a twentieth. What chain.h says of precision and of numbers that are
-/// too small holds for sheets too. Parameters may be as large as 1e60, masses as small as 1e-60. A membrane does
-/// not tell the force on its held nodes, nor what a collider feels. Every function returns CD_ERROR_NULL for a null
-/// pointer and CD_ERROR_HANDLE for a handle of another kind; the comments name the other errors. Functions that the
-/// chain has too mean the same here.
+/// too small holds for sheets too. Parameters may be as large as 1e60, masses as small as 1e-60. Every function
+/// returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the comments name the
+/// other errors. Functions that the chain has too mean the same here.
 pub struct Membrane {
     handle: NonNull<sys::cd_membrane>,
 }
@@ -2107,16 +2106,14 @@ impl Membrane {
             |c| c as *const _)) })
     }
 
-    /// The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and
-    /// a new membrane has the fastest that its processor runs. Not part of the saved state. Errors: CD_ERROR_ENUM;
-    /// CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.
+    /// The instructions that steps are made of, as cd_chain_set_kernels says. Not part of the saved state. Errors:
+    /// CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.
     pub fn set_kernels(&mut self, kernels: Kernels) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_kernels(self.as_ptr(), kernels as i32) })
     }
 
-    /// The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and
-    /// a new membrane has the fastest that its processor runs. Not part of the saved state. Errors: CD_ERROR_ENUM;
-    /// CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.
+    /// The instructions that steps are made of, as cd_chain_set_kernels says. Not part of the saved state. Errors:
+    /// CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for kernels that are not among cd_runnable_kernels.
     pub fn get_kernels(&self) -> Result<Kernels> {
         let mut out_kernels = 0;
         check(unsafe { sys::cd_membrane_get_kernels(self.as_ptr(), &mut out_kernels) })?;
@@ -2761,8 +2758,8 @@ impl Membrane {
     /// Adds impulse \[N s\], one number per component, spread over the nodes that are less than `radius` springs away
     /// from the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance /
     /// radius)^2)^2, which are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes
-    /// by its share / its mass; held and absent nodes take none of it, and their shares are lost. u in \[0, nu\], v in
-    /// \[0, nv\], radius \>= 0. Errors: CD_ERROR_RANGE for count; CD_ERROR_VALUE.
+    /// by its share / its mass; held and absent nodes lose it. u in \[0, nu\], v in \[0, nv\], radius \>= 0. Errors:
+    /// CD_ERROR_RANGE, CD_ERROR_VALUE.
     pub fn impulse(&mut self, u: f64, v: f64, radius: f64, impulse: &[f64]) -> Result<()> {
         let count = count_of(impulse.len(), 1, "cd_membrane_impulse", "impulse")?;
         check(unsafe { sys::cd_membrane_impulse(self.as_ptr(), u, v, radius, impulse.as_ptr(), count) })
@@ -2876,6 +2873,14 @@ impl Membrane {
         check(unsafe { sys::cd_membrane_get_momentum(self.as_ptr(), out_momentum.as_mut_ptr(), count) })
     }
 
+    /// The force \[N\], one number per component, with which springs, shear and bend pull at a node where it is now: of
+    /// a held node, what the sheet does to whatever holds it, but for weight, forces, attachment, pressure and wind of
+    /// that node itself. Errors: CD_ERROR_RANGE for count, or if there is no such node.
+    pub fn get_reaction(&self, u: usize, v: usize, out_force: &mut [f64]) -> Result<()> {
+        let count = count_of(out_force.len(), 1, "cd_membrane_get_reaction", "out_force")?;
+        check(unsafe { sys::cd_membrane_get_reaction(self.as_ptr(), u, v, out_force.as_mut_ptr(), count) })
+    }
+
     /// Volume between the sheet and the origin \[m^3\]: a third of the integral of x over the surface's normal, each
     /// cell the mean of its two triangulations, cells with an absent node or torn open left out. Of a drum-head whose
     /// rim lies in a plane through the origin it is the volume under it; of a closed surface, what it encloses. 3
@@ -2940,28 +2945,24 @@ impl Membrane {
     /// `size` is that of the buffer in bytes. The numbers change with CD_MASK, cd_membrane_set_ring and what is cut of
     /// cloth only. 65535 with 2 bytes and 2^32 - 1 with 4, which graphics cards may take for a restart, are never
     /// written. Errors: CD_ERROR_VALUE for another index_size; CD_ERROR_RANGE if size is too small;
-    /// CD_ERROR_UNSUPPORTED for more than 65535 or 2^32 - 1 nodes.
+    /// CD_ERROR_UNSUPPORTED for more nodes.
     pub fn write_indices(&self, buffer: &mut [u8], index_size: usize) -> Result<()> {
         let size = buffer.len();
         check(unsafe { sys::cd_membrane_write_indices(self.as_ptr(), buffer.as_mut_ptr().cast(), size, index_size) })
     }
 
-    /// The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks.
-    /// Little-endian on every machine, versioned, with a checksum. save needs size \>= cd_membrane_save_size and tells
-    /// what it wrote. load needs a membrane of the same shape and precision; it switches fields on and off as they
-    /// were. Bytes that are damaged, cut short, of a later version or another kind are refused and change nothing.
-    /// Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
+    /// The whole state as bytes, all the future depends on but the callbacks, as cd_chain_save says. load needs a
+    /// membrane of the same shape and precision; it switches fields on and off as they were. Errors: save:
+    /// CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
     pub fn save_size(&self) -> Result<usize> {
         let mut out_size = 0;
         check(unsafe { sys::cd_membrane_save_size(self.as_ptr(), &mut out_size) })?;
         Ok(out_size)
     }
 
-    /// The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks.
-    /// Little-endian on every machine, versioned, with a checksum. save needs size \>= cd_membrane_save_size and tells
-    /// what it wrote. load needs a membrane of the same shape and precision; it switches fields on and off as they
-    /// were. Bytes that are damaged, cut short, of a later version or another kind are refused and change nothing.
-    /// Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
+    /// The whole state as bytes, all the future depends on but the callbacks, as cd_chain_save says. load needs a
+    /// membrane of the same shape and precision; it switches fields on and off as they were. Errors: save:
+    /// CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
     pub fn save_into(&self, buffer: &mut [u8]) -> Result<usize> {
         let size = buffer.len();
         let mut out_written = 0;
@@ -2977,11 +2978,9 @@ impl Membrane {
         Ok(bytes)
     }
 
-    /// The whole state as bytes: shape, parameters, fields, time: all the future depends on but the callbacks.
-    /// Little-endian on every machine, versioned, with a checksum. save needs size \>= cd_membrane_save_size and tells
-    /// what it wrote. load needs a membrane of the same shape and precision; it switches fields on and off as they
-    /// were. Bytes that are damaged, cut short, of a later version or another kind are refused and change nothing.
-    /// Errors: save: CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
+    /// The whole state as bytes, all the future depends on but the callbacks, as cd_chain_save says. load needs a
+    /// membrane of the same shape and precision; it switches fields on and off as they were. Errors: save:
+    /// CD_ERROR_RANGE. load: CD_ERROR_FORMAT, CD_ERROR_MISMATCH, CD_ERROR_MEMORY.
     pub fn load(&mut self, bytes: &[u8]) -> Result<()> {
         let size = bytes.len();
         check(unsafe { sys::cd_membrane_load(self.as_ptr(), bytes.as_ptr().cast(), size) })

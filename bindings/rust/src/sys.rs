@@ -429,6 +429,8 @@ extern "C" {
     pub fn cd_membrane_get_energy(membrane: *const cd_membrane, out_kinetic: *mut f64, out_elastic: *mut f64,
         out_gravity: *mut f64) -> cd_status;
     pub fn cd_membrane_get_momentum(membrane: *const cd_membrane, out_momentum: *mut f64, count: usize) -> cd_status;
+    pub fn cd_membrane_get_reaction(membrane: *const cd_membrane, u: usize, v: usize, out_force: *mut f64,
+        count: usize) -> cd_status;
     pub fn cd_membrane_get_volume(membrane: *const cd_membrane, out_volume: *mut f64) -> cd_status;
     pub fn cd_membrane_sample(membrane: *const cd_membrane, at: *const f64, n: usize, outside: cd_outside,
         out_positions: *mut f64, out_count: usize) -> cd_status;

@@ -1173,6 +1173,11 @@ public:
         return call(cd_membrane_get_momentum, momentum.data(), momentum.size());
     }
 
+    // The force [N] with which springs, shear and bend pull at a node, force[component].
+    outcome<> get_reaction(std::size_t u, std::size_t v, span<double> force) const {
+        return call(cd_membrane_get_reaction, u, v, force.data(), force.size());
+    }
+
     // Volume [m^3] between the sheet and the origin.
     outcome<double> get_volume() const { return value<double>(cd_membrane_get_volume); }
 

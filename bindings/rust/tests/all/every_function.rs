@@ -546,7 +546,7 @@ pub fn make_membrane() -> Membrane {
     Membrane::new(4, 5, 3, Precision::Float64).unwrap()
 }
 
-pub const MEMBRANE: [Call<Membrane>; 95] = [
+pub const MEMBRANE: [Call<Membrane>; 96] = [
     Call {
         name: "cd_membrane_get_shape",
         may_fail: false,
@@ -1066,6 +1066,12 @@ pub const MEMBRANE: [Call<Membrane>; 95] = [
         name: "cd_membrane_get_momentum",
         may_fail: false,
         call: |o, _other, _saved| o.get_momentum(&mut [0.0; 3]).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_membrane_get_reaction",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_reaction(1, 1, &mut [0.0; 3]).map(drop),
         told: |_| true,
     },
     Call {
