@@ -363,7 +363,7 @@ RULES = {
     "a spring of no length has no direction": (
         "cloth.hh", "kLeastDirection = 1e-6;", "kLeastDirection = 0;", ["stability_cloth"]),
     "a cut takes the shear of its cells with it": (
-        CLOTH, "m.cloth.shear > 0 && whole_cell(m, u, v) ?", "m.cloth.shear > 0 ?", ["physics_cloth"]),
+        CLOTH, "const double shear = whole ? m.cloth.shear : 0;", "const double shear = m.cloth.shear;", ["physics_cloth"]),
     "and the bend of its ends": (
         CLOTH, "return stiffness_of(m, d, u, v) > 0 && stiffness_of(m, d, last_u, last_v) > 0 ? bend : 0;",
         "return bend;", ["physics_cloth"]),
