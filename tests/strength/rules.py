@@ -421,6 +421,8 @@ RULES = {
     "a push that leads nowhere is not the water's": (
         HULL_STEP, "if (taken > removable() + credit) taken = lose(due);", "if (taken > removable() + credit) taken = due;",
         ["stability_water_hulls"]),
+    "but is in its load": (
+        HULL_STEP, "h.water[way] -= (1 - keeps) *", "h.water[way] -= (0 * keeps) *", ["physics_water_hulls"]),
     "a launched hull has displaced its water": (
         "../model/water_hull.cpp", "    sink(w, index, work);\n", "", ["physics_water_hulls"]),
     "and leaves no depth below 0": (
