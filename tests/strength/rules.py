@@ -126,6 +126,8 @@ RULES = {
         "water/across.cpp", "select(water[i], select(passes, u, velocity[i]), L{})", "select(passes, u, velocity[i])", ["api_water_diverge"]),
     "what crosses a level side follows as waves cross half a cell": (
         "water/side.hh", "part = follows < 1 ? follows : 1;", "part = 1 + 0 * follows;", ["physics_water_sides"]),
+    "and in long steps at once, not beyond": (
+        "water/side.hh", "= follows < 1 ? follows : 1;", "= follows;", ["stability_water_waves"]),
     "and what fills a cell with the level stays there": (
         "water/side.hh", "2 * (c - c_out)) - fill;", "2 * (c - c_out)) - 0 * fill;", ["physics_water_sides"]),
     "a side's depth is that of half a cell before": (
