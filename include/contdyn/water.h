@@ -172,9 +172,10 @@ CD_API cd_status cd_water_get_manning(const cd_water* water, double* out_manning
  *                      sqrt(g D)), linear by u = sqrt(g d) (1 - D / d), and the discharge is u d. Where u is faster
  *                      than waves, as over a side that lies higher than the level, water falls off: a stream slower than
  *                      its waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
- *   CD_BORDER_LEVEL    level [m] that is held at the side itself, whatever flows out: with D its depth over the bed of
- *                      the cell there and u the velocity one face inside, water crosses it by U = u + 2 (sqrt(g d) -
- *                      sqrt(g D)) and discharges U D. Waves are thrown back. What outruns its waves falls off as above.
+ *   CD_BORDER_LEVEL    level [m] held at the side itself: with D its depth over the bed of the cell there and u the
+ *                      velocity one face inside D (u + 2 (sqrt(g d) - sqrt(g D))), less what fills a cell at its rate, is
+ *                      what the discharge comes to while waves cross half a cell. Waves are thrown back. What outruns
+ *                      its waves falls off as above.
  *   CD_BORDER_INFLOW   discharge per metre of the side [m^2/s] into the water, velocity times depth, whatever the depth
  *                      is; where the cell is shallower than the critical depth, it comes in at that. If negative it
  *                      leaves, as far as there is water.
@@ -306,8 +307,7 @@ CD_API cd_status cd_water_get_hulls(const cd_water* water, size_t* out_count, si
 
 /* Makes a hull of a mass [kg] in [1e-12, 1e15] and length and width [m], >= 1e-60 and at most 512 cells. heights[j][i]:
  * of the floor's plate i along, j to port, above the keel [m], in [0, 1e60], or -1 where there is none; `count` is
- * n_along n_across; null: flat. Where it is, and how it moves, stays. Errors: CD_ERROR_VALUE, also for a floor of no
- * plate. */
+ * n_along n_across; null: flat. Where it is, and how it moves, stays. Errors: CD_ERROR_VALUE, also for no plate. */
 CD_API cd_status cd_water_set_hull(cd_water* water, size_t index, double mass, double length, double width,
                                    const double* heights, size_t count);
 

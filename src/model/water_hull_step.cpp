@@ -337,7 +337,10 @@ struct Mover {
     double lose(double energy) {
         const double moving = moving_energy(), lost = energy < moving ? energy : moving;
         const double keeps = moving > 0 ? sqrt((moving - lost) / moving) : 0;
-        for (int way : {0, 1, 3}) h.velocity[way] *= keeps;
+        for (int way : {0, 1, 3}) {
+            h.water[way] -= (1 - keeps) * h.velocity[way] * mass[way] / dt;
+            h.velocity[way] *= keeps;
+        }
         return lost;
     }
 

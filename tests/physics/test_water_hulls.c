@@ -432,6 +432,31 @@ static void a_hull_on_dry_land_feels_the_bed_alone(void** state) {
     }
 }
 
+/* Mass times acceleration is what acts, its weight and the load that is told, in steps of any length. */
+static void the_load_is_what_moves_a_hull(void** state) {
+    (void)state;
+    for (int k = 0; k < 4; ++k) {
+        const double mass = k % 2 ? 1000 : 10, dt = k / 2 ? 3 : 0.2, round = mass * (3 * 3 + 1.6 * 1.6) / 12;
+        double before[6], now[6], load[6], pose[7];
+        cd_water* w = lake(NX, NY, 1);
+        for (size_t i = 0; i < NX * NY; ++i) pool_set(w, CD_DEPTH, i % NX, i / NX, 1 + 0.1 * sin((double)i));
+        ok(cd_water_set_hulls(w, 1, 8, 4) || cd_water_set_hull(w, 0, mass, 3, 1.6, NULL, 0));
+        ok(cd_water_launch_hull(w, 0, 8, 4, 1, 0.4));
+        for (int step = 0; step < 60; ++step) {
+            ok(cd_water_get_hull_velocity(w, 0, before, 6));
+            pool_step(w, dt, 1);
+            ok(cd_water_get_hull_velocity(w, 0, now, 6));
+            ok(cd_water_get_hull_load(w, 0, load, 6));
+            load[2] -= mass * G;
+            for (int way = 0; way < 4; ++way)
+                assert_near((way < 3 ? mass : round) * (now[way] - before[way]) / dt, load[way], 1e-6 * mass * G, 1);
+        }
+        ok(cd_water_get_hull_floor(w, 0, pose, 7));
+        assert_true(fabs(pose[0] - 8) < 2 && fabs(pose[1] - 4) < 1.5); /* it met no side */
+        cd_water_destroy(w);
+    }
+}
+
 /* What moved before does not hold back a hull whose velocity is set: as if its pose had been set as well. */
 static void a_velocity_that_is_set_begins_anew(void** state) {
     (void)state;
@@ -468,6 +493,7 @@ int main(void) {
         cmocka_unit_test(a_hull_halfway_beyond_a_side_is_its_own_image),
         cmocka_unit_test(a_post_that_is_moved_presses_the_water_away),
         cmocka_unit_test(a_hull_on_dry_land_feels_the_bed_alone),
+        cmocka_unit_test(the_load_is_what_moves_a_hull),
         cmocka_unit_test(a_velocity_that_is_set_begins_anew),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -390,6 +390,42 @@ static void a_pool_comes_to_the_level_of_its_side(void** state) {
         }
 }
 
+/* A level of a sin(w t) that a side holds makes the water before a wall stand by a cos(k (L - x)) / cos(k L) sin(w t),
+ * k = w / c = 0.6 / L, whether waves cross a quarter of a cell in a step or a whole one. */
+static void a_level_that_moves_is_held_at_the_side_itself(void** state) {
+    (void)state;
+    static const int which[] = {LINEAR_HALF, ADVECTED};
+    const double deep = 10, length = 1000, c = sqrt(gravity * deep), k = 0.6 / length, w = k * c, high = 1e-5;
+    for (int row = 0; row < 4; ++row)
+        for (cd_side side = CD_SIDE_X_FIRST; side <= CD_SIDE_Y_LAST; ++side) {
+            const int along_y = side >= CD_SIDE_Y_FIRST, last = side % 2;
+            for (size_t n = 25; n <= 100; n *= 2) {
+                const double dx = length / (double)n, dt = (row % 2 ? 1 : 0.25) * dx / c;
+                double values[101], off = 0, t = 0;
+                cd_water* water = line_basin(along_y, n, 1, dx, CD_FLOAT64);
+                basin_set_way(water, &ways[which[row / 2]]);
+                ok(cd_water_set_side(water, side, CD_BORDER_LEVEL, deep, 0));
+                for (size_t i = 0; i < n; ++i) values[i] = deep;
+                line_write(water, along_y, CD_DEPTH, values);
+                for (size_t i = 0; i <= n; ++i)
+                    values[i] = high * c / deep * sin(k * dx * (double)(last ? i : n - i)) * (last ? -1 : 1);
+                line_write(water, along_y, CD_VELOCITY_X, values);
+                for (; w * t < 6 * PI; t += dt) {
+                    const double now = high * cos(0.6) * sin(w * t), then = high * cos(0.6) * sin(w * (t + dt));
+                    ok(cd_water_set_side(water, side, CD_BORDER_LEVEL, deep + now, (then - now) / dt));
+                    basin_step(water, dt, 1);
+                }
+                line_read(water, along_y, CD_DEPTH, 0, values);
+                for (size_t i = 0; i < n; ++i) {
+                    const double from_wall = ((double)(last ? i : n - 1 - i) + 0.5) * dx;
+                    off = fmax(off, fabs((values[i] - deep - high * cos(k * from_wall) * sin(w * t)) / high));
+                }
+                cd_water_destroy(water);
+                assert_true(off < 0.2 / (double)(n * n));
+            }
+        }
+}
+
 /* A slow stream and a film that fall off a lower edge run over it at their critical depth, (q^2 / g)^(1/3). */
 static void what_falls_off_an_edge_is_critical_there(void** state) {
     (void)state;
@@ -449,6 +485,7 @@ int main(void) {
         cmocka_unit_test(a_wave_leaves_through_an_open_side),
         cmocka_unit_test(a_high_simple_wave_leaves_too),
         cmocka_unit_test(a_pool_comes_to_the_level_of_its_side),
+        cmocka_unit_test(a_level_that_moves_is_held_at_the_side_itself),
         cmocka_unit_test(what_falls_off_an_edge_is_critical_there),
         cmocka_unit_test(a_tide_runs_into_a_basin_and_out_again),
         cmocka_unit_test(a_basin_fills_to_the_level_outside_and_drains),

@@ -40,6 +40,33 @@ static void a_seiche_from_rest_gains_no_energy(void** state) {
     }
 }
 
+/* Nor does a low one between a wall and a level that a side holds: it never stands higher than at first, nor do short
+ * waves on it. */
+static void a_seiche_beside_a_level_grows_no_higher(void** state) {
+    (void)state;
+    enum { CELLS_LONG = 25 };
+    static const int which[] = {LINEAR_HALF, LINEAR, ADVECTED};
+    static const double courants[] = {0.05, 0.25, 1, 2, 4, 8, 32}, height = 1e-4;
+    for (size_t k = 0; k < COUNT(which); ++k)
+        for (size_t c = 0; c < COUNT(courants); ++c) {
+            double depth[CELLS_LONG], most = 0;
+            cd_water* w = basin(CELLS_LONG, 1, 1, 1, CD_FLOAT64);
+            basin_set_way(w, &ways[which[k]]);
+            ok(cd_water_set_side(w, CD_SIDE_X_LAST, CD_BORDER_LEVEL, 1, 0));
+            for (size_t i = 0; i < CELLS_LONG; ++i)
+                depth[i] = 1 + height * cos((double)PI * ((double)i + 0.5) / (2 * CELLS_LONG));
+            basin_write(w, CD_DEPTH, depth);
+            for (int step = 0; step < 3000; ++step) {
+                basin_step(w, courants[c] / sqrt(9.81), 1);
+                basin_read(w, CD_DEPTH, depth);
+                for (size_t i = 0; i < CELLS_LONG; ++i) most = fmax(most, fabs(depth[i] - 1) / height);
+            }
+            print_message("%-17s courant %4g: at most %.3f of its height\n", ways[which[k]].name, courants[c], most);
+            assert_true(most < 1.01);
+            cd_water_destroy(w);
+        }
+}
+
 /* A hump spreads over a flat bed, along a line and in the plane: nothing comes back of the energy that steps took. */
 static void a_hump_gains_no_energy(void** state) {
     (void)state;
@@ -108,6 +135,7 @@ static void waves_round_a_ring_gain_no_energy(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_seiche_from_rest_gains_no_energy),
+        cmocka_unit_test(a_seiche_beside_a_level_grows_no_higher),
         cmocka_unit_test(a_hump_gains_no_energy),
         cmocka_unit_test(waves_round_a_ring_gain_no_energy),
     };

@@ -45,7 +45,7 @@ RULES = {
     "of linear momentum too": (
         "water/side.hh", "c > tangent ? c : tangent", "tangent", ["stability_water_extremes"]),
     "and at a level's critical depth": (
-        "water/side.hh", "if (wave < -c_out && d < d_out) return fills(d, d_out, c_out * d_out, d_out);", "",
+        "water/side.hh", "if (flow < -most && d < d_out) return fills(d, d_out, most, d_out);", "",
         ["stability_water_extremes"]),
     "velocities follow what the limiter lets through": (
         "water/velocity.hh", "if (any_limited)", "if (false)", ["stability_water_energy"]),
@@ -124,6 +124,12 @@ RULES = {
         ["physics_water_thacker", "physics_water_momentum"]),
     "between dry lines nothing moves": (
         "water/across.cpp", "select(water[i], select(passes, u, velocity[i]), L{})", "select(passes, u, velocity[i])", ["api_water_diverge"]),
+    "what crosses a level side follows as waves cross half a cell": (
+        "water/side.hh", "part = follows < 1 ? follows : 1;", "part = 1 + 0 * follows;", ["physics_water_sides"]),
+    "and in long steps at once, not beyond": (
+        "water/side.hh", "= follows < 1 ? follows : 1;", "= follows;", ["stability_water_waves"]),
+    "and what fills a cell with the level stays there": (
+        "water/side.hh", "2 * (c - c_out)) - fill;", "2 * (c - c_out)) - 0 * fill;", ["physics_water_sides"]),
     "a side's depth is that of half a cell before": (
         "water/surface.hh", "- L::load(half_cell))", "- 0.0 * L::load(half_cell))", ["physics_water_sides"]),
     "what leaves runs no faster than it came": (
@@ -417,6 +423,8 @@ RULES = {
     "a push that leads nowhere is not the water's": (
         HULL_STEP, "if (taken > removable() + credit) taken = lose(due);", "if (taken > removable() + credit) taken = due;",
         ["stability_water_hulls"]),
+    "but is in its load": (
+        HULL_STEP, "h.water[way] -= (1 - keeps) *", "h.water[way] -= (0 * keeps) *", ["physics_water_hulls"]),
     "a launched hull has displaced its water": (
         "../model/water_hull.cpp", "    sink(w, index, work);\n", "", ["physics_water_hulls"]),
     "and leaves no depth below 0": (

@@ -48,12 +48,17 @@ struct SideWaves {
         return {-most, d_out > d ? most / (d_out - d) : 0, depth};
     }
 
-    // The same beside a side that holds the depth d_out there.
-    SideFlow level(double d, double d_out, double u) const {
-        const double c = speed(d), c_out = speed(d_out), wave = u + 2 * (c - c_out);
-        if (u > c || wave > c_out) return falls(d, u);
-        if (wave < -c_out && d < d_out) return fills(d, d_out, c_out * d_out, d_out);
-        return {d_out * (wave > -c_out ? wave : -c_out), d > 0 ? d_out * c / d : 0, d_out};
+    // The same beside a side that holds the depth d_out there. What crossed it before, `crossed` in the larger depth, goes
+    // on, and changes to what the invariant says as fast as waves cross half a cell, at the time theta of the step. Of
+    // what comes from one cell inside the level's rise keeps `fill` [m^2/s]. courant = dt / cell.
+    SideFlow level(double d, double d_out, double u, double crossed, double fill, double courant, double theta) const {
+        const double c = speed(d), c_out = speed(d_out), most = c_out * d_out, run = courant * c_out;
+        const double follows = run / (0.5 + (1 - theta) * run), part = follows < 1 ? follows : 1;
+        const double before = crossed * (d > d_out ? d : d_out), wave = d_out * (u + 2 * (c - c_out)) - fill;
+        const double flow = before + part * (wave - before);
+        if (u > c || flow > most || (!(d_out > 0) && u > -2 * c)) return falls(d, u);
+        if (flow < -most && d < d_out) return fills(d, d_out, most, d_out);
+        return {flow > -most ? flow : -most, d > 0 ? part * (d_out * c / d) : 0, d_out};
     }
 
     // What runs faster than its waves leaves as it comes, all else at its critical depth.
