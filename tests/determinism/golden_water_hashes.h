@@ -14,11 +14,11 @@
 {2, 17, 1, {0xe8b63829874417da, 0xbd9f7e0cb0036f13}}, /* flood */
 {2, 16, 7, {0xa61b2d23ecbfbd2a, 0x449362aa972a9a3e}}, /* flood */
 {2, 2, 16, {0xf45e0b2c2ab60eed, 0x4aa4e7c3e66cfdbf}}, /* flood */
-{3, 13, 9, {0x3a9bf635f28e3f74, 0x6823316b1acdc8fb}}, /* weir */
-{3, 1, 17, {0x84252bae5d5547e1, 0xfd32384464f6a8a6}}, /* weir */
-{3, 17, 1, {0x3c200cb15850ac64, 0x93d3cdba66913fbe}}, /* weir */
-{3, 16, 7, {0xb3f82037d0648b6b, 0x315187b7c313160b}}, /* weir */
-{3, 2, 16, {0x78825d8a673da664, 0xec4a132f949dd22b}}, /* weir */
+{3, 13, 9, {0xf003dc76625b2f13, 0xfb32d378248ffa84}}, /* weir */
+{3, 1, 17, {0x6a103f3625e5e8e5, 0xa3c3bc26ce685b4e}}, /* weir */
+{3, 17, 1, {0xa4db90b894db1f0b, 0xc8bd15d2de0f8224}}, /* weir */
+{3, 16, 7, {0x2f59bfaddcc37ca4, 0x27bfdf26fe85d98b}}, /* weir */
+{3, 2, 16, {0x9bd8e6f79b45171f, 0x32553d8354a30859}}, /* weir */
 {4, 13, 9, {0x34ff9a256ba8112e, 0x380f62d35a5d541c}}, /* explicit */
 {4, 1, 17, {0x198e4dec868efae1, 0x9bd595cdeda19578}}, /* explicit */
 {4, 17, 1, {0xba518f52d22e4f33, 0x9597a377557876a4}}, /* explicit */
@@ -59,18 +59,18 @@
 {11, 17, 1, {0x4543cfa5953a9273, 0xdcbcf9b61e83a13c}}, /* everything */
 {11, 16, 7, {0x3102f89b1367ef73, 0xc5fb1156a73e3f07}}, /* everything */
 {11, 2, 16, {0x290e736109dc4d81, 0xc21e4d67288fe890}}, /* everything */
-{12, 13, 9, {0xa647639ae0a02b0a, 0xa3f9303e8047c23d}}, /* everything, long steps */
-{12, 1, 17, {0x23f03471e30728f7, 0xdbc6f71902b713bb}}, /* everything, long steps */
-{12, 17, 1, {0x013a9950533335c3, 0x04d68bb58429bb8b}}, /* everything, long steps */
-{12, 16, 7, {0x306e1e37457dd9f6, 0x97708e66083d5cb6}}, /* everything, long steps */
+{12, 13, 9, {0x18d20b5d4fbf3a7e, 0xbe6786b09f7139ef}}, /* everything, long steps */
+{12, 1, 17, {0x8839aac14df8257f, 0xf12c8b02dd291ad5}}, /* everything, long steps */
+{12, 17, 1, {0x938f95cbf75d08d7, 0x01825ac8a790652a}}, /* everything, long steps */
+{12, 16, 7, {0x2ccb9b44376b1a98, 0x6f7c2651b9fffff9}}, /* everything, long steps */
 {12, 2, 16, {0x9453b55948b49c48, 0x6d8dcc88ca98ea06}}, /* everything, long steps */
 {13, 13, 9, {0xc10f2419498ec1cf, 0x0c5b81818e843b98}}, /* hulls */
 {13, 1, 17, {0xefc6e6dfd02ac6c0, 0xdb8e5fc1b4daa8e6}}, /* hulls */
 {13, 17, 1, {0x1b1c6d57f7439e98, 0xb0f69705ff1e3bdd}}, /* hulls */
 {13, 16, 7, {0xb27bfe6e83cb1514, 0xa4d85c5d664f872e}}, /* hulls */
 {13, 2, 16, {0x5ea63094ce19f620, 0xb3f920b109ec706e}}, /* hulls */
-{14, 13, 9, {0x0d5eb04fb63e7de2, 0xe4c08de959ea1999}}, /* hulls, long steps */
-{14, 1, 17, {0x0ad3ac63be728f5d, 0x69087a48e9e89a63}}, /* hulls, long steps */
-{14, 17, 1, {0x7db98bc17d5ee77d, 0x545d187e4adeb8e4}}, /* hulls, long steps */
-{14, 16, 7, {0x2670cea1bb38e66e, 0xb7eb9ba23c8c296f}}, /* hulls, long steps */
+{14, 13, 9, {0xcc541b1e4d673701, 0x304655da606e6248}}, /* hulls, long steps */
+{14, 1, 17, {0x219dfa267c0f0134, 0x68602e0288c5a54b}}, /* hulls, long steps */
+{14, 17, 1, {0xe0ff8633da05f362, 0xb2729ca3af31cc81}}, /* hulls, long steps */
+{14, 16, 7, {0x544e6e051dc0c8eb, 0x6d7ebb1cb6f16735}}, /* hulls, long steps */
 {14, 2, 16, {0xac4cbaf3b6b84f17, 0xe38783e2642f3e09}}, /* hulls, long steps */
