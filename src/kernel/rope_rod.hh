@@ -70,6 +70,12 @@ template <int N> void RopeBundle<N>::look_at_joints(Seen& seen) const {
     }
 }
 
+// Z = (1 + h^2 B (R + all))^-1. With 16 registers or fewer it takes a function of its own.
+template <int N>
+__attribute__((noinline)) Matrix<N> yields(Lanes<N> stiffness, Lanes<N> mobility, const Matrix<N>& all) {
+    return inverse(plus_diagonal(stiffness * plus_diagonal(all, mobility), Lanes<N>::splat(1)));
+}
+
 // Node i joins what hangs on the node before.
 template <int N> void RopeBundle<N>::join(size_t i, Hung& hung) {
     Joint& joint = joints[i];
@@ -80,7 +86,7 @@ template <int N> void RopeBundle<N>::join(size_t i, Hung& hung) {
         hung.back = joint.turn * (joint.ratio * hung.back);
         hung.link = joint.turn * times_transposed((joint.ratio * joint.ratio) * hung.link, joint.turn);
     }
-    M of_node, own, all, both; // E, and c - E
+    M of_node, own, all, both; // of_node: E, own: c - E
 #pragma GCC unroll 1
     for (size_t k = 0; k < 3; ++k) {
         const V across = ratio * row(hung.across, k), back = ratio * row(hung.back, k);
@@ -89,7 +95,7 @@ template <int N> void RopeBundle<N>::join(size_t i, Hung& hung) {
         row(all, k) = row(of_node, k) + row(own, k), row(joint.reach, k) = row(hung.c, k) + back;
     }
     joint.reach = plus_diagonal(joint.reach, mobility);
-    const M yielding = inverse(plus_diagonal(stiffness * plus_diagonal(all, mobility), one())); // Z
+    const M yielding = yields(stiffness, mobility, all); // Z
     const M stiff = joint.stiff = stiffness * yielding;
     const V bent = L::splat(1 / stage.dt) * per_lambda *
                    (i > 1 ? springs[i - 1].before - carried(joint, springs[i - 2].before) : V{});

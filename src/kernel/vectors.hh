@@ -78,7 +78,7 @@ template <int N> struct Turn {
     friend M times_transposed(const M& a, Turn t) { return {t * a.x, t * a.y, t * a.z}; }
     friend Turn transposed(Turn t) { return {t.cosine, L{} - t.sine}; }
 };
-template <int N> Matrix<N> inverse(const Matrix<N>& a) {
+template <int N> CD_INLINED inline Matrix<N> inverse(const Matrix<N>& a) {
     const Vector<N> x = cross(a.y, a.z), y = cross(a.z, a.x), z = cross(a.x, a.y); // columns of the adjugate
     const Lanes<N> scale = Lanes<N>::splat(1) / dot(a.x, x);
     return {scale * Vector<N>{x.x, y.x, z.x}, scale * Vector<N>{x.y, y.y, z.y}, scale * Vector<N>{x.z, y.z, z.z}};
