@@ -70,12 +70,6 @@ template <int N> void RopeBundle<N>::look_at_joints(Seen& seen) const {
     }
 }
 
-// Z = (1 + h^2 B (R + all))^-1. With 16 registers or fewer it takes a function of its own.
-template <int N>
-__attribute__((noinline)) Matrix<N> yields(Lanes<N> stiffness, Lanes<N> mobility, const Matrix<N>& all) {
-    return inverse(plus_diagonal(stiffness * plus_diagonal(all, mobility), Lanes<N>::splat(1)));
-}
-
 // Node i joins what hangs on the node before.
 template <int N> void RopeBundle<N>::join(size_t i, Hung& hung) {
     Joint& joint = joints[i];
