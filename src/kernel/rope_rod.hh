@@ -80,7 +80,7 @@ template <int N> void RopeBundle<N>::join(size_t i, Hung& hung) {
         hung.back = joint.turn * (joint.ratio * hung.back);
         hung.link = joint.turn * times_transposed((joint.ratio * joint.ratio) * hung.link, joint.turn);
     }
-    M of_node, own, all, both; // of_node: E, own: c - E
+    M all, both, &of_node = hung.across, &own = hung.back; // which become E and c - E
 #pragma GCC unroll 1
     for (size_t k = 0; k < 3; ++k) {
         const V across = ratio * row(hung.across, k), back = ratio * row(hung.back, k);
