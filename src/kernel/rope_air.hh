@@ -28,8 +28,12 @@ template <int N> void RopeBundle<N>::resist(L k, const V& n, const V& acting, co
     const V right_link = hung.back * acting, link = share * transposed_times(hung.across, n);
     *by_link = link;
     hung.link_y = hung.link_y + wished * right_link;
-    take_from(hung.across, right, link);
-    take_from(hung.back, right_link, by), take_from(hung.link, right_link, link);
+#pragma GCC unroll 1
+    for (size_t i = 0; i < 3; ++i) {
+        const L of_node = component(right, i), of_link = component(right_link, i);
+        row(hung.across, i) = row(hung.across, i) - of_node * link;
+        row(hung.back, i) = row(hung.back, i) - of_link * by, row(hung.link, i) = row(hung.link, i) - of_link * link;
+    }
 }
 template <int N> void RopeBundle<N>::take_from(M& a, const V& column, const V& row) {
     a.x = a.x - column.x * row;
