@@ -18,22 +18,22 @@ template <int N> typename RopeBundle<N>::Axes RopeBundle<N>::axes(V way) {
 // back, by an impulse k (n . u - n . w), which is resisted.wished - resisted.by . phi.
 template <int N> void RopeBundle<N>::resist(L k, const V& n, const V& acting, const V& u, Hung& hung,
                                             Resisted& resisted, V* by_link) const {
-    const V right = hung.c * acting, left = transposed_times(hung.c, n);
+    const V right = hung.c * acting;
     const L share = k / (one() + k * dot(n, right)), wished = share * dot(n, u - hung.y);
-    const V by = share * left;
+    const V by = share * transposed_times(hung.c, n);
     resisted = {wished, by};
-    if (is_rod()) {
-        *by_link = share * transposed_times(hung.across, n);
-        return take(hung, {right, hung.back * acting}, resisted, *by_link);
-    }
     hung.y = hung.y + wished * right;
     take_from(hung.c, right, by);
-}
-// The same of a rod, by the impulse that resists and how it moves node and link.
-template <int N> void RopeBundle<N>::take(Hung& hung, const Column& moves, const Resisted& by, const V& by_link) {
-    hung.y = hung.y + by.wished * moves.node, hung.link_y = hung.link_y + by.wished * moves.link;
-    take_from(hung.c, moves.node, by.by), take_from(hung.across, moves.node, by_link);
-    take_from(hung.back, moves.link, by.by), take_from(hung.link, moves.link, by_link);
+    if (!is_rod()) return;
+    const V right_link = hung.back * acting, link = share * transposed_times(hung.across, n);
+    *by_link = link;
+    hung.link_y = hung.link_y + wished * right_link;
+#pragma GCC unroll 1
+    for (size_t i = 0; i < 3; ++i) {
+        const L of_node = component(right, i), of_link = component(right_link, i);
+        row(hung.across, i) = row(hung.across, i) - of_node * link;
+        row(hung.back, i) = row(hung.back, i) - of_link * by, row(hung.link, i) = row(hung.link, i) - of_link * link;
+    }
 }
 template <int N> void RopeBundle<N>::take_from(M& a, const V& column, const V& row) {
     a.x = a.x - column.x * row;

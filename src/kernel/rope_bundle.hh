@@ -239,14 +239,9 @@ template <int N> struct RopeBundle {
     struct Axes {
         V way, side, normal;
     };
-    // Of a rod: how the node and its link move by an impulse of 1.
-    struct Column {
-        V node, link;
-    };
     static Axes axes(V way);
     __attribute__((noinline)) void resist(L k, const V& n, const V& acting, const V& u, Hung& hung, Resisted& resisted,
                                           V* by_link) const;
-    __attribute__((noinline)) static void take(Hung& hung, const Column& moves, const Resisted& by, const V& by_link);
     static void take_from(M& a, const V& column, const V& row);
     L impulse_of(const Resisted& resisted, const V* by_link, const Impulses& from_right) const;
     bool has_air() const { return stage.has_air(); }

@@ -66,11 +66,17 @@ template <int N> void RopeBundle<N>::eliminate() {
     }
 }
 
+// What a spring of so much stiffness [kg] leaves of a velocity difference, by the mobilities of what it joins.
+template <int N>
+__attribute__((noinline)) Matrix<N> yields(Lanes<N> stiffness, Lanes<N> mobility, const Matrix<N>& other) {
+    return inverse(plus_diagonal(stiffness * plus_diagonal(other, mobility), Lanes<N>::splat(1)));
+}
+
 // The impulse of a spring between what would move by itself at the velocities `left` and `right`. mobility: of both
 // together.
 template <int N> __attribute__((noinline)) Vector<N> RopeBundle<N>::impulse_between(const Spring& s, const M& mobility,
                                                                                     V left, V right) const {
-    const M share = inverse(plus_diagonal(s.transverse * mobility, one()));
+    const M share = yields(s.transverse, L{}, mobility);
     const V way = right - left, q = s.transverse * (share * (way - s.wish)), u = share * s.acting;
     const L yields = s.axial + dot(s.along, mobility * u);
     const L pull = select(yields, s.taut / yields, L{}); // 0 between two held nodes

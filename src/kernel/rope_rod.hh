@@ -74,49 +74,76 @@ template <int N> void RopeBundle<N>::look_at_joints(Seen& seen) const {
 template <int N> void RopeBundle<N>::join(size_t i, Hung& hung) {
     Joint& joint = joints[i];
     const Node& node = nodes[i];
-    const L mobility = node.mobility, stiffness = joint.stiffness, ratio = joint.ratio;
-    M across = ratio * hung.across, back = ratio * hung.back, link = (ratio * ratio) * hung.link;
+    const L mobility = node.mobility, stiffness = joint.stiffness, ratio = stage.curls ? one() : joint.ratio;
     if (stage.curls) {
-        across = times_transposed(across, joint.turn), back = joint.turn * back;
-        link = joint.turn * times_transposed(link, joint.turn);
+        hung.across = times_transposed(joint.ratio * hung.across, joint.turn);
+        hung.back = joint.turn * (joint.ratio * hung.back);
+        hung.link = joint.turn * times_transposed((joint.ratio * joint.ratio) * hung.link, joint.turn);
     }
-    const M of_node = hung.c + across, own = back + link; // E, and c - E
-    const M all = of_node + own, both = across + link;
-    const M yielding = inverse(plus_diagonal(stiffness * plus_diagonal(all, mobility), one())); // Z
-    const M stiff = stiffness * yielding;
-    const M reach = plus_diagonal(hung.c + back, mobility);
+    M all, both, &of_node = hung.across, &own = hung.back; // which become E and c - E
+#pragma GCC unroll 1
+    for (size_t k = 0; k < 3; ++k) {
+        const V across = ratio * row(hung.across, k), back = ratio * row(hung.back, k);
+        const V link = (ratio * ratio) * row(hung.link, k);
+        row(of_node, k) = row(hung.c, k) + across, row(own, k) = back + link, row(both, k) = across + link;
+        row(all, k) = row(of_node, k) + row(own, k), row(joint.reach, k) = row(hung.c, k) + back;
+    }
+    joint.reach = plus_diagonal(joint.reach, mobility);
+    const M yielding = yields(stiffness, mobility, all); // Z
+    const M stiff = joint.stiff = stiffness * yielding;
     const V bent = L::splat(1 / stage.dt) * per_lambda *
                    (i > 1 ? springs[i - 1].before - carried(joint, springs[i - 2].before) : V{});
-    const V wished = stiff * (((hung.y + carried(joint, hung.link_y)) - node.b) - bent);
-    const M at_link = of_node * stiff;
-
-    const M passed = mobility * (yielding + stiff * both);
-    joint.stiff = stiff, joint.reach = reach, joint.wished = wished;
-    hung.link = (passed + hung.c) - at_link * reach;
-    hung.c = mobility * (yielding + stiff * all);
-    hung.across = passed;
-    hung.back = mobility * (yielding + own * stiff);
+    const V wished = joint.wished = stiff * (((hung.y + carried(joint, hung.link_y)) - node.b) - bent);
     hung.link_y = (node.b - hung.y) + (mobility * wished + of_node * wished);
     hung.y = node.b + mobility * wished;
+#pragma GCC unroll 1
+    for (size_t k = 0; k < 3; ++k) {
+        const V passed = mobility * (row(yielding, k) + transposed_times(both, row(stiff, k)));
+        const V at_link = transposed_times(stiff, row(of_node, k));
+        row(hung.link, k) = (passed + row(hung.c, k)) - transposed_times(joint.reach, at_link);
+        row(hung.c, k) = mobility * (row(yielding, k) + transposed_times(all, row(stiff, k)));
+        row(hung.across, k) = passed;
+        row(hung.back, k) = mobility * (row(yielding, k) + transposed_times(stiff, row(own, k)));
+    }
 }
 
 // The spring on the left of a node pulls at its link: by its transverse stiffness along x, y and z, whatever the way, and
 // along itself.
 template <int N> void RopeBundle<N>::pull(const Spring& s, Joint& joint, Hung& hung) const {
-    const auto act = [&](size_t k, const Column& moves, L share, L wished, V back, V link) {
-        joint.pulled[k] = {share * wished, share * back};
-        joint.by_link[k] = share * link;
-        take(hung, moves, joint.pulled[k], joint.by_link[k]);
+    M back = hung.back, link = hung.link;
+    V link_y = hung.link_y;
+    const auto act = [&](size_t k, V moves, L share, L wished, V by_node, V by_link) {
+        const Resisted by{share * wished, share * by_node};
+        by_link = share * by_link;
+        link_y = link_y + by.wished * moves;
+        take_from(back, moves, by.by), take_from(link, moves, by_link);
+        joint.pulled[k] = by, joint.by_link[k] = by_link;
     };
+#pragma GCC unroll 3
     for (size_t k = 0; k < 3; ++k) {
-        const Column moves{column(hung.across, k), column(hung.link, k)};
-        const L share = s.transverse / (one() + s.transverse * component(moves.link, k));
-        act(k, moves, share, component(s.wish, k) - component(hung.link_y, k), row(hung.back, k), row(hung.link, k));
+        const V moves = column(link, k);
+        const L share = s.transverse / (one() + s.transverse * component(moves, k));
+        act(k, moves, share, component(s.wish, k) - component(link_y, k), row(back, k), row(link, k));
     }
-    const Column moves{hung.across * s.acting, hung.link * s.acting};
-    const L axial = s.axial + positive(dot(s.along, moves.link));
-    act(3, moves, select(s.taut * size_of(axial), s.taut / axial, L{}), s.wished - dot(s.along, hung.link_y),
-        transposed_times(hung.back, s.along), transposed_times(hung.link, s.along));
+    const V moves = link * s.acting;
+    const L axial = s.axial + positive(dot(s.along, moves));
+    act(3, moves, select(s.taut * size_of(axial), s.taut / axial, L{}), s.wished - dot(s.along, link_y),
+        transposed_times(back, s.along), transposed_times(link, s.along));
+    hung.back = back, hung.link = link, hung.link_y = link_y;
+    // A component of the node's velocity after the other: in each the impulses are the same.
+#pragma GCC unroll 1
+    for (size_t k = 0; k < 3; ++k) {
+        V across = row(hung.across, k), c = row(hung.c, k);
+        L y = component(hung.y, k);
+#pragma GCC unroll 4
+        for (size_t way = 0; way < 4; ++way) {
+            const Resisted& by = joint.pulled[way];
+            const L moves = way < 3 ? component(across, way) : dot(across, s.acting);
+            y = y + by.wished * moves;
+            c = c - moves * by.by, across = across - moves * joint.by_link[way];
+        }
+        row(hung.across, k) = across, row(hung.c, k) = c, component(hung.y, k) = y;
+    }
 }
 
 template <int N> void RopeBundle<N>::eliminate_rod() {

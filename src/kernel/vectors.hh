@@ -9,6 +9,7 @@ namespace CD_ISA {
 template <int N> struct Vector {
     using L = Lanes<N>;
     L x, y, z;
+    static constexpr L Vector::*parts[3] = {&Vector::x, &Vector::y, &Vector::z};
 
     static Vector load(const double* const* planes, ptrdiff_t at) {
         return {L::load(planes[0] + at), L::load(planes[1] + at), L::load(planes[2] + at)};
@@ -33,6 +34,7 @@ template <int N> struct Matrix {
     using L = Lanes<N>;
     using V = Vector<N>;
     V x, y, z;
+    static constexpr V Matrix::*rows[3] = {&Matrix::x, &Matrix::y, &Matrix::z};
 
     friend V operator*(const Matrix& a, V b) { return {dot(a.x, b), dot(a.y, b), dot(a.z, b)}; }
     friend Matrix operator+(const Matrix& a, const Matrix& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
@@ -46,9 +48,6 @@ template <int N> struct Matrix {
 template <int N> Vector<N> transposed_times(const Matrix<N>& a, Vector<N> b) {
     return b.x * a.x + (b.y * a.y + b.z * a.z);
 }
-template <int N> Matrix<N> operator*(const Matrix<N>& a, const Matrix<N>& b) {
-    return {transposed_times(b, a.x), transposed_times(b, a.y), transposed_times(b, a.z)};
-}
 // a + d times the identity.
 template <int N> Matrix<N> plus_diagonal(Matrix<N> a, Lanes<N> d) {
     a.x.x = a.x.x + d, a.y.y = a.y.y + d, a.z.z = a.z.z + d;
@@ -58,8 +57,10 @@ template <int N> Vector<N> cross(Vector<N> a, Vector<N> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 // The k-th of three.
-template <int N> Lanes<N> component(const Vector<N>& a, size_t k) { return k == 0 ? a.x : k == 1 ? a.y : a.z; }
-template <int N> Vector<N> row(const Matrix<N>& a, size_t k) { return k == 0 ? a.x : k == 1 ? a.y : a.z; }
+template <int N> const Lanes<N>& component(const Vector<N>& a, size_t k) { return a.*Vector<N>::parts[k]; }
+template <int N> Lanes<N>& component(Vector<N>& a, size_t k) { return a.*Vector<N>::parts[k]; }
+template <int N> const Vector<N>& row(const Matrix<N>& a, size_t k) { return a.*Matrix<N>::rows[k]; }
+template <int N> Vector<N>& row(Matrix<N>& a, size_t k) { return a.*Matrix<N>::rows[k]; }
 template <int N> Vector<N> column(const Matrix<N>& a, size_t k) {
     return {component(a.x, k), component(a.y, k), component(a.z, k)};
 }
@@ -77,7 +78,7 @@ template <int N> struct Turn {
     friend M times_transposed(const M& a, Turn t) { return {t * a.x, t * a.y, t * a.z}; }
     friend Turn transposed(Turn t) { return {t.cosine, L{} - t.sine}; }
 };
-template <int N> Matrix<N> inverse(const Matrix<N>& a) {
+template <int N> CD_INLINED inline Matrix<N> inverse(const Matrix<N>& a) {
     const Vector<N> x = cross(a.y, a.z), y = cross(a.z, a.x), z = cross(a.x, a.y); // columns of the adjugate
     const Lanes<N> scale = Lanes<N>::splat(1) / dot(a.x, x);
     return {scale * Vector<N>{x.x, y.x, z.x}, scale * Vector<N>{x.y, y.y, z.y}, scale * Vector<N>{x.z, y.z, z.z}};

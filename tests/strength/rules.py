@@ -391,8 +391,9 @@ RULES = {
     "a rod of uneven links is at rest where it is straight": (
         "rope_rod.hh", "    joint.ratio = link.length * before.per_length;\n", "", ["physics_rope_bend"]),
     "a stiff joint is not what is left of a difference": (
-        "rope_rod.hh", "hung.c = mobility * (yielding + stiff * all);",
-        "hung.c = M::diagonal(mobility) - (mobility * mobility) * stiff;", ["physics_rope_bend", "stability_ropes"]),
+        "rope_rod.hh", "row(hung.c, k) = mobility * (row(yielding, k) + transposed_times(all, row(stiff, k)));",
+        "row(hung.c, k) = row(M::diagonal(mobility), k) - (mobility * mobility) * row(stiff, k);",
+        ["physics_rope_bend", "stability_ropes"]),
     "what joints make counts as energy made": (
         "rope_step.cpp", "    if (is_rod()) look_at_joints(seen);\n", "", ["stability_ropes"]),
     "held nodes may be apart by what is rounded": (
