@@ -2045,11 +2045,11 @@ export class Water extends Handle {
    * than
    *                      its waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
    *   "level"    level [m] that is held at the side itself, also while it changes: with D its depth over the bed of
-   *                      the cell there and u the velocity one face inside, the discharge tends to D (u + 2 (sqrt(g d)
-   * -
-   *                      sqrt(g D))), less what a cell fills by as the level rises, as waves cross half a cell. Waves
-   * are
-   *                      thrown back. What outruns its waves falls off as above.
+   *                      the cell there and q the discharge one face inside, what leaves tends, as waves cross half a
+   * cell,
+   *                      to q + 2 D (sqrt(g d) - sqrt(g D)). Advected water that comes in at U stands U^2 / 2 g lower,
+   * at
+   *                      most D / 3. Waves are thrown back. What outruns its waves falls off as above.
    *   "inflow"   discharge per metre of the side [m^2/s] into the water, velocity times depth, whatever the depth
    *                      is; where the cell is shallower than the critical depth, it comes in at that. If negative it
    *                      leaves, as far as there is water.

@@ -14,11 +14,11 @@
 {2, 17, 1, {0xe8b63829874417da, 0xbd9f7e0cb0036f13}}, /* flood */
 {2, 16, 7, {0xa61b2d23ecbfbd2a, 0x449362aa972a9a3e}}, /* flood */
 {2, 2, 16, {0xf45e0b2c2ab60eed, 0x4aa4e7c3e66cfdbf}}, /* flood */
-{3, 13, 9, {0xf003dc76625b2f13, 0xfb32d378248ffa84}}, /* weir */
-{3, 1, 17, {0x6a103f3625e5e8e5, 0xa3c3bc26ce685b4e}}, /* weir */
-{3, 17, 1, {0xa4db90b894db1f0b, 0xc8bd15d2de0f8224}}, /* weir */
-{3, 16, 7, {0x2f59bfaddcc37ca4, 0x27bfdf26fe85d98b}}, /* weir */
-{3, 2, 16, {0x9bd8e6f79b45171f, 0x32553d8354a30859}}, /* weir */
+{3, 13, 9, {0x7401f9e830fe901d, 0xf843c787ecb0a7dd}}, /* weir */
+{3, 1, 17, {0xa9fdfac4f014195c, 0x11fdba4c5e5a237a}}, /* weir */
+{3, 17, 1, {0xb918a6e30d93a5b6, 0x6f738b27cc4424ea}}, /* weir */
+{3, 16, 7, {0x60e1b896242d2437, 0x51e7ca1d57382884}}, /* weir */
+{3, 2, 16, {0x9863b9e4e54d8a49, 0x1ed700d2bd27c1e6}}, /* weir */
 {4, 13, 9, {0x34ff9a256ba8112e, 0x380f62d35a5d541c}}, /* explicit */
 {4, 1, 17, {0x198e4dec868efae1, 0x9bd595cdeda19578}}, /* explicit */
 {4, 17, 1, {0xba518f52d22e4f33, 0x9597a377557876a4}}, /* explicit */
@@ -59,11 +59,11 @@
 {11, 17, 1, {0x4543cfa5953a9273, 0xdcbcf9b61e83a13c}}, /* everything */
 {11, 16, 7, {0x3102f89b1367ef73, 0xc5fb1156a73e3f07}}, /* everything */
 {11, 2, 16, {0x290e736109dc4d81, 0xc21e4d67288fe890}}, /* everything */
-{12, 13, 9, {0x18d20b5d4fbf3a7e, 0xbe6786b09f7139ef}}, /* everything, long steps */
-{12, 1, 17, {0x8839aac14df8257f, 0xf12c8b02dd291ad5}}, /* everything, long steps */
-{12, 17, 1, {0x938f95cbf75d08d7, 0x01825ac8a790652a}}, /* everything, long steps */
-{12, 16, 7, {0x2ccb9b44376b1a98, 0x6f7c2651b9fffff9}}, /* everything, long steps */
-{12, 2, 16, {0x9453b55948b49c48, 0x6d8dcc88ca98ea06}}, /* everything, long steps */
+{12, 13, 9, {0xc59577b5ee90e56d, 0xcb590bb08ef754f6}}, /* everything, long steps */
+{12, 1, 17, {0xd1e2b260f120320e, 0x247d380e99cdb3c4}}, /* everything, long steps */
+{12, 17, 1, {0x208d3e7911362520, 0x85702bd499668092}}, /* everything, long steps */
+{12, 16, 7, {0x94f888edfeec557a, 0xc2d6192953aba1dd}}, /* everything, long steps */
+{12, 2, 16, {0xb400adaacb46f63e, 0x14c342570ae81ac3}}, /* everything, long steps */
 {13, 13, 9, {0xc10f2419498ec1cf, 0x0c5b81818e843b98}}, /* hulls */
 {13, 1, 17, {0xefc6e6dfd02ac6c0, 0xdb8e5fc1b4daa8e6}}, /* hulls */
 {13, 17, 1, {0x1b1c6d57f7439e98, 0xb0f69705ff1e3bdd}}, /* hulls */

@@ -45,7 +45,7 @@ RULES = {
     "of linear momentum too": (
         "water/side.hh", "c > tangent ? c : tangent", "tangent", ["stability_water_extremes"]),
     "and at a level's critical depth": (
-        "water/side.hh", "if (flow < -most && d < d_out) return fills(d, d_out, most, d_out);", "",
+        "water/side.hh", "if (bounded < 0 && d < d_out && (is_most || !(d > 0))) return fills(d, d_out, -bounded, says.depth);", "",
         ["stability_water_extremes"]),
     "velocities follow what the limiter lets through": (
         "water/velocity.hh", "if (any_limited)", "if (false)", ["stability_water_energy"]),
@@ -128,8 +128,12 @@ RULES = {
         "water/side.hh", "part = follows < 1 ? follows : 1;", "part = 1 + 0 * follows;", ["physics_water_sides"]),
     "and in long steps at once, not beyond": (
         "water/side.hh", "= follows < 1 ? follows : 1;", "= follows;", ["stability_water_waves"]),
+    "a level side passes on the discharge that comes": (
+        "water/side.hh", "says{q + d_out *", "says{d_out * u + d_out *", ["stability_water_waves"]),
+    "what comes in from a level has its speed from it": (
+        "water/side.hh", "advected && says.discharge < 0", "false && says.discharge < 0", ["stability_water_waves"]),
     "and what fills a cell with the level stays there": (
-        "water/side.hh", "2 * (c - c_out)) - fill;", "2 * (c - c_out)) - 0 * fill;", ["physics_water_sides"]),
+        "water/side.hh", "2 * (c - c_out)) - fill,", "2 * (c - c_out)) - 0 * fill,", ["physics_water_sides"]),
     "a side's depth is that of half a cell before": (
         "water/surface.hh", "- L::load(half_cell))", "- 0.0 * L::load(half_cell))", ["physics_water_sides"]),
     "what leaves runs no faster than it came": (

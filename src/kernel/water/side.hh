@@ -48,17 +48,32 @@ struct SideWaves {
         return {-most, d_out > d ? most / (d_out - d) : 0, depth};
     }
 
-    // The same beside a side that holds the depth d_out there. What crossed it before, `crossed` in the larger depth, goes
-    // on, and changes to what the invariant says as fast as waves cross half a cell, at the time theta of the step. Of
-    // what comes from one cell inside the level's rise keeps `fill` [m^2/s]. courant = dt / cell.
-    SideFlow level(double d, double d_out, double u, double crossed, double fill, double courant, double theta) const {
-        const double c = speed(d), c_out = speed(d_out), most = c_out * d_out, run = courant * c_out;
+    // Advected water that comes in from a level has its speed U from it: with C the speed of its waves, U + 2 C is the
+    // invariant, and C^2 + U^2 / 2 = c_out^2. At most it is critical, U = -C. Else two levels over an uneven bed would
+    // drive a stream without end.
+    SideFlow comes_in(double invariant, double c_out) const {
+        const double critical = __builtin_sqrt(2.0 / 3) * c_out, sum = invariant > critical ? invariant : critical;
+        const double root = __builtin_sqrt(3 * (c_out * c_out) - 0.5 * (sum * sum)), c = (sum + root) / 3;
+        const double depth = c * c / gravity;
+        return {depth * ((sum - 2 * root) / 3), 0, depth};
+    }
+
+    // The same beside a side that holds the depth d_out there; u and q are velocity and discharge one face inside. What
+    // crossed the side before, `crossed` in the larger depth, changes to what the invariant says as fast as waves cross
+    // half a cell, at the time theta of the step. To raise the cell with the level takes `fill` [m^2/s].
+    SideFlow level(double d, double d_out, double u, double q, double crossed, double fill, double courant,
+                   double theta) const {
+        const double c = speed(d), c_out = speed(d_out), run = courant * c_out;
         const double follows = run / (0.5 + (1 - theta) * run), part = follows < 1 ? follows : 1;
-        const double before = crossed * (d > d_out ? d : d_out), wave = d_out * (u + 2 * (c - c_out)) - fill;
-        const double flow = before + part * (wave - before);
+        const double before = crossed * (d > d_out ? d : d_out), most = c_out * d_out;
+        SideFlow says{q + d_out * (2 * (c - c_out)) - fill, 0, d_out};
+        if (advected && says.discharge < 0 && c_out > 0) says = comes_in(says.discharge / d_out + 2 * c_out, c_out);
+        const double flow = (1 - part) * before + part * says.discharge;
         if (u > c || flow > most || (!(d_out > 0) && u > -2 * c)) return falls(d, u);
-        if (flow < -most && d < d_out) return fills(d, d_out, most, d_out);
-        return {flow > -most ? flow : -most, d > 0 ? part * (d_out * c / d) : 0, d_out};
+        const bool is_most = !(flow > -most);
+        const double bounded = is_most ? -most : flow;
+        if (bounded < 0 && d < d_out && (is_most || !(d > 0))) return fills(d, d_out, -bounded, says.depth);
+        return {bounded, d > 0 ? part * (d_out * c / d) : 0, says.depth};
     }
 
     // What runs faster than its waves leaves as it comes, all else at its critical depth.

@@ -87,15 +87,16 @@ __attribute__((noinline)) inline Face WaterLine::end_face(int e) {
     const size_t face = e ? n : 0, inside = e ? n - 1 : 0, next = e ? n - 1 : 1; // next: face
     const double outward = e ? 1 : -1, critical = critical_depth(end.discharge, sweep.gravity);
     const SideWaves waves{sweep.gravity, sweep.advected()};
-    double d[kLines], b[kLines], u[kLines], crossed[kLines], run[kLines];
+    double d[kLines], b[kLines], u[kLines], q[kLines], crossed[kLines], run[kLines];
     double discharge[kLines], slope[kLines], half_cell[kLines];
     depth[inside].store(d), bed[inside].store(b), (outward * velocity[next]).store(u);
     (outward * velocity[face]).store(crossed), courant.store(run);
+    ((0.5 * outward) * (velocity[next] * (depth[left(next)] + depth[right(next)]))).store(q);
     for (int k = 0; k < kLines; ++k) {
         const double outside = end.level > b[k] ? end.level - b[k] : 0;
         const SideFlow flow = end.kind == End::kInflow ? SideFlow{-end.discharge, 0, d[k] > critical ? d[k] : critical}
                               : end.kind == End::kOpen ? waves.open(d[k], outside, u[k])
-                                                       : waves.level(d[k], outside, u[k], crossed[k],
+                                                       : waves.level(d[k], outside, u[k], q[k], crossed[k],
                                                                      end.rise / sweep.courant, run[k], sweep.theta);
         discharge[k] = outward * flow.discharge, slope[k] = flow.slope, d[k] = flow.depth;
         half_cell[k] = n > 1 ? flow.half_cell : 0; // a single cell has one half on each side
