@@ -89,24 +89,28 @@ size_t terms_of(const Membrane& m, size_t u, size_t v, Term (&out)[kMostTerms]) 
     return count;
 }
 
+// A node of a line and those beside it, each once; returns how many.
+size_t around(const Membrane& m, Direction d, size_t i, size_t (&out)[3]) {
+    const size_t last = before(m, d, i), next = after(m, d, i);
+    size_t count = 0;
+    out[count++] = i;
+    if (last != i) out[count++] = last;
+    if (next != i && next != last) out[count++] = next;
+    return count;
+}
+
 } // namespace
 
 void reaction(const Membrane& m, size_t u, size_t v, double* out) {
     for (size_t k = 0; k < m.components; ++k) out[k] = 0;
-    const auto add_terms = [&](size_t of_u, size_t of_v) {
+    size_t columns[3], rows[3];
+    const size_t all[2] = {around(m, kU, u, columns), around(m, kV, v, rows)};
+    for (size_t n = 0; n < all[0] * all[1]; ++n) {
         Term term[kMostTerms];
-        for (size_t t = terms_of(m, of_u, of_v, term); t-- > 0;)
+        for (size_t t = terms_of(m, columns[n % all[0]], rows[n / all[0]], term); t-- > 0;)
             for (size_t i = 0; i < term[t].nodes; ++i)
                 if (term[t].u[i] == u && term[t].v[i] == v) term[t].add_force(m, i, out);
-    };
-    // Of the nodes around it, which are others in each direction that has more than two.
-    const size_t columns[3] = {u, before(m, kU, u), after(m, kU, u)}, rows[3] = {v, before(m, kV, v), after(m, kV, v)};
-    for (size_t j = 0; j < 3; ++j)
-        for (size_t i = 0; i < 3; ++i) {
-            const bool again_u = i > 0 && (columns[i] == u || (i > 1 && columns[i] == columns[1]));
-            const bool again_v = j > 0 && (rows[j] == v || (j > 1 && rows[j] == rows[1]));
-            if (!again_u && !again_v) add_terms(columns[i], rows[j]);
-        }
+    }
 }
 
 double cloth_elastic(const Membrane& m) {
