@@ -32,7 +32,8 @@ void Membrane::get_reaction() {
     const cd_status status = both("get_reaction", kReads, [&](cd_membrane* membrane, int which) {
         return cd_membrane_get_reaction(membrane, u, v, force[which], count);
     });
-    if (!run.broken && status != CD_OK) problem("get_reaction: %s", cd_status_name(status));
+    if (!run.broken && (status == CD_OK) != (u <= nu && v <= nv && count == components))
+        problem("get_reaction: %s", cd_status_name(status));
     must_agree("get_reaction", force[0], force[1], 4);
 }
 
