@@ -152,7 +152,7 @@ static void tell_chain(const cd_chain* o) {
 }
 
 static void tell_membrane(const cd_membrane* o) {
-    size_t nu, nv;
+    size_t nu, nv, components;
     BODY(membrane);
     NUMBER(cd_membrane_get_pressure), NUMBER_IF_ANY(cd_membrane_get_volume), NUMBER(cd_membrane_get_shear);
     NUMBER(cd_membrane_get_compression), NUMBER(cd_membrane_get_breaking_strain), WHOLE(cd_membrane_get_solver);
@@ -162,11 +162,11 @@ static void tell_membrane(const cd_membrane* o) {
     ok(cd_membrane_get_effort(o, SIZES(get_effort), SIZES(get_effort)));
     for (cd_edge edge = CD_EDGE_U_FIRST; edge <= CD_EDGE_V_LAST; ++edge)
         ok(cd_membrane_get_edge(o, edge, WHOLES(get_edge)));
-    ok(cd_membrane_get_shape(o, &nu, &nv, NULL, NULL));
+    ok(cd_membrane_get_shape(o, &nu, &nv, &components, NULL));
     for (size_t k = 0; k < (nu + 1) * (nv + 1); ++k) {
         double* const attached = NUMBERS(cd_membrane_get_attachment, 2);
         ok(cd_membrane_get_attachment(o, k % (nu + 1), k / (nu + 1), attached, attached + 1));
-        ok(cd_membrane_get_reaction(o, k % (nu + 1), k / (nu + 1), NUMBERS(cd_membrane_get_reaction, 3), 3));
+        ok(cd_membrane_get_reaction(o, k % (nu + 1), k / (nu + 1), NUMBERS(cd_membrane_get_reaction, 4), components));
     }
 }
 
