@@ -217,7 +217,7 @@ MembraneOutcome step_cloth(Membrane& m, double dt, size_t count);
 // What pushes the spring that starts at a node towards its length [N/m]; the bend there, 0 beside a cut spring.
 double compression_of(const Membrane& m, Direction d, size_t u, size_t v);
 double cloth_bend_of(const Membrane& m, Direction d, size_t u, size_t v);
-// Whether the cell that starts at a node has all of its four springs, and so shear and twist; how long its diagonals are.
+// Whether the cell that starts at a node has its four springs, and so shear and twist; how long its diagonals are.
 bool whole_cell(const Membrane& m, size_t u, size_t v);
 double diagonal_length(const Membrane& m, size_t u, size_t v);
 

@@ -1,4 +1,4 @@
-// The terms that the energy of a membrane's springs, shear and bend is the sum of, and their forces. (model.md, 28 and 42)
+// The terms that the energy of a membrane's springs, shear and bend consists of, and their forces. (model.md, 28, 42)
 #include <math.h>
 
 #include "kernel/cloth.hh"
@@ -8,8 +8,8 @@ namespace cd {
 
 namespace {
 
-// stiffness / 2 |s|^2, s the sum of the nodes' positions times their weights, which add up to 0. A spring of cloth has a
-// length: its energy goes by the law of kernel/cloth.hh, and as it resists crumpling.
+// stiffness / 2 |s|^2, s the sum of the nodes' positions times their weights, which add up to 0. A spring of cloth has
+// a length: its energy goes by the law of kernel/cloth.hh, and as it resists crumpling.
 struct Term {
     double stiffness, length, compression;
     size_t nodes, u[4], v[4];
@@ -68,16 +68,13 @@ Term spring_of(const Membrane& m, Direction d, size_t u, size_t v) {
 constexpr size_t kMostTerms = 7;
 size_t terms_of(const Membrane& m, size_t u, size_t v, Term (&out)[kMostTerms]) {
     const size_t next_u = after(m, kU, u), next_v = after(m, kV, v);
-    double bend[2], shear = 0, diagonal = 0;
-    bool twists = true;
-    for (Direction d : {kU, kV}) bend[d] = has_lengths(m) ? 0 : bend_of(m, d, u, v);
+    double bend[2] = {bend_of(m, kU, u, v), bend_of(m, kV, u, v)}, twist = twist_of(m, u, v), shear = 0, diagonal = 0;
     if constexpr (CD_WITH_CLOTH)
         if (has_lengths(m)) {
             for (Direction d : {kU, kV}) bend[d] = cloth_bend_of(m, d, u, v);
-            twists = whole_cell(m, u, v);
-            if (twists) shear = m.cloth.shear, diagonal = diagonal_length(m, u, v);
+            if (!whole_cell(m, u, v)) twist = 0;
+            else shear = m.cloth.shear, diagonal = diagonal_length(m, u, v);
         }
-    const double twist = twists ? twist_of(m, u, v) : 0;
     size_t count = 0;
     const auto give = [&](const Term& term) { out[count] = term, count += term.stiffness > 0; };
     for (Direction d : {kU, kV}) give(spring_of(m, d, u, v));

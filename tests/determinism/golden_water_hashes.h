@@ -14,11 +14,11 @@
 {2, 17, 1, {0xe8b63829874417da, 0xbd9f7e0cb0036f13}}, /* flood */
 {2, 16, 7, {0xa61b2d23ecbfbd2a, 0x449362aa972a9a3e}}, /* flood */
 {2, 2, 16, {0xf45e0b2c2ab60eed, 0x4aa4e7c3e66cfdbf}}, /* flood */
-{3, 13, 9, {0x7401f9e830fe901d, 0xf843c787ecb0a7dd}}, /* weir */
-{3, 1, 17, {0xa9fdfac4f014195c, 0x11fdba4c5e5a237a}}, /* weir */
-{3, 17, 1, {0xb918a6e30d93a5b6, 0x6f738b27cc4424ea}}, /* weir */
-{3, 16, 7, {0x60e1b896242d2437, 0x51e7ca1d57382884}}, /* weir */
-{3, 2, 16, {0x9863b9e4e54d8a49, 0x1ed700d2bd27c1e6}}, /* weir */
+{3, 13, 9, {0x4d990f9a83409eee, 0x1be58c7d65468bac}}, /* weir */
+{3, 1, 17, {0x0a15e49a7c78f5fd, 0xd93424a8144be30f}}, /* weir */
+{3, 17, 1, {0x1493101efcc181f3, 0x0cced654e0648d41}}, /* weir */
+{3, 16, 7, {0x2a28b2e57d351a66, 0x9c8d91f68d32a58b}}, /* weir */
+{3, 2, 16, {0x10678b060dc19503, 0x898dfea82762cc8b}}, /* weir */
 {4, 13, 9, {0x34ff9a256ba8112e, 0x380f62d35a5d541c}}, /* explicit */
 {4, 1, 17, {0x198e4dec868efae1, 0x9bd595cdeda19578}}, /* explicit */
 {4, 17, 1, {0xba518f52d22e4f33, 0x9597a377557876a4}}, /* explicit */
@@ -59,11 +59,11 @@
 {11, 17, 1, {0x4543cfa5953a9273, 0xdcbcf9b61e83a13c}}, /* everything */
 {11, 16, 7, {0x3102f89b1367ef73, 0xc5fb1156a73e3f07}}, /* everything */
 {11, 2, 16, {0x290e736109dc4d81, 0xc21e4d67288fe890}}, /* everything */
-{12, 13, 9, {0xc59577b5ee90e56d, 0xcb590bb08ef754f6}}, /* everything, long steps */
-{12, 1, 17, {0xd1e2b260f120320e, 0x247d380e99cdb3c4}}, /* everything, long steps */
-{12, 17, 1, {0x208d3e7911362520, 0x85702bd499668092}}, /* everything, long steps */
-{12, 16, 7, {0x94f888edfeec557a, 0xc2d6192953aba1dd}}, /* everything, long steps */
-{12, 2, 16, {0xb400adaacb46f63e, 0x14c342570ae81ac3}}, /* everything, long steps */
+{12, 13, 9, {0x080aa73439880d46, 0x0f54f4bb91f09c16}}, /* everything, long steps */
+{12, 1, 17, {0xe4db9b1e6968b606, 0xbc1a9c796126c60d}}, /* everything, long steps */
+{12, 17, 1, {0xdf37911eaee3d864, 0xa8889817207a666a}}, /* everything, long steps */
+{12, 16, 7, {0xc5cae84d6f6d393d, 0x5de0f896983a5b8a}}, /* everything, long steps */
+{12, 2, 16, {0x61ae2f43bec9fd97, 0x72502dcf50c8f7b9}}, /* everything, long steps */
 {13, 13, 9, {0xc10f2419498ec1cf, 0x0c5b81818e843b98}}, /* hulls */
 {13, 1, 17, {0xefc6e6dfd02ac6c0, 0xdb8e5fc1b4daa8e6}}, /* hulls */
 {13, 17, 1, {0x1b1c6d57f7439e98, 0xb0f69705ff1e3bdd}}, /* hulls */

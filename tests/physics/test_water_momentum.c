@@ -255,6 +255,35 @@ static void a_ring_of_one_row_goes_as_one_of_two(void** state) {
         }
 }
 
+/* A lake runs through a canal into a lower one: what comes in has its speed from the upper level, and what runs out
+ * stands at the lower one, so that u^2 / 2 g is how far that lies below the other (Bernoulli). */
+static void a_canal_between_two_lakes_runs_by_their_levels(void** state) {
+    (void)state;
+    enum { CELLS = 20 };
+    static const double falls[] = {0.001, 0.05, 0.2}, courants[] = {0.5, 4}, lambdas[] = {0.5, 0.55, 1};
+    for (int side = 0; side < 4; ++side)
+        for (size_t k = 0; k < COUNT(falls) * COUNT(courants) * COUNT(lambdas); ++k) {
+            const double fall = falls[k % COUNT(falls)], courant = courants[k / COUNT(falls) % COUNT(courants)];
+            const double lambda = lambdas[k / COUNT(falls) / COUNT(courants)], speed = sqrt(2 * 9.81 * fall);
+            const int along_y = side > 1, last = side % 2; /* where the upper lake is */
+            cd_water* w = line_basin(along_y, CELLS, 3, 1, CD_FLOAT64);
+            double depth[CELLS], velocity[CELLS + 1];
+            basin_set_way(w, &ways[ADVECTED]);
+            ok(cd_water_set_lambda(w, lambda));
+            ok(cd_water_set_side(w, line_side(along_y, last), CD_BORDER_LEVEL, 1, 0));
+            ok(cd_water_set_side(w, line_side(along_y, !last), CD_BORDER_LEVEL, 1 - fall, 0));
+            for (size_t i = 0; i < CELLS; ++i) depth[i] = 1 - fall;
+            line_write(w, along_y, CD_DEPTH, depth);
+            basin_step(w, courant / sqrt(9.81), (size_t)(40 * CELLS / speed / courant * sqrt(9.81)));
+            line_read(w, along_y, CD_VELOCITY_X, 1e-9, velocity);
+            for (size_t i = 0; i <= CELLS; ++i)
+                if (!(fabs(velocity[i] * (last ? -1 : 1) / speed - 1) <= 1e-6))
+                    fail_msg("side %d, fall %g, courant %g, lambda %g, face %zu: %.9g m/s, not %.9g", side, fall,
+                             courant, lambda, i, velocity[i], speed);
+            cd_water_destroy(w);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_stream_that_goes_round_keeps_its_momentum),
@@ -263,6 +292,7 @@ int main(void) {
         cmocka_unit_test(a_swift_stream_stays_smooth),
         cmocka_unit_test(a_stream_round_a_ring_stays_smooth_at_any_speed),
         cmocka_unit_test(walls_and_masks_hold_water_exactly),
+        cmocka_unit_test(a_canal_between_two_lakes_runs_by_their_levels),
         cmocka_unit_test(a_ring_of_one_row_goes_as_one_of_two),
     };
     return cmocka_run_group_tests_name("water momentum", tests, NULL, NULL);

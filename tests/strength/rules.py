@@ -129,11 +129,11 @@ RULES = {
     "and in long steps at once, not beyond": (
         "water/side.hh", "= follows < 1 ? follows : 1;", "= follows;", ["stability_water_waves"]),
     "a level side passes on the discharge that comes": (
-        "water/side.hh", "says{q + d_out *", "says{d_out * u + d_out *", ["stability_water_waves"]),
+        "water/side.hh", "? (q - fill) / depth", "? u - fill / depth", ["stability_water_waves"]),
     "what comes in from a level has its speed from it": (
-        "water/side.hh", "advected && says.discharge < 0", "false && says.discharge < 0", ["stability_water_waves"]),
+        "water/side.hh", "in = advected &&", "in = false && advected &&", ["physics_water_momentum"]),
     "and what fills a cell with the level stays there": (
-        "water/side.hh", "2 * (c - c_out)) - fill,", "2 * (c - c_out)) - 0 * fill,", ["physics_water_sides"]),
+        "water/side.hh", "(q - fill)", "(q - 0 * fill)", ["physics_water_sides"]),
     "a side's depth is that of half a cell before": (
         "water/surface.hh", "- L::load(half_cell))", "- 0.0 * L::load(half_cell))", ["physics_water_sides"]),
     "what leaves runs no faster than it came": (

@@ -58,16 +58,19 @@ struct SideWaves {
         return {depth * ((sum - 2 * root) / 3), 0, depth};
     }
 
-    // The same beside a side that holds the depth d_out there; u and q are velocity and discharge one face inside. What
-    // crossed the side before, `crossed` in the larger depth, changes to what the invariant says as fast as waves cross
-    // half a cell, at the time theta of the step. To raise the cell with the level takes `fill` [m^2/s].
+    // The same beside a side that holds the depth d_out there; u and q are velocity and discharge one face inside. q
+    // crosses the side in the depth that is held, or, of advected water, in that of a lower cell. What crossed it before,
+    // `crossed`, changes to what the invariant says as fast as waves cross half a cell, at the time theta of the step. To
+    // raise the cell with the level takes `fill` [m^2/s].
     SideFlow level(double d, double d_out, double u, double q, double crossed, double fill, double courant,
                    double theta) const {
-        const double c = speed(d), c_out = speed(d_out), run = courant * c_out;
+        const double c = speed(d), c_out = speed(d_out), run = courant * c_out, most = c_out * d_out;
         const double follows = run / (0.5 + (1 - theta) * run), part = follows < 1 ? follows : 1;
-        const double before = crossed * (d > d_out ? d : d_out), most = c_out * d_out;
-        SideFlow says{q + d_out * (2 * (c - c_out)) - fill, 0, d_out};
-        if (advected && says.discharge < 0 && c_out > 0) says = comes_in(says.discharge / d_out + 2 * c_out, c_out);
+        const double depth = advected && d < d_out ? d : d_out;
+        const double invariant = depth > 0 ? (q - fill) / depth + 2 * c : 2 * c;
+        const bool in = advected && c_out > 0 && invariant < 2 * c_out;
+        const SideFlow says = in ? comes_in(invariant, c_out) : SideFlow{d_out * (invariant - 2 * c_out), 0, d_out};
+        const double before = crossed * (d > says.depth ? d : says.depth);
         const double flow = (1 - part) * before + part * says.discharge;
         if (u > c || flow > most || (!(d_out > 0) && u > -2 * c)) return falls(d, u);
         const bool is_most = !(flow > -most);
