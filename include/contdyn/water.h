@@ -174,11 +174,11 @@ CD_API cd_status cd_water_get_manning(const cd_water* water, double* out_manning
  *                      its waves leaves at critical depth, u = sqrt(g d), a faster one as it comes.
  *   CD_BORDER_LEVEL    level [m] that is held at the side itself: with D its depth over the bed of the cell there and q
  *                      the discharge one face inside, what leaves tends, as waves cross half a cell, to q + 2 D (sqrt(g
- *                      d) - sqrt(g D)). Advected water that comes in at U stands U^2 / 2 g lower, at most D / 3. Waves
- *                      are thrown back; with lambda = 1/2 some may grow, slowly. What outruns its waves falls as above.
- *   CD_BORDER_INFLOW   discharge per metre of the side [m^2/s] into the water, velocity times depth, whatever the depth
- *                      is; where the cell is shallower than the critical depth, it comes in at that. If negative it
- *                      leaves, as far as there is water.
+ *                      d) - sqrt(g D)), advected with q D / d for q where d < D. Advected water that comes in at U
+ *                      stands U^2 / 2 g lower, at most D / 3. Waves are thrown back; with lambda = 1/2 some may grow,
+ *                      slowly. What outruns its waves falls off as above.
+ *   CD_BORDER_INFLOW   discharge per metre of the side [m^2/s] into the water, velocity times depth; into a cell below
+ *                      critical depth it comes in at that. If negative it leaves, as far as there is water.
  *   CD_BORDER_WALL, CD_BORDER_PERIODIC   value and rate mean nothing
  * Both sides of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the
  * opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE. */

@@ -18,7 +18,7 @@ bool cloth_grid(size_t columns, size_t rows, Grid& out) {
 
 } // namespace
 
-// ---- what a sheet's energy is made of (membrane.hh) -------------------------------------------------------------------
+// ---- what a sheet's energy is made of (membrane.hh) ----------------------------------------------------------------
 
 bool whole_cell(const Membrane& m, size_t u, size_t v) {
     if (u >= springs_along(m, kU) || v >= springs_along(m, kV)) return false;
