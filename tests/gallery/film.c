@@ -36,7 +36,8 @@ double film_jump(const film* of) {
     return most;
 }
 
-/* Points after the first one relative to the one before, and a command only where it is another: shorter. */
+/* Points after the first one relative to the one before, and a command only where it is another: shorter. A gap always
+ * has its own, for what follows one is a line. */
 static void write_line(const film* of, FILE* out, size_t frame, size_t line) {
     long x = 0, y = 0;
     char last = 'M';
@@ -44,7 +45,7 @@ static void write_line(const film* of, FILE* out, size_t frame, size_t line) {
         const double* const at = place(of, frame, line, i);
         const long next_x = lround(at[0]), next_y = lround(at[1]);
         const char command = i == 0 ? 'M' : of->broken[index_of(of, frame, line, i)] ? 'm' : 'l';
-        fprintf(out, "%c%ld %ld", i > 0 && command == last ? ' ' : command, next_x - x, next_y - y);
+        fprintf(out, "%c%ld %ld", command == 'l' && command == last ? ' ' : command, next_x - x, next_y - y);
         x = next_x, y = next_y, last = command;
     }
 }

@@ -32,7 +32,7 @@ typedef struct take {
     const void* object; /* null once it is gone */
     part parts[kMostParts];
     size_t part_count, spots; /* of a frame */
-    int stretches;
+    int stretches, weighs;
     double base; /* what water is drawn down to */
     spot* at;
     size_t frames, calls, stride;
@@ -217,12 +217,16 @@ cd_status record_membrane_step(cd_membrane* membrane, double dt, size_t count) {
         add_part(of, "body", colliders, kRound + 1);
         for (int across = 0; across < 2; ++across)
             add_part(of, components == 1 ? "sheet" : "cloth", lines[across], points[across]);
+        double first;
+        of->weighs = components == 3 && !cd_membrane_read_f64(membrane, CD_MASS, 0, 0, 1, 1, &first, 1);
+        add_part(of, "body", of->weighs, kRound + 1);
     }
     spot* to = next_frame(of, dt * (double)count);
     if (!to) return status;
     to = draw_colliders(to, membrane, colliders, components, membrane_collider);
-    double *const x = numbers(nx * ny * components), *const springs = numbers(nx * ny);
+    double *const x = numbers(nx * ny * components), *const springs = numbers(nx * ny), *const there = numbers(nx * ny);
     if (cd_membrane_read_f64(membrane, CD_POSITION, 0, 0, nx, ny, x, nx * ny * components)) exit(1);
+    const int all_there = cd_membrane_read_f64(membrane, CD_MASK, 0, 0, nx, ny, there, nx * ny) != CD_OK;
     for (int across = 0; across < 2; ++across) {
         const size_t columns = across ? nx : nu, rows = across ? nv : ny;
         const cd_field field = across ? CD_STIFFNESS_V : CD_STIFFNESS_U;
@@ -234,14 +238,19 @@ cd_status record_membrane_step(cd_membrane* membrane, double dt, size_t count) {
                 const double* const at = x + (j * nx + i) * components;
                 const double right = (double)i / (double)(nx - 1), away = (double)j / (double)(ny - 1);
                 *to = components == 1 ? above(right, away, at[0]) : seen(at, components);
-                if (have_own && k > 0) {
-                    const size_t before = place_of(k - 1, points[across], across ? ny : nx);
-                    to->broken = is_cut(springs, across, columns, a, before, b);
-                }
+                const size_t before = place_of(k > 0 ? k - 1 : 0, points[across], across ? ny : nx);
+                to->broken = have_own && is_cut(springs, across, columns, a, before, b);
+                if (!all_there && !(there[j * nx + i] > 0 && there[across ? before * nx + i : j * nx + before] > 0))
+                    to->broken = 1;
                 ++to;
             }
     }
-    free(x), free(springs);
+    if (of->weighs) { /* what lies on it, as heavier nodes */
+        const double* const end = x + (nx * ny - 1) * components;
+        if (cd_membrane_read_f64(membrane, CD_MASS, 0, 0, nx, ny, springs, nx * ny)) exit(1);
+        draw_weight(to, x, springs, nx * ny, components, 0.05 * hypot(end[0] - x[0], end[1] - x[1]));
+    }
+    free(x), free(springs), free(there);
     return status;
 }
 
