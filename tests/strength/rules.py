@@ -125,15 +125,15 @@ RULES = {
     "between dry lines nothing moves": (
         "water/across.cpp", "select(water[i], select(passes, u, velocity[i]), L{})", "select(passes, u, velocity[i])", ["api_water_diverge"]),
     "what crosses a level side follows as waves cross half a cell": (
-        "water/side.hh", "part = follows < 1 ? follows : 1;", "part = 1 + 0 * follows;", ["physics_water_sides"]),
+        "water/side.hh", "return part < 1 ? part : 1;", "return 1 + 0 * part;", ["physics_water_sides"]),
     "and in long steps at once, not beyond": (
-        "water/side.hh", "= follows < 1 ? follows : 1;", "= follows;", ["stability_water_waves"]),
+        "water/side.hh", "return part < 1 ? part : 1;", "return part;", ["stability_water_waves"]),
     "a level side passes on the discharge that comes": (
-        "water/side.hh", "? (q - fill) / depth", "? u - fill / depth", ["stability_water_waves"]),
+        "water/side.hh", "? (cell.discharge - fill) / depth", "? u - fill / depth", ["stability_water_waves"]),
     "what comes in from a level has its speed from it": (
         "water/side.hh", "in = advected &&", "in = false && advected &&", ["physics_water_momentum"]),
     "and what fills a cell with the level stays there": (
-        "water/side.hh", "(q - fill)", "(q - 0 * fill)", ["physics_water_sides"]),
+        "water/side.hh", "(cell.discharge - fill)", "(cell.discharge - 0 * fill)", ["physics_water_sides"]),
     "a side's depth is that of half a cell before": (
         "water/surface.hh", "- L::load(half_cell))", "- 0.0 * L::load(half_cell))", ["physics_water_sides"]),
     "what leaves runs no faster than it came": (

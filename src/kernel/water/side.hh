@@ -17,6 +17,13 @@ struct SideFlow {
     double half_cell = 0;            // 0.5: the side's depth is the cell's when the wave was there, half a cell before
 };
 
+// What there is at a side before the step; outward is > 0.
+struct SideCell {
+    double depth, velocity; // of the cell there; one face inside
+    double discharge;       // one face inside
+    double crossed;         // velocity at the side
+};
+
 // The slope is the tangent of the discharge as a function of the depth; where water comes in, the secant to where it no
 // longer does, which is steeper: so that a long step ends there.
 struct SideWaves {
@@ -25,9 +32,9 @@ struct SideWaves {
 
     double speed(double depth) const { return __builtin_sqrt(gravity * depth); }
 
-    // Water of a depth d in the cell, which runs outward at u, beside water of a depth d_out at rest.
-    SideFlow open(double d, double d_out, double u) const {
-        const double c_here = speed(d);
+    // Beside water of a depth d_out at rest.
+    SideFlow open(const SideCell& cell, double d_out) const {
+        const double d = cell.depth, u = cell.velocity, c_here = speed(d);
         if (advected && u > c_here && d > d_out) return falls(d, u);
         if (!advected) {
             const double depth = d > d_out / 3 ? d : d_out / 3, c = speed(depth); // comes in by a third at the least
@@ -58,19 +65,22 @@ struct SideWaves {
         return {depth * ((sum - 2 * root) / 3), 0, depth};
     }
 
-    // The same beside a side that holds the depth d_out there; u and q are velocity and discharge one face inside. q
-    // crosses the side in the depth that is held, or, of advected water, in that of a lower cell. What crossed it before,
-    // `crossed`, changes to what the invariant says as fast as waves cross half a cell, at the time theta of the step. To
-    // raise the cell with the level takes `fill` [m^2/s].
-    SideFlow level(double d, double d_out, double u, double q, double crossed, double fill, double courant,
-                   double theta) const {
-        const double c = speed(d), c_out = speed(d_out), run = courant * c_out, most = c_out * d_out;
-        const double follows = run / (0.5 + (1 - theta) * run), part = follows < 1 ? follows : 1;
+    // What part of a change crosses a level side by the time theta of a step, as fast as waves cross half a cell.
+    double follows(double d_out, double courant, double theta) const {
+        const double run = courant * speed(d_out), part = run / (0.5 + (1 - theta) * run);
+        return part < 1 ? part : 1;
+    }
+
+    // Beside a side that holds the depth d_out there. The discharge one face inside crosses the side in the depth that is
+    // held, or, of advected water, in that of a lower cell. What crossed it before changes by `part` to what the invariant
+    // says. To raise the cell with the level takes `fill` [m^2/s].
+    SideFlow level(const SideCell& cell, double d_out, double fill, double part) const {
+        const double d = cell.depth, u = cell.velocity, c = speed(d), c_out = speed(d_out), most = c_out * d_out;
         const double depth = advected && d < d_out ? d : d_out;
-        const double invariant = depth > 0 ? (q - fill) / depth + 2 * c : 2 * c;
+        const double invariant = depth > 0 ? (cell.discharge - fill) / depth + 2 * c : 2 * c;
         const bool in = advected && c_out > 0 && invariant < 2 * c_out;
         const SideFlow says = in ? comes_in(invariant, c_out) : SideFlow{d_out * (invariant - 2 * c_out), 0, d_out};
-        const double before = crossed * (d > says.depth ? d : says.depth);
+        const double before = cell.crossed * (d > says.depth ? d : says.depth);
         const double flow = (1 - part) * before + part * says.discharge;
         if (u > c || flow > most || (!(d_out > 0) && u > -2 * c)) return falls(d, u);
         const bool is_most = !(flow > -most);

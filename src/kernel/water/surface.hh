@@ -93,11 +93,12 @@ __attribute__((noinline)) inline Face WaterLine::end_face(int e) {
     (outward * velocity[face]).store(crossed), courant.store(run);
     ((0.5 * outward) * (velocity[next] * (depth[left(next)] + depth[right(next)]))).store(q);
     for (int k = 0; k < kLines; ++k) {
+        const SideCell cell{d[k], u[k], q[k], crossed[k]};
         const double outside = end.level > b[k] ? end.level - b[k] : 0;
         const SideFlow flow = end.kind == End::kInflow ? SideFlow{-end.discharge, 0, d[k] > critical ? d[k] : critical}
-                              : end.kind == End::kOpen ? waves.open(d[k], outside, u[k])
-                                                       : waves.level(d[k], outside, u[k], q[k], crossed[k],
-                                                                     end.rise / sweep.courant, run[k], sweep.theta);
+                              : end.kind == End::kOpen ? waves.open(cell, outside)
+                                                       : waves.level(cell, outside, end.rise / sweep.courant,
+                                                                     waves.follows(outside, run[k], sweep.theta));
         discharge[k] = outward * flow.discharge, slope[k] = flow.slope, d[k] = flow.depth;
         half_cell[k] = n > 1 ? flow.half_cell : 0; // a single cell has one half on each side
     }
