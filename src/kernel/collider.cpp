@@ -58,6 +58,20 @@ double gap_to_bed(const Obstacle& bed, const double* x, double time, double* nor
     return ((x[up] - bed.place(up, time)) - of_rows.height_of(heights)) * upward - bed.radius;
 }
 
+__attribute__((cold)) void way_off_line(const double* way, size_t components, double* out) {
+    size_t least = 0;
+    double square = 0, left = 0;
+    for (size_t k = 0; k < components; ++k) {
+        square += way[k] * way[k];
+        if (fabs(way[k]) < fabs(way[least])) least = k;
+    }
+    for (size_t k = 0; k < components; ++k) out[k] = k == least ? 1 : 0;
+    if (!(square > 0) || components == 1) return;
+    const double share = way[least] / square;
+    for (size_t k = 0; k < components; ++k) out[k] -= share * way[k], left += out[k] * out[k];
+    for (size_t k = 0; k < components; ++k) out[k] = 1 / sqrt(left) * out[k];
+}
+
 void ask(const Obstacle& of, double time, size_t count, size_t components, double* places, double* distances,
          double* normals, BadAnswer& bad) {
     const size_t numbers = count * components;

@@ -43,6 +43,10 @@ struct Obstacle : Collider {
 constexpr double kRoundCrease = 0.25;
 double gap_to_bed(const Obstacle& bed, const double* x, double time, double* normal);
 
+// The unit vector out of a collider from a place on the line along `way`: at right angles to it, and any where that has
+// no length, or there is but one axis.
+void way_off_line(const double* way, size_t components, double* out);
+
 // An answer of a callback that is no distance, or no unit vector.
 struct BadAnswer {
     size_t collider = SIZE_MAX; // none

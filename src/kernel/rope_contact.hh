@@ -29,6 +29,7 @@ constexpr size_t kGripIterations = 50;
 // How near a node is to what it touches by the first guess, over the springs' length, or nearer by the tolerance:
 // pushes that two colliders further apart would have against each other throw it from where it lies.
 constexpr double kNear = 1e-3;
+constexpr size_t kSweepsOut = 16; // over the colliders that a node came out of
 
 // Of a place x and a collider at this time: the way out of it, and how far outside x lies.
 template <int N> void RopeBundle<N>::look_at_gap(const Obstacle& to, V x, double time, V& normal, L& gap) const {
@@ -44,8 +45,12 @@ template <int N> void RopeBundle<N>::look_at_gap(const Obstacle& to, V x, double
     const L along = square > 0 ? smaller(positive((1 / square) * dot(way, from)), one()) : L{};
     const V off = from - along * way;
     const L distance = root(dot(off, off));
-    normal = direction(off, distance - kNoDirection * radius, one() / distance, V{one(), L{}, L{}});
-    gap = distance - radius;
+    const L off_line = distance - kNoDirection * radius;
+    normal = (one() / distance) * off, gap = distance - radius;
+    if (off_line.all_positive()) return;
+    double out[3] = {};
+    way_off_line(to.way, ropes.components, out);
+    normal = select(off_line, normal, V{L::splat(out[0]), L::splat(out[1]), L::splat(out[2])});
 }
 
 template <int N> void RopeBundle<N>::look_at_bed(const Obstacle& to, V x, double time, V& normal, L& gap) const {
@@ -249,6 +254,27 @@ template <int N> void RopeBundle<N>::pressed(size_t i, Impulses& left) {
     }
 }
 
+// The speed that node i came out of all colliders with: the least that took it out of each, by the method of Gauss and
+// Seidel. Colliders that it left by one way have that together.
+template <int N> Vector<N> RopeBundle<N>::speed_out(size_t i) {
+    V out{};
+    L met{}; // how many, less 1 from the second sweep on
+    for (size_t sweep = 0; sweep == 0 || (sweep < kSweepsOut && any_positive(met)); ++sweep) {
+        for (size_t k = 0; k < stage.collider_count; ++k) {
+            Contact& c = contacts[i * stage.collider_count + k];
+            const L inside = c.on * positive(L{} - c.before);
+            if (!any_positive(inside)) continue;
+            const L before = sweep > 0 ? c.grip : L{}, wanted = (1 / stage.dt) * inside - dot(c.normal, out);
+            const L now = select(inside, positive(before + wanted), L{});
+            c.grip = sweep > 0 ? select(met, now, before) : now;
+            out = out + (c.grip - before) * c.normal;
+            met = sweep > 0 ? met : met + select(inside, one(), L{});
+        }
+        if (sweep == 0) met = met - one();
+    }
+    return out;
+}
+
 // What lay inside a collider before the step comes out of it, but is not thrown: it forgets the speed that it came out
 // with. So does its strand what it was dragged along with: all nodes slow down in proportion. They lose what energy the
 // pushes gave by taking nodes out, less what the time step dissipated and the nodes forgot, but no more than the strand
@@ -265,8 +291,8 @@ template <int N> void RopeBundle<N>::forget_overlaps() {
             const L inside = c.on * positive(L{} - c.before);
             const L out = positive(dot(c.acting, n.w - velocity_of(stage.colliders[k])));
             given = given + select(inside, (2 * c.push) * out, L{});
-            n.next = n.next - ((1 / stage.dt) * inside) * c.normal;
         }
+        n.next = n.next - speed_out(i);
         left = left + mass * dot(n.next, n.next), alone = alone + mass * dot(n.b, n.b);
     }
     left = sum(left);

@@ -86,19 +86,6 @@ constexpr double kParallel = 1 - 1e-8;
 
 Vector3 operator+(Vector3 a, Vector3 b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
 
-// A direction at right angles to `way`: any, if that is 0.
-__attribute__((cold)) Vector3 across(Vector3 way) {
-    int least = 0;
-    for (int k = 1; k < 3; ++k)
-        if (fabs(way[k]) < fabs(way[least])) least = k;
-    Vector3 off{};
-    off.k[least] = 1;
-    const double square = dot(way, way);
-    if (!(square > 0)) return off;
-    off = off - way[least] / square * way;
-    return 1 / sqrt(dot(off, off)) * off;
-}
-
 struct Gap {
     Vector3 normal;
     double size;
@@ -118,7 +105,9 @@ Gap gap_to(const Obstacle& to, Vector3 x, double time) {
     const double along = square > 0 ? fmin(fmax(dot(way, from) / square, 0), 1) : 0;
     const Vector3 off = from - along * way;
     const double distance = sqrt(dot(off, off));
-    return {distance > 0 ? 1 / distance * off : across(way), distance - to.radius};
+    Gap gap{1 / distance * off, distance - to.radius};
+    if (!(distance > 0)) way_off_line(to.way, 3, gap.normal.k);
+    return gap;
 }
 
 // The push against what comes nearer than there is room.

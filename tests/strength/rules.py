@@ -224,6 +224,10 @@ RULES = {
         "rope_step.cpp", "stage.push ? stage.most_iterations : 0", "0", ["physics_rope_contact"]),
     "what a failed solve touches is looked at again": (
         "rope_step.cpp", "at < node_count * stage.collider_count && has_contacts()", "false", ["physics_rope_contact"]),
+    "but by pushes that mean nothing": (
+        "rope_step.cpp", ", c.push = select(open, L{}, c.push);", ";", ["physics_rope_overlaps"]),
+    "and what is still inside came out by no more than it went": (
+        "rope_step.cpp", "        c.before = select(open, L{} - came_out, c.before);\n", "", ["physics_rope_overlaps"]),
     "a curl turns with its rod": ("rope_rod.hh", "stage.curls ? joint.turn * along : along", "along", ["physics_rope_curl"]),
     "to the other side where it is solved from its end": (
         "rope_rod.hh", "comes_back[j] ? -1 : 1", "1", ["physics_rope_ends"]),
@@ -308,7 +312,11 @@ RULES = {
         "rope_contact.hh", "        const L changed =", "        c.acting = c.normal;\n        const L changed =",
         ["physics_rope_contact"]),
     "what lay inside is not thrown": (
-        "rope_contact.hh", "n.next = n.next - ((1 / stage.dt) * inside) * c.normal;", "", ["physics_rope_contact"]),
+        "rope_contact.hh", "        n.next = n.next - speed_out(i);\n", "", ["physics_rope_contact"]),
+    "and leaves several colliders together": (
+        "rope_contact.hh", "(1 / stage.dt) * inside - dot(c.normal, out)", "(1 / stage.dt) * inside", ["physics_rope_overlaps"]),
+    "and what lies on an axis across it": (
+        "rope_contact.hh", "    way_off_line(to.way, ropes.components, out);\n", "    out[0] = 1;\n", ["physics_rope_overlaps"]),
     "nor is its strand": (
         "rope_contact.hh", "if (!any_positive(lost)) return;", "return;", ["physics_rope_contact"]),
     "what yields takes energy": (
@@ -362,7 +370,7 @@ RULES = {
         CLOTH_ACT, "solved && meets[j] ? fmin(now, push_of(of_node[j], velocity + by, inverse_dt)) : 0", "now",
         ["physics_cloth_contact"]),
     "a node on an axis has a way out": (
-        CLOTH_ACT, ": across(way), distance", ": Vector3{{1, 0, 0}}, distance", ["physics_cloth_contact"]),
+        CLOTH_ACT, "way_off_line(to.way, 3, gap.normal.k);", "gap.normal = {{1, 0, 0}};", ["physics_cloth_contact"]),
     "what can't go the whole way goes on": (
         CLOTH_STEP, "kMoreIterations = 4;", "kMoreIterations = 0;", ["physics_cloth_size"]),
     "what crumples is pushed as the step finds it": (
@@ -400,6 +408,10 @@ RULES = {
         ["physics_rope_bend", "stability_ropes"]),
     "what joints make counts as energy made": (
         "rope_step.cpp", "    if (is_rod()) look_at_joints(seen);\n", "", ["stability_ropes"]),
+    "slack springs have no tension after a step": (
+        "rope_step.cpp", "select(slack, L{}, positive(tension))", "positive(tension)", ["physics_rope_bend"]),
+    "taut is what its tension would take to its length": (
+        "rope_step.cpp", "s.length - give(i) * s.tension", "s.length", ["physics_rope"]),
     "held nodes may be apart by what is rounded": (
         "rope_step.cpp", "(over - rounded)", "over", ["physics_rope_bend"]),
     "creases of beds are round": (
