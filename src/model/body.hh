@@ -49,6 +49,8 @@ inline double tie_damping_of(const Body& b, size_t node) { return b.attach_dampi
 inline void pose(Body& b, size_t at, double seconds) {
     set_number(b, b.velocity, at, (get_number(b, b.target, at) - get_number(b, b.position, at)) / seconds);
 }
+// After that it is there, whatever rounding its steps went by: else it would never come to rest.
+inline void arrive(Body& b, size_t at) { set_number(b, b.position, at, get_number(b, b.target, at)); }
 
 // X: a body with a layout_of.
 template <class X> bool all_finite(const X& x) {

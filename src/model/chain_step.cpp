@@ -434,14 +434,14 @@ uint64_t step_lines(Chain& c, double dt, size_t count) {
 
 } // namespace
 
-// Posed nodes are driven to their targets.
-static void pose_nodes(Chain& c, double seconds) {
-    if (!c.target || !memchr(c.pin.data, CD_NODE_POSED, c.pin.count)) return;
+// f(place) for each number of nodes that are driven to their targets; whether there may be any.
+template <class F> static bool each_posed(const Chain& c, F f) {
+    if (!c.target || !memchr(c.pin.data, CD_NODE_POSED, c.pin.count)) return false;
     for (size_t i = 0; i < c.nodes; ++i)
         for (size_t s = 0; s < c.strands; ++s)
             for (size_t k = 0; k < c.components && c.pin[own_place(c, s, i)] == CD_NODE_POSED; ++k)
-                pose(c, place(c, s, i, k), seconds);
-    merge_velocities(c, 0, c.lines);
+                f(place(c, s, i, k));
+    return true;
 }
 
 // Steps of a chain that may sleep.
@@ -455,7 +455,7 @@ static uint64_t step_until_asleep(Chain& c, double dt, size_t count) {
 }
 
 uint64_t step_chain(Chain& c, double dt, size_t count) {
-    pose_nodes(c, dt * double(count));
+    if (each_posed(c, [&](size_t at) { pose(c, at, dt * double(count)); })) merge_velocities(c, 0, c.lines);
     c.iterations = c.broken = 0, c.residual = 0, c.bad_answer = {};
     const uint64_t bad = has_lengths(c) ? step_ropes(c, dt, count)
                          : may_sleep(c) ? step_until_asleep(c, dt, count)
@@ -464,6 +464,7 @@ uint64_t step_chain(Chain& c, double dt, size_t count) {
     c.clock.advance(dt, count);
     c.diverged = bad != UINT64_MAX;
     if (c.diverged) hold_nodes(c);
+    else each_posed(c, [&](size_t at) { arrive(c, at); });
     return c.diverged ? first + bad + 1 : 0;
 }
 

@@ -397,14 +397,14 @@ MembraneOutcome step_springs(Membrane& m, double dt, size_t count) {
 
 } // namespace
 
-// Posed nodes are driven to their targets.
-static void pose_nodes(Membrane& m, double seconds) {
+// f(place) for each number of nodes that are driven to their targets.
+template <class F> static void each_posed(const Membrane& m, F f) {
     bool any = m.pin && memchr(m.pin.data, CD_NODE_POSED, m.pin.count);
     for (cd_node edge : m.edge) any |= edge == CD_NODE_POSED;
     for (size_t i = 0; i < m.nodes && any && m.target; ++i) {
         const size_t u = i % m.columns, v = i / m.columns;
         const bool posed = kind_of(m, u, v) == CD_NODE_POSED && present(m, u, v);
-        for (size_t k = 0; k < m.components && posed; ++k) pose(m, place(m, u, v, k), seconds);
+        for (size_t k = 0; k < m.components && posed; ++k) f(place(m, u, v, k));
     }
 }
 
@@ -458,7 +458,7 @@ static MembraneOutcome step_until_asleep(Membrane& m, double dt, size_t count) {
 }
 
 MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
-    pose_nodes(m, dt * double(count));
+    each_posed(m, [&](size_t at) { pose(m, at, dt * double(count)); });
     m.bad_answer = {};
     m.broken = 0;
     const MembraneOutcome outcome = may_sleep(m) ? step_until_asleep(m, dt, count) : make_steps(m, dt, count);
@@ -466,6 +466,7 @@ MembraneOutcome step_membrane(Membrane& m, double dt, size_t count) {
     // Steps that keep the energy without the extra mass of factored lines.
     if (m.taken == CD_SOLVER_COUPLED || (m.taken == CD_SOLVER_ALTERNATING && m.likeness == kDiffer)) make_unlike(m);
     m.diverged = outcome.diverged_at != 0;
+    if (!m.diverged) each_posed(m, [&](size_t at) { arrive(m, at); });
     return outcome;
 }
 

@@ -302,6 +302,32 @@ static void what_is_held_must_not_move(void** state) {
     }
 }
 
+/* A pose is reached, and then stands still, however many steps a call makes and whatever rounding they go by. */
+static void what_is_posed_comes_to_rest(void** state) {
+    (void)state;
+    FOR_BODIES(body, precision) {
+        const struct kind* const kind = &kinds[body->kind];
+        for (size_t count = 3; count <= 7; count += 4) {
+            any* const x = body->make(precision);
+            double target[3];
+            ok(set_sleep(body, x, speed, seconds));
+            if (body->kind == CHAIN) ok(cd_chain_set_end(x, CD_END_FIRST, CD_NODE_POSED));
+            else ok(cd_membrane_set_edge(x, CD_EDGE_V_FIRST, CD_NODE_POSED));
+            for (int call = 0; call < 20; ++call) {
+                if (body->kind == CHAIN) ok(cd_chain_read_f64(x, CD_TARGET, 0, 1, 0, 1, target, 3));
+                else ok(cd_membrane_read_f64(x, CD_TARGET, 0, 0, 1, 1, target, 3));
+                for (int k = 0; k < 3; ++k) target[k] += 0.0037 * (k + 1);
+                if (body->kind == CHAIN) ok(cd_chain_write_f64(x, CD_TARGET, 0, 1, 0, 1, target, 3));
+                else ok(cd_membrane_write_f64(x, CD_TARGET, 0, 0, 1, 1, target, 3));
+                step(body, x, count);
+            }
+            for (int call = 0; call < 2000 && awake(body, x) > 0; ++call) step(body, x, count);
+            assert_int_equal(awake(body, x), 0);
+            kind->destroy(x);
+        }
+    }
+}
+
 /* What breaks in the step that would let it fall asleep, falls. */
 static void what_breaks_is_awake(void** state) {
     (void)state;
@@ -340,6 +366,7 @@ int main(void) {
         cmocka_unit_test(what_changes_a_sheet_wakes_it),
         cmocka_unit_test(what_it_neglects_is_an_acceleration),
         cmocka_unit_test(what_is_held_must_not_move),
+        cmocka_unit_test(what_is_posed_comes_to_rest),
         cmocka_unit_test(what_breaks_is_awake),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
