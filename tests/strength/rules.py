@@ -42,8 +42,7 @@ RULES = {
         "water/side.hh", "d_out > d ? most / (d_out - d) : 0", "0", ["physics_water_sides", "stability_water_extremes"]),
     "as does what comes in at an open side": (
         "water/side.hh", "secant > tangent ? secant : tangent", "tangent", ["stability_water_extremes"]),
-    "of linear momentum too": (
-        "water/side.hh", "c > tangent ? c : tangent", "tangent", ["stability_water_extremes"]),
+    "of linear momentum too": ("water/side.hh", "c > tangent ? c : tangent", "tangent", ["stability_water_extremes"]),
     "and at a level's critical depth": (
         "water/side.hh", "if (bounded < 0 && d < d_out && (is_most || !(d > 0))) return fills(d, d_out, -bounded, says.depth);", "",
         ["stability_water_extremes"]),
@@ -51,13 +50,11 @@ RULES = {
         "water/velocity.hh", "if (any_limited)", "if (false)", ["stability_water_energy"]),
     "and what does not go through gains nothing": (
         "water/momentum.hh", "        if (any_limited) {", "        if (false) {", ["stability_water_energy"]),
-    "the energy bound of long steps": (
-        "water/line.hh", "if (any_long) balance();", "", ["stability_water_energy"]),
+    "the energy bound of long steps": ("water/line.hh", "if (any_long) balance();", "", ["stability_water_energy"]),
     "a long step is rough from a change of 5% on": (
         "water/velocity.hh", "constexpr double kRoughChange = 0.05;", "constexpr double kRoughChange = 1;",
         ["stability_water_energy"]),
-    "and at shores": (
-        "water/surface.hh", "select(shallower, uneven, mean)", "uneven", ["stability_water_energy"]),
+    "and at shores": ("water/surface.hh", "select(shallower, uneven, mean)", "uneven", ["stability_water_energy"]),
     "advected only where a depth changes by half": (
         "water/velocity.hh", "constexpr double kRoughFace = 0.5;", "constexpr double kRoughFace = 0.05;", ["physics_water_dams"]),
     "what pushes from outside does work": (
@@ -146,8 +143,7 @@ RULES = {
     "a ring of one line carries velocities across it": (
         "../model/water_step.cpp", "(w.cells[other(a)] > 1 || periodic(w, other(a)))", "w.cells[other(a)] > 1",
         ["physics_water_momentum"]),
-    "waves wake what a step carries them into": (
-        SLEEP, "left > weakest && ", "left > 1e300 * weakest && ", SLEEPS),
+    "waves wake what a step carries them into": (SLEEP, "left > weakest && ", "left > 1e300 * weakest && ", SLEEPS),
     "what acts may raise waves at once": ("../model/water_sleep.hh", "kStrong = 1024;", "kStrong = 1;", SLEEPS),
     "a face belongs to the part behind it": (
         SURVEY, "return marked(x, y) || marked(x_before, y) || marked(x, y_before);",
@@ -191,10 +187,11 @@ RULES = {
     "a step before it touches": ("../model/sleep.cpp", "> sqrt(speed) * dt", "> 0 * speed", BODIES),
     "beds that move wake all": ("../model/sleep.cpp", "!it.is_convex()", "it.callback", BODIES),
     "and callbacks": ("../model/sleep.hh", "return it.callback || ", "return ", BODIES),
-    "time counts from the first step that ends slow": (
-        "../model/sleep.hh", "calm < 0 ? 0 : fmin", "fmin", BODIES),
+    "time counts from the first step that ends slow": ("../model/sleep.hh", "calm < 0 ? 0 : fmin", "fmin", BODIES),
     "what sleeps has stopped": (
         "../model/sleep.hh", "part.nodes && sleeps(b, part.number)", "part.nodes && false", BODIES),
+    "what is posed arrives": (
+        "../model/body.hh", "set_number(b, b.position, at, get_number(b, b.target, at));", "(void)b, (void)at;", BODIES),
     "what breaks wakes": ("../model/chain_rope.cpp", "    wake(c, strand, 1);\n", "", BODIES),
     "and what tears": ("../model/membrane_step.cpp", "        if (m.broken > broken) wake(m);\n", "", BODIES),
     "nor does what a part of its way leaves out, or take any": (
@@ -223,7 +220,7 @@ RULES = {
     "where links push Newton's method goes on": (
         "rope_step.cpp", "stage.push ? stage.most_iterations : 0", "0", ["physics_rope_contact"]),
     "what a failed solve touches is looked at again": (
-        "rope_step.cpp", "at < node_count * stage.collider_count && has_contacts()", "false", ["physics_rope_contact"]),
+        "rope_step.cpp", "at < node_count * stage.collider_count && has_contacts()", "false", ["physics_rope_overlaps"]),
     "but by pushes that mean nothing": (
         "rope_step.cpp", ", c.push = select(open, L{}, c.push);", ";", ["physics_rope_overlaps"]),
     "and what is still inside came out by no more than it went": (
@@ -258,8 +255,7 @@ RULES = {
         ["stability_ropes"]),
     "and by the interior point": (
         "rope_step.cpp", "    if (!stage.push) {\n        interior", "    if (false) {\n        interior", ["stability_ropes"]),
-    "halves of a rope meet": (
-        "rope_elimination.hh", "if (halved)", "if (false)", ["physics_rope_ends"]),
+    "halves of a rope meet": ("rope_elimination.hh", "if (halved)", "if (false)", ["physics_rope_ends"]),
     "they have one sum of what is wrong": (
         "rope_bundle.hh", "L sum(L a) const { return halved ? a + pairs_exchanged(a) : a; }",
         "L sum(L a) const { return a; }", ["physics_rope_ends"]),
@@ -267,16 +263,14 @@ RULES = {
         "rope_bundle.hh", "is_middle(i) ? here.half() : here", "here", ["physics_rope_ends"]),
     "what goes one way goes from the end that is held": (
         "rope_bundle.hh", "ends_held(last, j) && !ends_held(0, j)", "false", ["physics_rope_air"]),
-    "which begins from the common motion": (
-        "rope_step.cpp", "    start_together();\n", "", ["stability_ropes"]),
+    "which begins from the common motion": ("rope_step.cpp", "    start_together();\n", "", ["stability_ropes"]),
     "with the force that held nodes bring": (
         "rope_step.cpp", "driven = driven + select(held(i), root(dot(n.b, n.b)), L{});", "",
         ["stability_ropes"]),
     "and that long springs pull with": ("rope_step.cpp", " + each * sum(pulled);", ";", ["stability_ropes"]),
     "the best that was found is kept": (
         "rope_step.cpp", "    const L better = best - reached;", "    const L better = one();", ["stability_ropes", "api_rope"]),
-    "with no more energy than nodes have alone": (
-        "rope_step.cpp", "    calm();\n}", "}", ["stability_ropes"]),
+    "with no more energy than nodes have alone": ("rope_step.cpp", "    calm();\n}", "}", ["stability_ropes"]),
     "held nodes move as they are told whatever goes wrong": (
         "rope_step.cpp", "part * opposite(held(i));", "part;", ["stability_ropes"]),
     "no number, no solution": (
