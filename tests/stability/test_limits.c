@@ -30,9 +30,10 @@ enum feature {
     FEATURES
 };
 static const char* const feature_names[FEATURES] = {
-    "free",       "pinned end", "pinned ends", "pinned inside", "half ends",         "ring",
-    "random masses", "random springs", "random both", "cut",    "welded",            "drag",
-    "stiffness damping", "attached", "attached, damped", "matched end", "bend",      "bend, pinned ends"};
+    "free",        "pinned end",    "pinned ends",       "pinned inside", "half ends",
+    "ring",        "random masses", "random springs",    "random both",   "cut",
+    "welded",      "drag",          "stiffness damping", "attached",      "attached, damped",
+    "matched end", "bend",          "bend, pinned ends"};
 
 static cd_chain* make(enum feature feature, cd_precision precision, uint64_t seed) {
     cd_chain* chain = NULL;
