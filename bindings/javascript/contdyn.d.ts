@@ -518,7 +518,7 @@ export class Chain extends Handle {
 
   /**
    * Stiffness damping [s], >= 0: stretch and bend damp at this time constant; a mode of angular frequency w loses
-   * amplitude at the rate (drag + stiffness_damping w^2) / 2.
+   * amplitude at the rate (drag + stiffness_damping w^2) / 2. Ropes take none.
    */
   get stiffnessDamping(): number;
   set stiffnessDamping(value: number);
@@ -1172,19 +1172,19 @@ export interface MembraneOptions {
  *      any dt that stays the same. A motion of the angular frequencies w_u and w_v along the two directions is slowed
  *      down as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy; where the sheet comes to rest does not depend on dt.
  *      Other sheets, a plate that is a ring both ways among them, would blow up: their step, not quite linear and at
- *      six times the cost, is the best, in energy, of sums of the lines' answers, the velocity and common motion.
+ *      six times the cost, is the best, in energy, of sums of the lines' answers, the velocity and common motion. It
+ *      leaves slow motions anywhere where fast ones have energy: a plate with a hole was off by all that it swung.
  *   "coupled"      the system itself, to a tolerance, by conjugate gradients: nothing is slowed down. Uniform
  *      sheets without bend and rings take one or two iterations of some ten alternating solves each, others multigrid,
- *      tens of times the cost. It comes to rest where alternating does. Take it where stiff sheets must move in time,
+ *      4 to 100 times the cost. It comes to rest where alternating does. Take it where stiff sheets must move in time,
  *      or stiff parts against each other: alternating finds only their common motion. It needs many iterations where
  *      springs or masses vary at random by decades, plates with free edges hardly stretch or many nodes are tied.
- *   "auto"         for each dt, alternating where the slowest motion (half a wave along each direction, round a
- *      ring a whole one, with the kinks at held or attached nodes; by the mean stiffness and inverse mass) is made at
- *      most 5% heavier. Else coupled; and so, until reset, uniform sheets that have been coupled once,
- *      whose steps have differed in dt, method, lambda, damping or solver, or of which moving nodes were pinned. At
- *      that bound a kick of one of 33 x 33 nodes goes 31 times as far as it should, of a radius of an eighth of the
- *      sheet 3.5, of a quarter 1.4 times. It holds some 300 bytes a node; alternating takes 36 on uniform sheets held
- *      by edges. Builds without the coupled solver alternate.
+ *   "auto"         of uniform sheets, for each dt, alternating where the slowest motion (half a wave along each
+ *      direction, round a ring a whole one, with the kinks at held or attached nodes) is made at most 5% heavier. Else
+ *      coupled; and so, until reset, uniform sheets that have been coupled once, whose steps have differed
+ *      in dt, method, lambda, damping or solver, or of which moving nodes were pinned. At that bound a kick of one of
+ *      33 x 33 nodes goes 31 times as far as it should, of a radius of an eighth of the sheet 3.5, of a quarter 1.4. It
+ *      holds some 300 bytes a node; alternating takes 36 where edges hold it. Builds without coupled solver alternate.
  * Steps are of second order in time, those of alternating plates with stiffness damping of first. Without rest lengths:
  *   Energy: lambda = 1/2 keeps it, and lambda > 1/2 never adds any, whatever the tolerance of coupled solves.
  *   Momentum: of a free sheet, and of each part of a torn one, it is kept however stiff they are; alternating, up to a
@@ -1243,7 +1243,7 @@ export class Membrane extends Handle {
    * What the last call of step did when it took "coupled": the most iterations that a solve needed,
    * and the largest residual it ended with, as a fraction of the one it started from: Infinity where its square is. 0
    * and
-   * 0 if there was no such solve.
+   * 0 if there was no such solve. Soft motions beside stiff ones may be off by more.
    */
   get convergence(): { iterations: number; residual: number };
 
@@ -1309,7 +1309,7 @@ export class Membrane extends Handle {
 
   /**
    * Stiffness damping [s], >= 0: stretch and bend damp at this time constant; a mode of angular frequency w loses
-   * amplitude at the rate (drag + stiffness_damping w^2) / 2.
+   * amplitude at the rate (drag + stiffness_damping w^2) / 2. Cloth takes none.
    */
   get stiffnessDamping(): number;
   set stiffnessDamping(value: number);
@@ -1323,8 +1323,9 @@ export class Membrane extends Handle {
 
   /**
    * Pressure [Pa] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a node is
-   * pressure times the gradient of the volume under the sheet, at the positions a step starts from. It grows with the
-   * sheet, which beyond some half of stiffness / side nothing may hold: it then grows without end. 3 components only;
+   * pressure times the gradient of the volume under the sheet, at an edge its part of the cells' areas, at the
+   * positions
+   * a step starts from. It grows with the sheet, beyond some half of stiffness / side without end. 3 components only;
    * costs memory while not 0. Errors: "errorUnsupported" for other components unless 0; "errorMemory".
    */
   get pressure(): number;

@@ -99,7 +99,7 @@ CD_API cd_status cd_chain_set_drag(cd_chain* chain, double drag);
 CD_API cd_status cd_chain_get_drag(const cd_chain* chain, double* out_drag);
 
 /* Stiffness damping [s], >= 0: stretch and bend damp at this time constant; a mode of angular frequency w loses
- * amplitude at the rate (drag + stiffness_damping w^2) / 2. */
+ * amplitude at the rate (drag + stiffness_damping w^2) / 2. Ropes take none. */
 CD_API cd_status cd_chain_set_stiffness_damping(cd_chain* chain, double seconds);
 CD_API cd_status cd_chain_get_stiffness_damping(const cd_chain* chain, double* out_seconds);
 

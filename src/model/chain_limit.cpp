@@ -43,10 +43,10 @@ struct Elimination {
     // Eliminates the unknowns in turn. The first one of a ring stands back: every other is coupled to it by fill-in,
     // and it comes last.
     bool positive() const {
-        size_t start = 0;
-        while (c.ring && start < c.nodes && joined(start > 0 ? start - 1 : c.nodes - 1)) ++start;
-        const bool one = start == c.nodes; // a ring welded all round
-        if (one) start = 0;
+        size_t start = 0, loose = 0; // of a ring: behind a spring that is no weld; how many of these there are
+        for (size_t i = 0; c.ring && i < c.nodes; ++i)
+            if (!joined(i)) start = next(i), ++loose;
+        const bool one = c.ring && loose < 2; // welds join all nodes: none of their springs stretches
         double left = !c.ring || one ? 0 : coupling(start > 0 ? start - 1 : c.nodes - 1);
         double border = 1, fill = 0, drop = 0; // of the unknown that stands back; of the next unknown
         bool border_held = true;

@@ -121,10 +121,9 @@ void choose_way(const Membrane& m, double dt, MembraneFeatures& with) {
     });
     const double h = stage_share(m, dt);
     const bool apart = separates(m, work, h);
-    with.solver = solver_for(m, dt, kinks, apart);
-    const bool coupled = with.solver == CD_SOLVER_COUPLED;
-    const size_t most =
-        steps_explicitly(m) || (!coupled && is_too_stiff(m, h * (h + m.damping))) ? 0 : HeldNodes::kMost;
+    const size_t alternating = is_too_stiff(m, h * (h + m.damping)) ? 0 : HeldNodes::kMost;
+    with.solver = solver_for(m, dt, kinks, apart && singles <= alternating);
+    const size_t most = steps_explicitly(m) ? 0 : with.solver == CD_SOLVER_COUPLED ? HeldNodes::kMost : alternating;
     if (singles > most || !apart) with.likeness = kDiffer;
     else if (holds_inside(m, work)) with.likeness = kSeparate;
 }

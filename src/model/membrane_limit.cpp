@@ -4,8 +4,8 @@
 // t (a - b - c + d)^2 <= 4 t (a^2 + b^2 + c^2 + d^2), each with equality where nodes swing against their neighbours, as
 // in the fastest mode of a uniform sheet. What remains is a quadratic per node; the least of their roots is the bound.
 //
-// And a bound for alternating solves, whose extra mass is (w_u h)^2 (w_v h)^2 times that of the motion (membrane.h),
-// and what it is of the kink about a node that is held among others that move.
+// And a bound for alternating solves of separable sheets: their extra mass, (w_u h)^2 (w_v h)^2 times that of the motion
+// (membrane.h), and what it is of the kink about a node that is held among others that move.
 #include <math.h>
 
 #include <initializer_list>
@@ -62,24 +62,15 @@ namespace {
 constexpr double kMostExtraMass = 0.05;
 
 struct Rate {
-    double spring; // h (h + damping) k / m, were the sheet uniform, with the mean stiffness and inverse mass
+    double spring; // h (h + damping) k / m
     double motion; // (w h)^2 of the motion
 };
 Rate rate_along(const Membrane& m, Direction d, double sigma) {
     constexpr double kPi = 3.14159265358979323846;
     if (m.springs[d] == 0) return {0, 0};
     const double phase = (m.ring[d] ? 2 * kPi : kPi) / double(springs_along(m, d)), square = phase * phase;
-    double stiffness = uniform_stiffness(m, d), lightness = 1 / uniform_mass(m), springs = 0;
-    if (m.spring_stiffness[d]) stiffness = 0;
-    if (m.node_mass) lightness = 0;
-    for (size_t i = 0; i < m.spring_stiffness[d].count; ++i) {
-        stiffness += m.spring_stiffness[d][i];
-        springs += m.spring_stiffness[d][i] > 0 ? 1 : 0;
-    }
-    if (springs > 0) stiffness /= springs;
-    for (size_t i = 0; i < m.node_mass.count; ++i) lightness += 1 / (m.node_mass[i] * double(m.nodes));
     const double bend = has_bend(m) ? uniform_bend(m, d) : 0; // counted twice, see membrane_step.cpp
-    const double spring = sigma * (stiffness + 2 * bend * square) * lightness;
+    const double spring = sigma * (uniform_stiffness(m, d) + 2 * bend * square) / uniform_mass(m);
     return {spring, spring * square};
 }
 
@@ -88,6 +79,9 @@ Rate rate_along(const Membrane& m, Direction d, double sigma) {
 cd_solver solver_for(const Membrane& m, double dt, double kinks, bool separates) {
     if (steps_explicitly(m)) return CD_SOLVER_AUTO;
     if (m.solver != CD_SOLVER_AUTO) return m.solver;
+    // What lines that differ can answer is the best in energy, of which most may be that of fast motions: slow ones then
+    // go anywhere.
+    if (!separates) return CD_SOLVER_COUPLED;
     const double h = stage_share(m, dt), sigma = h * (h + m.damping);
     const Rate u = rate_along(m, kU, sigma), v = rate_along(m, kV, sigma);
     // The mean square of the motion is a quarter. The kink about a held node (the lattice's Green's function) adds 0.5
@@ -96,7 +90,7 @@ cd_solver solver_for(const Membrane& m, double dt, double kinks, bool separates)
     // The extra mass of factored lines depends on dt and more: the energy counts it, and so would change with these,
     // without bound. make_unlike is told of what else it depends on, but not of masses and springs, whose changes are
     // work however a step is solved; and of steps that keep the energy without it, and of velocities put to 0.
-    const bool varies = separates && extra > 0 && !m.clock.all_alike(dt);
+    const bool varies = extra > 0 && !m.clock.all_alike(dt);
     return extra <= kMostExtraMass && !varies ? CD_SOLVER_ALTERNATING : CD_SOLVER_COUPLED;
 }
 

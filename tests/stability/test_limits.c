@@ -30,9 +30,10 @@ enum feature {
     FEATURES
 };
 static const char* const feature_names[FEATURES] = {
-    "free",       "pinned end", "pinned ends", "pinned inside", "half ends",         "ring",
-    "random masses", "random springs", "random both", "cut",    "welded",            "drag",
-    "stiffness damping", "attached", "attached, damped", "matched end", "bend",      "bend, pinned ends"};
+    "free",        "pinned end",    "pinned ends",       "pinned inside", "half ends",
+    "ring",        "random masses", "random springs",    "random both",   "cut",
+    "welded",      "drag",          "stiffness damping", "attached",      "attached, damped",
+    "matched end", "bend",          "bend, pinned ends"};
 
 static cd_chain* make(enum feature feature, cd_precision precision, uint64_t seed) {
     cd_chain* chain = NULL;
@@ -176,6 +177,19 @@ static void stable_dt_is_infinite_where_nothing_swings(void** state) {
     ok(cd_chain_stable_dt(chain, &dt));
     assert_true(isinf(dt));
     cd_chain_destroy(chain);
+    /* of a ring all springs are welds but for one, which then joins a body to itself */
+    for (size_t loose = 0; loose < 4; ++loose) {
+        ok(cd_chain_create(1, 3, 1, CD_FLOAT64, NULL, &chain));
+        ok(cd_chain_set_ring(chain, 1));
+        for (size_t i = 0; i < 4; ++i)
+            if (i != loose) ok(cd_chain_weld(chain, 0, i));
+        ok(cd_chain_stable_dt(chain, &dt));
+        assert_true(isinf(dt));
+        ok(cd_chain_attach(chain, 0, 2, 9, 0, NULL, 0)); /* a body of 1 kg: omega = 3 */
+        ok(cd_chain_stable_dt(chain, &dt));
+        assert_near(dt, 2.0 / 3, 1e-12, 0);
+        cd_chain_destroy(chain);
+    }
 }
 
 /* Without damping every mode's energy grows by |1 + i omega dt|^2 a step, however small dt is. */

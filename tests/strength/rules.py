@@ -179,6 +179,8 @@ RULES = {
         "../model/membrane_limit.cpp", "!m.clock.all_alike(dt)", "false", ["stability_membrane_uneven"]),
     "in other things than their length too": (
         "../model/object.hh", " && !signbit(start)", "", ["stability_membrane_uneven"]),
+    "sheets whose lines differ are solved coupled by default": (
+        "../model/membrane_limit.cpp", "if (!separates) return CD_SOLVER_COUPLED;", "", ["physics_membrane_solver"]),
     "a plate's two V-cycles go both ways where one way leads astray": (
         "../solve/conjugate_gradients.cpp", "const bool astray = ", "const bool astray = false && ",
         ["stability_membrane_convergence"]),

@@ -975,13 +975,13 @@ impl Chain {
     }
 
     /// Stiffness damping \[s\], \>= 0: stretch and bend damp at this time constant; a mode of angular frequency w loses
-    /// amplitude at the rate (drag + stiffness_damping w^2) / 2.
+    /// amplitude at the rate (drag + stiffness_damping w^2) / 2. Ropes take none.
     pub fn set_stiffness_damping(&mut self, seconds: f64) -> Result<()> {
         check(unsafe { sys::cd_chain_set_stiffness_damping(self.as_ptr(), seconds) })
     }
 
     /// Stiffness damping \[s\], \>= 0: stretch and bend damp at this time constant; a mode of angular frequency w loses
-    /// amplitude at the rate (drag + stiffness_damping w^2) / 2.
+    /// amplitude at the rate (drag + stiffness_damping w^2) / 2. Ropes take none.
     pub fn get_stiffness_damping(&self) -> Result<f64> {
         let mut out_seconds = 0.0;
         check(unsafe { sys::cd_chain_get_stiffness_damping(self.as_ptr(), &mut out_seconds) })?;
@@ -1837,32 +1837,33 @@ pub struct MembraneEnergy {
 /// the two directions is slowed down as if it were 1 + (w_u h)^2 (w_v h)^2 times as heavy; where the sheet comes to
 /// rest does not depend on dt. Other sheets, a plate that is a ring both ways among them, would blow up: their
 /// step, not quite linear and at six times the cost, is the best, in energy, of sums of the lines' answers, the
-/// velocity and common motion. CD_SOLVER_COUPLED the system itself, to a tolerance, by conjugate gradients: nothing
+/// velocity and common motion. It leaves slow motions anywhere where fast ones have energy: a plate with a hole was
+/// off by all that it swung. CD_SOLVER_COUPLED the system itself, to a tolerance, by conjugate gradients: nothing
 /// is slowed down. Uniform sheets without bend and rings take one or two iterations of some ten alternating solves
-/// each, others multigrid, tens of times the cost. It comes to rest where alternating does. Take it where stiff
+/// each, others multigrid, 4 to 100 times the cost. It comes to rest where alternating does. Take it where stiff
 /// sheets must move in time, or stiff parts against each other: alternating finds only their common motion. It
 /// needs many iterations where springs or masses vary at random by decades, plates with free edges hardly stretch
-/// or many nodes are tied. CD_SOLVER_AUTO for each dt, alternating where the slowest motion (half a wave along each
-/// direction, round a ring a whole one, with the kinks at held or attached nodes; by the mean stiffness and inverse
-/// mass) is made at most 5% heavier. Else coupled; and so, until cd_membrane_reset, uniform sheets that have been
-/// coupled once, whose steps have differed in dt, method, lambda, damping or solver, or of which moving nodes were
-/// pinned. At that bound a kick of one of 33 x 33 nodes goes 31 times as far as it should, of a radius of an eighth
-/// of the sheet 3.5, of a quarter 1.4 times. It holds some 300 bytes a node; alternating takes 36 on uniform sheets
-/// held by edges. Builds without the coupled solver alternate. Steps are of second order in time, those of
-/// alternating plates with stiffness damping of first. Without rest lengths: Energy: lambda = 1/2 keeps it, and
-/// lambda \> 1/2 never adds any, whatever the tolerance of coupled solves. Momentum: of a free sheet, and of each
-/// part of a torn one, it is kept however stiff they are; alternating, up to a stiffness of 1e19 mass / h^2 of
-/// uniform sheets, and a bend of 1e13 mass / h^2 of plates with one ring. Unlike steps: alternating, the energy
-/// that a uniform sheet keeps counts the extra mass, which depends on dt, lambda and damping. If these keep
-/// changing it grows without bound: with lambda = 1/2 or CD_METHOD_STIFF_SECOND by up to an eighth a step where 16
-/// and 17 ms take turns, with lambda = 1 by a quarter where some steps are twice as long. CD_FLOAT32: alternating,
-/// the rounding of a velocity is a kick whose energy is so many times larger as the motion is heavier: where (w_u
-/// h) (w_v h) is beyond 1e4, take CD_FLOAT64 or the coupled solver. CD_METHOD_STIFF_SECOND: adds no energy where
-/// coupled solves meet the default tolerance; a step that ended short of its own has added a third, one that
-/// alternates on a sheet that is not uniform a twentieth. What chain.h says of precision and of numbers that are
-/// too small holds for sheets too. Parameters may be as large as 1e60, masses as small as 1e-60. Every function
-/// returns CD_ERROR_NULL for a null pointer and CD_ERROR_HANDLE for a handle of another kind; the comments name the
-/// other errors. Functions that the chain has too mean the same here.
+/// or many nodes are tied. CD_SOLVER_AUTO of uniform sheets, for each dt, alternating where the slowest motion
+/// (half a wave along each direction, round a ring a whole one, with the kinks at held or attached nodes) is made
+/// at most 5% heavier. Else coupled; and so, until cd_membrane_reset, uniform sheets that have been coupled once,
+/// whose steps have differed in dt, method, lambda, damping or solver, or of which moving nodes were pinned. At
+/// that bound a kick of one of 33 x 33 nodes goes 31 times as far as it should, of a radius of an eighth of the
+/// sheet 3.5, of a quarter 1.4. It holds some 300 bytes a node; alternating takes 36 where edges hold it. Builds
+/// without coupled solver alternate. Steps are of second order in time, those of alternating plates with stiffness
+/// damping of first. Without rest lengths: Energy: lambda = 1/2 keeps it, and lambda \> 1/2 never adds any,
+/// whatever the tolerance of coupled solves. Momentum: of a free sheet, and of each part of a torn one, it is kept
+/// however stiff they are; alternating, up to a stiffness of 1e19 mass / h^2 of uniform sheets, and a bend of 1e13
+/// mass / h^2 of plates with one ring. Unlike steps: alternating, the energy that a uniform sheet keeps counts the
+/// extra mass, which depends on dt, lambda and damping. If these keep changing it grows without bound: with lambda
+/// = 1/2 or CD_METHOD_STIFF_SECOND by up to an eighth a step where 16 and 17 ms take turns, with lambda = 1 by a
+/// quarter where some steps are twice as long. CD_FLOAT32: alternating, the rounding of a velocity is a kick whose
+/// energy is so many times larger as the motion is heavier: where (w_u h) (w_v h) is beyond 1e4, take CD_FLOAT64 or
+/// the coupled solver. CD_METHOD_STIFF_SECOND: adds no energy where coupled solves meet the default tolerance; a
+/// step that ended short of its own has added a third, one that alternates on a sheet that is not uniform a
+/// twentieth. What chain.h says of precision and of numbers that are too small holds for sheets too. Parameters may
+/// be as large as 1e60, masses as small as 1e-60. Every function returns CD_ERROR_NULL for a null pointer and
+/// CD_ERROR_HANDLE for a handle of another kind; the comments name the other errors. Functions that the chain has
+/// too mean the same here.
 pub struct Membrane {
     handle: NonNull<sys::cd_membrane>,
 }
@@ -2085,7 +2086,8 @@ impl Membrane {
 
     /// What the last call of cd_membrane_step did when it took CD_SOLVER_COUPLED: the most iterations that a solve
     /// needed, and the largest residual it ended with, as a fraction of the one it started from: INFINITY where its
-    /// square is. 0 and 0 if there was no such solve. Each output may be null.
+    /// square is. 0 and 0 if there was no such solve. Soft motions beside stiff ones may be off by more. Each output
+    /// may be null.
     pub fn get_convergence(&self) -> Result<MembraneConvergence> {
         let mut out_iterations = 0;
         let mut out_residual = 0.0;
@@ -2219,13 +2221,13 @@ impl Membrane {
     }
 
     /// Stiffness damping \[s\], \>= 0: stretch and bend damp at this time constant; a mode of angular frequency w loses
-    /// amplitude at the rate (drag + stiffness_damping w^2) / 2.
+    /// amplitude at the rate (drag + stiffness_damping w^2) / 2. Cloth takes none.
     pub fn set_stiffness_damping(&mut self, seconds: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_stiffness_damping(self.as_ptr(), seconds) })
     }
 
     /// Stiffness damping \[s\], \>= 0: stretch and bend damp at this time constant; a mode of angular frequency w loses
-    /// amplitude at the rate (drag + stiffness_damping w^2) / 2.
+    /// amplitude at the rate (drag + stiffness_damping w^2) / 2. Cloth takes none.
     pub fn get_stiffness_damping(&self) -> Result<f64> {
         let mut out_seconds = 0.0;
         check(unsafe { sys::cd_membrane_get_stiffness_damping(self.as_ptr(), &mut out_seconds) })?;
@@ -2247,8 +2249,8 @@ impl Membrane {
     }
 
     /// Pressure \[Pa\] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a
-    /// node is pressure times the gradient of the volume under the sheet, at the positions a step starts from. It grows
-    /// with the sheet, which beyond some half of stiffness / side nothing may hold: it then grows without end. 3
+    /// node is pressure times the gradient of the volume under the sheet, at an edge its part of the cells' areas, at
+    /// the positions a step starts from. It grows with the sheet, beyond some half of stiffness / side without end. 3
     /// components only; costs memory while not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0;
     /// CD_ERROR_MEMORY.
     pub fn set_pressure(&mut self, pressure: f64) -> Result<()> {
@@ -2256,8 +2258,8 @@ impl Membrane {
     }
 
     /// Pressure \[Pa\] on the sheet along its normal x_u x x_v, of either sign, at most 1e60 in size: the force on a
-    /// node is pressure times the gradient of the volume under the sheet, at the positions a step starts from. It grows
-    /// with the sheet, which beyond some half of stiffness / side nothing may hold: it then grows without end. 3
+    /// node is pressure times the gradient of the volume under the sheet, at an edge its part of the cells' areas, at
+    /// the positions a step starts from. It grows with the sheet, beyond some half of stiffness / side without end. 3
     /// components only; costs memory while not 0. Errors: CD_ERROR_UNSUPPORTED for other components unless 0;
     /// CD_ERROR_MEMORY.
     pub fn get_pressure(&self) -> Result<f64> {
