@@ -20,6 +20,9 @@ struct Collider {
     double place(int k, double time) const { return point[k] + (time - since) * velocity[k]; }
 };
 
+// What is told of what a collider bears: force [N] and moment about the origin [N m].
+constexpr size_t kLoadNumbers = 6;
+
 // A collider that is not CD_SHAPE_NONE, as steps meet it: its radius has the thickness of what touches it.
 struct Obstacle : Collider {
     size_t index;                // among the colliders

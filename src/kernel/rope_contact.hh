@@ -165,8 +165,10 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
     L error{};
     for (size_t k = 0; k < stage.collider_count; ++k) {
         const Obstacle& to = stage.colliders[k];
-        Contact& c = contacts[i * stage.collider_count + k];
+        const size_t at = i * stage.collider_count + k;
+        Contact& c = contacts[at];
         if (iteration == 0) {
+            if (pushes) pushes[2 * at] = select(open, V{}, pushes[2 * at]);
             if (!to.callback) look_at_gap(to, before, stage.time_before, c.acting, c.before);
             look_at_end(k, i, before, x, c);
             const L alone = nodes[i].ground * positive(leaving(i, c) - dot(c.normal, nodes[i].b));
@@ -239,13 +241,16 @@ template <int N> void RopeBundle<N>::pressed(size_t i, Impulses& left) {
     for (size_t k = stage.collider_count; k-- > 0;) {
         const size_t at = i * stage.collider_count + k;
         Contact& c = contacts[at];
-        if (!any_positive(c.on)) continue;
-        const V* const links = links_of_contact(at);
-        left.phi = left.phi + impulse_of(c.rubbed[1], links + 2, left) * cross(c.normal, c.side);
-        left.phi = left.phi + impulse_of(c.rubbed[0], links + 1, left) * c.side;
-        const L push = c.on * impulse_of(c.pressed, links, left);
-        c.push = select(open, push, c.push);
-        left.phi = left.phi + push * (c.acting - c.follows * c.side);
+        const V before = left.phi;
+        if (any_positive(c.on)) {
+            const V* const links = links_of_contact(at);
+            left.phi = left.phi + impulse_of(c.rubbed[1], links + 2, left) * cross(c.normal, c.side);
+            left.phi = left.phi + impulse_of(c.rubbed[0], links + 1, left) * c.side;
+            const L push = c.on * impulse_of(c.pressed, links, left);
+            c.push = select(open, push, c.push);
+            left.phi = left.phi + push * (c.acting - c.follows * c.side);
+        }
+        if (pushes) pushes[2 * at + 1] = left.phi - before;
     }
 }
 
@@ -255,6 +260,7 @@ template <int N> void RopeBundle<N>::pressed(size_t i, Impulses& left) {
 // has beyond what its nodes would have alone.
 template <int N> void RopeBundle<N>::forget_overlaps() {
     L given{}, left{}, alone{}; // twice the energies; given: less what the nodes had before they forgot
+    L forgotten{};              // the sum of the impulses
     for (size_t i = 0; i < node_count; ++i) {
         Node& n = nodes[i];
         const L mass = select(held(i), L{}, n.mass);
@@ -266,14 +272,60 @@ template <int N> void RopeBundle<N>::forget_overlaps() {
             const L out = positive(dot(c.acting, n.w - velocity_of(stage.colliders[k])));
             given = given + select(inside, (2 * c.push) * out, L{});
             n.next = n.next - ((1 / stage.dt) * inside) * c.normal;
+            if (pushes) forgotten = forgotten + mass * inside;
         }
         left = left + mass * dot(n.next, n.next), alone = alone + mass * dot(n.b, n.b);
     }
     left = sum(left);
     const L lost = positive(smaller(left + sum(given), left - sum(alone))) / left;
-    if (!any_positive(lost)) return;
     const L keeps = select(lost, root(positive(one() - lost)), one());
+    if (pushes) take_back(keeps, sum(forgotten));
+    if (!any_positive(lost)) return;
     for (size_t i = 0; i < node_count; ++i) nodes[i].next = keeps * nodes[i].next;
+}
+
+// What nodes forget, and what they lose as they keep this part of their velocities, has not been given to them: pushes
+// are less by the first, and by their shares of the second. forgotten: the sum of the first, over the strand, times dt.
+template <int N> void RopeBundle<N>::take_back(L keeps, L forgotten) const {
+    V momentum{};
+    for (size_t i = 0; i < node_count; ++i) momentum = momentum + select(held(i), L{}, nodes[i].mass) * nodes[i].next;
+    const V lost = (one() - keeps) * V{sum(momentum.x), sum(momentum.y), sum(momentum.z)};
+    for (size_t at = 0; at < node_count * stage.collider_count; ++at) {
+        const Contact& c = contacts[at];
+        const L own = nodes[at / stage.collider_count].mass * (c.on * positive(L{} - c.before));
+        if (!any_positive(own)) continue;
+        const V less = ((1 / stage.dt) * own) * c.normal + (own / forgotten) * lost;
+        pushes[2 * at] = pushes[2 * at] - select(own, less, V{});
+    }
+}
+
+// Goes a part of the way from the pushes of the guess to those of the last elimination, as the nodes do.
+template <int N> void RopeBundle<N>::take_pushes(L part) const {
+    for (size_t at = 0; at < node_count * stage.collider_count; ++at) {
+        V& impulse = pushes[2 * at];
+        impulse = select(part, impulse + part * (pushes[2 * at + 1] - impulse), impulse);
+    }
+}
+
+// Tells the mean force of the nodes on each collider in the step, and its moment. In a step that could not be solved
+// nothing is known of it.
+template <int N> void RopeBundle<N>::tell_loads() const {
+    const L per_impulse = L{} - select(open, L{}, L::splat(1 / stage.dt) * per_lambda);
+    for (size_t k = 0; k < stage.collider_count; ++k) {
+        V force{}, moment{};
+        for (size_t i = 0; i < node_count; ++i) {
+            const V here = per_impulse * pushes[2 * (i * stage.collider_count + k)];
+            force = force + here, moment = moment + cross(nodes[i].y, here);
+        }
+        double lane[kLoadNumbers][N];
+        for (size_t c = 0; c < 3; ++c)
+            sum(component(force, c)).store(lane[c]), sum(component(moment, c)).store(lane[3 + c]);
+        for (int j = 0; j < N && is_used(j); j += halved ? 2 : 1) {
+            double* const to =
+                ropes.loads + (strands[j] * ropes.collider_count + stage.colliders[k].index) * kLoadNumbers;
+            for (size_t c = 0; c < kLoadNumbers; ++c) to[c] = isfinite(lane[c][j]) ? lane[c][j] : 0;
+        }
+    }
 }
 
 } // namespace CD_ISA
