@@ -5,7 +5,6 @@
 #pragma once
 
 #include "api/shared.hh"
-#include "base/sum.hh"
 
 namespace cd {
 namespace shared {
@@ -262,12 +261,7 @@ cd_status get_load(const char* function, const X& x, const char* setter, size_t 
     CD_CHECK(has_collider(function, x, index));
     CD_CHECK(is_count(function, "count", count, kLoadNumbers));
     if (!x.loads) return fail(CD_ERROR_DISABLED, function, "loads are not told: see %s", setter);
-    const size_t of_part = load_numbers(collider_count(x), 1);
-    for (size_t k = 0; k < count; ++k) {
-        Sum sum;
-        for (size_t first = 0; first < x.loads.count; first += of_part) sum.add(x.loads[first + index * count + k]);
-        out[k] = sum.value();
-    }
+    sum_loads(x, index, out);
     return CD_OK;
 }
 

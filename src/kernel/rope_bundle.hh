@@ -277,9 +277,8 @@ template <int N> struct RopeBundle {
     __attribute__((noinline)) void press(size_t i, Hung& hung);
     __attribute__((noinline)) void pressed(size_t i, Impulses& left);
     void forget_overlaps();
-    __attribute__((cold)) void take_back(L keeps, L forgotten) const;
-    void take_pushes(L part) const;
-    __attribute__((noinline)) void tell_loads() const;
+    __attribute__((cold)) void take_pushes(L part) const;
+    __attribute__((cold)) void tell_loads() const;
 
     // ---- the start of a step ----------------------------------------------------------------------------------------
 

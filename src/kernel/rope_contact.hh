@@ -260,7 +260,6 @@ template <int N> void RopeBundle<N>::pressed(size_t i, Impulses& left) {
 // has beyond what its nodes would have alone.
 template <int N> void RopeBundle<N>::forget_overlaps() {
     L given{}, left{}, alone{}; // twice the energies; given: less what the nodes had before they forgot
-    L forgotten{};              // the sum of the impulses
     for (size_t i = 0; i < node_count; ++i) {
         Node& n = nodes[i];
         const L mass = select(held(i), L{}, n.mass);
@@ -272,31 +271,14 @@ template <int N> void RopeBundle<N>::forget_overlaps() {
             const L out = positive(dot(c.acting, n.w - velocity_of(stage.colliders[k])));
             given = given + select(inside, (2 * c.push) * out, L{});
             n.next = n.next - ((1 / stage.dt) * inside) * c.normal;
-            if (pushes) forgotten = forgotten + mass * inside;
         }
         left = left + mass * dot(n.next, n.next), alone = alone + mass * dot(n.b, n.b);
     }
     left = sum(left);
     const L lost = positive(smaller(left + sum(given), left - sum(alone))) / left;
-    const L keeps = select(lost, root(positive(one() - lost)), one());
-    if (pushes) take_back(keeps, sum(forgotten));
     if (!any_positive(lost)) return;
+    const L keeps = select(lost, root(positive(one() - lost)), one());
     for (size_t i = 0; i < node_count; ++i) nodes[i].next = keeps * nodes[i].next;
-}
-
-// What nodes forget, and what they lose as they keep this part of their velocities, has not been given to them: pushes
-// are less by the first, and by their shares of the second. forgotten: the sum of the first, over the strand, times dt.
-template <int N> void RopeBundle<N>::take_back(L keeps, L forgotten) const {
-    V momentum{};
-    for (size_t i = 0; i < node_count; ++i) momentum = momentum + select(held(i), L{}, nodes[i].mass) * nodes[i].next;
-    const V lost = (one() - keeps) * V{sum(momentum.x), sum(momentum.y), sum(momentum.z)};
-    for (size_t at = 0; at < node_count * stage.collider_count; ++at) {
-        const Contact& c = contacts[at];
-        const L own = nodes[at / stage.collider_count].mass * (c.on * positive(L{} - c.before));
-        if (!any_positive(own)) continue;
-        const V less = ((1 / stage.dt) * own) * c.normal + (own / forgotten) * lost;
-        pushes[2 * at] = pushes[2 * at] - select(own, less, V{});
-    }
 }
 
 // Goes a part of the way from the pushes of the guess to those of the last elimination, as the nodes do.
@@ -307,24 +289,31 @@ template <int N> void RopeBundle<N>::take_pushes(L part) const {
     }
 }
 
-// Tells the mean force of the nodes on each collider in the step, and its moment. In a step that could not be solved
-// nothing is known of it.
+// Tells what the nodes did to each collider, in the mean over the step. Of a step that was not solved nothing is known.
 template <int N> void RopeBundle<N>::tell_loads() const {
-    const L per_impulse = L{} - select(open, L{}, L::splat(1 / stage.dt) * per_lambda);
-    for (size_t k = 0; k < stage.collider_count; ++k) {
-        V force{}, moment{};
-        for (size_t i = 0; i < node_count; ++i) {
-            const V here = per_impulse * pushes[2 * (i * stage.collider_count + k)];
-            force = force + here, moment = moment + cross(nodes[i].y, here);
-        }
-        double lane[kLoadNumbers][N];
-        for (size_t c = 0; c < 3; ++c)
-            sum(component(force, c)).store(lane[c]), sum(component(moment, c)).store(lane[3 + c]);
-        for (int j = 0; j < N && is_used(j); j += halved ? 2 : 1) {
-            double* const to =
-                ropes.loads + (strands[j] * ropes.collider_count + stage.colliders[k].index) * kLoadNumbers;
-            for (size_t c = 0; c < kLoadNumbers; ++c) to[c] = isfinite(lane[c][j]) ? lane[c][j] : 0;
-        }
+    const size_t of_strand = halved ? 2 : 1;
+    double per_impulse[N];
+    select(open, L{}, L::splat(1 / stage.dt) * per_lambda).store(per_impulse);
+    for (size_t j = 0; j < count * of_strand; j += of_strand) {
+        const auto lane = [&](const auto& numbers) { return reinterpret_cast<const double*>(&numbers) + j; };
+        const PushedStrand strand{lane(nodes->mass),
+                                  lane(nodes->mobility),
+                                  lane(nodes->w),
+                                  lane(nodes->next),
+                                  lane(nodes->y),
+                                  lane(contacts->normal),
+                                  lane(contacts->before),
+                                  lane(contacts->on),
+                                  lane(*pushes),
+                                  sizeof(Node) / sizeof(double),
+                                  sizeof(Contact) / sizeof(double),
+                                  N,
+                                  of_strand,
+                                  node_count,
+                                  stage.collider_count,
+                                  per_impulse[j],
+                                  1 / stage.dt};
+        add_loads(strand, stage.colliders, ropes.loads + strands[j] * ropes.collider_count * kLoadNumbers);
     }
 }
 

@@ -441,7 +441,7 @@ template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopePar
     auto* const answers = reinterpret_cast<typename Here::Answer*>(contacts + contact_count);
     static_assert(sizeof(typename Here::Joint) == kJointScratch * N * sizeof(double));
     auto* const joints = reinterpret_cast<typename Here::Joint*>(answers + room * stage.callback_count);
-    static_assert(2 * sizeof(typename Here::V) == kLoadScratch * N * sizeof(double));
+    static_assert(2 * sizeof(typename Here::V) == kPushNumbers * N * sizeof(double));
     auto* const vectors = reinterpret_cast<typename Here::V*>(joints + (stage.bends ? room : 0));
     auto* const pushes = ropes.loads ? vectors : nullptr;
     auto* const by_link = vectors + (pushes ? 2 * contact_count : 0);

@@ -87,10 +87,10 @@ struct RopeResult {
 
 // The most lanes, whatever the kernels, those of a call with one strand, and the doubles of scratch per lane and node
 // of its room: always, for the air, for each collider, for each callback and for any; of rods, and there for the air
-// and for each collider; where loads are told, for each collider.
+// and for each collider; kPushNumbers for each collider where loads are told.
 constexpr size_t kRopeLanes = 8, kLanesAlone = 2, kRopeScratch = 63, kAirScratch = 15, kContactScratch = 34;
 constexpr size_t kAnswerScratch = 4, kQuestionScratch = 7;
-constexpr size_t kJointScratch = 65, kLinkScratch = 9, kLoadScratch = 6;
+constexpr size_t kJointScratch = 65, kLinkScratch = 9;
 
 namespace CD_ISA {
 

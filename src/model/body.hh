@@ -130,6 +130,8 @@ inline size_t load_numbers(size_t count, size_t parts) {
     size_t numbers;
     return multiply((count > 0 ? count : 1) * kLoadNumbers, parts, numbers) ? numbers : SIZE_MAX;
 }
+// What all parts do to a collider (sleep.cpp).
+void sum_loads(const Body& b, size_t index, double* out);
 inline void clear_loads(const Body& b) {
     if (b.loads) memset(b.loads.data, 0, b.loads.bytes());
 }

@@ -22,7 +22,7 @@ size_t scratch_of_node(const Chain& c, const RopeNeeds& needs) {
     const size_t of_node = kRopeScratch + (needs.air ? kAirScratch + more : 0) +
                            colliders.count * (kContactScratch + more) + colliders.callbacks * kAnswerScratch +
                            (colliders.callbacks > 0 ? kQuestionScratch : 0) + (needs.bend ? kJointScratch : 0) +
-                           (needs.loads ? colliders.count * kLoadScratch : 0);
+                           (needs.loads ? colliders.count * kPushNumbers : 0);
     return of_node * (c.strands > 1 ? kRopeLanes : kLanesAlone);
 }
 

@@ -350,13 +350,8 @@ __attribute__((cold)) void tell_loads(const Membrane& m, const ClothWork& w, siz
         const size_t part = w.part[at];
         Vector3 left = vector_at(w.residual, at) + w.mass[at] / bears[part] * vector_at(missing, part);
         const auto load = [&](const ClothContact& c, Vector3 impulse) {
-            const Vector3 f = 1 / (m.lambda * dt) * impulse;
-            const double all[kLoadNumbers] = {
-                f[0], f[1], f[2], x[1] * f[2] - x[2] * f[1], x[2] * f[0] - x[0] * f[2], x[0] * f[1] - x[1] * f[0]};
-            for (size_t k = 0; k < kLoadNumbers; ++k) {
-                double& to = m.loads[size_t(c.collider) * kLoadNumbers + k];
-                if (isfinite(to + all[k])) to += all[k];
-            }
+            const Vector3 force = 1 / (m.lambda * dt) * impulse;
+            add_force(m.loads.data + size_t(c.collider) * kLoadNumbers, force.k, x.k);
         };
         const auto push = [&](const ClothContact& c) { return fmin(c.push, push_of(c, moved, 1 / dt)); };
         const ClothContact* most = nullptr;

@@ -90,7 +90,7 @@ union slot {
     size_t size;
     int32_t whole;
 };
-enum { SLOTS = 1 << 16 };
+enum { SLOTS = 1 << 17 };
 static struct {
     union slot slots[SLOTS];
     const char* calls[SLOTS]; /* that told them */

@@ -183,6 +183,24 @@ static void a_corner_shares_what_lies_in_it(void** state) {
     cd_membrane_destroy(m);
 }
 
+/* A stiff sheet that is held and comes to lie on a ball's top: what the step leaves of the sheet's fall is no load. */
+static void a_held_sheet_bears_by_what_touches(void** state) {
+    (void)state;
+    const double at[3] = {0.5, 0.5, 0};
+    double load[2][6];
+    for (int all = 0; all < 2; ++all) {
+        cd_membrane* const m = sheet(12, CD_FLOAT64, 0.3, 3000);
+        ok(cd_membrane_set_edge(m, CD_EDGE_U_FIRST, CD_NODE_PINNED));
+        ok(cd_membrane_set_colliders(m, 1));
+        ok(cd_membrane_set_capsule(m, 0, at, at, 3, 0.3, 0.3));
+        if (all) ok(cd_membrane_set_effort(m, 100, 2000));
+        ok(cd_membrane_step(m, 1.0 / 60, 2));
+        get_load(m, 0, load[all]);
+        cd_membrane_destroy(m);
+    }
+    for (int k = 0; k < 3; ++k) assert_near(load[0][k], load[1][k], 0.01, 0.2 * 9.81);
+}
+
 /* What sleeps bears as before; loads are a part of the state, and go with it. */
 static void what_sleeps_bears_on(void** state) {
     (void)state;
@@ -231,11 +249,9 @@ static void loads_change_no_step(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_cloth_gains_colliders_lose),
-        cmocka_unit_test(what_rests_bears_with_its_weight),
-        cmocka_unit_test(a_corner_shares_what_lies_in_it),
-        cmocka_unit_test(what_sleeps_bears_on),
-        cmocka_unit_test(loads_change_no_step),
+        cmocka_unit_test(what_cloth_gains_colliders_lose),    cmocka_unit_test(what_rests_bears_with_its_weight),
+        cmocka_unit_test(a_corner_shares_what_lies_in_it),    cmocka_unit_test(what_sleeps_bears_on),
+        cmocka_unit_test(a_held_sheet_bears_by_what_touches), cmocka_unit_test(loads_change_no_step),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

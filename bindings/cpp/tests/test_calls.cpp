@@ -393,6 +393,9 @@ void cloth() {
     CHECK(capsule.shape == contdyn::shape::capsule && second[0] == 9 && capsule.radius == 0.25);
     const std::vector<double> lying = GET(rug.read_f64(field::position));
     for (std::size_t i = 1; i < lying.size(); i += 3) CHECK(std::fabs(lying[i] + 0.9375) < 1e-5);
+    std::array<double, 6> load{};
+    OK(rug.get_collider_load(0, load));
+    CHECK(load[1] < 0);
     OK(rug.remove_collider(1));
     CHECK(GET(rug.get_collider(1, first, second, velocity)).shape == contdyn::shape::none);
 }

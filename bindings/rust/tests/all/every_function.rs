@@ -369,7 +369,7 @@ pub const CHAIN: [Call<Chain>; 90] = [
     Call {
         name: "cd_chain_get_collider_load",
         may_fail: false,
-        call: |o, _other, _saved| o.get_collider_load(0, &mut [0.0; 2]).map(drop),
+        call: |o, _other, _saved| o.get_collider_load(0, &mut [0.0; 6]).map(drop),
         told: |_| true,
     },
     Call {
@@ -974,7 +974,7 @@ pub const MEMBRANE: [Call<Membrane>; 99] = [
     Call {
         name: "cd_membrane_get_collider_load",
         may_fail: false,
-        call: |o, _other, _saved| o.get_collider_load(0, &mut [0.0; 3]).map(drop),
+        call: |o, _other, _saved| o.get_collider_load(0, &mut [0.0; 6]).map(drop),
         told: |_| true,
     },
     Call {
