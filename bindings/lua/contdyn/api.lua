@@ -1466,7 +1466,7 @@ end
 function Chain:get_collider_load(index, out_load)
   local where = "cd_chain_get_collider_load"
   index = integer_in(index, where, "index")
-  local p_out_load, n_out_load = array_out("double", out_load, components_of(self), where, "out_load")
+  local p_out_load, n_out_load = array_out("double", out_load, 6, where, "out_load")
   local count = n_out_load or 0
   check(lib.cd_chain_get_collider_load(handle_of(self), index, p_out_load, count))
   return array_result(out_load, p_out_load, n_out_load)
@@ -2718,7 +2718,7 @@ end
 function Membrane:get_collider_load(index, out_load)
   local where = "cd_membrane_get_collider_load"
   index = integer_in(index, where, "index")
-  local p_out_load, n_out_load = array_out("double", out_load, components_of(self), where, "out_load")
+  local p_out_load, n_out_load = array_out("double", out_load, 6, where, "out_load")
   local count = n_out_load or 0
   check(lib.cd_membrane_get_collider_load(handle_of(self), index, p_out_load, count))
   return array_result(out_load, p_out_load, n_out_load)
