@@ -461,7 +461,7 @@ class Membranes(unittest.TestCase):
         cloth = Membrane(4, 3, 3)
         cloth.position = [[[u / 4, 0.5, v / 4] for u in range(5)] for v in range(4)]
         cloth.rest_length, cloth.gravity = (1, 0.75), (0, -10, 0)
-        cloth.colliders, cloth.thickness = 2, 0.125
+        cloth.colliders, cloth.thickness, cloth.loads = 2, 0.125, True
         cloth.set_plane(0, (0, -1, 0), (0, 2, 0), 0.5)
         cloth.set_capsule(1, (3, 0, 0), (4, 0, 0), 0.5)
         cloth.set_collider_velocity(0, (0, 0, 0.25))
@@ -469,6 +469,7 @@ class Membranes(unittest.TestCase):
         for row in cloth.position.tolist():
             for node in row:
                 self.assertAlmostEqual(node[1], -0.875, 5)
+        self.assertLess(cloth.get_collider_load(0).force[1], 0)
         plane = cloth.get_collider(0)
         self.assertEqual((plane.shape, plane.second, plane.friction), (Shape.PLANE, (0, 1, 0), 0.5))
         close(self, plane.first, (0, -1, 0.5))
